@@ -1,0 +1,64 @@
+// From ball presses to the depth mapping: all presses solved together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "calibration/press.h"
+#include "core/finger/finger.h"
+#include "core/job.h"
+#include "core/result.h"
+#include "core/settings.h"
+
+namespace alltact {
+
+enum class CalibrationMethod {
+  kJoint = 1,  ///< all ball centres and the mapping in one robust least-squares problem
+  kPaper,      ///< the source paper: circle on each press, ball depth from its radius, one polynomial
+};
+enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius };
+enum class AlongChoice { kAuto = 1, kZ, kNormal };
+
+struct CalibrationSettings {
+  CalibrationMethod method = CalibrationMethod::kJoint;
+  FamilyChoice family = FamilyChoice::kAuto;
+  int degree = 0;  ///< number of Chebyshev coefficients, 1..8; 0: chosen by leaving presses out
+  AlongChoice along = AlongChoice::kAuto;
+};
+[[nodiscard]] const std::vector<Setting<CalibrationSettings>>& calibration_settings();
+
+/// The ball of one press in the solution.
+struct BallFit {
+  std::string press;
+  Eigen::Vector3d centre_mm;
+  Eigen::Vector3d centre_sd_mm;
+  double depth_mm = 0;         ///< greatest press depth along z
+  double residual_mm = 0;      ///< mean absolute, inside the contact
+  double held_out_mm = 0;      ///< the same with a mapping fitted without this press; 0: only press
+  double tangent_arc_deg = 0;  ///< of the ball's own outline that entered the fit
+  bool cut_by_edge = false;
+};
+
+struct Calibration {
+  MappingParameters mapping;
+  std::vector<BallFit> balls;
+  double residual_mm = 0;
+  double held_out_mm = 0;        ///< 0 when there was only one press
+  double condition = 0;          ///< of the scaled problem
+  std::string degree_choice;     ///< why this family and degree, a sentence
+  std::vector<std::string> left_out;  ///< presses not used, each with the reason
+  std::vector<std::string> remarks;   ///< what the user should know (one press only, ...)
+};
+
+/// Errors: no usable press (with each press's reason), a solution that is not finite or not
+/// increasing. A stopped job returns the best solution so far when there is one.
+[[nodiscard]] Result<Calibration> calibrate(const std::vector<Press>& presses,
+                                            const Camera& camera,
+                                            const Face& face,
+                                            double ball_radius_mm,
+                                            const CalibrationSettings& settings,
+                                            const Job& job);
+
+}  // namespace alltact

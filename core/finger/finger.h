@@ -1,0 +1,96 @@
+// Finger: everything that is known of one finger, and the folder it lives in.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/camera/camera.h"
+#include "core/finger/mapping.h"
+#include "core/result.h"
+
+namespace alltact {
+
+enum class FaceKind { kFinRay = 1, kFlat };
+enum class Polarity { kBright = 1, kDark, kAuto };
+
+struct Face {
+  FaceKind kind = FaceKind::kFinRay;
+  double width_mm = 0;    ///< fin_ray: distance of the two edges of the view face, (0, 500]
+  double layer_mm = 0;    ///< thickness of the translucent layer along its normal, (0, 50]
+  double plane_z_mm = 0;  ///< flat: the view face is the plane z = plane_z_mm
+};
+
+struct MarkerRows {
+  int per_row = 0;  ///< dots on each side face, 2..64; 0: none (flat sensors)
+  Polarity polarity = Polarity::kAuto;  ///< against their surroundings; auto until a recording tells
+};
+
+/// How a calibration came about; written beside the mapping for people and for `check`.
+struct MappingRecord {
+  std::string method;              ///< joint | paper
+  std::vector<std::string> presses;///< picture names that were used
+  double residual_mm = 0;          ///< mean absolute residual inside the contacts
+  double held_out_mm = 0;          ///< mean absolute error on presses left out; 0 when only one press
+  std::string degree_choice;       ///< a sentence
+};
+
+struct ReferenceFiles {
+  std::string video;    ///< relative path of the recording; empty for a flat sensor
+  std::string markers;  ///< relative path of its marker table (CSV)
+  std::string image;    ///< flat: relative path of the one untouched picture
+};
+
+struct ContactSettings {
+  double threshold_px = 0;                    ///< sum of marker offsets that counts as touched
+  std::vector<Eigen::Vector2d> rest_markers;  ///< 2n positions of the finger at rest, px
+};
+
+/// A value: all that `finger.yaml` says.
+class Finger {
+ public:
+  static constexpr const char* kFormat = "alltact-finger/1";
+  static constexpr const char* kFileName = "finger.yaml";
+
+  std::string name;
+  CameraParameters camera;
+  Face face;
+  MarkerRows markers;
+  std::optional<MappingParameters> mapping;
+  std::optional<MappingRecord> mapping_record;
+  std::optional<ReferenceFiles> reference;
+  std::optional<ContactSettings> contact;
+  std::string force_model;                        ///< relative path; empty when there is none
+  std::map<std::string, std::string> provenance;  ///< date, program version, ball_radius_mm, ...
+
+  /// Reads FOLDER/finger.yaml. Strict: a missing, misspelt-in-type or impossible value is an error
+  /// with file, line, key and what would be right. Kind: unknown keys are kept (save() writes them
+  /// back) and named in `warnings`. Files that are named must lie inside the folder.
+  static Result<Finger> load(const std::filesystem::path& folder,
+                             std::vector<std::string>* warnings = nullptr);
+
+  /// Writes FOLDER/finger.yaml whole or not at all. Keys are written in the order of the format,
+  /// numbers with all their digits: load, save, load gives an equal value and the same bytes.
+  [[nodiscard]] Status save(const std::filesystem::path& folder) const;
+
+  /// What load() checks of values, for a finger that was put together in memory. The error's
+  /// `where` is the key.
+  [[nodiscard]] Status validate() const;
+
+  [[nodiscard]] int marker_count() const { return 2 * markers.per_row; }
+
+ private:
+  struct Unknown;  // keys of the file that this version does not know
+  std::shared_ptr<const Unknown> unknown_;
+};
+
+/// Reads what stands under `camera:` in a finger from a file of its own (CAMERA.yaml, with or
+/// without the `camera:` line above it).
+[[nodiscard]] Result<CameraParameters> load_camera(const std::filesystem::path& file);
+
+}  // namespace alltact

@@ -1,0 +1,66 @@
+// From brightness difference to press depth: d = M(x).
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/result.h"
+
+namespace alltact {
+
+enum class MappingKind { kPolynomial = 1, kMoebius };
+/// Which thickness of the layer the brightness follows: along z, or along its normal. With kNormal,
+/// M gives the depth along the normal and the depth along z is M(x) / cos(incline).
+enum class MappingAlong { kZ = 1, kNormal };
+
+/// What is stored of a mapping.
+///   polynomial: d = x * sum_k c_k T_k(2 x / x_max - 1), T_k Chebyshev polynomials: zero at zero by
+///               construction and well conditioned on [0, x_max].
+///   moebius:    d = a x / (1 + b x), a > 0, b > -1 / x_max: a Kubelka-Munk layer over a dark coat.
+struct MappingParameters {
+  MappingKind kind = MappingKind::kPolynomial;
+  MappingAlong along = MappingAlong::kZ;
+  double x_max = 0;                ///< end of the calibrated domain [0, x_max], 0 < x_max <= 1
+  std::vector<double> chebyshev;   ///< polynomial: c_0 .. c_n, at most 12, mm
+  double a_mm = 0, b = 0;          ///< moebius
+  Eigen::MatrixXd covariance;      ///< of chebyshev, or of (a, b); empty when unknown
+};
+
+/// A valid mapping: finite and strictly increasing on its domain.
+///
+/// depth_mm() is defined for every x and is finite, >= 0, continuous and monotone: x <= 0 (the layer
+/// bulges) gives 0; above x_max the curve goes on as a straight line with its end slope, up to
+/// `limit_mm`. Whether a depth was extrapolated is for the caller to ask: x > x_max().
+class Mapping {
+ public:
+  /// Errors: domain out of range, coefficients not finite or missing, not increasing.
+  static Result<Mapping> create(MappingParameters parameters);
+
+  [[nodiscard]] const MappingParameters& parameters() const { return parameters_; }
+  [[nodiscard]] double x_max() const { return parameters_.x_max; }
+
+  [[nodiscard]] double depth_mm(double x) const;
+  /// dM/dx at x clamped to [0, x_max]; > 0.
+  [[nodiscard]] double slope_mm(double x) const;
+  /// Standard deviation of M(x) from the covariance, 0 where that is unknown.
+  [[nodiscard]] double depth_sd_mm(double x) const;
+  /// The x in [0, x_max] whose depth is depth_mm, by bisection; clamped to the domain.
+  [[nodiscard]] double difference_at(double depth_mm) const;
+
+  /// depth_mm for n values at once in single precision (relative 2e-6 of the double path). The
+  /// loop of the frame pipeline: no branches, vectorised.
+  void depths_mm(const float* x, float* depth_mm, int n) const;
+
+  /// The same curve in ascending powers of x (0, p1, p2, ...): for people and other programs.
+  [[nodiscard]] std::vector<double> powers() const;
+
+ private:
+  explicit Mapping(MappingParameters parameters);
+  MappingParameters parameters_;
+  std::vector<float> powers_float_;
+  double end_depth_mm_ = 0, end_slope_mm_ = 0;
+};
+
+}  // namespace alltact

@@ -1,0 +1,32 @@
+// Files that are old or new, never half.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace alltact {
+
+/// Writes `content` to a temporary beside `file`, fsyncs it, renames it over `file` and fsyncs the
+/// folder. On any error (disk full, folder not writable, ...) `file` is as it was before and the
+/// temporary is gone. The error says which of these it was.
+[[nodiscard]] Status write_file_atomically(const std::filesystem::path& file,
+                                           std::string_view content);
+
+/// The same for content that another library must write itself: `write` gets the path of the
+/// temporary (same folder, same ending) and fills it.
+[[nodiscard]] Status write_file_atomically(
+    const std::filesystem::path& file,
+    const std::function<Status(const std::filesystem::path& temporary)>& write);
+
+/// The whole file. Errors: missing, a folder, not readable, larger than `limit_bytes`.
+[[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file,
+                                            std::size_t limit_bytes = std::size_t{1} << 30);
+
+/// Makes the folder (and its parents) if it is not there. The error says why it could not.
+[[nodiscard]] Status make_folder(const std::filesystem::path& folder);
+
+}  // namespace alltact

@@ -1,0 +1,33 @@
+// Long work that can be watched and stopped, knowing nothing of windows or terminals.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace alltact {
+
+/// Handed to long work by whoever waits for it. The work calls report() and asks stop_requested()
+/// often; the one who waits may call request_stop() from any thread. Work that was stopped returns
+/// the best result it has, or an error saying that it was stopped before it had one.
+class Job {
+ public:
+  /// fraction in [0, 1]; what: a short phrase ("reading frame 12 of 240").
+  using Listener = std::function<void(double fraction, std::string_view what)>;
+
+  Job() = default;
+  explicit Job(Listener listener) : listener_(std::move(listener)) {}
+
+  void report(double fraction, std::string_view what) const {
+    if (listener_) listener_(fraction, what);
+  }
+  void request_stop() { stop_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }
+
+ private:
+  Listener listener_;
+  std::atomic<bool> stop_{false};
+};
+
+}  // namespace alltact

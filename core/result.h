@@ -1,0 +1,69 @@
+// The outcome of work that can go wrong because of data: a value, or an error a person can act on.
+#pragma once
+
+#include <cassert>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace alltact {
+
+/// What happened, where, and what the technician can try. Each part is a sentence or a phrase
+/// without a full stop; `where` names a file, a line or a key and may be empty.
+struct Error {
+  std::string what;
+  std::string where;
+  std::string advice;
+
+  /// "where: what. Try: advice." on one line.
+  [[nodiscard]] std::string sentence() const {
+    std::string text = where.empty() ? what : where + ": " + what;
+    text += '.';
+    if (!advice.empty()) text += " Try: " + advice + ".";
+    return text;
+  }
+};
+
+/// Either a T or an Error. Asking the wrong one is our own mistake and asserts.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}  // NOLINT
+  Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}  // NOLINT
+
+  [[nodiscard]] bool ok() const { return content_.index() == 0; }
+  explicit operator bool() const { return ok(); }
+
+  [[nodiscard]] T& value() & { return assert(ok()), *std::get_if<0>(&content_); }
+  [[nodiscard]] const T& value() const& { return assert(ok()), *std::get_if<0>(&content_); }
+  [[nodiscard]] T&& value() && { return assert(ok()), std::move(*std::get_if<0>(&content_)); }
+  [[nodiscard]] const Error& error() const { return assert(!ok()), *std::get_if<1>(&content_); }
+
+  T& operator*() & { return value(); }
+  const T& operator*() const& { return value(); }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &value(); }
+
+ private:
+  std::variant<T, Error> content_;
+};
+
+/// The outcome of work that gives nothing back.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : error_(std::move(error)) {}  // NOLINT
+
+  [[nodiscard]] bool ok() const { return !error_; }
+  explicit operator bool() const { return ok(); }
+  [[nodiscard]] const Error& error() const { return assert(!ok()), *error_; }
+
+ private:
+  std::optional<Error> error_;
+};
+
+using Status = Result<void>;
+
+}  // namespace alltact

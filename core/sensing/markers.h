@@ -1,0 +1,121 @@
+// Engraved dots on the two side faces: finding, numbering, following them.
+//
+// Numbers: 0..n-1 along the upper row (small v) from base to tip, n..2n-1 along the lower row.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+#include "core/finger/finger.h"
+#include "core/result.h"
+#include "core/sensing/face_shape.h"
+
+namespace alltact {
+
+struct Marker {
+  double u = 0, v = 0;  ///< px, oriented picture; an estimate when not seen
+  bool seen = false;
+  double sd_px = 0;     ///< expected standard deviation of u and of v
+};
+
+/// 2n markers by number.
+using Markers = std::vector<Marker>;
+
+/// A dot found in the picture, not yet numbered.
+struct Dot {
+  double u = 0, v = 0;
+  double radius_px = 0;   ///< of the disc of the same area
+  double contrast = 0;    ///< grey levels against the surroundings; sign is the polarity
+  double sd_px = 0;
+  bool upper = false;     ///< on the side face at small v
+};
+
+/// Finds dots on the side faces (outside the face's edges) by multi-scale blob response, sub-pixel
+/// by the centroid above the local background. Remembers nothing.
+class MarkerDetector {
+ public:
+  explicit MarkerDetector(MarkerRows rows) : rows_(rows) {}
+
+  /// Every plausible dot, also false ones; numbering them is for MarkerModel and the recording.
+  /// With Polarity::kAuto the polarity that gives the more even rows wins and is reported.
+  struct Found {
+    std::vector<Dot> dots;
+    Polarity polarity = Polarity::kBright;
+  };
+  [[nodiscard]] Found operator()(const cv::Mat& grey, const FaceShape& shape) const;
+
+  /// The one dot near a place: searched within `search_px`, nullopt where there is none that looks
+  /// like a dot of about `radius_px` with a contrast of the sign of `contrast`.
+  [[nodiscard]] std::optional<Dot> near(const cv::Mat& grey,
+                                        const FaceShape& shape,
+                                        const Eigen::Vector2d& place,
+                                        double search_px,
+                                        double radius_px,
+                                        double contrast) const;
+
+ private:
+  MarkerRows rows_;
+};
+
+/// What a finger's own recording says of how its markers move together: principal modes of all
+/// complete layouts. Tells the number of each dot, refuses dots that fit no pose, and fills in
+/// hidden markers.
+class MarkerModel {
+ public:
+  /// layouts: one row a frame, 2n markers as (u0, v0, u1, v1, ...), px; NaN where not seen.
+  /// sizes: mean radius and contrast of each marker. Error: fewer than 2 usable layouts.
+  static Result<MarkerModel> learn(const Eigen::MatrixXd& layouts,
+                                   const std::vector<Dot>& typical_dots);
+
+  [[nodiscard]] int marker_count() const { return static_cast<int>(mean_.size() / 2); }
+
+  /// Numbers dots: starts from the recorded layout that explains most of them, then assigns and
+  /// fits the modes in turn within a shrinking gate. Every marker comes back, seen or estimated.
+  /// nullopt when fewer than `minimum_seen` (a third of all) dots fit any pose.
+  [[nodiscard]] std::optional<Markers> number(const std::vector<Dot>& dots) const;
+
+  /// Fills the markers that are not seen from those that are, and turns those that contradict the
+  /// rest (partly covered dots) into estimates. nullopt when too few are seen.
+  [[nodiscard]] std::optional<Markers> complete(Markers markers) const;
+
+  /// Coordinates of a complete layout in the modes, each divided by its standard deviation in the
+  /// recording.
+  [[nodiscard]] Eigen::VectorXd modes(const Markers& markers) const;
+  /// Root mean square distance in px of the seen markers to the nearest layout the modes can make.
+  [[nodiscard]] double residual_px(const Markers& markers) const;
+
+  [[nodiscard]] const std::vector<Dot>& typical_dots() const { return typical_; }
+
+ private:
+  Eigen::MatrixXd layouts_;  // complete ones
+  Eigen::VectorXd mean_;
+  Eigen::MatrixXd basis_;    // 4n x modes
+  Eigen::VectorXd mode_sd_;
+  double noise_px_ = 0.1;
+  std::vector<Dot> typical_;
+};
+
+/// Follows the markers from frame to frame: looks near where each was, and detects anew only when
+/// that fails. Remembers the last frame.
+class MarkerTracker {
+ public:
+  MarkerTracker(MarkerRows rows, MarkerModel model);
+
+  /// nullopt with `problem` set when the markers could not be found.
+  [[nodiscard]] std::optional<Markers> operator()(const cv::Mat& grey,
+                                                  const FaceShape& shape,
+                                                  std::string* problem);
+  /// Forgets the last frame: the next one is looked at as if it were the first.
+  void forget() { last_.reset(); }
+
+ private:
+  MarkerDetector detector_;
+  MarkerModel model_;
+  std::optional<Markers> last_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,91 @@
+// One frame from picture to millimetres.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/finger/finger.h"
+#include "core/job.h"
+#include "core/result.h"
+#include "core/sensing/contact_regions.h"
+#include "core/sensing/face_edges.h"
+#include "core/sensing/face_shape.h"
+#include "core/sensing/local_depth.h"
+#include "core/sensing/markers.h"
+#include "core/sensing/pipeline_settings.h"
+#include "core/sensing/reference_library.h"
+#include "core/sensing/touch.h"
+#include "core/sources/frame.h"
+
+namespace alltact {
+
+/// How long each step took, milliseconds of wall clock.
+struct StepTimes {
+  double prepare = 0, edges = 0, global = 0, markers = 0, reference = 0, local = 0, contact = 0;
+  double total = 0;
+};
+
+/// All that one frame tells. What could not be had is absent, and `problems` says why.
+struct FrameResult {
+  FramePtr frame;
+  cv::Mat grey;  ///< the oriented picture
+  std::optional<FaceEdges> edges;
+  std::optional<FaceShape> shape;
+  std::optional<Markers> markers;
+  std::optional<Reference> reference;
+  std::optional<Difference> difference;
+  std::optional<DepthMap> depth;
+  std::optional<Touch> touch;
+  std::vector<ContactRegion> regions;
+  StepTimes times_ms;
+  std::vector<std::string> problems;
+};
+
+/// Built once from a finger; turns frames into results. Remembers only where the markers were
+/// (between frames of one continuous source); everything else depends on the frame alone.
+class Pipeline {
+ public:
+  /// Reads the finger's reference recording. A finger without a mapping works up to `difference`.
+  /// Errors: those of Camera::create, Mapping::create and ReferenceLibrary::load.
+  static Result<Pipeline> create(const std::filesystem::path& finger_folder,
+                                 const Finger& finger,
+                                 const PipelineSettings& settings,
+                                 const Job& job);
+
+  /// A pipeline over a library that is already in memory.
+  static Result<Pipeline> create(const Finger& finger,
+                                 ReferenceLibrary library,
+                                 const PipelineSettings& settings);
+
+  /// Error: the frame's size is not the finger's. Anything else that fails is a problem in the
+  /// result.
+  [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame);
+
+  /// The next frame is not the neighbour of the last one in time.
+  void forget();
+
+  [[nodiscard]] const Finger& finger() const;
+  [[nodiscard]] const Camera& camera() const;
+  [[nodiscard]] const PipelineSettings& settings() const;
+
+ private:
+  struct State;
+  explicit Pipeline(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+
+ public:
+  Pipeline(Pipeline&&) noexcept;
+  Pipeline& operator=(Pipeline&&) noexcept;
+  ~Pipeline();
+};
+
+/// 3D points of the pressed face, CV_32FC3 (x, y, z in mm, camera frame), NaN where there is no
+/// depth: p_CF = p_LUF - (0, 0, d).
+[[nodiscard]] cv::Mat contact_face_points_mm(const FrameResult& result,
+                                             const Face& face,
+                                             MappingAlong along);
+
+}  // namespace alltact

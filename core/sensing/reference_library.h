@@ -1,0 +1,79 @@
+// Untouched pictures of the finger in all its poses, and the one that fits the pose now.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+#include "core/finger/finger.h"
+#include "core/job.h"
+#include "core/result.h"
+#include "core/sensing/face_shape.h"
+#include "core/sensing/markers.h"
+
+namespace alltact {
+
+/// How the reference of a frame is made from the recording.
+enum class ReferenceMethod {
+  kNearest = 1,  ///< the one frame whose markers lie nearest (the paper)
+  kLocal,        ///< local linear regression over the nearest frames: closer by several times
+};
+
+/// The reference picture of a frame: grey levels in float on the face, 0 elsewhere.
+struct Reference {
+  cv::Mat grey;              ///< CV_32FC1, the picture's size
+  cv::Mat valid;             ///< CV_8UC1, 255 where every frame used shows the face
+  int frame = -1;            ///< number of the nearest frame in the recording
+  double distance_px = 0;    ///< mean distance of the seen markers to that frame's
+  bool known_pose = true;    ///< false: further away than the recording's own frames are apart
+  double noise_gain = 1;     ///< standard deviation of the reference's noise / that of one frame
+};
+
+/// Marker table of a recording (reference.csv): frame,number,u,v,seen and a line a marker.
+struct MarkerTable {
+  std::vector<int> frames;   ///< number of each row in the video
+  Eigen::MatrixXd layouts;   ///< one row a frame, (u0, v0, ...), px
+  std::vector<Dot> typical;  ///< mean radius and contrast of each marker
+
+  static Result<MarkerTable> load(const std::filesystem::path& file, int marker_count);
+  [[nodiscard]] Status save(const std::filesystem::path& file) const;
+};
+
+class ReferenceLibrary {
+ public:
+  /// Reads the recording a finger names. Only the face is kept of every frame, row by row, and when
+  /// that would pass `memory_limit_bytes` only a covering subset of the frames (farthest-point
+  /// sampling in marker space). Errors: files missing or unreadable, table and video disagree.
+  static Result<ReferenceLibrary> load(const std::filesystem::path& finger_folder,
+                                       const Finger& finger,
+                                       const Camera& camera,
+                                       const Job& job,
+                                       std::size_t memory_limit_bytes = std::size_t{512} << 20);
+
+  /// The one untouched picture of a flat sensor.
+  static Result<ReferenceLibrary> single(const cv::Mat& grey);
+
+  [[nodiscard]] std::size_t frame_count() const;
+  [[nodiscard]] std::size_t memory_bytes() const;
+  /// nullptr for a single picture.
+  [[nodiscard]] const MarkerModel* marker_model() const;
+
+  /// Index into the library (not the video) of the frame with the least mean distance over the
+  /// markers that are seen, by brute force; and that distance.
+  struct Nearest { int index; double distance_px; };
+  [[nodiscard]] Nearest nearest(const Markers& markers) const;
+
+  /// The reference for a pose. `markers` is ignored by a single picture.
+  [[nodiscard]] Reference reference_for(const Markers& markers, ReferenceMethod method) const;
+
+ private:
+  struct Content;
+  std::shared_ptr<const Content> content_;
+};
+
+}  // namespace alltact

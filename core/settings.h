@@ -1,0 +1,67 @@
+// A named choice, declared once: its flag, its key in files, its help and its check come from here.
+#pragma once
+
+#include <charconv>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/result.h"
+
+namespace alltact {
+
+/// One choice within a group S of settings.
+template <class S>
+struct Setting {
+  std::string name;      ///< as flag (--name) and as key, words joined by '-'
+  std::string sentence;  ///< what it does, for help and dialogs
+  std::string range;     ///< "1 to 64" or "nearest or local"
+  std::function<std::string(const S&)> get;
+  /// Error: outside the range, or not a value at all.
+  std::function<Status(S&, std::string_view)> set;
+
+  [[nodiscard]] std::string default_value() const { return get(S{}); }
+};
+
+/// A number in [low, high]. `member` is a pointer to an arithmetic member of S.
+template <class S, class T>
+Setting<S> number_setting(std::string name, std::string sentence, T S::*member, T low, T high) {
+  Setting<S> setting{std::move(name), std::move(sentence), fmt::format("{} to {}", low, high), {}, {}};
+  setting.get = [member](const S& s) { return fmt::format("{}", s.*member); };
+  setting.set = [member, low, high, name = setting.name](S& s, std::string_view text) -> Status {
+    T value{};
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (status != std::errc{} || end != text.data() + text.size() || !(value >= low && value <= high))
+      return Error{fmt::format("'{}' is not a number from {} to {}", text, low, high), name, ""};
+    s.*member = value;
+    return {};
+  };
+  return setting;
+}
+
+/// One of several words.
+template <class S, class E>
+Setting<S> choice_setting(std::string name,
+                          std::string sentence,
+                          E S::*member,
+                          std::vector<std::pair<std::string, E>> words) {
+  std::string range;
+  for (const auto& [word, value] : words) range += (range.empty() ? "" : " or ") + word;
+  Setting<S> setting{std::move(name), std::move(sentence), range, {}, {}};
+  setting.get = [member, words](const S& s) -> std::string {
+    for (const auto& [word, value] : words)
+      if (value == s.*member) return word;
+    return {};
+  };
+  setting.set = [member, words, range, name = setting.name](S& s, std::string_view text) -> Status {
+    for (const auto& [word, value] : words)
+      if (word == text) return s.*member = value, Status{};
+    return Error{fmt::format("'{}' is not {}", text, range), name, ""};
+  };
+  return setting;
+}
+
+}  // namespace alltact

@@ -1,0 +1,40 @@
+// A scene compiled into the list of things to do for a frame, holding only what the scene names.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <opencv2/core.hpp>
+
+#include "core/finger/finger.h"
+#include "core/result.h"
+#include "core/simulation/scene.h"
+#include "core/simulation/truth.h"
+
+namespace alltact {
+
+class Plan {
+ public:
+  /// Errors: an effect with impossible parameters for this finger.
+  static Result<Plan> compile(const Scene& scene, std::uint64_t seed);
+
+  [[nodiscard]] int frame_count() const;
+  /// Names of the effects the plan holds, in the order they run.
+  [[nodiscard]] std::vector<std::string> effects() const;
+
+  /// Frame number `frame` as the camera would give it, CV_8UC1 when the scene names `quantisation`.
+  /// The same bytes for any number of threads and any order of frames.
+  [[nodiscard]] cv::Mat render(int frame, int threads = 1) const;
+  [[nodiscard]] Truth truth(int frame) const;
+
+  /// The finger as a newcomer would describe it: camera, face, markers; nothing calibrated.
+  [[nodiscard]] const Finger& finger() const;
+
+ private:
+  struct State;
+  std::shared_ptr<const State> state_;
+};
+
+}  // namespace alltact
