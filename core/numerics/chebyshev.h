@@ -1,0 +1,39 @@
+// Chebyshev polynomials of the first kind on [-1, 1]: evaluation by Clenshaw's recurrence.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// sum_k c_k T_k(t). Backward stable for |t| <= 1; an empty series is 0.
+template <class Coefficients, class T>
+[[nodiscard]] T chebyshev_value(const Coefficients& c, const T& t) {
+  T next(0.0), after(0.0);
+  for (auto k = static_cast<Eigen::Index>(c.size()) - 1; k >= 1; --k) {
+    const T value = 2.0 * t * next - after + c[k];
+    after = next;
+    next = value;
+  }
+  return c.size() == 0 ? T(0.0) : T(t * next - after + c[0]);
+}
+
+/// The coefficients of d/dt of a series.
+[[nodiscard]] inline Eigen::VectorXd chebyshev_derivative(const Eigen::VectorXd& c) {
+  const Eigen::Index n = c.size();
+  if (n < 2) return Eigen::VectorXd::Zero(1);
+  Eigen::VectorXd derivative = Eigen::VectorXd::Zero(n + 1);
+  for (Eigen::Index k = n - 1; k >= 1; --k)
+    derivative[k - 1] = derivative[k + 1] + 2.0 * static_cast<double>(k) * c[k];
+  derivative[0] /= 2.0;
+  return derivative.head(n - 1);
+}
+
+/// T_0(t) .. T_{n-1}(t).
+[[nodiscard]] inline Eigen::RowVectorXd chebyshev_row(double t, Eigen::Index n) {
+  Eigen::RowVectorXd row(n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    row[k] = k == 0 ? 1.0 : k == 1 ? t : 2.0 * t * row[k - 1] - row[k - 2];
+  return row;
+}
+
+}  // namespace alltact
