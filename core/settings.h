@@ -1,6 +1,8 @@
 // A named choice, declared once: its flag, its key in files, its help and its check come from here.
 #pragma once
 
+#include "core/result.h"
+
 #include <charconv>
 #include <functional>
 #include <string>
@@ -8,8 +10,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-
-#include "core/result.h"
 
 namespace alltact {
 
@@ -29,12 +29,14 @@ struct Setting {
 /// A number in [low, high]. `member` is a pointer to an arithmetic member of S.
 template <class S, class T>
 Setting<S> number_setting(std::string name, std::string sentence, T S::*member, T low, T high) {
-  Setting<S> setting{std::move(name), std::move(sentence), fmt::format("{} to {}", low, high), {}, {}};
+  Setting<S> setting{
+      std::move(name), std::move(sentence), fmt::format("{} to {}", low, high), {}, {}};
   setting.get = [member](const S& s) { return fmt::format("{}", s.*member); };
   setting.set = [member, low, high, name = setting.name](S& s, std::string_view text) -> Status {
     T value{};
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc{} || end != text.data() + text.size() || !(value >= low && value <= high))
+    if (status != std::errc{} || end != text.data() + text.size() ||
+        !(value >= low && value <= high))
       return Error{fmt::format("'{}' is not a number from {} to {}", text, low, high), name, ""};
     s.*member = value;
     return {};

@@ -1,22 +1,22 @@
 // What presses where: connected regions of the depth map, in millimetres.
 #pragma once
 
+#include "core/sensing/local_depth.h"
+
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "core/sensing/local_depth.h"
-
 namespace alltact {
 
 struct ContactRegion {
-  Eigen::Vector3d place_mm;      ///< depth-weighted centre on the pressed face, camera frame
-  Eigen::Vector2d place_px;      ///< the same in the picture
+  Eigen::Vector3d place_mm;  ///< depth-weighted centre on the pressed face, camera frame
+  Eigen::Vector2d place_px;  ///< the same in the picture
   Eigen::Vector3d deepest_point_mm;
-  double deepest_mm = 0;         ///< greatest depth
-  double area_mm2 = 0;           ///< on the face
-  double volume_mm3 = 0;         ///< displaced, along z
+  double deepest_mm = 0;  ///< greatest depth
+  double area_mm2 = 0;    ///< on the face
+  double volume_mm3 = 0;  ///< displaced, along z
   int pixels = 0;
   /// Principal axis on the face from the finger's length (base to tip) towards +y, in
   /// (-90, 90]; absent when the region is round (sd above 15 degrees).
@@ -25,10 +25,10 @@ struct ContactRegion {
 };
 
 struct RegionOptions {
-  double threshold_mm = 0.1;   ///< depth that counts as touched
-  double noise_mm = 0.0;       ///< sd of the untouched depth; the threshold is at least 4 of it
+  double threshold_mm = 0.1;  ///< depth that counts as touched
+  double noise_mm = 0.0;      ///< sd of the untouched depth; the threshold is at least 4 of it
   double minimum_area_mm2 = 0.25;
-  double smoothing_px = 1.0;   ///< correlation length of the depth map, for the angle's sd
+  double smoothing_px = 1.0;  ///< correlation length of the depth map, for the angle's sd
 };
 
 /// Regions ordered by volume, largest first.

@@ -1,11 +1,11 @@
 // Where the view face begins and ends across each column: the first thing read from a picture.
 #pragma once
 
+#include "core/result.h"
+
 #include <vector>
 
 #include <opencv2/core.hpp>
-
-#include "core/result.h"
 
 namespace alltact {
 
@@ -19,10 +19,10 @@ struct Edge {
 };
 
 struct FaceEdges {
-  std::vector<double> u;  ///< centre column of each sample, ascending
-  Edge upper;             ///< at small v
-  Edge lower;             ///< at large v
-  double noise_sd = 0;    ///< standard deviation of the picture's noise, grey levels
+  std::vector<double> u;      ///< centre column of each sample, ascending
+  Edge upper;                 ///< at small v
+  Edge lower;                 ///< at large v
+  double noise_sd = 0;        ///< standard deviation of the picture's noise, grey levels
   bool bright_inside = true;  ///< the face is brighter than what lies beside it
 };
 

@@ -1,15 +1,15 @@
 // The untouched face in 3D: from its two edges (Fin Ray), or the known plane (flat sensor).
 #pragma once
 
-#include <optional>
-#include <vector>
-
-#include <Eigen/Core>
-
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
 #include "core/result.h"
 #include "core/sensing/face_edges.h"
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
 
 namespace alltact {
 
@@ -25,8 +25,9 @@ struct FaceColumn {
 /// The view face as a ruled surface: straight across the finger, smooth along it.
 class FaceShape {
  public:
-  /// Fits 1/z as a Chebyshev polynomial in x/z to the pixel residuals of both edges, robustly
-  /// (Tukey): linear, unbiased in the width of the face, never an average of z. A column is valid
+  /// Fits both edges as Chebyshev polynomials to their pixel residuals, robustly (Tukey), and takes
+  /// 1/z = (width of the face in the picture) / (f W) from them: linear, unbiased in the width,
+  /// never an average of z. A column is valid
   /// when it lies between trusted edges and its z_sd_mm is below `z_sd_limit_mm`.
   /// Errors: too few trusted columns; a fit whose z is not positive and finite.
   static Result<FaceShape> fit(const FaceEdges& edges,
@@ -45,7 +46,9 @@ class FaceShape {
 
   /// First and last row of the face in column u, at least `margin_px` inside its edges; an empty
   /// range (first > last) where the column is not valid.
-  struct Rows { int first, last; };
+  struct Rows {
+    int first, last;
+  };
   [[nodiscard]] Rows rows(int u, double margin_px) const;
 
   /// A pixel's point on the view face, the outward unit normal there (away from the camera), and
@@ -65,15 +68,19 @@ class FaceShape {
 
  private:
   FaceShape(const Camera& camera, const Face& face) : camera_(camera), face_(face) {}
-  void fill_lengths();
+  bool fit_inverse_depth(double first, double last, int degree);
+  void finish();
+  double inverse_z_at(double x) const;
+  double ray_area(const Ray& ray, double u, double v) const;
 
   Camera camera_;
   Face face_;
   bool base_at_low_u_ = true;
+  bool whole_picture_ = false;
   std::vector<FaceColumn> columns_;
   std::vector<double> length_mm_;
-  // 1/z over t = (x - x_mid_) / x_half_, x the normalised image coordinate
-  Eigen::VectorXd inverse_z_;
+  // 1/z over t = (x - x_mid_) / x_half_, x the normalised image coordinate; and its d/dx
+  Eigen::VectorXd inverse_z_, inverse_z_slope_;
   double x_mid_ = 0, x_half_ = 1;
 };
 

@@ -1,30 +1,30 @@
 // Brightness against the reference becomes depth, pixel by pixel.
 #pragma once
 
-#include <opencv2/core.hpp>
-
 #include "core/finger/mapping.h"
 #include "core/sensing/face_shape.h"
 #include "core/sensing/reference_library.h"
+
+#include <opencv2/core.hpp>
 
 namespace alltact {
 
 /// Why a pixel has no depth, or a doubtful one. 0: measured.
 enum PixelFlag : std::uint8_t {
   kMeasured = 0,
-  kOffFace = 1,        ///< no face here, now or in the reference: NaN
-  kTooDark = 2,        ///< the reference is too dark to divide by: NaN
-  kSaturated = 3,      ///< live or reference picture at its ceiling: NaN
-  kExtrapolated = 4,   ///< darker than anything calibrated: depth goes on with the end slope
+  kOffFace = 1,       ///< no face here, now or in the reference: NaN
+  kTooDark = 2,       ///< the reference is too dark to divide by: NaN
+  kSaturated = 3,     ///< live or reference picture at its ceiling: NaN
+  kExtrapolated = 4,  ///< darker than anything calibrated: depth goes on with the end slope
 };
 
 /// x = (I_ref - I) / I_ref after smoothing, CV_32FC1, NaN where there is no measurement; and why.
 struct Difference {
   cv::Mat x;
   cv::Mat flags;  ///< CV_8UC1 of PixelFlag
-  cv::Mat x_sd;   ///< CV_32FC1, expected standard deviation of x from the camera's noise; empty
-                  ///< unless asked for
-  double gain_spread = 0;  ///< largest correction that photometric_gain made, relative
+  /// Noise of both pictures after smoothing, grey levels: sd(x) of an untouched pixel is
+  /// grey_sd / I_ref.
+  double grey_sd = 0;
 };
 
 struct DepthMap {
@@ -33,10 +33,9 @@ struct DepthMap {
 };
 
 struct DifferenceOptions {
-  double smoothing_px = 1.0;     ///< sd of the Gaussian over x; 0: none
-  bool photometric_gain = true;  ///< divide by the slow brightness change seen on untouched skin
-  double edge_margin_px = 2.0;   ///< pixels this near the face's edges are off the face
-  double noise_sd = 1.0;         ///< grey levels, from the picture
+  double smoothing_px = 1.0;    ///< sd of the Gaussian over x; 0: none
+  double edge_margin_px = 2.0;  ///< pixels this near the face's edges are off the face
+  double noise_sd = 1.0;        ///< grey levels, from the picture
 };
 
 /// Compares a picture with its reference on the face.

@@ -1,12 +1,6 @@
 // One frame from picture to millimetres.
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/finger/finger.h"
 #include "core/job.h"
 #include "core/result.h"
@@ -19,6 +13,12 @@
 #include "core/sensing/reference_library.h"
 #include "core/sensing/touch.h"
 #include "core/sources/frame.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace alltact {
 

@@ -12,17 +12,15 @@ struct PipelineSettings {
   int edge_columns = 8;
   int profile_degree = 7;
   ReferenceMethod reference = ReferenceMethod::kLocal;
-  bool photometric_gain = true;
   double smoothing_px = 1.0;
   double contact_threshold_mm = 0.1;
-  int threads = 1;
 };
 
 /// The table that flags, help and files are made from.
 [[nodiscard]] const std::vector<Setting<PipelineSettings>>& pipeline_settings();
 
-/// The source paper's own choices, as the peer to compare with: whole-pixel edges, nearest frame, no
-/// gain correction, no smoothing.
+/// The source paper's own choices, as the peer to compare with: whole-pixel edges, nearest frame,
+/// no gain correction, no smoothing.
 [[nodiscard]] PipelineSettings paper_settings();
 
 }  // namespace alltact

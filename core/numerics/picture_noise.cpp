@@ -1,0 +1,47 @@
+#include "core/numerics/picture_noise.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace alltact {
+
+double picture_noise_sd(const cv::Mat& grey) {
+  CV_Assert(grey.type() == CV_8UC1);
+  constexpr int kRowStep = 16;
+  constexpr int kLargest = 64;
+  constexpr int kFloor = 6, kCeiling = 250;
+  const double quantisation = std::sqrt(1.0 / 12.0);
+
+  std::array<std::int64_t, kLargest + 1> histogram{};
+  for (int row = kRowStep / 2; row < grey.rows; row += kRowStep) {
+    const auto* pixel = grey.ptr<std::uint8_t>(row);
+    for (int u = 1; u + 1 < grey.cols; ++u) {
+      if (pixel[u] < kFloor || pixel[u] > kCeiling) continue;
+      const int second = std::abs(pixel[u - 1] - 2 * pixel[u] + pixel[u + 1]);
+      if (second <= kLargest) ++histogram[static_cast<std::size_t>(second)];
+    }
+  }
+  // Clip at 3 sd and correct for the clipping until nothing changes.
+  constexpr double kClipSd = 3.0;
+  constexpr double kClippedVariance = 0.9733;  // of a normal distribution cut at 3 sd
+  double sd = kLargest / kClipSd;
+  for (int round = 0; round < 20; ++round) {
+    double sum = 0;
+    std::int64_t count = 0;
+    const int limit = std::min(kLargest, static_cast<int>(std::ceil(kClipSd * sd)));
+    for (int k = 0; k <= limit; ++k) {
+      sum +=
+          static_cast<double>(k) * k * static_cast<double>(histogram[static_cast<std::size_t>(k)]);
+      count += histogram[static_cast<std::size_t>(k)];
+    }
+    if (count < 100) return quantisation;
+    const double next =
+        std::max(std::sqrt(sum / static_cast<double>(count) / kClippedVariance), 0.5);
+    if (std::abs(next - sd) < 1e-3) break;
+    sd = next;
+  }
+  return std::max(sd / std::sqrt(6.0), quantisation);  // 1 + 4 + 1: variance of a second difference
+}
+
+}  // namespace alltact

@@ -1,0 +1,34 @@
+// A smooth curve through points some of which are grossly wrong.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// y(x) as a Chebyshev series with its covariance.
+struct RobustPolynomial {
+  double first = 0, last = 0;   ///< range of x over the points that were believed
+  double middle = 0, half = 1;  ///< t = (x - middle) / half
+  Eigen::VectorXd coefficients;
+  Eigen::MatrixXd covariance;
+  double scale = 1;  ///< spread of the residuals in units of the points' own sd
+  int believed = 0;
+
+  [[nodiscard]] double value(double x) const;
+  /// Standard deviation of value(x).
+  [[nodiscard]] double sd(double x) const;
+};
+
+/// Weighted least squares by Householder QR, made robust by re-weighting: Cauchy weights from a
+/// median start, then Tukey's biweight (c = 4.685), on residuals divided by sd. Points with
+/// valid = 0 do not count. nullopt when fewer than 2 (degree + 1) points are valid or believed.
+[[nodiscard]] std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>& x,
+                                                                    const std::vector<double>& y,
+                                                                    const std::vector<double>& sd,
+                                                                    const std::vector<char>& valid,
+                                                                    int degree);
+
+}  // namespace alltact

@@ -1,0 +1,163 @@
+#include "core/sensing/contact_regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr int kCell = 4;  // pixels a side of the cells in which regions are connected
+constexpr double kLargestAngleSdDeg = 15.0;
+
+/// Mean depth over each cell of kCell x kCell pixels; unmeasured pixels count as untouched.
+cv::Mat cell_depths(const cv::Mat& depth_mm) {
+  cv::Mat cells((depth_mm.rows + kCell - 1) / kCell,
+                (depth_mm.cols + kCell - 1) / kCell,
+                CV_32FC1,
+                cv::Scalar(0));
+  for (int row = 0; row < depth_mm.rows; ++row) {
+    const float* depth = depth_mm.ptr<float>(row);
+    float* cell = cells.ptr<float>(row / kCell);
+    for (int u = 0; u < depth_mm.cols; ++u) {
+      const float d = depth[u];
+      cell[u / kCell] += d == d ? d : 0.0F;  // NaN is not itself
+    }
+  }
+  return cells / (kCell * kCell);
+}
+
+/// A pressed pixel on the face.
+struct Sample {
+  Eigen::Vector2d pixel;
+  Eigen::Vector3d pressed_mm;  // on the pressed face
+  Eigen::Vector2d on_face_mm;  // (length from the base, y)
+  double depth_mm, area_mm2, flat_area_mm2;
+};
+
+std::vector<Sample> samples_of(const DepthMap& depth,
+                               const cv::Mat& labels,
+                               int label,
+                               const cv::Rect& cells,
+                               const FaceShape& shape,
+                               const Face& face,
+                               MappingAlong along,
+                               double threshold_mm) {
+  std::vector<Sample> samples;
+  const int row_end = std::min((cells.y + cells.height) * kCell, depth.depth_mm.rows);
+  const int column_end = std::min((cells.x + cells.width) * kCell, depth.depth_mm.cols);
+  for (int row = cells.y * kCell; row < row_end; ++row) {
+    const float* d = depth.depth_mm.ptr<float>(row);
+    const int* cell = labels.ptr<int>(row / kCell);
+    for (int u = cells.x * kCell; u < column_end; ++u) {
+      if (cell[u / kCell] != label || !(static_cast<double>(d[u]) > threshold_mm)) continue;
+      const auto local = shape.at(u, row);
+      if (!local) continue;
+      Sample sample;
+      sample.depth_mm = static_cast<double>(d[u]);
+      sample.pixel = {static_cast<double>(u), static_cast<double>(row)};
+      sample.pressed_mm = untouched_point_mm(*local, face.layer_mm, along) -
+                          Eigen::Vector3d(0.0, 0.0, sample.depth_mm);
+      sample.on_face_mm = {shape.length_at(u), local->view_point_mm.y()};
+      sample.area_mm2 = local->area_mm2;
+      sample.flat_area_mm2 = local->flat_area_mm2;
+      samples.push_back(sample);
+    }
+  }
+  return samples;
+}
+
+/// Principal axis by the two-pass covariance; its sd from the eigenvalues and the number of
+/// independent pixels: sqrt(l1 l2 / n) / (l1 - l2).
+void find_angle(const std::vector<Sample>& samples, double smoothing_px, ContactRegion& region) {
+  double weight = 0;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const Sample& s : samples) {
+    const double w = s.depth_mm * s.area_mm2;
+    weight += w;
+    mean += w * s.on_face_mm;
+  }
+  mean /= weight;
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  for (const Sample& s : samples) {
+    const Eigen::Vector2d e = s.on_face_mm - mean;
+    covariance += s.depth_mm * s.area_mm2 * e * e.transpose();
+  }
+  covariance /= weight;
+  const double xx = covariance(0, 0), xy = covariance(0, 1), yy = covariance(1, 1);
+  const double difference = std::hypot(xx - yy, 2.0 * xy);  // l1 - l2
+  const double product = std::max(0.0, xx * yy - xy * xy);  // l1 l2
+  const double correlated = std::max(1.0, 4.0 * M_PI * smoothing_px * smoothing_px);
+  const double independent = std::max(1.0, static_cast<double>(samples.size()) / correlated);
+  if (!(difference > 0.0)) return;
+  const double sd_deg = std::sqrt(product / independent) / difference * 180.0 / M_PI;
+  if (sd_deg > kLargestAngleSdDeg) return;
+  region.angle_deg = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / M_PI;
+  if (*region.angle_deg <= -90.0) *region.angle_deg += 180.0;
+  region.angle_sd_deg = sd_deg;
+}
+
+ContactRegion region_of(const std::vector<Sample>& samples, double smoothing_px) {
+  ContactRegion region;
+  region.pixels = static_cast<int>(samples.size());
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  double weight = 0;
+  for (const Sample& s : samples) {
+    const double w = s.depth_mm * s.flat_area_mm2;
+    weight += w;
+    place += w * s.pressed_mm;
+    pixel += w * s.pixel;
+    region.area_mm2 += s.area_mm2;
+    if (s.depth_mm > region.deepest_mm) {
+      region.deepest_mm = s.depth_mm;
+      region.deepest_point_mm = s.pressed_mm;
+    }
+  }
+  region.volume_mm3 = weight;
+  region.place_mm = place / weight;
+  region.place_px = pixel / weight;
+  find_angle(samples, smoothing_px, region);
+  return region;
+}
+
+}  // namespace
+
+std::vector<ContactRegion> contact_regions(const DepthMap& depth,
+                                           const FaceShape& shape,
+                                           const Face& face,
+                                           MappingAlong along,
+                                           const RegionOptions& options) {
+  const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
+  const cv::Mat touched = cell_depths(depth.depth_mm) > threshold;
+  cv::Mat labels, statistics, centres;
+  const int count =
+      cv::connectedComponentsWithStats(touched, labels, statistics, centres, 8, CV_32S);
+  if (count <= 1) return {};
+  // A region's rim reaches into the cells around it.
+  cv::Mat wide;
+  labels.convertTo(wide, CV_32F);
+  cv::dilate(wide, wide, cv::Mat::ones(3, 3, CV_8U));
+  wide.convertTo(wide, CV_32S);
+  labels.copyTo(wide, touched);
+
+  std::vector<ContactRegion> regions;
+  for (int label = 1; label < count; ++label) {
+    const cv::Rect cells = cv::Rect(statistics.at<int>(label, cv::CC_STAT_LEFT) - 1,
+                                    statistics.at<int>(label, cv::CC_STAT_TOP) - 1,
+                                    statistics.at<int>(label, cv::CC_STAT_WIDTH) + 2,
+                                    statistics.at<int>(label, cv::CC_STAT_HEIGHT) + 2) &
+                           cv::Rect(0, 0, labels.cols, labels.rows);
+    const auto samples = samples_of(depth, wide, label, cells, shape, face, along, threshold);
+    if (samples.empty()) continue;
+    ContactRegion region = region_of(samples, options.smoothing_px);
+    if (region.area_mm2 >= options.minimum_area_mm2) regions.push_back(region);
+  }
+  std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) {
+    return a.volume_mm3 > b.volume_mm3;
+  });
+  return regions;
+}
+
+}  // namespace alltact

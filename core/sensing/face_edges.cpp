@@ -1,0 +1,277 @@
+#include "core/sensing/face_edges.h"
+
+#include "core/numerics/picture_noise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+// ---- roughly: one path through a small picture for each edge
+// --------------------------------------
+
+constexpr int kSmallWidth = 120;  // columns of the small picture, about
+constexpr int kLargestJump = 3;   // rows from one small column to the next
+constexpr float kJumpPenalty = 0.03F;
+
+/// Rows of the small picture along one edge.
+struct Path {
+  std::vector<float> row;  // of the border between two rows
+};
+
+/// Change of brightness downwards across the border below each row, in parts of the column's range.
+cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
+  cv::Mat contrast(small.rows - 1, small.cols, CV_32FC1);
+  for (int c = 0; c < small.cols; ++c) {
+    float low = small.at<float>(0, c), high = low;
+    for (int r = 1; r < small.rows; ++r) {
+      low = std::min(low, small.at<float>(r, c));
+      high = std::max(high, small.at<float>(r, c));
+    }
+    const float range = std::max(high - low, static_cast<float>(4.0 * noise_sd));
+    for (int r = 0; r + 1 < small.rows; ++r) {
+      const float above = small.at<float>(r, c) + small.at<float>(std::max(r - 1, 0), c);
+      const float below =
+          small.at<float>(r + 1, c) + small.at<float>(std::min(r + 2, small.rows - 1), c);
+      contrast.at<float>(r, c) = (below - above) / (2.0F * range);
+    }
+  }
+  return contrast;
+}
+
+/// The path from the first to the last column that collects the most sign * contrast, jumps
+/// costing.
+Path best_path(const cv::Mat& contrast, float sign) {
+  const int rows = contrast.rows, cols = contrast.cols;
+  cv::Mat score(rows, cols, CV_32FC1);
+  cv::Mat from(rows, cols, CV_32SC1, cv::Scalar(0));
+  for (int r = 0; r < rows; ++r)
+    score.at<float>(r, 0) = std::max(0.0F, sign * contrast.at<float>(r, 0));
+  for (int c = 1; c < cols; ++c) {
+    for (int r = 0; r < rows; ++r) {
+      float best = -1.0F;
+      int best_row = r;
+      for (int jump = -kLargestJump; jump <= kLargestJump; ++jump) {
+        const int before = r + jump;
+        if (before < 0 || before >= rows) continue;
+        const float s =
+            score.at<float>(before, c - 1) - kJumpPenalty * static_cast<float>(jump * jump);
+        if (s > best) best = s, best_row = before;
+      }
+      score.at<float>(r, c) = best + std::max(0.0F, sign * contrast.at<float>(r, c));
+      from.at<int>(r, c) = best_row;
+    }
+  }
+  Path path;
+  path.row.resize(static_cast<std::size_t>(cols));
+  int r = 0;
+  for (int i = 1; i < rows; ++i)
+    if (score.at<float>(i, cols - 1) > score.at<float>(r, cols - 1)) r = i;
+  for (int c = cols - 1; c >= 0; --c) {
+    path.row[static_cast<std::size_t>(c)] = static_cast<float>(r) + 0.5F;
+    r = from.at<int>(r, c);
+  }
+  return path;
+}
+
+struct Rough {
+  Path upper, lower;
+  int block = 1;  // picture pixels to one small pixel
+  bool bright_inside = true;
+
+  /// The path's place and slope in the picture, smoothed over a few small columns.
+  static std::pair<double, double> place(const Path& path, int block, double u) {
+    const double column = (u + 0.5) / block - 0.5;
+    const int centre = static_cast<int>(std::lround(column));
+    const int count = static_cast<int>(path.row.size());
+    // least-squares line through the neighbours
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (int c = std::max(0, centre - 3); c <= std::min(count - 1, centre + 3); ++c) {
+      const double x = c - column;
+      const double y = static_cast<double>(path.row[static_cast<std::size_t>(c)]);
+      n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    const double determinant = n * sxx - sx * sx;
+    const double slope = determinant > 0.0 ? (n * sxy - sx * sy) / determinant : 0.0;
+    const double row = (sy - slope * sx) / n;
+    return {(row + 0.5) * block - 0.5, slope};
+  }
+};
+
+std::optional<Rough> find_roughly(const cv::Mat& grey, double noise_sd) {
+  Rough rough;
+  rough.block = std::max(1, grey.cols / kSmallWidth);
+  const cv::Size small_size(grey.cols / rough.block, grey.rows / rough.block);
+  if (small_size.width < 8 || small_size.height < 8) return std::nullopt;
+  cv::Mat small;
+  cv::resize(grey(cv::Rect(0, 0, small_size.width * rough.block, small_size.height * rough.block)),
+             small,
+             small_size,
+             0,
+             0,
+             cv::INTER_AREA);
+  small.convertTo(small, CV_32F);
+  const cv::Mat contrast = downward_contrast(small, noise_sd);
+  const Path rising = best_path(contrast, 1.0F), falling = best_path(contrast, -1.0F);
+  std::size_t above = 0;  // columns where brightness rises before it falls
+  for (std::size_t c = 0; c < rising.row.size(); ++c) above += rising.row[c] < falling.row[c];
+  if (10 * above >= 9 * rising.row.size()) {
+    rough.upper = rising, rough.lower = falling;
+  } else if (10 * above <= rising.row.size()) {
+    rough.upper = falling, rough.lower = rising;
+    rough.bright_inside = false;
+  } else {
+    return std::nullopt;
+  }
+  return rough;
+}
+
+// ---- exactly: the band around the path
+// ------------------------------------------------------------
+
+constexpr int kReach = 20;  // rows of the band on each side of the path
+constexpr int kNear = 3;    // rows of a transition on each side of its middle
+constexpr int kFar = 8;     // the levels are read from kNear to kFar rows away
+
+using Profile = std::array<float, 2 * kReach + 1>;
+
+/// Mean of `columns` columns along the edge's slope, bilinear across it; nullopt at the border.
+bool read_profile(
+    const cv::Mat& grey, double u, double v, double slope, int columns, Profile& profile) {
+  profile.fill(0.0F);
+  const int first = static_cast<int>(std::lround(u - 0.5 * (columns - 1)));
+  if (first < 0 || first + columns > grey.cols) return false;
+  for (int k = 0; k < columns; ++k) {
+    const int column = first + k;
+    const double top = v + slope * (column - u) - kReach;
+    const int row = static_cast<int>(std::floor(top));
+    const auto part = static_cast<float>(top - row);
+    if (row < 0 || row + 2 * kReach + 1 >= grey.rows) return false;
+    const std::uint8_t* pixel = grey.ptr<std::uint8_t>(row) + column;
+    auto here = static_cast<float>(*pixel);
+    for (float& value : profile) {
+      pixel += grey.step[0];
+      const auto next = static_cast<float>(*pixel);
+      value += here + part * (next - here);
+      here = next;
+    }
+  }
+  for (float& value : profile) value /= static_cast<float>(columns);
+  return true;
+}
+
+struct Crossing {
+  double offset;  // rows from the band's middle
+  double sd;
+};
+
+/// sign: +1 when brightness rises with v.
+std::optional<Crossing> half_way_crossing(const Profile& profile,
+                                          float sign,
+                                          double noise_sd,
+                                          int columns) {
+  int steepest = -1;
+  float most = 0;
+  for (int i = kFar; i + kFar + 1 < static_cast<int>(profile.size()); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const float rise = sign * (profile[k + 2] + profile[k + 1] - profile[k] - profile[k - 1]);
+    if (rise > most) most = rise, steepest = i;
+  }
+  if (steepest < 0) return std::nullopt;
+  // the transition lies between `steepest` and the next row
+  const auto level = [&](int from, int to) {
+    float sum = 0;
+    for (int i = from; i <= to; ++i) sum += profile[static_cast<std::size_t>(i)];
+    return sum / static_cast<float>(to - from + 1);
+  };
+  const float before = level(steepest - kFar + 1, steepest - kNear + 1);
+  const float after = level(steepest + kNear, steepest + kFar);
+  const float contrast = sign * (after - before);
+  const double noise = noise_sd / std::sqrt(static_cast<double>(columns));
+  if (contrast < std::max(3.0, 8.0 * noise)) return std::nullopt;
+  const float half = 0.5F * (before + after);
+  for (int i = steepest - kNear + 1; i < steepest + kNear; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const float a = sign * (profile[k] - half), b = sign * (profile[k + 1] - half);
+    if (a <= 0.0F && b > 0.0F) {
+      const double slope = static_cast<double>(b - a);
+      return Crossing{i + static_cast<double>(-a) / slope - kReach,
+                      std::hypot(noise / slope, 0.02)};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The steepest whole-pixel step of one column.
+std::optional<Crossing> integer_step(const cv::Mat& grey, double u, double v, float sign) {
+  const int column = static_cast<int>(std::lround(u));
+  const int centre = static_cast<int>(std::lround(v));
+  int best_row = -1, best = 0;
+  for (int row = std::max(centre - kReach, 1); row <= std::min(centre + kReach, grey.rows - 1);
+       ++row) {
+    const int step = static_cast<int>(sign) *
+                     (grey.at<std::uint8_t>(row, column) - grey.at<std::uint8_t>(row - 1, column));
+    if (step > best) best = step, best_row = row;
+  }
+  if (best_row < 0 || best < 3) return std::nullopt;
+  return Crossing{best_row - v, 0.29};
+}
+
+void find_edge(const cv::Mat& grey,
+               const Rough& rough,
+               const Path& path,
+               float sign,
+               const FaceEdgeFinder::Options& options,
+               double noise_sd,
+               const std::vector<double>& columns,
+               Edge& edge) {
+  Profile profile;
+  for (const double u : columns) {
+    const auto [v, slope] = Rough::place(path, rough.block, u);
+    std::optional<Crossing> crossing;
+    if (options.method == EdgeMethod::kInteger) {
+      crossing = integer_step(grey, u, v, sign);
+    } else if (read_profile(grey, u, v, slope, options.columns, profile)) {
+      crossing = half_way_crossing(profile, sign, noise_sd, options.columns);
+    }
+    edge.v.push_back(crossing ? v + crossing->offset : v);
+    edge.sd.push_back(crossing ? crossing->sd : 1.0);
+    edge.valid.push_back(crossing.has_value());
+  }
+}
+
+}  // namespace
+
+Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
+  CV_Assert(grey.type() == CV_8UC1);
+  FaceEdges edges;
+  edges.noise_sd = picture_noise_sd(grey);
+  const Error lost{
+      "the two long edges of the face were not found",
+      "the picture",
+      "light the finger as in its recording, and check that the picture shows the face "
+      "from base to tip with the finger's length along the picture's width"};
+  const auto rough = find_roughly(grey, edges.noise_sd);
+  if (!rough) return lost;
+  edges.bright_inside = rough->bright_inside;
+
+  const int step = std::max(options_.columns, 1);
+  for (int u = 0; u + step <= grey.cols; u += step) edges.u.push_back(u + 0.5 * (step - 1));
+  const float sign = rough->bright_inside ? 1.0F : -1.0F;
+  find_edge(grey, *rough, rough->upper, sign, options_, edges.noise_sd, edges.u, edges.upper);
+  find_edge(grey, *rough, rough->lower, -sign, options_, edges.noise_sd, edges.u, edges.lower);
+
+  std::size_t both = 0;
+  for (std::size_t i = 0; i < edges.u.size(); ++i)
+    both += edges.upper.valid[i] && edges.lower.valid[i];
+  if (5 * both < edges.u.size()) return lost;
+  return edges;
+}
+
+}  // namespace alltact

@@ -1,0 +1,237 @@
+#include "core/sensing/face_shape.h"
+
+#include "core/numerics/chebyshev.h"
+#include "core/numerics/robust_polynomial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kMinimumWidthPx = 8.0;  // below, 1/width is biased by percents
+
+Error no_shape(std::string what) {
+  return {std::move(what),
+          "the face's edges",
+          "a picture in which both long edges of the bright face are visible and lit evenly; check "
+          "that the lamps are on and that the lens is clean"};
+}
+
+}  // namespace
+
+Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
+                                 const Camera& camera,
+                                 const Face& face,
+                                 int degree,
+                                 double z_sd_limit_mm) {
+  if (!camera.is_perspective())
+    return no_shape("the shape of a Fin Ray needs a perspective camera, not an orthographic one");
+  const CameraParameters& lens = camera.parameters();
+  const int width = lens.width_px;
+
+  const auto upper =
+      fit_robust_polynomial(edges.u, edges.upper.v, edges.upper.sd, edges.upper.valid, degree);
+  const auto lower =
+      fit_robust_polynomial(edges.u, edges.lower.v, edges.lower.sd, edges.lower.valid, degree);
+  if (!upper || !lower) {
+    return no_shape(fmt::format("the {} edge of the face was seen in too few columns",
+                                !upper ? "upper" : "lower"));
+  }
+  // Nothing is invented beyond the columns where both edges were trusted; up to the picture's own
+  // border the last sample's half width counts as seen.
+  const double step = edges.u.size() > 1 ? edges.u[1] - edges.u[0] : 1.0;
+  double first = std::max(upper->first, lower->first);
+  double last = std::min(upper->last, lower->last);
+  if (first <= edges.u.front()) first = std::max(0.0, first - step);
+  if (last >= edges.u.back()) last = std::min(width - 1.0, last + step);
+  if (!(last - first >= 4.0 * step)) return no_shape("the two edges were never seen together");
+
+  FaceShape shape(camera, face);
+  shape.columns_.resize(static_cast<std::size_t>(width));
+  for (int u = 0; u < width; ++u) {
+    FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
+    column.upper_v = upper->value(u);
+    column.lower_v = lower->value(u);
+    column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
+  }
+  if (!shape.fit_inverse_depth(first, last, degree)) return no_shape("no smooth shape fits them");
+
+  int valid = 0;
+  for (int u = 0; u < width; ++u) {
+    FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
+    if (!column.valid) continue;
+    const double middle = 0.5 * (column.upper_v + column.lower_v);
+    const auto ray = camera.unproject({static_cast<double>(u), middle});
+    const double inverse_z = ray ? shape.inverse_z_at(ray->direction.x()) : 0.0;
+    const double width_sd_px = std::hypot(upper->sd(u), lower->sd(u));
+    column.valid = inverse_z > 0.0 && std::isfinite(inverse_z);
+    if (!column.valid) continue;
+    column.z_mm = 1.0 / inverse_z;
+    column.z_sd_mm = column.z_mm * width_sd_px / (column.lower_v - column.upper_v);
+    column.valid = column.z_sd_mm <= z_sd_limit_mm;
+    valid += column.valid;
+  }
+  if (valid < 5) return no_shape("the distance of the face is too uncertain in every column");
+  shape.finish();
+  return shape;
+}
+
+bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
+  // The edges are smooth curves now. For a lens without distortion 1/z is a polynomial of the same
+  // degree in u and this is exact; with distortion a few more coefficients follow the lens.
+  const Eigen::Index n = camera_.is_linear() ? degree + 1 : degree + 5;
+  const int samples = 8 * static_cast<int>(n);
+  Eigen::VectorXd upper_x(samples), upper_y(samples), lower_x(samples), lower_y(samples);
+  int used = 0;
+  for (int i = 0; i < samples; ++i) {
+    const double node = -std::cos(M_PI * (i + 0.5) / samples);
+    const double u = 0.5 * (first + last) + 0.5 * (last - first) * node;
+    const auto& left = columns_[static_cast<std::size_t>(u)];
+    const auto& right = columns_[std::min(static_cast<std::size_t>(u) + 1, columns_.size() - 1)];
+    const double part = u - std::floor(u);
+    const auto a = camera_.unproject({u, left.upper_v + part * (right.upper_v - left.upper_v)});
+    const auto b = camera_.unproject({u, left.lower_v + part * (right.lower_v - left.lower_v)});
+    if (!a || !b) continue;
+    upper_x[used] = a->direction.x(), upper_y[used] = a->direction.y();
+    lower_x[used] = b->direction.x(), lower_y[used] = b->direction.y();
+    ++used;
+  }
+  if (used < 2 * n) return false;
+  const double low = std::max(upper_x.head(used).minCoeff(), lower_x.head(used).minCoeff());
+  const double high = std::min(upper_x.head(used).maxCoeff(), lower_x.head(used).maxCoeff());
+  if (!(high > low)) return false;
+  x_mid_ = 0.5 * (low + high);
+  x_half_ = 0.5 * (high - low);
+
+  const auto curve = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& y) -> Eigen::VectorXd {
+    Eigen::MatrixXd design(used, n);
+    for (int i = 0; i < used; ++i) design.row(i) = chebyshev_row((x[i] - x_mid_) / x_half_, n);
+    return design.householderQr().solve(y.head(used));
+  };
+  inverse_z_ = (curve(lower_x, lower_y) - curve(upper_x, upper_y)) / face_.width_mm;
+  return inverse_z_.allFinite();
+}
+
+double FaceShape::inverse_z_at(double x) const {
+  return chebyshev_value(inverse_z_, (x - x_mid_) / x_half_);
+}
+
+FaceShape FaceShape::plane(const Camera& camera, const Face& face) {
+  FaceShape shape(camera, face);
+  FaceColumn column;
+  column.upper_v = -0.5 - 1e-9;
+  column.lower_v = camera.size().height - 0.5 + 1e-9;
+  column.z_mm = face.plane_z_mm;
+  column.valid = true;
+  shape.columns_.assign(static_cast<std::size_t>(camera.size().width), column);
+  if (camera.is_perspective()) {
+    shape.inverse_z_ = Eigen::VectorXd::Constant(1, 1.0 / face.plane_z_mm);
+  }
+  shape.whole_picture_ = true;
+  shape.finish();
+  return shape;
+}
+
+void FaceShape::finish() {
+  const auto valid = [](const FaceColumn& c) { return c.valid; };
+  const auto first = std::find_if(columns_.begin(), columns_.end(), valid);
+  const auto last = std::find_if(columns_.rbegin(), columns_.rend(), valid);
+  base_at_low_u_ = first->z_mm <= last->z_mm;
+  inverse_z_slope_ = chebyshev_derivative(inverse_z_) / x_half_;
+
+  length_mm_.assign(columns_.size(), 0.0);
+  std::optional<Eigen::Vector3d> before;
+  double length = 0;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::size_t u = base_at_low_u_ ? i : columns_.size() - 1 - i;
+    const FaceColumn& column = columns_[u];
+    if (column.valid) {
+      const auto ray =
+          camera_.unproject({static_cast<double>(u), 0.5 * (column.upper_v + column.lower_v)});
+      if (ray) {
+        const Eigen::Vector3d here = ray->point_at(column.z_mm);
+        if (before) length += std::hypot(here.x() - before->x(), here.z() - before->z());
+        before = here;
+      }
+    }
+    length_mm_[u] = length;
+  }
+}
+
+FaceShape::Rows FaceShape::rows(int u, double margin_px) const {
+  const FaceColumn& column = columns_[static_cast<std::size_t>(u)];
+  if (!column.valid) return {0, -1};
+  if (whole_picture_) return {0, camera_.size().height - 1};
+  // A pixel is on the face when all of it is: its centre half a pixel inside, and the margin.
+  const int first = static_cast<int>(std::ceil(column.upper_v + 0.5 + margin_px));
+  const int last = static_cast<int>(std::floor(column.lower_v - 0.5 - margin_px));
+  return {std::max(first, 0), std::min(last, camera_.size().height - 1)};
+}
+
+std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
+  const auto nearest = static_cast<long>(std::lround(u));
+  if (nearest < 0 || nearest >= width_px() || !columns_[static_cast<std::size_t>(nearest)].valid)
+    return std::nullopt;
+  const auto ray = camera_.unproject({u, v});
+  if (!ray) return std::nullopt;
+
+  const CameraParameters& lens = camera_.parameters();
+  Local local;
+  if (!camera_.is_perspective()) {
+    local.view_point_mm = ray->point_at(face_.plane_z_mm);
+    local.normal = Eigen::Vector3d::UnitZ();
+    local.cos_incline = 1.0;
+    local.area_mm2 = local.flat_area_mm2 = lens.mm_per_px * lens.mm_per_px;
+    return local;
+  }
+  // With q = 1/z a function of x: p = (x, y, 1) / q, so dp/dx is along (q - x q', -y q', -q') and
+  // the normal across y is along (q', 0, q - x q'): no division by a slope, no cosine.
+  const double x = ray->direction.x();
+  const double q = inverse_z_at(x);
+  const double q_slope = chebyshev_value(inverse_z_slope_, (x - x_mid_) / x_half_);
+  if (!(q > 0.0)) return std::nullopt;
+  const double along = q - x * q_slope;
+  const double length = std::hypot(q_slope, along);
+  if (!(length > 0.0) || !(along > 0.0)) return std::nullopt;
+  local.view_point_mm = ray->direction / q;
+  local.normal = {q_slope / length, 0.0, along / length};
+  local.cos_incline = along / length;
+  const double pixel = ray_area(*ray, u, v) / (q * q * q);
+  local.area_mm2 = pixel * length;
+  local.flat_area_mm2 = pixel * along;
+  return local;
+}
+
+double FaceShape::ray_area(const Ray& ray, double u, double v) const {
+  const CameraParameters& lens = camera_.parameters();
+  if (camera_.is_linear()) return 1.0 / (lens.fx_px * lens.fy_px);
+  constexpr double kStep = 0.5;
+  const auto right = camera_.unproject({u + kStep, v});
+  const auto below = camera_.unproject({u, v + kStep});
+  if (!right || !below) return 1.0 / (lens.fx_px * lens.fy_px);
+  const Eigen::Vector3d du = right->direction - ray.direction;
+  const Eigen::Vector3d dv = below->direction - ray.direction;
+  return std::abs(du.x() * dv.y() - du.y() * dv.x()) / (kStep * kStep);
+}
+
+double FaceShape::length_at(double u) const {
+  const double clamped = std::clamp(u, 0.0, static_cast<double>(columns_.size() - 1));
+  const auto left = static_cast<std::size_t>(clamped);
+  const std::size_t right = std::min(left + 1, columns_.size() - 1);
+  const double part = clamped - static_cast<double>(left);
+  return length_mm_[left] + part * (length_mm_[right] - length_mm_[left]);
+}
+
+Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local,
+                                   double layer_mm,
+                                   MappingAlong along) {
+  if (along == MappingAlong::kNormal) return local.view_point_mm + layer_mm * local.normal;
+  constexpr double kCosLimit = 0.25881904510252074;  // of 75 degrees
+  const double thickness = layer_mm / std::max(local.cos_incline, kCosLimit);
+  return local.view_point_mm + Eigen::Vector3d(0.0, 0.0, thickness);
+}
+
+}  // namespace alltact

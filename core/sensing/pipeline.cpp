@@ -1,0 +1,212 @@
+#include "core/sensing/pipeline.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+/// Writes the time since the last lap into a field of StepTimes.
+class StopWatch {
+ public:
+  void lap(double& milliseconds) {
+    const auto now = Clock::now();
+    milliseconds = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+  }
+  void total(double& milliseconds) const {
+    milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+}  // namespace
+
+struct Pipeline::State {
+  Finger finger;
+  PipelineSettings settings;
+  Camera camera;
+  ReferenceLibrary library;
+  std::optional<Mapping> mapping;
+  FaceEdgeFinder edge_finder;
+  std::optional<FaceShape> plane;        // flat sensors: known beforehand
+  std::optional<MarkerTracker> tracker;  // fingers with markers
+  double plane_noise_sd = 1.0;
+
+  void find_shape(FrameResult& result, StopWatch& watch) const;
+  void find_reference(FrameResult& result, StopWatch& watch);
+  void find_depth(FrameResult& result, StopWatch& watch) const;
+  void find_contact(FrameResult& result, StopWatch& watch) const;
+};
+
+Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
+  State& state = *state_;
+  StopWatch watch;
+  FrameResult result;
+  result.frame = frame;
+  result.grey = oriented(frame->grey, state.finger.camera.orientation);
+  if (result.grey.size() != state.camera.size()) {
+    return Error{fmt::format("the picture is {} x {} px, the finger's camera gives {} x {}",
+                             result.grey.cols,
+                             result.grey.rows,
+                             state.camera.size().width,
+                             state.camera.size().height),
+                 frame->origin,
+                 "a picture of this finger's own camera, at the size it was calibrated with"};
+  }
+  watch.lap(result.times_ms.prepare);
+  state.find_shape(result, watch);
+  if (result.shape) state.find_reference(result, watch);
+  if (result.reference) state.find_depth(result, watch);
+  if (result.depth) state.find_contact(result, watch);
+  watch.total(result.times_ms.total);
+  return result;
+}
+
+void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
+  if (plane) {
+    result.shape = plane;
+    return;
+  }
+  auto edges = edge_finder(result.grey);
+  watch.lap(result.times_ms.edges);
+  if (!edges) {
+    result.problems.push_back(edges.error().sentence());
+    return;
+  }
+  result.edges = std::move(edges).value();
+  auto shape = FaceShape::fit(*result.edges, camera, finger.face, settings.profile_degree);
+  watch.lap(result.times_ms.global);
+  if (!shape) {
+    result.problems.push_back(shape.error().sentence());
+    return;
+  }
+  result.shape = std::move(shape).value();
+}
+
+void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
+  if (tracker) {
+    std::string problem;
+    result.markers = (*tracker)(result.grey, *result.shape, &problem);
+    watch.lap(result.times_ms.markers);
+    if (!result.markers) {
+      result.problems.push_back(problem);
+      return;
+    }
+    if (finger.contact)
+      result.touch = touch(*result.markers, *finger.contact, result.shape->base_at_low_u());
+  }
+  result.reference =
+      library.reference_for(result.markers ? *result.markers : Markers{}, settings.reference);
+  if (!result.reference->known_pose) {
+    result.problems.push_back(
+        fmt::format("this pose was never recorded: the nearest reference frame is {:.1f} px away; "
+                    "record the finger bending further in this direction",
+                    result.reference->distance_px));
+  }
+  watch.lap(result.times_ms.reference);
+}
+
+void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
+  DifferenceOptions options;
+  options.smoothing_px = settings.smoothing_px;
+  options.noise_sd = result.edges ? result.edges->noise_sd : plane_noise_sd;
+  result.difference = difference(result.grey, *result.reference, *result.shape, options);
+  if (mapping) {
+    result.depth = depth_map(*result.difference, *mapping, *result.shape);
+  } else {
+    result.problems.emplace_back("the finger is not calibrated: calibrate it with ball presses");
+  }
+  watch.lap(result.times_ms.local);
+}
+
+void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const {
+  RegionOptions options;
+  options.threshold_mm = settings.contact_threshold_mm;
+  options.smoothing_px = settings.smoothing_px;
+  result.regions = contact_regions(
+      *result.depth, *result.shape, finger.face, mapping->parameters().along, options);
+  watch.lap(result.times_ms.contact);
+}
+
+Result<Pipeline> Pipeline::create(const std::filesystem::path& finger_folder,
+                                  const Finger& finger,
+                                  const PipelineSettings& settings,
+                                  const Job& job) {
+  const auto camera = Camera::create(finger.camera);
+  if (!camera) return camera.error();
+  auto library = ReferenceLibrary::load(finger_folder, finger, *camera, job);
+  if (!library) return library.error();
+  return create(finger, std::move(library).value(), settings);
+}
+
+Result<Pipeline> Pipeline::create(const Finger& finger,
+                                  ReferenceLibrary library,
+                                  const PipelineSettings& settings) {
+  const auto camera = Camera::create(finger.camera);
+  if (!camera) return camera.error();
+  std::optional<Mapping> mapping;
+  if (finger.mapping) {
+    auto made = Mapping::create(*finger.mapping);
+    if (!made) return made.error();
+    mapping = std::move(made).value();
+  }
+  auto state =
+      std::make_unique<State>(State{finger,
+                                    settings,
+                                    *camera,
+                                    std::move(library),
+                                    std::move(mapping),
+                                    FaceEdgeFinder({settings.edge_method, settings.edge_columns}),
+                                    std::nullopt,
+                                    std::nullopt});
+  if (finger.face.kind == FaceKind::kFlat) state->plane = FaceShape::plane(*camera, finger.face);
+  if (const MarkerModel* model = state->library.marker_model())
+    state->tracker.emplace(finger.markers, *model);
+  return Pipeline(std::move(state));
+}
+
+Pipeline::Pipeline(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Pipeline::Pipeline(Pipeline&&) noexcept = default;
+Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
+Pipeline::~Pipeline() = default;
+
+void Pipeline::forget() {
+  if (state_->tracker) state_->tracker->forget();
+}
+const Finger& Pipeline::finger() const {
+  return state_->finger;
+}
+const Camera& Pipeline::camera() const {
+  return state_->camera;
+}
+const PipelineSettings& Pipeline::settings() const {
+  return state_->settings;
+}
+
+cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face, MappingAlong along) {
+  const cv::Mat& depth = result.depth->depth_mm;
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  cv::Mat points(depth.size(), CV_32FC3, cv::Scalar(kNaN, kNaN, kNaN));
+  for (int row = 0; row < depth.rows; ++row) {
+    const float* d = depth.ptr<float>(row);
+    auto* point = points.ptr<cv::Vec3f>(row);
+    for (int u = 0; u < depth.cols; ++u) {
+      if (!std::isfinite(d[u])) continue;
+      const auto local = result.shape->at(u, row);
+      if (!local) continue;
+      const Eigen::Vector3d p = untouched_point_mm(*local, face.layer_mm, along);
+      point[u] = {
+          static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()) - d[u]};
+    }
+  }
+  return points;
+}
+
+}  // namespace alltact
