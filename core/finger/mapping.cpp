@@ -1,0 +1,275 @@
+#include "core/finger/mapping.h"
+
+#include "core/numerics/vector_clones.h"
+
+namespace alltact {
+namespace {
+
+constexpr int kMaxCoefficients = 12;
+constexpr double kMaxDepthMm = 1000;
+constexpr double kLimitFactor = 4;  // of M(x_max)
+constexpr int kGrid = 2048;         // places where the slope is looked at
+
+struct ValueAndDerivative {
+  double value, derivative;
+};
+
+/// sum_k c_k T_k(t) and its derivative in t, by Clenshaw's recurrence.
+ValueAndDerivative chebyshev_sum(const std::vector<double>& c, double t) {
+  double b1 = 0, b2 = 0, d1 = 0, d2 = 0;
+  for (int k = static_cast<int>(c.size()) - 1; k >= 1; --k) {
+    const double b = c[k] + 2 * t * b1 - b2;
+    const double d = 2 * b1 + 2 * t * d1 - d2;
+    b2 = b1, b1 = b;
+    d2 = d1, d1 = d;
+  }
+  return {c[0] + t * b1 - b2, b1 + t * d1 - d2};
+}
+
+/// Coefficients of sum_k c_k T_k(scale * y + shift) in ascending powers of y.
+std::vector<double> ascending_powers(const std::vector<double>& c, double scale, double shift) {
+  const std::size_t n = c.size();
+  std::vector<double> before(n, 0.0), now(n, 0.0), sum(n, 0.0);
+  now[0] = 1;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t j = 0; j < n; ++j) sum[j] += c[k] * now[j];
+    std::vector<double> next(n, 0.0);
+    const double factor = k == 0 ? 1 : 2;  // T_1 = t T_0, T_{k+1} = 2 t T_k - T_{k-1}
+    for (std::size_t j = 0; j < n; ++j) {
+      next[j] += factor * shift * now[j] - (k == 0 ? 0 : before[j]);
+      if (j + 1 < n) next[j + 1] += factor * scale * now[j];
+    }
+    before = std::move(now);
+    now = std::move(next);
+  }
+  return sum;
+}
+
+/// What the loops need of a mapping, beside its coefficients.
+struct Loop {
+  double x_max, end_slope, limit;
+};
+
+// NaN passes both of these, and each is one instruction.
+inline double at_least(double low, double x) {
+  return low > x ? low : x;
+}
+inline double at_most(double high, double x) {
+  return high < x ? high : x;
+}
+
+/// `powers` holds exactly N values; unrolled, so that only x and the result touch memory.
+template <int N>
+[[gnu::always_inline]] inline void polynomial_loop(
+    const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
+  double p[N];
+  for (int k = 0; k < N; ++k) p[k] = powers[k];
+  const double scale = 2 / loop.x_max;
+#pragma GCC ivdep  // also where x and depth_mm are the same array
+  for (int i = 0; i < n; ++i) {
+    const double pressed = at_least(0.0, x[i]);
+    const double inside = at_most(loop.x_max, pressed);
+    const double t = inside * scale - 1;
+    double sum = p[N - 1];
+    for (int k = N - 2; k >= 0; --k) sum = sum * t + p[k];
+    const double depth = inside * sum + loop.end_slope * (pressed - inside);
+    depth_mm[i] = static_cast<float>(at_most(loop.limit, depth));
+  }
+}
+
+ALLTACT_VECTOR_CLONES void polynomial_depths_4(
+    const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
+  polynomial_loop<4>(powers, loop, x, depth_mm, n);
+}
+ALLTACT_VECTOR_CLONES void polynomial_depths_8(
+    const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
+  polynomial_loop<8>(powers, loop, x, depth_mm, n);
+}
+ALLTACT_VECTOR_CLONES void polynomial_depths_12(
+    const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
+  polynomial_loop<kMaxCoefficients>(powers, loop, x, depth_mm, n);
+}
+
+ALLTACT_VECTOR_CLONES void moebius_depths(
+    double a_mm, double b, Loop loop, const float* x, float* depth_mm, int n) {
+#pragma GCC ivdep  // also where x and depth_mm are the same array
+  for (int i = 0; i < n; ++i) {
+    const double pressed = at_least(0.0, x[i]);
+    const double inside = at_most(loop.x_max, pressed);
+    const double depth = a_mm * inside / (1 + b * inside) + loop.end_slope * (pressed - inside);
+    depth_mm[i] = static_cast<float>(at_most(loop.limit, depth));
+  }
+}
+
+std::optional<Error> covariance_problem(const Eigen::MatrixXd& covariance, Eigen::Index wanted) {
+  if (covariance.size() == 0) return std::nullopt;
+  const auto problem = [](std::string what) {
+    return Error{std::move(what), "mapping.covariance", "leave it out, or calibrate again"};
+  };
+  if (covariance.rows() != wanted || covariance.cols() != wanted)
+    return problem(fmt::format("must be {0} rows of {0} numbers", wanted));
+  if (!covariance.allFinite() || covariance.cwiseAbs().maxCoeff() > 1e12)
+    return problem("holds values that no covariance has");
+  if ((covariance.diagonal().array() < 0).any()) return problem("has a negative variance");
+  const double asymmetry = (covariance - covariance.transpose()).cwiseAbs().maxCoeff();
+  if (asymmetry > 1e-9 * covariance.cwiseAbs().maxCoeff()) return problem("is not symmetric");
+  return std::nullopt;
+}
+
+std::optional<Error> coefficient_problem(const MappingParameters& p) {
+  if (p.kind == MappingKind::kMoebius) {
+    if (!(p.a_mm > 0 && std::isfinite(p.a_mm)))
+      return Error{"must be a positive number", "mapping.a_mm", "calibrate again"};
+    if (!(p.b > -1 / p.x_max && std::isfinite(p.b)))
+      return Error{
+          fmt::format("must be greater than {:.6g}, or the curve has a pole where it is used",
+                      -1 / p.x_max),
+          "mapping.b",
+          "calibrate again"};
+    return std::nullopt;
+  }
+  if (p.chebyshev.empty() || p.chebyshev.size() > kMaxCoefficients)
+    return Error{fmt::format("must hold 1 to {} numbers", kMaxCoefficients),
+                 "mapping.chebyshev",
+                 "calibrate again"};
+  for (double c : p.chebyshev)
+    if (!(std::abs(c) <= 1e6))
+      return Error{
+          "holds a number that is no coefficient in mm", "mapping.chebyshev", "calibrate again"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Mapping::Mapping(MappingParameters parameters) : parameters_(std::move(parameters)) {
+  const double x_max = parameters_.x_max;
+  if (parameters_.kind == MappingKind::kPolynomial)
+    centred_powers_ = ascending_powers(parameters_.chebyshev, 1, 0);
+  end_slope_mm_ = slope_mm(x_max);
+  end_depth_mm_ = std::numeric_limits<double>::infinity();  // no limit for the next line
+  end_depth_mm_ = depth_mm(x_max);
+  // Padded to the next loop length, so that the loops need no remainder.
+  centred_powers_.resize((centred_powers_.size() + 3) / 4 * 4, 0.0);
+}
+
+Result<Mapping> Mapping::create(MappingParameters parameters) {
+  if (!(parameters.x_max > 0 && parameters.x_max <= 1))
+    return Error{"must end above 0 and at 1 or below: it is a relative difference of brightness",
+                 "mapping.domain",
+                 "calibrate again"};
+  if (auto problem = coefficient_problem(parameters)) return *problem;
+  const bool is_moebius = parameters.kind == MappingKind::kMoebius;
+  const auto unknowns = is_moebius ? 2 : static_cast<Eigen::Index>(parameters.chebyshev.size());
+  if (auto problem = covariance_problem(parameters.covariance, unknowns)) return *problem;
+
+  const std::string key = is_moebius ? "mapping.a_mm" : "mapping.chebyshev";
+  const Mapping mapping(std::move(parameters));
+  // Half of the places by the cosine, which crowds them at both ends, where a polynomial turns.
+  for (int i = 0; i <= kGrid; ++i) {
+    const double even = static_cast<double>(i) / kGrid;
+    const double crowded = 0.5 - 0.5 * std::cos(even * std::numbers::pi);
+    for (double part : {even, crowded}) {
+      const double x = part * mapping.x_max();
+      const double slope = mapping.slope_mm(x);
+      if (!(slope > 0 && std::isfinite(slope)))
+        return Error{
+            fmt::format("the curve does not rise at x = {:.4g} (slope {:.4g} mm)", x, slope),
+            key,
+            "calibrate with fewer coefficients or as moebius, or with deeper presses"};
+    }
+  }
+  if (!(mapping.end_depth_mm_ > 0 && mapping.end_depth_mm_ <= kMaxDepthMm))
+    return Error{fmt::format("gives a depth of {:.4g} mm at the end of its domain; it must lie "
+                             "above 0 and below {:g} mm",
+                             mapping.end_depth_mm_,
+                             kMaxDepthMm),
+                 key,
+                 "calibrate again"};
+  return mapping;
+}
+
+double Mapping::depth_mm(double x) const {
+  const double pressed = at_least(0.0, x);
+  const double inside = at_most(parameters_.x_max, pressed);
+  const double curve =
+      parameters_.kind == MappingKind::kMoebius
+          ? parameters_.a_mm * inside / (1 + parameters_.b * inside)
+          : inside * chebyshev_sum(parameters_.chebyshev, 2 * inside / parameters_.x_max - 1).value;
+  return at_most(kLimitFactor * end_depth_mm_, curve + end_slope_mm_ * (pressed - inside));
+}
+
+double Mapping::slope_mm(double x) const {
+  const double inside = at_most(parameters_.x_max, at_least(0.0, x));
+  if (parameters_.kind == MappingKind::kMoebius) {
+    const double root = 1 + parameters_.b * inside;
+    return parameters_.a_mm / (root * root);
+  }
+  const double t = 2 * inside / parameters_.x_max - 1;
+  const auto [value, derivative] = chebyshev_sum(parameters_.chebyshev, t);
+  return value + (t + 1) * derivative;  // x dt/dx = t + 1
+}
+
+double Mapping::depth_sd_mm(double x) const {
+  const Eigen::MatrixXd& covariance = parameters_.covariance;
+  const double pressed = at_least(0.0, x);
+  if (covariance.size() == 0) return std::isnan(x) ? x : 0;
+  const double x_max = parameters_.x_max;
+  const double inside = at_most(x_max, pressed);
+  const double excess = pressed - inside;
+  Eigen::VectorXd gradient(covariance.rows());  // of the depth in each coefficient
+  if (parameters_.kind == MappingKind::kMoebius) {
+    const double a = parameters_.a_mm, b = parameters_.b;
+    const double root = 1 + b * inside;
+    gradient[0] = inside / root + excess / (root * root);
+    gradient[1] =
+        -a * inside * inside / (root * root) - 2 * a * inside * excess / (root * root * root);
+  } else {
+    const double t = 2 * inside / x_max - 1;
+    double before = t, now = 1;  // T_{-1} = T_1
+    for (Eigen::Index k = 0; k < gradient.size(); ++k) {
+      // The line beyond the domain: T_k(1) = 1 and T_k'(1) = k^2.
+      gradient[k] = inside * now + excess * (1 + 2.0 * static_cast<double>(k * k));
+      const double next = 2 * t * now - before;
+      before = now, now = next;
+    }
+  }
+  return std::sqrt(std::max(0.0, gradient.dot(covariance * gradient)));
+}
+
+double Mapping::difference_at(double depth_mm) const {
+  if (std::isnan(depth_mm)) return depth_mm;
+  if (depth_mm <= 0) return 0;
+  if (depth_mm >= end_depth_mm_) return parameters_.x_max;
+  double low = 0, high = parameters_.x_max;
+  while (true) {
+    const double middle = low + (high - low) / 2;
+    if (middle <= low || middle >= high) return middle;
+    (this->depth_mm(middle) < depth_mm ? low : high) = middle;
+  }
+}
+
+void Mapping::depths_mm(const float* x, float* depth_mm, int n) const {
+  const Loop loop{parameters_.x_max, end_slope_mm_, kLimitFactor * end_depth_mm_};
+  if (parameters_.kind == MappingKind::kMoebius)
+    return moebius_depths(parameters_.a_mm, parameters_.b, loop, x, depth_mm, n);
+  switch (centred_powers_.size()) {
+    case 4:
+      return polynomial_depths_4(centred_powers_.data(), loop, x, depth_mm, n);
+    case 8:
+      return polynomial_depths_8(centred_powers_.data(), loop, x, depth_mm, n);
+    default:
+      return polynomial_depths_12(centred_powers_.data(), loop, x, depth_mm, n);
+  }
+}
+
+std::vector<double> Mapping::powers() const {
+  if (parameters_.kind == MappingKind::kMoebius) return {};
+  // In powers of x / x_max first, where the coefficients of T_k are whole numbers.
+  std::vector<double> powers = ascending_powers(parameters_.chebyshev, 2, -1);
+  double scale = 1;
+  for (double& p : powers) p *= scale, scale /= parameters_.x_max;
+  powers.insert(powers.begin(), 0.0);
+  return powers;
+}
+
+}  // namespace alltact

@@ -1,0 +1,190 @@
+#include "core/io/atomic_file.h"
+
+#include "core/io/system_error.h"
+
+#include <cerrno>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  [[nodiscard]] int number() const { return number_; }
+  /// Some disks only tell at the close that they could not write.
+  [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+ private:
+  int number_;
+};
+
+/// A file that is gone at the end unless it was kept.
+class Temporary {
+ public:
+  explicit Temporary(fs::path path) : path_(std::move(path)) {}
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  ~Temporary() {
+    if (!is_kept_) ::unlink(path_.c_str());
+  }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+  void keep() { is_kept_ = true; }
+
+ private:
+  fs::path path_;
+  bool is_kept_ = false;
+};
+
+constexpr std::string_view kWriting = "could not write the file";
+
+/// Hidden, in the same folder and with the same ending: the ending tells encoders the format.
+fs::path temporary_name(const fs::path& file, int attempt) {
+  const std::string stem = file.stem().string().substr(0, 100);
+  return file.parent_path() /
+         fmt::format(".{}.{}-{}.tmp{}", stem, ::getpid(), attempt, file.extension().string());
+}
+
+/// Makes an empty file that no one else has; its number, or -1 and errno.
+std::pair<int, fs::path> create_temporary(const fs::path& file) {
+  constexpr int kAttempts = 10000;  // other threads, and what an earlier crash left behind
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    fs::path path = temporary_name(file, attempt);
+    const int number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (number >= 0 || errno != EEXIST) return {number, std::move(path)};
+  }
+  return {-1, {}};
+}
+
+bool write_all(int number, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(number, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// A link stays a link: what it points to is replaced.
+fs::path without_links(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_symlink(file, ignored)) return file;
+  fs::path target = fs::weakly_canonical(file, ignored);
+  return ignored ? file : target;
+}
+
+/// The new file is as readable by others as the old one was.
+void copy_permissions(const fs::path& from, int to) {
+  struct stat status {};
+  if (::stat(from.c_str(), &status) != 0) return;
+  // Not being allowed to is no reason to lose the content.
+  [[maybe_unused]] const int ignored = ::fchmod(to, status.st_mode & 07777U);
+}
+
+Status sync_folder(const fs::path& folder) {
+  Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // Some file systems know no fsync of a folder (EINVAL); there is nothing more to be done there.
+  if (descriptor.number() < 0 || (::fsync(descriptor.number()) != 0 && errno != EINVAL))
+    return system_error("could not make sure that the folder is on the disk", folder, errno);
+  return {};
+}
+
+/// `fill` writes the content, given the open temporary and its path.
+Status replace(const fs::path& wanted,
+               const std::function<Status(int number, const fs::path& temporary)>& fill) {
+  const fs::path file = without_links(wanted);
+  std::error_code ignored;
+  if (file.filename().empty() || fs::is_directory(file, ignored))
+    return system_error(kWriting, wanted, EISDIR);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::exists(folder, ignored) && !ignored)
+    return Error{fmt::format("{}: its folder does not exist", kWriting),
+                 wanted.string(),
+                 "make the folder first, or check the path for typing errors"};
+
+  auto [number, path] = create_temporary(file);
+  if (number < 0) return system_error(kWriting, wanted, errno);
+  Descriptor descriptor(number);
+  Temporary temporary(path);
+  copy_permissions(file, number);
+  if (Status status = fill(number, temporary.path()); !status) return status;
+  if (::fsync(number) != 0 || !descriptor.close() ||
+      ::rename(temporary.path().c_str(), file.c_str()) != 0)
+    return system_error(kWriting, wanted, errno);
+  temporary.keep();
+  return sync_folder(folder);
+}
+
+}  // namespace
+
+Status write_file_atomically(const fs::path& file, std::string_view content) {
+  return replace(file, [&](int number, const fs::path&) -> Status {
+    if (!write_all(number, content)) return system_error(kWriting, file, errno);
+    return {};
+  });
+}
+
+Status write_file_atomically(const fs::path& file,
+                             const std::function<Status(const fs::path& temporary)>& write) {
+  return replace(file, [&](int, const fs::path& temporary) -> Status {
+    if (Status status = write(temporary); !status) return status;
+    // The other library may have put a new file in place of ours.
+    const Descriptor written(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
+    if (written.number() < 0 || ::fsync(written.number()) != 0)
+      return system_error(kWriting, file, errno);
+    return {};
+  });
+}
+
+Result<std::string> read_file(const fs::path& file, std::size_t limit_bytes) {
+  constexpr std::string_view kReading = "could not read the file";
+  Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (descriptor.number() < 0) return system_error(kReading, file, errno);
+  struct stat status {};
+  if (::fstat(descriptor.number(), &status) != 0) return system_error(kReading, file, errno);
+  if (S_ISDIR(status.st_mode)) return system_error(kReading, file, EISDIR);
+  const Error too_large{fmt::format("{}: it is larger than {} bytes", kReading, limit_bytes),
+                        file.string(),
+                        "check that it is the right file"};
+  if (static_cast<std::size_t>(status.st_size) > limit_bytes) return too_large;
+
+  // The size is a hint only: pipes have none, and a file may grow while it is read.
+  std::string content;
+  content.resize(static_cast<std::size_t>(status.st_size) + 1);
+  std::size_t filled = 0;
+  while (true) {
+    if (filled == content.size()) content.resize(2 * content.size());
+    const ssize_t got =
+        ::read(descriptor.number(), content.data() + filled, content.size() - filled);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return system_error(kReading, file, errno);
+    if (got == 0) break;
+    filled += static_cast<std::size_t>(got);
+    if (filled > limit_bytes) return too_large;
+  }
+  content.resize(filled);
+  return content;
+}
+
+Status make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error && fs::is_directory(folder, error)) return {};
+  const int number = error ? error.value() : ENOTDIR;
+  // A file in the way is reported in two ways, depending on where in the path it lies.
+  return system_error("could not make the folder", folder, number == EEXIST ? ENOTDIR : number);
+}
+
+}  // namespace alltact

@@ -1,0 +1,17 @@
+// What the operating system says, in words a technician can act on.
+#pragma once
+
+#include "core/result.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace alltact {
+
+/// `doing`: what was tried ("could not write the file"); error_number: errno of the call that
+/// failed. The error's `where` is the path, its advice what helps against that kind of failure.
+[[nodiscard]] Error system_error(std::string_view doing,
+                                 const std::filesystem::path& path,
+                                 int error_number);
+
+}  // namespace alltact
