@@ -1,0 +1,169 @@
+#include "core/io/picture.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/picture_format.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr std::int64_t kMaxSidePx = 16384;
+constexpr double kMaxColour = 0.12;  // mean distance of the channels from grey, of the mean grey
+constexpr double kBlack = 4;         // grey level
+
+Error at(const std::filesystem::path& file, Error error) {
+  error.where = file.string();
+  return error;
+}
+
+struct Encoded {
+  std::string content;
+  PictureHeader header;
+};
+
+/// The file's bytes, once its header says that it is whole and of a sensible size.
+Result<Encoded> read_encoded(const std::filesystem::path& file) {
+  auto content = read_file(file);
+  if (!content) return content.error();
+  auto header = picture_header(*content);
+  if (!header) return at(file, header.error());
+  const auto [width, height] = std::pair(header->width_px, header->height_px);
+  if (width < 1 || height < 1 || width > kMaxSidePx || height > kMaxSidePx)
+    return Error{fmt::format("the picture says it is {} x {} px; a side must have 1 to {}",
+                             width,
+                             height,
+                             kMaxSidePx),
+                 file.string(),
+                 "a smaller picture, or copy it again if that size is wrong"};
+  return Encoded{std::move(*content), *header};
+}
+
+/// Empty where the decoder gives up.
+cv::Mat decode(const Encoded& encoded) {
+  try {
+    // Unchanged: the camera's pixels as they are, also where a tag asks to turn the picture.
+    return cv::imdecode(cv::Mat(1,
+                                static_cast<int>(encoded.content.size()),
+                                CV_8UC1,
+                                const_cast<char*>(encoded.content.data())),
+                        cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+Error not_decodable(const std::filesystem::path& file) {
+  return {"the picture is damaged or cut short", file.string(), "copy or record it again"};
+}
+
+std::optional<Error> unfit_for_grey(const PictureHeader& header) {
+  if (header.is_float || header.bits > 8)
+    return Error{fmt::format("the picture has {} bits per channel{}; 8 are needed",
+                             header.bits,
+                             header.is_float ? " (floating point)" : ""),
+                 "",
+                 "the camera's 8-bit pictures"};
+  if (header.has_transparency)
+    return Error{"the picture has transparent parts; a camera takes none",
+                 "",
+                 "the picture as the camera took it, without an alpha channel"};
+  if (header.channels != 1 && header.channels != 3)
+    return Error{fmt::format("the picture has {} channels; 1 or 3 are needed", header.channels),
+                 "",
+                 "the picture as the camera took it"};
+  return std::nullopt;
+}
+
+/// Mean absolute distance of the channels from grey, as a part of the mean grey.
+double colourfulness(const cv::Mat& bgr, const cv::Mat& grey) {
+  cv::Mat three, distance;
+  cv::cvtColor(grey, three, cv::COLOR_GRAY2BGR);
+  cv::absdiff(bgr, three, distance);
+  const cv::Scalar mean = cv::mean(distance);
+  const double grey_level = cv::mean(grey)[0];
+  return grey_level > 0 ? (mean[0] + mean[1] + mean[2]) / 3 / grey_level : 0;
+}
+
+Result<std::vector<unsigned char>> encode(const std::filesystem::path& file,
+                                          const cv::Mat& picture) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  const int type = picture.type();
+  const bool is_png = ending == ".png" && (type == CV_8UC1 || type == CV_8UC3);
+  const bool is_tiff =
+      (ending == ".tif" || ending == ".tiff") && (type == CV_32FC1 || type == CV_32FC3);
+  if (picture.empty() || !(is_png || is_tiff))
+    return Error{fmt::format("cannot write this kind of picture ({}) under that name",
+                             picture.empty() ? "empty" : cv::typeToString(type)),
+                 file.string(),
+                 "'.png' for 8-bit pictures, '.tiff' for floating point"};
+  const std::vector<int> options = is_png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 3}
+                                          : std::vector<int>{cv::IMWRITE_TIFF_COMPRESSION, 1};
+  std::vector<unsigned char> bytes;
+  try {
+    if (cv::imencode(ending, picture, bytes, options)) return bytes;
+  } catch (const cv::Exception&) {
+    // As when it returns false: no reason is given either way.
+  }
+  return Error{"could not encode the picture", file.string(), "a smaller picture"};
+}
+
+}  // namespace
+
+Result<cv::Mat> read_grey_picture(const std::filesystem::path& file) {
+  const auto encoded = read_encoded(file);
+  if (!encoded) return encoded.error();
+  if (auto problem = unfit_for_grey(encoded->header)) return at(file, *problem);
+  cv::Mat picture = decode(*encoded);
+  if (picture.empty()) return not_decodable(file);
+  // The decoder has the last word over what the header seemed to say.
+  if (picture.type() != CV_8UC1 && picture.type() != CV_8UC3)
+    return Error{fmt::format("the picture is of a kind that cannot be used ({})",
+                             cv::typeToString(picture.type())),
+                 file.string(),
+                 "8-bit grey pictures"};
+  if (picture.channels() == 3) {
+    cv::Mat grey;
+    cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+    if (const double colour = colourfulness(picture, grey); colour > kMaxColour)
+      return Error{
+          fmt::format("the picture is in colour: its channels differ from grey by {:.0f} %",
+                      100 * colour),
+          file.string(),
+          "a picture of the finger under white light"};
+    picture = grey;
+  }
+  double brightest = 0;
+  cv::minMaxLoc(picture, nullptr, &brightest);
+  if (brightest <= kBlack)
+    return Error{
+        "the picture is all black", file.string(), "switch on the light, or take off the lens cap"};
+  return picture;
+}
+
+Status write_picture(const std::filesystem::path& file, const cv::Mat& picture) {
+  const auto bytes = encode(file, picture);
+  if (!bytes) return bytes.error();
+  return write_file_atomically(
+      file, std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+}
+
+Result<cv::Mat> read_float_picture(const std::filesystem::path& file) {
+  const auto encoded = read_encoded(file);
+  if (!encoded) return encoded.error();
+  const PictureHeader& header = encoded->header;
+  if (header.format != PictureFormat::kTiff || !header.is_float || header.bits != 32 ||
+      (header.channels != 1 && header.channels != 3))
+    return Error{"the picture is no TIFF of 32-bit floating point with 1 or 3 channels",
+                 file.string(),
+                 "a depth or points picture written by this program"};
+  cv::Mat picture = decode(*encoded);
+  if (picture.empty()) return not_decodable(file);
+  if (picture.type() != CV_32FC1 && picture.type() != CV_32FC3) return not_decodable(file);
+  return picture;
+}
+
+}  // namespace alltact
