@@ -4,6 +4,8 @@
 // centre of the top-left pixel. All pixels here are those of the picture after orientation.
 #pragma once
 
+#include "core/result.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,8 +13,6 @@
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
-
-#include "core/result.h"
 
 namespace alltact {
 
@@ -28,12 +28,12 @@ enum class Orientation { kNone = 1, kFlipU, kFlipV, kRotate180, kRotate90, kRota
 /// What stands under `camera:` in a finger file; see Camera::create for what is allowed.
 struct CameraParameters {
   CameraModel model = CameraModel::kPinhole;
-  int width_px = 0;   ///< of the picture after orientation
+  int width_px = 0;  ///< of the picture after orientation
   int height_px = 0;
-  double fx_px = 0, fy_px = 0;    ///< focal lengths; unused when orthographic
-  double cx_px = 0, cy_px = 0;    ///< principal point; the pixel at x = y = 0
-  double mm_per_px = 0;           ///< orthographic only
-  std::vector<double> distortion; ///< brown: k1 k2 p1 p2 k3; fisheye: k1 k2 k3 k4; may be shorter
+  double fx_px = 0, fy_px = 0;     ///< focal lengths; unused when orthographic
+  double cx_px = 0, cy_px = 0;     ///< principal point; the pixel at x = y = 0
+  double mm_per_px = 0;            ///< orthographic only
+  std::vector<double> distortion;  ///< brown: k1 k2 p1 p2 k3; fisheye: k1 k2 k3 k4; may be shorter
   Orientation orientation = Orientation::kNone;
 
   bool operator==(const CameraParameters&) const = default;
@@ -45,17 +45,17 @@ struct Ray {
   Eigen::Vector3d origin_mm = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 
-  [[nodiscard]] Eigen::Vector3d point_at(double z_mm) const {
-    return origin_mm + z_mm * direction;
-  }
+  [[nodiscard]] Eigen::Vector3d point_at(double z_mm) const { return origin_mm + z_mm * direction; }
 };
 
 /// A valid camera. A value: cheap to copy, no hidden state.
 class Camera {
  public:
-  /// Errors: size not in 16..16384, focal length or scale not positive and finite, principal point
-  /// further than one picture size outside, wrong number of distortion coefficients for the model,
-  /// or a distortion that folds over inside the picture (two rays would meet in one pixel).
+  /// Errors: size not in 16..16384, focal length not in 1..1e6 px or scale not in 1e-6..100 mm per
+  /// px, principal point further than one picture size outside, wrong number of distortion
+  /// coefficients for the model, or a distortion that folds over inside the picture (two rays would
+  /// meet in one pixel, and none in another). The error's `where` is the key ("camera.fx"). The
+  /// dark corners of a fisheye, where a ray would be 90 degrees off the axis, are no error.
   static Result<Camera> create(const CameraParameters& parameters);
 
   [[nodiscard]] const CameraParameters& parameters() const { return parameters_; }
@@ -79,8 +79,11 @@ class Camera {
 
  private:
   explicit Camera(CameraParameters parameters) : parameters_(std::move(parameters)) {}
+  [[nodiscard]] bool folds_in_picture() const;
+
   CameraParameters parameters_;
-  double max_radius_ = 0;  // of the undistorted normalised point, or angle for fisheye
+  double max_radius_ =
+      0;  // brown: of the undistorted normalised point; fisheye: angle off the axis
 };
 
 /// Turns the raw picture as camera.orientation says (no copy for kNone).

@@ -1,0 +1,226 @@
+#include "core/camera/camera.h"
+
+#include "core/camera/distortion.h"
+
+namespace alltact {
+namespace {
+
+constexpr std::array kModels{std::pair{"pinhole", CameraModel::kPinhole},
+                             std::pair{"brown", CameraModel::kBrown},
+                             std::pair{"fisheye", CameraModel::kFisheye},
+                             std::pair{"orthographic", CameraModel::kOrthographic}};
+constexpr std::array kOrientations{std::pair{"none", Orientation::kNone},
+                                   std::pair{"flip_u", Orientation::kFlipU},
+                                   std::pair{"flip_v", Orientation::kFlipV},
+                                   std::pair{"rotate_180", Orientation::kRotate180},
+                                   std::pair{"rotate_90", Orientation::kRotate90},
+                                   std::pair{"rotate_270", Orientation::kRotate270}};
+
+template <class Words, class Value>
+std::string_view word_of(const Words& words, Value value) {
+  for (const auto& [word, meaning] : words)
+    if (meaning == value) return word;
+  assert(false);
+  return {};
+}
+
+template <class Words>
+auto meaning_of(const Words& words, std::string_view word)
+    -> std::optional<decltype(words[0].second)> {
+  for (const auto& [known, meaning] : words)
+    if (known == word) return meaning;
+  return std::nullopt;
+}
+
+std::size_t coefficient_limit(CameraModel model) {
+  switch (model) {
+    case CameraModel::kBrown:
+      return 5;
+    case CameraModel::kFisheye:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+std::optional<Error> size_problem(const CameraParameters& p) {
+  for (int side : {p.width_px, p.height_px})
+    if (side < 16 || side > 16384)
+      return Error{fmt::format("{} x {} px is no picture size; a side must have 16 to 16384",
+                               p.width_px,
+                               p.height_px),
+                   "camera.size",
+                   "the size of the camera's pictures, [width, height]"};
+  return std::nullopt;
+}
+
+std::optional<Error> scale_problem(const CameraParameters& p) {
+  if (p.model == CameraModel::kOrthographic) {
+    if (!(p.mm_per_px >= 1e-6 && p.mm_per_px <= 100))
+      return Error{"must be a number from 0.000001 to 100",
+                   "camera.mm_per_px",
+                   "millimetres on the object per pixel"};
+    return std::nullopt;
+  }
+  for (const auto& [value, key] : {std::pair{p.fx_px, "camera.fx"}, {p.fy_px, "camera.fy"}})
+    if (!(value >= 1 && value <= 1e6))
+      return Error{"must be a number from 1 to 1000000",
+                   key,
+                   "the focal length in pixels, as 'alltact lens' finds it"};
+  return std::nullopt;
+}
+
+std::optional<Error> centre_problem(const CameraParameters& p) {
+  for (const auto& [value, side, key] : {std::tuple{p.cx_px, p.width_px, "camera.cx"},
+                                         std::tuple{p.cy_px, p.height_px, "camera.cy"}})
+    if (!(value >= -side && value <= 2 * side))
+      return Error{fmt::format("must be a number from {} to {}", -side, 2 * side),
+                   key,
+                   "the picture's centre, or run 'alltact lens'"};
+  return std::nullopt;
+}
+
+std::optional<Error> distortion_problem(const CameraParameters& p) {
+  const std::size_t limit = coefficient_limit(p.model);
+  if (p.distortion.size() > limit)
+    return Error{fmt::format("a {} camera has {} coefficients, here are {}",
+                             to_string(p.model),
+                             limit == 0 ? "no" : fmt::format("at most {}", limit),
+                             p.distortion.size()),
+                 "camera.distortion",
+                 "brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []"};
+  for (double k : p.distortion)
+    if (!(std::abs(k) <= 1e4))
+      return Error{"holds a number that no lens has", "camera.distortion", "run 'alltact lens'"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view to_string(CameraModel model) {
+  return word_of(kModels, model);
+}
+std::string_view to_string(Orientation orientation) {
+  return word_of(kOrientations, orientation);
+}
+std::optional<CameraModel> camera_model_from(std::string_view word) {
+  return meaning_of(kModels, word);
+}
+std::optional<Orientation> orientation_from(std::string_view word) {
+  return meaning_of(kOrientations, word);
+}
+
+Result<Camera> Camera::create(const CameraParameters& parameters) {
+  for (const auto check : {size_problem, scale_problem, centre_problem, distortion_problem})
+    if (auto problem = check(parameters)) return *problem;
+  Camera camera(parameters);
+  if (parameters.model == CameraModel::kBrown)
+    camera.max_radius_ = BrownDistortion(parameters.distortion).valid_radius();
+  if (parameters.model == CameraModel::kFisheye)
+    camera.max_radius_ = FisheyeDistortion(parameters.distortion).valid_angle();
+  if (camera.folds_in_picture())
+    return Error{
+        "the distortion folds over inside the picture: near its border two directions "
+        "would be seen in one pixel",
+        "camera.distortion",
+        "run 'alltact lens' with boards that reach into the corners, or with fewer "
+        "coefficients"};
+  return camera;
+}
+
+bool Camera::folds_in_picture() const {
+  const CameraParameters& p = parameters_;
+  const bool is_brown = p.model == CameraModel::kBrown;
+  if (!is_brown && p.model != CameraModel::kFisheye) return false;
+  if (p.model == CameraModel::kFisheye && max_radius_ >= FisheyeDistortion::kLimit) return false;
+  // The seen region has no holes: a border that lies inside it encloses pixels that all do.
+  constexpr int kSamples = 512;  // along each side; more than that only for the tangential part
+  const double right = p.width_px - 1, bottom = p.height_px - 1;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double part = static_cast<double>(i) / kSamples;
+    for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(part * right, 0),
+                                         Eigen::Vector2d(part * right, bottom),
+                                         Eigen::Vector2d(0, part * bottom),
+                                         Eigen::Vector2d(right, part * bottom)})
+      if (!unproject(pixel)) return true;
+  }
+  return false;
+}
+
+bool Camera::is_linear() const {
+  const auto& k = parameters_.distortion;
+  return parameters_.model != CameraModel::kFisheye &&
+         std::all_of(k.begin(), k.end(), [](double value) { return value == 0; });
+}
+
+std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& point_mm) const {
+  const CameraParameters& p = parameters_;
+  const Eigen::Vector2d centre(p.cx_px, p.cy_px);
+  Eigen::Vector2d pixel;
+  if (p.model == CameraModel::kOrthographic) {
+    pixel = point_mm.head<2>() / p.mm_per_px + centre;
+  } else {
+    if (!(point_mm.z() > 0)) return std::nullopt;
+    Eigen::Vector2d seen = point_mm.head<2>() / point_mm.z();
+    if (p.model == CameraModel::kBrown) {
+      if (!(seen.norm() < max_radius_)) return std::nullopt;
+      seen = BrownDistortion(p.distortion).distort(seen);
+    } else if (p.model == CameraModel::kFisheye) {
+      if (!(std::atan(seen.norm()) < max_radius_)) return std::nullopt;
+      seen = FisheyeDistortion(p.distortion).distort(seen);
+    }
+    pixel = Eigen::Vector2d(p.fx_px * seen.x(), p.fy_px * seen.y()) + centre;
+  }
+  if (!pixel.allFinite()) return std::nullopt;
+  return pixel;
+}
+
+std::optional<Ray> Camera::unproject(const Eigen::Vector2d& pixel) const {
+  const CameraParameters& p = parameters_;
+  if (!pixel.allFinite()) return std::nullopt;
+  const Eigen::Vector2d off_centre = pixel - Eigen::Vector2d(p.cx_px, p.cy_px);
+  Ray ray;
+  if (p.model == CameraModel::kOrthographic) {
+    ray.origin_mm.head<2>() = off_centre * p.mm_per_px;
+    return ray;
+  }
+  const Eigen::Vector2d seen(off_centre.x() / p.fx_px, off_centre.y() / p.fy_px);
+  std::optional<Eigen::Vector2d> straight = seen;
+  if (p.model == CameraModel::kBrown)
+    straight = BrownDistortion(p.distortion).undistort(seen, max_radius_);
+  if (p.model == CameraModel::kFisheye)
+    straight = FisheyeDistortion(p.distortion).undistort(seen, max_radius_);
+  if (!straight) return std::nullopt;
+  ray.direction.head<2>() = *straight;
+  return ray;
+}
+
+double Camera::mm_per_px_at(double z_mm) const {
+  return is_perspective() ? z_mm / parameters_.fy_px : parameters_.mm_per_px;
+}
+
+cv::Mat oriented(const cv::Mat& raw, Orientation orientation) {
+  cv::Mat turned;
+  switch (orientation) {
+    case Orientation::kNone:
+      return raw;
+    case Orientation::kFlipU:
+      cv::flip(raw, turned, 1);
+      break;
+    case Orientation::kFlipV:
+      cv::flip(raw, turned, 0);
+      break;
+    case Orientation::kRotate180:
+      cv::flip(raw, turned, -1);
+      break;
+    case Orientation::kRotate90:
+      cv::rotate(raw, turned, cv::ROTATE_90_CLOCKWISE);
+      break;
+    case Orientation::kRotate270:
+      cv::rotate(raw, turned, cv::ROTATE_90_COUNTERCLOCKWISE);
+      break;
+  }
+  return turned;
+}
+
+}  // namespace alltact
