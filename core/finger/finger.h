@@ -1,6 +1,10 @@
 // Finger: everything that is known of one finger, and the folder it lives in.
 #pragma once
 
+#include "core/camera/camera.h"
+#include "core/finger/mapping.h"
+#include "core/result.h"
+
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -9,10 +13,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-
-#include "core/camera/camera.h"
-#include "core/finger/mapping.h"
-#include "core/result.h"
 
 namespace alltact {
 
@@ -28,16 +28,17 @@ struct Face {
 
 struct MarkerRows {
   int per_row = 0;  ///< dots on each side face, 2..64; 0: none (flat sensors)
-  Polarity polarity = Polarity::kAuto;  ///< against their surroundings; auto until a recording tells
+  Polarity polarity =
+      Polarity::kAuto;  ///< against their surroundings; auto until a recording tells
 };
 
 /// How a calibration came about; written beside the mapping for people and for `check`.
 struct MappingRecord {
-  std::string method;              ///< joint | paper
-  std::vector<std::string> presses;///< picture names that were used
-  double residual_mm = 0;          ///< mean absolute residual inside the contacts
-  double held_out_mm = 0;          ///< mean absolute error on presses left out; 0 when only one press
-  std::string degree_choice;       ///< a sentence
+  std::string method;                ///< joint | paper
+  std::vector<std::string> presses;  ///< picture names that were used
+  double residual_mm = 0;            ///< mean absolute residual inside the contacts
+  double held_out_mm = 0;     ///< mean absolute error on presses left out; 0 when only one press
+  std::string degree_choice;  ///< a sentence
 };
 
 struct ReferenceFiles {
@@ -74,12 +75,15 @@ class Finger {
   static Result<Finger> load(const std::filesystem::path& folder,
                              std::vector<std::string>* warnings = nullptr);
 
-  /// Writes FOLDER/finger.yaml whole or not at all. Keys are written in the order of the format,
-  /// numbers with all their digits: load, save, load gives an equal value and the same bytes.
+  /// Writes FOLDER/finger.yaml whole or not at all; a finger that is not valid is refused. Keys are
+  /// written in the order of the format, numbers with all their digits: load, save, load gives an
+  /// equal value and the same bytes.
   [[nodiscard]] Status save(const std::filesystem::path& folder) const;
 
   /// What load() checks of values, for a finger that was put together in memory. The error's
-  /// `where` is the key.
+  /// `where` is the key ("face.width_mm"). A fin_ray needs a perspective camera and markers; a flat
+  /// sensor has no markers, and its plane lies in front of a perspective camera. rest_markers are
+  /// as many as there are markers. Named files lie inside the folder.
   [[nodiscard]] Status validate() const;
 
   [[nodiscard]] int marker_count() const { return 2 * markers.per_row; }
@@ -92,5 +96,9 @@ class Finger {
 /// Reads what stands under `camera:` in a finger from a file of its own (CAMERA.yaml, with or
 /// without the `camera:` line above it).
 [[nodiscard]] Result<CameraParameters> load_camera(const std::filesystem::path& file);
+
+/// Writes such a file, without the `camera:` line. Error: no valid camera, or not writable.
+[[nodiscard]] Status save_camera(const std::filesystem::path& file,
+                                 const CameraParameters& parameters);
 
 }  // namespace alltact

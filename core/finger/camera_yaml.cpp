@@ -1,0 +1,116 @@
+#include "core/finger/camera_yaml.h"
+
+#include "core/finger/finger.h"
+#include "core/io/atomic_file.h"
+
+#include <yaml-cpp/exceptions.h>
+
+namespace alltact {
+namespace {
+
+/// The word's meaning; the words are those of to_string().
+template <class E, std::size_t N>
+E read_word(YamlSection& section, const std::string& key, const std::array<E, N>& meanings) {
+  std::vector<std::string_view> words;
+  for (E meaning : meanings) words.push_back(to_string(meaning));
+  return meanings[section.word(key, words)];
+}
+
+constexpr std::array kModels{
+    CameraModel::kPinhole, CameraModel::kBrown, CameraModel::kFisheye, CameraModel::kOrthographic};
+constexpr std::array kOrientations{Orientation::kNone,
+                                   Orientation::kFlipU,
+                                   Orientation::kFlipV,
+                                   Orientation::kRotate180,
+                                   Orientation::kRotate90,
+                                   Orientation::kRotate270};
+
+void read_size(YamlSection& section, CameraParameters& parameters) {
+  const std::vector<double> size = section.numbers("size");
+  const auto is_whole = [](double x) { return std::abs(x) < 1e9 && x == std::floor(x); };
+  if (size.size() != 2 || !is_whole(size[0]) || !is_whole(size[1]))
+    section.refuse("size", "must be two whole numbers", "[width, height] in pixels");
+  parameters.width_px = static_cast<int>(size[0]);
+  parameters.height_px = static_cast<int>(size[1]);
+}
+
+}  // namespace
+
+CameraParameters read_camera(YamlSection& section) {
+  CameraParameters parameters;
+  parameters.model = read_word(section, "model", kModels);
+  read_size(section, parameters);
+  if (parameters.model == CameraModel::kOrthographic) {
+    parameters.mm_per_px = section.number("mm_per_px", "the size of a pixel in mm");
+  } else {
+    parameters.fx_px = section.number("fx", "the focal length in pixels");
+    parameters.fy_px = section.number("fy", "the focal length in pixels");
+  }
+  parameters.cx_px = section.number("cx", "the principal point in pixels");
+  parameters.cy_px = section.number("cy", "the principal point in pixels");
+  if (section.has("distortion")) parameters.distortion = section.numbers("distortion");
+  if (section.has("orientation"))
+    parameters.orientation = read_word(section, "orientation", kOrientations);
+  section.keep_the_rest();
+  return parameters;
+}
+
+void add_camera(const CameraParameters& parameters, YamlBlock& block) {
+  block.add("model", std::string(to_string(parameters.model)));
+  block.add("size", fmt::format("[{}, {}]", parameters.width_px, parameters.height_px));
+  if (parameters.model == CameraModel::kOrthographic) {
+    block.add("mm_per_px", yaml_number(parameters.mm_per_px));
+  } else {
+    block.add("fx", yaml_number(parameters.fx_px));
+    block.add("fy", yaml_number(parameters.fy_px));
+  }
+  block.add("cx", yaml_number(parameters.cx_px));
+  block.add("cy", yaml_number(parameters.cy_px));
+  block.add("distortion", yaml_numbers(parameters.distortion));
+  block.add("orientation", std::string(to_string(parameters.orientation)));
+}
+
+Error located(const YamlFile& file, const Error& error) {
+  // A key that is absent where another one asks for it: the nearest block above it.
+  std::string key = error.where;
+  while (!key.empty() && !file.lines.contains(key)) {
+    const std::size_t dot = key.rfind('.');
+    key.resize(dot == std::string::npos ? 0 : dot);
+  }
+  return file.error(error.what, key.empty() ? 1 : file.lines.at(key), error.where, error.advice);
+}
+
+Result<CameraParameters> load_camera(const std::filesystem::path& path) {
+  const auto content = read_file(path, kMaxYamlBytes);
+  if (!content) return content.error();
+  YamlFile file{path, {}, {}, {}};
+  try {
+    YamlSection top = YamlSection::top(file, *content);
+    const bool is_wrapped = top.has("camera");
+    CameraParameters parameters;
+    if (is_wrapped) {
+      YamlSection section = top.section("camera");
+      parameters = read_camera(section);
+    } else {
+      parameters = read_camera(top);
+    }
+    const auto camera = Camera::create(parameters);
+    if (camera) return parameters;
+    Error error = camera.error();
+    if (!is_wrapped) error.where = error.where.substr(error.where.find('.') + 1);
+    return located(file, error);
+  } catch (const Refused& refused) {
+    return refused.error;
+  } catch (const YAML::Exception& problem) {
+    return Error{"this is not YAML: " + problem.msg, path.string(), "look at its brackets"};
+  }
+}
+
+Status save_camera(const std::filesystem::path& path, const CameraParameters& parameters) {
+  if (const auto camera = Camera::create(parameters); !camera) return camera.error();
+  YamlBlock block("");
+  add_camera(parameters, block);
+  return write_file_atomically(path, block.on_many_lines());
+}
+
+}  // namespace alltact

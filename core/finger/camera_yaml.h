@@ -1,0 +1,21 @@
+// What stands under `camera:`, to and from YAML.
+#pragma once
+
+#include "core/camera/camera.h"
+#include "core/finger/yaml_reader.h"
+#include "core/finger/yaml_writer.h"
+
+namespace alltact {
+
+/// Throws Refused. Looks at the form of the values; whether they make a camera is for
+/// Camera::create to say.
+[[nodiscard]] CameraParameters read_camera(YamlSection& section);
+void add_camera(const CameraParameters& parameters, YamlBlock& block);
+
+/// An error about a key becomes one about a line of a file.
+[[nodiscard]] Error located(const YamlFile& file, const Error& error);
+
+/// A finger or a camera is a small file; more than this is a mistake.
+constexpr std::size_t kMaxYamlBytes = std::size_t{4} << 20;
+
+}  // namespace alltact

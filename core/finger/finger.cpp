@@ -1,0 +1,119 @@
+#include "core/finger/finger.h"
+
+namespace alltact {
+namespace {
+
+/// NaN is outside of everything.
+bool is_in(double value, double low, double high) {
+  return value >= low && value <= high;
+}
+
+std::optional<Error> face_problem(const Face& face, bool is_perspective) {
+  if (!(face.layer_mm > 0 && face.layer_mm <= 50))
+    return Error{"must be above 0 and at most 50",
+                 "face.layer_mm",
+                 "the thickness of the translucent layer in mm, for example 1.5"};
+  if (face.kind == FaceKind::kFinRay) {
+    if (!(face.width_mm > 0 && face.width_mm <= 500))
+      return Error{"must be above 0 and at most 500",
+                   "face.width_mm",
+                   "the distance between the two edges of the view face in mm"};
+    if (!is_perspective)
+      return Error{"a fin_ray needs a camera with perspective: its shape comes from it",
+                   "camera.model",
+                   "pinhole, brown or fisheye"};
+    return std::nullopt;
+  }
+  if (!is_in(face.plane_z_mm, is_perspective ? 1e-3 : -1e4, 1e4))
+    return Error{is_perspective
+                     ? "must be above 0 and at most 10000: the face lies before the camera"
+                     : "must be a number from -10000 to 10000",
+                 "face.plane_z_mm",
+                 "the distance of the face from the camera in mm"};
+  return std::nullopt;
+}
+
+std::optional<Error> marker_problem(const MarkerRows& markers, FaceKind kind) {
+  if (kind == FaceKind::kFlat) {
+    if (markers.per_row == 0) return std::nullopt;
+    return Error{"a flat sensor has no markers", "markers.per_row", "remove the block 'markers'"};
+  }
+  if (markers.per_row >= 2 && markers.per_row <= 64) return std::nullopt;
+  return Error{"must be a whole number from 2 to 64",
+               "markers.per_row",
+               "the number of dots on one side face"};
+}
+
+std::optional<Error> record_problem(const MappingRecord& record) {
+  for (const auto& [value, key] : {std::pair{record.residual_mm, "mapping.residual_mm"},
+                                   {record.held_out_mm, "mapping.held_out_mm"}})
+    if (!is_in(value, 0, 1000))
+      return Error{"must be a number from 0 to 1000", key, "calibrate again"};
+  return std::nullopt;
+}
+
+std::optional<Error> file_problem(const std::string& name, const std::string& key) {
+  const std::filesystem::path path(name);
+  const bool leads_out = path.is_absolute() || *path.lexically_normal().begin() == "..";
+  if (!name.empty() && !leads_out && path.has_filename() && name.find('\0') == std::string::npos)
+    return std::nullopt;
+  return Error{fmt::format("'{}' is no file inside the finger's folder", name),
+               key,
+               "copy the file into the folder and give its name only"};
+}
+
+std::optional<Error> reference_problem(const ReferenceFiles& files) {
+  if (files.video.empty() && files.markers.empty())
+    return file_problem(files.image, "reference.image");
+  if (!files.image.empty())
+    return Error{"there is either a video with its markers or one picture, not both",
+                 "reference.image",
+                 "remove one of them"};
+  if (auto problem = file_problem(files.video, "reference.video")) return problem;
+  return file_problem(files.markers, "reference.markers");
+}
+
+std::optional<Error> contact_problem(const ContactSettings& contact, int marker_count) {
+  if (!(contact.threshold_px > 0 && contact.threshold_px <= 1e6))
+    return Error{"must be above 0 and at most 1000000",
+                 "contact.threshold_px",
+                 "record the reference again"};
+  const std::string key = "contact.rest_markers";
+  if (static_cast<int>(contact.rest_markers.size()) != marker_count)
+    return Error{fmt::format("holds {} positions, but there are {} markers",
+                             contact.rest_markers.size(),
+                             marker_count),
+                 key,
+                 "record the reference again"};
+  for (const Eigen::Vector2d& marker : contact.rest_markers)
+    if (!is_in(marker.x(), -1e5, 1e5) || !is_in(marker.y(), -1e5, 1e5))
+      return Error{"holds a position far outside the picture", key, "record the reference again"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Status Finger::validate() const {
+  if (name.empty() || name.size() > 200)
+    return Error{"must be a text of 1 to 200 letters", "name", "what is written on the finger"};
+  const auto made_camera = Camera::create(camera);
+  if (!made_camera) return made_camera.error();
+  if (auto problem = face_problem(face, made_camera->is_perspective())) return *problem;
+  if (auto problem = marker_problem(markers, face.kind)) return *problem;
+  if (mapping)
+    if (const auto made = Mapping::create(*mapping); !made) return made.error();
+  if (mapping_record) {
+    if (!mapping)
+      return Error{"says how a mapping was made, but there is none", "mapping", "calibrate"};
+    if (auto problem = record_problem(*mapping_record)) return *problem;
+  }
+  if (reference)
+    if (auto problem = reference_problem(*reference)) return *problem;
+  if (contact)
+    if (auto problem = contact_problem(*contact, marker_count())) return *problem;
+  if (!force_model.empty())
+    if (auto problem = file_problem(force_model, "force.model")) return *problem;
+  return {};
+}
+
+}  // namespace alltact
