@@ -1,0 +1,111 @@
+// The commands of `alltact`: what each needs, and its work. One file each; the demonstration runs
+// the same functions.
+#pragma once
+
+#include "app/console.h"
+#include "calibration/calibrate.h"
+#include "core/finger/finger.h"
+#include "core/result.h"
+#include "core/sensing/pipeline_settings.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace alltact {
+
+using Path = std::filesystem::path;
+
+struct NewOptions {
+  Path finger;
+  std::string name;  ///< empty: the folder's
+  Path camera;
+  FaceKind kind = FaceKind::kFinRay;
+  double width_mm = 0;
+  double layer_mm = 0;
+  double plane_z_mm = 0;
+  int per_row = 0;
+  Polarity polarity = Polarity::kAuto;
+};
+/// Makes a finger folder. Error: there is a finger already.
+Status run_new(const NewOptions& options, Console& console);
+
+struct SimulateOptions {
+  Path scene;
+  Path folder;
+  std::optional<int> frames;  ///< the first so many; empty: all
+  std::uint64_t seed = 1;
+  bool video = false;
+  int threads = 1;
+};
+/// Renders a scene and writes its truth beside it.
+Status run_simulate(const SimulateOptions& options, Console& console);
+
+struct ReferenceOptions {
+  Path finger;
+  std::vector<Path> inputs;
+};
+/// Installs a reference recording in a finger.
+Status run_reference(const ReferenceOptions& options, Console& console);
+
+struct CalibrateOptions {
+  Path finger;
+  std::vector<Path> presses;
+  double ball_radius_mm = 0;
+  std::optional<Path> reference;
+  CalibrationSettings calibration;
+  PipelineSettings pipeline;
+};
+/// Learns a finger's depth mapping from ball presses.
+Status run_calibrate(const CalibrateOptions& options, Console& console);
+
+struct ReconstructOptions {
+  Path finger;
+  std::vector<Path> inputs;
+  Path folder;
+  bool depth = true, points = true, ply = false;
+  PipelineSettings pipeline;
+};
+/// Turns pictures into depth. Error at the end when any of them could not be.
+Status run_reconstruct(const ReconstructOptions& options, Console& console);
+
+/// Says what a finger is fit for. Error: it is not fit to use.
+Status run_check(const Path& finger, Console& console);
+
+struct ExportOptions {
+  Path finger;
+  Path folder;
+  bool opencv = false, json = false;
+};
+/// Writes a finger's calibration for other programs.
+Status run_export(const ExportOptions& options, Console& console);
+
+struct DemoOptions {
+  Path folder;
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+/// A whole day of a simulated finger, and what was measured against the truth.
+Status run_demo(const DemoOptions& options, Console& console);
+
+/// Set by the command that was chosen on the command line.
+using Chosen = std::function<Status(Console&)>;
+
+void add_new(CLI::App& program, Chosen& chosen);
+void add_simulate(CLI::App& program, Chosen& chosen);
+void add_reference(CLI::App& program, Chosen& chosen);
+void add_calibrate(CLI::App& program, Chosen& chosen);
+void add_reconstruct(CLI::App& program, Chosen& chosen);
+void add_check(CLI::App& program, Chosen& chosen);
+void add_export(CLI::App& program, Chosen& chosen);
+void add_demo(CLI::App& program, Chosen& chosen);
+
+/// Warns of what Finger::load found strange.
+[[nodiscard]] Result<Finger> load_finger(const Path& folder, Console& console);
+
+}  // namespace alltact

@@ -1,0 +1,258 @@
+#include "app/commands/commands.h"
+#include "calibration/evaluate.h"
+#include "core/io/atomic_file.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Scenes lie in the source tree while developing and beside the program once installed.
+Result<Path> find_scene(const std::string& name) {
+  std::error_code failed;
+  const Path program = fs::read_symlink("/proc/self/exe", failed);
+  const Path installed = program.parent_path() / ".." / "share" / "alltact";
+  for (const Path& resources : {installed, Path(ALLTACT_RESOURCES)}) {
+    const Path file = resources / "scenes" / (name + ".yaml");
+    if (fs::exists(file, failed)) return file;
+  }
+  return Error{"the scene that comes with the program is not there",
+               name + ".yaml",
+               "installing the program again"};
+}
+
+/// One of the two ways to measure, each with a finger of its own.
+struct Contender {
+  std::string name;  ///< as --method says it
+  Path finger;
+  Path results;
+  CalibrationMethod calibration;
+  PipelineSettings pipeline;
+  Evaluation evaluation;
+};
+
+class Demo {
+ public:
+  Demo(const DemoOptions& options, Console& console)
+      : options_(options),
+        console_(console),
+        contenders_{{"ours",
+                     folder("finger"),
+                     folder("results"),
+                     CalibrationMethod::kJoint,
+                     PipelineSettings{},
+                     {}},
+                    {"paper",
+                     folder("paper/finger"),
+                     folder("paper/results"),
+                     CalibrationMethod::kPaper,
+                     paper_settings(),
+                     {}}} {}
+
+  Status run() {
+    for (const auto step : {&Demo::simulate,
+                            &Demo::make_finger,
+                            &Demo::calibrate,
+                            &Demo::reconstruct,
+                            &Demo::compare}) {
+      if (console_.job().stop_requested())
+        return Error{"stopped before the demonstration was over", "", ""};
+      if (const Status status = (this->*step)(); !status) return status;
+    }
+    tell();
+    return write_report();
+  }
+
+ private:
+  [[nodiscard]] Path folder(const char* name) const { return options_.folder / name; }
+  void headline(std::string_view line) { console_.say(fmt::format("\n== {}", line)); }
+
+  Status simulate() {
+    headline("A simulated finger: bending untouched, pressed by a ball, touched by objects");
+    for (const char* name : {"reference", "presses", "objects"}) {
+      const auto scene = find_scene(std::string("demo_") + name);
+      if (!scene) return scene.error();
+      SimulateOptions simulation;
+      simulation.scene = *scene;
+      simulation.folder = folder(name);
+      simulation.seed = options_.seed;
+      simulation.video = std::string_view(name) == "reference";
+      simulation.threads = options_.threads;
+      if (const Status status = run_simulate(simulation, console_); !status) return status;
+    }
+    return {};
+  }
+
+  Status make_finger() {
+    headline("A finger folder, and its reference recording");
+    const auto text = read_file(folder("reference/truth.json"));
+    if (!text) return text.error();
+    const auto finger = Console::Json::parse(*text).at("finger");
+    NewOptions description;
+    description.finger = contenders_.front().finger;
+    description.name = "demo";
+    description.camera = folder("reference/camera.yaml");
+    description.width_mm = finger.at("width_mm");
+    description.layer_mm = finger.at("layer_mm");
+    description.per_row = finger.at("per_row");
+    std::error_code failed;  // fingers of an earlier demonstration, made by us below our own folder
+    for (const Contender& contender : contenders_) fs::remove_all(contender.finger, failed);
+    if (const Status status = run_new(description, console_); !status) return status;
+    const Status status =
+        run_reference({description.finger, {folder("reference/frames.mkv")}}, console_);
+    if (!status) return status;
+    if (const Status made = make_folder(folder("paper")); !made) return made;
+    fs::copy(description.finger, contenders_.back().finger, fs::copy_options::recursive, failed);
+    if (failed)
+      return Error{
+          failed.message(), contenders_.back().finger.string(), "free space and permission"};
+    return {};
+  }
+
+  Status calibrate() {
+    const auto text = read_file(folder("presses/truth.json"));
+    if (!text) return text.error();
+    const auto truth = Console::Json::parse(*text);
+    CalibrateOptions calibration;
+    calibration.presses = {folder("presses")};
+    calibration.ball_radius_mm = truth.at("frames").at(0).at("ball").at("radius_mm");
+    for (const Contender& contender : contenders_) {
+      headline(fmt::format("Calibration with the ball presses, method {}", contender.name));
+      calibration.finger = contender.finger;
+      calibration.calibration.method = contender.calibration;
+      calibration.pipeline = contender.pipeline;
+      if (const Status status = run_calibrate(calibration, console_); !status) return status;
+    }
+    return {};
+  }
+
+  Status reconstruct() {
+    for (const Contender& contender : contenders_) {
+      headline(fmt::format("Reconstruction of the objects, method {}", contender.name));
+      ReconstructOptions reconstruction;
+      reconstruction.finger = contender.finger;
+      reconstruction.inputs = {folder("objects")};
+      reconstruction.folder = contender.results;
+      reconstruction.pipeline = contender.pipeline;
+      std::error_code failed;  // results of an earlier demonstration
+      fs::remove_all(contender.results, failed);
+      if (const Status status = run_reconstruct(reconstruction, console_); !status) return status;
+    }
+    return {};
+  }
+
+  Status compare() {
+    for (Contender& contender : contenders_) {
+      auto evaluation = evaluate_folder(folder("objects"), contender.results);
+      if (!evaluation) return evaluation.error();
+      contender.evaluation = *evaluation;
+    }
+    return {};
+  }
+
+  struct Row {
+    const char* key;
+    const char* words;
+    std::optional<double> Evaluation::*value;
+    const char* format;
+  };
+  static constexpr Row kRows[] = {
+      {"contact_depth_mm",
+       "depth inside contacts, mean error",
+       &Evaluation::contact_depth_mm,
+       "{:.4f} mm"},
+      {"contact_coverage",
+       "contact pixels that have a depth",
+       &Evaluation::contact_coverage,
+       "{:.4f}"},
+      {"false_depth_mm",
+       "depth where nothing touches, mean",
+       &Evaluation::false_depth_mm,
+       "{:.4f} mm"},
+      {"position_mm",
+       "position of the untouched face, median error",
+       &Evaluation::position_mm,
+       "{:.4f} mm"},
+      {"marker_seen_px",
+       "markers that can be seen, mean error",
+       &Evaluation::marker_seen_px,
+       "{:.3f} px"},
+      {"marker_hidden_px",
+       "markers that are hidden, mean error",
+       &Evaluation::marker_hidden_px,
+       "{:.3f} px"},
+      {"time_ms", "time of a frame, median", &Evaluation::time_ms, "{:.2f} ms"},
+  };
+
+  void tell() {
+    headline(fmt::format("What was measured, against the truth of {} simulated frames",
+                         contenders_.front().evaluation.frames));
+    console_.say(
+        fmt::format("{:<46} {:>12} {:>12}", "", contenders_.front().name, contenders_.back().name));
+    for (const Row& row : kRows) {
+      std::string line = fmt::format("{:<46}", row.words);
+      for (const Contender& contender : contenders_) {
+        const auto value = contender.evaluation.*row.value;
+        line += fmt::format(" {:>12}", value ? fmt::format(fmt::runtime(row.format), *value) : "-");
+      }
+      console_.say(line);
+    }
+    console_.say("'paper' is the source paper's own method on the same pictures.");
+    console_.say(
+        fmt::format("\nThe finger is {}, the depth of every frame in {} (float TIFF, mm), and\n"
+                    "these figures in {}.",
+                    contenders_.front().finger.string(),
+                    contenders_.front().results.string(),
+                    folder("report.json").string()));
+  }
+
+  Status write_report() {
+    Console::Json report;
+    report["seed"] = options_.seed;
+    for (const Contender& contender : contenders_) {
+      Console::Json& entry = report[contender.name];
+      entry["frames"] = contender.evaluation.frames;
+      entry["frames_missing"] = contender.evaluation.frames_missing;
+      for (const Row& row : kRows)
+        if (const auto value = contender.evaluation.*row.value) entry[row.key] = *value;
+    }
+    console_.answer() = report;
+    console_.answer()["report"] = folder("report.json").string();
+    return write_file_atomically(folder("report.json"), report.dump(2) + "\n");
+  }
+
+  const DemoOptions& options_;
+  Console& console_;
+  std::vector<Contender> contenders_;
+};
+
+}  // namespace
+
+Status run_demo(const DemoOptions& options, Console& console) {
+  return Demo(options, console).run();
+}
+
+void add_demo(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<DemoOptions>();
+  CLI::App* command = program.add_subcommand(
+      "demo",
+      "A whole day in a minute: simulated finger, reference, calibration, reconstruction, report");
+  command->add_option("-o,--output", options->folder, "Folder for everything")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
+  command
+      ->add_option("--threads",
+                   options->threads,
+                   "For rendering; the result is the same (1 to 64; default 1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
+  command->callback(
+      [=, &chosen] { chosen = [=](Console& console) { return run_demo(*options, console); }; });
+}
+
+}  // namespace alltact

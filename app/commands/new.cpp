@@ -1,0 +1,114 @@
+#include "app/commands/commands.h"
+#include "core/camera/camera.h"
+#include "core/io/atomic_file.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+
+Result<Finger> load_finger(const Path& folder, Console& console) {
+  std::vector<std::string> warnings;
+  auto finger = Finger::load(folder, &warnings);
+  for (const std::string& warning : warnings) console.warn("Warning: " + warning);
+  return finger;
+}
+
+Status run_new(const NewOptions& options, Console& console) {
+  std::error_code ignored;
+  const Path file = options.finger / Finger::kFileName;
+  if (std::filesystem::exists(file, ignored)) {
+    return Error{"there is a finger already, and it is never overwritten",
+                 file.string(),
+                 "another folder, or moving that one away"};
+  }
+  auto camera = load_camera(options.camera);
+  if (!camera) return camera.error();
+  if (const auto valid = Camera::create(*camera); !valid) return valid.error();
+
+  Finger finger;
+  finger.name = options.name;
+  if (finger.name.empty())
+    finger.name = std::filesystem::absolute(options.finger / "").parent_path().filename().string();
+  finger.camera = std::move(camera).value();
+  finger.face.kind = options.kind;
+  finger.face.width_mm = options.width_mm;
+  finger.face.layer_mm = options.layer_mm;
+  finger.face.plane_z_mm = options.plane_z_mm;
+  finger.markers.per_row = options.per_row;
+  finger.markers.polarity = options.polarity;
+  finger.provenance["program_version"] = ALLTACT_VERSION;
+  if (const Status status = finger.validate(); !status) return status;
+  if (const Status status = make_folder(options.finger); !status) return status;
+  if (const Status status = finger.save(options.finger); !status) return status;
+  console.say(
+      fmt::format("{} made. Next: {}",
+                  file.string(),
+                  options.kind == FaceKind::kFlat
+                      ? "alltact calibrate with ball presses and --reference"
+                      : "alltact reference with a recording of the bending, untouched finger"));
+  console.answer()["finger"] = file.string();
+  console.answer()["name"] = finger.name;
+  return {};
+}
+
+void add_new(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<NewOptions>();
+  CLI::App* command = program.add_subcommand("new", "Makes the folder of a new finger");
+  command->add_option("FINGER", options->finger, "Folder to make")->required();
+  command
+      ->add_option(
+          "--camera", options->camera, "What stands under `camera:` in a finger, as a YAML file")
+      ->type_name("CAMERA.yaml")
+      ->required();
+  command->add_option("--layer-mm", options->layer_mm, "Thickness of the translucent layer, mm")
+      ->type_name("T")
+      ->check(CLI::PositiveNumber)
+      ->required();
+  const std::map<std::string, FaceKind> kinds{{"fin_ray", FaceKind::kFinRay},
+                                              {"flat", FaceKind::kFlat}};
+  command
+      ->add_option("--kind",
+                   options->kind,
+                   "fin_ray: its shape is read from the two edges of the face; flat: a rigid "
+                   "sensor (default fin_ray)")
+      ->type_name("fin_ray|flat")
+      ->transform(CLI::Transformer(kinds));
+  CLI::Option* width =
+      command
+          ->add_option(
+              "--width-mm", options->width_mm, "Distance of the two edges of the view face, mm")
+          ->type_name("W")
+          ->check(CLI::PositiveNumber);
+  CLI::Option* per_row =
+      command->add_option("--per-row", options->per_row, "Engraved dots on each side face")
+          ->type_name("N")
+          ->check(CLI::Range(2, 64));
+  const std::map<std::string, Polarity> polarities{
+      {"auto", Polarity::kAuto}, {"bright", Polarity::kBright}, {"dark", Polarity::kDark}};
+  command
+      ->add_option(
+          "--polarity",
+          options->polarity,
+          "Dots against their surroundings; auto: the reference recording tells (default auto)")
+      ->type_name("auto|bright|dark")
+      ->transform(CLI::Transformer(polarities));
+  CLI::Option* plane = command
+                           ->add_option("--plane-z-mm",
+                                        options->plane_z_mm,
+                                        "Flat: distance of the view face, mm (default 0)")
+                           ->type_name("Z");
+  command->add_option("--name", options->name, "Name of the finger (default: the folder's)")
+      ->type_name("NAME");
+  command->callback([=, &chosen] {
+    if (options->kind == FaceKind::kFinRay) {
+      if (width->empty()) throw CLI::RequiredError("--width-mm");
+      if (per_row->empty()) throw CLI::RequiredError("--per-row");
+      if (!plane->empty()) throw CLI::ValidationError("--plane-z-mm", "is for --kind flat only");
+    } else if (!per_row->empty()) {
+      throw CLI::ValidationError("--per-row", "a flat sensor has no markers");
+    }
+    chosen = [=](Console& console) { return run_new(*options, console); };
+  });
+}
+
+}  // namespace alltact

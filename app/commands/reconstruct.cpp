@@ -1,0 +1,208 @@
+#include "app/commands/commands.h"
+#include "app/flags.h"
+#include "core/io/atomic_file.h"
+#include "core/io/picture.h"
+#include "core/io/ply.h"
+#include "core/io/result_json.h"
+#include "core/sensing/pipeline.h"
+#include "core/sources/source.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+/// The lines of results.jsonl as they come, and which frames failed.
+struct Progress {
+  std::string lines;
+  std::size_t index = 0;  ///< frames seen
+  std::size_t failed = 0;
+  double total_ms = 0;
+  std::set<std::string> names;
+};
+
+Status write_files(const FrameResult& result,
+                   const Finger& finger,
+                   const ReconstructOptions& options) {
+  const std::string& name = result.frame->name;
+  const cv::Mat& depth = result.depth->depth_mm;
+  if (options.depth) {
+    const Status status = write_picture(options.folder / (name + ".depth.tiff"), depth);
+    if (!status) return status;
+  }
+  if (!options.points && !options.ply) return {};
+  const cv::Mat points = contact_face_points_mm(result, finger.face, finger.mapping->along);
+  if (options.points) {
+    const Status status = write_picture(options.folder / (name + ".points.tiff"), points);
+    if (!status) return status;
+  }
+  if (options.ply) return write_ply(options.folder / (name + ".ply"), points, depth);
+  return {};
+}
+
+void add_failure(const std::string& name,
+                 const std::string& problem,
+                 Progress& progress,
+                 Console& console) {
+  console.warn(problem);
+  progress.lines += failure_line(name, progress.index, {problem}) + "\n";
+  ++progress.failed;
+}
+
+/// One frame from picture to files. Error: files could not be written, so nothing more can be.
+Status reconstruct_frame(const FramePtr& frame,
+                         Pipeline& pipeline,
+                         const ReconstructOptions& options,
+                         Progress& progress,
+                         Console& console) {
+  if (!progress.names.insert(frame->name).second) {
+    add_failure(frame->name,
+                Error{fmt::format("another picture is called '{}' as well", frame->name),
+                      frame->origin,
+                      "giving the pictures different names"}
+                    .sentence(),
+                progress,
+                console);
+    return {};
+  }
+  auto result = pipeline(frame);
+  if (!result) {
+    add_failure(frame->name, result.error().sentence(), progress, console);
+    return {};
+  }
+  progress.total_ms += result->times_ms.total;
+  progress.lines += result_line(*result, progress.index, options.pipeline.reference) + "\n";
+  if (!result->depth) {
+    for (const std::string& problem : result->problems) console.warn(frame->name + ": " + problem);
+    ++progress.failed;
+    return {};
+  }
+  return write_files(*result, pipeline.finger(), options);
+}
+
+/// Name of a picture that could not be read, from the error that says which it was.
+std::string name_of(const Error& error, std::size_t index) {
+  const std::string stem = Path(error.where).stem().string();
+  return stem.empty() ? fmt::format("frame_{:05}", index) : stem;
+}
+
+Status reconstruct_all(Source& source,
+                       Pipeline& pipeline,
+                       const ReconstructOptions& options,
+                       Progress& progress,
+                       Console& console) {
+  const double count = static_cast<double>(source.count().value_or(0));
+  for (;; ++progress.index) {
+    if (console.job().stop_requested()) return {};
+    if (!source.is_continuous()) pipeline.forget();
+    const auto frame = source.next();
+    if (!frame) {
+      add_failure(
+          name_of(frame.error(), progress.index), frame.error().sentence(), progress, console);
+      continue;
+    }
+    if (!*frame) return {};
+    if (count > 0) {
+      console.job().report(
+          static_cast<double>(progress.index) / count,
+          fmt::format("{} of {:.0f}: {}", progress.index + 1, count, (*frame)->name));
+    }
+    const Status status = reconstruct_frame(*frame, pipeline, options, progress, console);
+    if (!status) return status;
+  }
+}
+
+}  // namespace
+
+Status run_reconstruct(const ReconstructOptions& options, Console& console) {
+  const auto finger = load_finger(options.finger, console);
+  if (!finger) return finger.error();
+  if (!finger->mapping) {
+    return Error{"the finger is not calibrated yet",
+                 (options.finger / Finger::kFileName).string(),
+                 "alltact calibrate with ball presses"};
+  }
+  auto source = open_source(options.inputs);
+  if (!source) return source.error();
+  auto pipeline = Pipeline::create(options.finger, *finger, options.pipeline, console.job());
+  if (!pipeline) return pipeline.error();
+  if (const Status status = make_folder(options.folder); !status) return status;
+
+  Progress progress;
+  Status status = reconstruct_all(**source, *pipeline, options, progress, console);
+  if (!status) return status;
+  const Path results = options.folder / "results.jsonl";
+  status = write_file_atomically(results, progress.lines);
+  if (!status) return status;
+  const std::size_t done = progress.index - progress.failed;
+  const double mean_ms = done > 0 ? progress.total_ms / static_cast<double>(done) : 0.0;
+  console.say(fmt::format("{} of {} frames reconstructed, {:.1f} ms each; results in {}",
+                          done,
+                          progress.index,
+                          mean_ms,
+                          options.folder.string()));
+  Console::Json& answer = console.answer();
+  answer["frames"] = progress.index;
+  answer["failed"] = progress.failed;
+  answer["results"] = results.string();
+  if (console.job().stop_requested()) return Error{"stopped before all frames were done", "", ""};
+  if (progress.failed > 0) {
+    return Error{
+        fmt::format(
+            "{} of {} frames could not be reconstructed; each is named above and in results.jsonl",
+            progress.failed,
+            progress.index),
+        "",
+        ""};
+  }
+  return {};
+}
+
+void add_reconstruct(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<ReconstructOptions>();
+  auto formats =
+      std::make_shared<std::vector<std::string>>(std::vector<std::string>{"depth", "points"});
+  auto method = std::make_shared<std::string>("ours");
+  CLI::App* command =
+      program.add_subcommand("reconstruct", "Turns pictures into depth and 3D points");
+  command->add_option("FINGER", options->finger, "The finger's folder")->required();
+  command->add_option("INPUT", options->inputs, "Pictures, folders of them, or a video")
+      ->required();
+  command->add_option("-o,--output", options->folder, "Folder for the results")
+      ->type_name("DIR")
+      ->required();
+  command
+      ->add_option(
+          "--format",
+          *formats,
+          "Files per frame, with commas: depth (float TIFF, mm), points (float TIFF, x y z in mm), "
+          "ply (mesh) (default depth,points)")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->take_all()
+      ->expected(1)
+      ->check(CLI::IsMember({"depth", "points", "ply"}));
+  command
+      ->add_option("--method",
+                   *method,
+                   "paper: the source paper's own formulas, to compare with (default ours)")
+      ->type_name("ours|paper")
+      ->check(CLI::IsMember({"ours", "paper"}));
+  SettingFlags<PipelineSettings> pipeline;
+  pipeline.add_to(*command, pipeline_settings());
+  command->callback([=, &chosen] {
+    const auto wants = [&](const char* word) {
+      return std::find(formats->begin(), formats->end(), word) != formats->end();
+    };
+    options->depth = wants("depth");
+    options->points = wants("points");
+    options->ply = wants("ply");
+    options->pipeline =
+        pipeline.applied_to(*method == "paper" ? paper_settings() : PipelineSettings{});
+    chosen = [=](Console& console) { return run_reconstruct(*options, console); };
+  });
+}
+
+}  // namespace alltact

@@ -1,0 +1,77 @@
+#include "app/commands/commands.h"
+#include "calibration/calibrate_finger.h"
+#include "calibration/reference_recording.h"
+#include "core/sources/source.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+Status run_flat(const ReferenceOptions& options, Finger& finger, Console& console) {
+  if (options.inputs.size() != 1) {
+    return Error{"a flat sensor has one untouched picture",
+                 options.finger.string(),
+                 "giving exactly one picture"};
+  }
+  Status status = install_flat_reference(options.inputs.front(), options.finger, finger);
+  if (!status) return status;
+  finger.provenance["reference_date"] = utc_now();
+  status = finger.save(options.finger);
+  if (!status) return status;
+  console.say("The untouched picture is installed. Next: alltact calibrate with ball presses");
+  console.answer()["frames_kept"] = 1;
+  return {};
+}
+
+void tell(const ReferenceReport& report, Console& console) {
+  console.say(
+      fmt::format("{} of {} frames are in the reference library; each lies {:.2f} px (median) "
+                  "from its nearest neighbour.",
+                  report.frames_kept,
+                  report.frames_read,
+                  report.median_step_px));
+  constexpr std::size_t kShown = 8;
+  for (std::size_t i = 0; i < report.rejected.size() && i < kShown; ++i)
+    console.say("  left out: " + report.rejected[i]);
+  if (report.rejected.size() > kShown)
+    console.say(
+        fmt::format("  left out: {} more; --json lists them all", report.rejected.size() - kShown));
+  for (const std::string& remark : report.remarks) console.say("  " + remark);
+  Console::Json& answer = console.answer();
+  answer["frames_read"] = report.frames_read;
+  answer["frames_kept"] = report.frames_kept;
+  answer["median_step_px"] = report.median_step_px;
+  answer["rejected"] = report.rejected;
+  answer["remarks"] = report.remarks;
+}
+
+}  // namespace
+
+Status run_reference(const ReferenceOptions& options, Console& console) {
+  auto finger = load_finger(options.finger, console);
+  if (!finger) return finger.error();
+  if (finger->face.kind == FaceKind::kFlat) return run_flat(options, *finger, console);
+  auto source = open_source(options.inputs);
+  if (!source) return source.error();
+  const auto report = install_reference(**source, options.finger, *finger, console.job());
+  if (!report) return report.error();
+  finger->provenance["reference_date"] = utc_now();
+  if (const Status status = finger->save(options.finger); !status) return status;
+  tell(*report, console);
+  return {};
+}
+
+void add_reference(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<ReferenceOptions>();
+  CLI::App* command = program.add_subcommand(
+      "reference", "Installs a recording of the finger bent in all ways but touched nowhere");
+  command->add_option("FINGER", options->finger, "The finger's folder")->required();
+  command->add_option("RECORDING", options->inputs, "Video, folder of pictures, or pictures")
+      ->required();
+  command->callback([=, &chosen] {
+    chosen = [=](Console& console) { return run_reference(*options, console); };
+  });
+}
+
+}  // namespace alltact

@@ -1,0 +1,223 @@
+#include "app/commands/commands.h"
+#include "core/io/atomic_file.h"
+#include "core/io/picture.h"
+#include "core/simulation/plan.h"
+#include "core/simulation/scene.h"
+
+#include <fmt/format.h>
+#include <opencv2/videoio.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr const char* kTruthFile = "truth.json";
+constexpr const char* kVideoFile = "frames.mkv";
+
+std::string frame_name(int frame) {
+  return fmt::format("frame_{:05}", frame);
+}
+
+bool is_ours(const std::string& name) {
+  return name.starts_with("frame_") || name == kVideoFile || name == kTruthFile;
+}
+
+/// A folder that is new, empty or an earlier simulation, whose frames go: a shorter run must not
+/// leave the tail of a longer one behind.
+Status prepare_folder(const Path& folder) {
+  std::error_code failed;
+  if (!std::filesystem::exists(folder, failed)) return make_folder(folder);
+  const bool earlier = std::filesystem::exists(folder / kTruthFile, failed);
+  std::vector<Path> old;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
+    if (!is_ours(entry.path().filename().string())) continue;
+    if (!earlier) {
+      return Error{fmt::format("it holds {}, which is not of an earlier simulation",
+                               entry.path().filename().string()),
+                   folder.string(),
+                   "another folder"};
+    }
+    old.push_back(entry.path());
+  }
+  for (const Path& path : old) std::filesystem::remove(path, failed);
+  return make_folder(folder);
+}
+
+std::string camera_yaml(const CameraParameters& camera) {
+  std::string text = fmt::format(
+      "model: {}\nsize: [{}, {}]\n", to_string(camera.model), camera.width_px, camera.height_px);
+  if (camera.model == CameraModel::kOrthographic) {
+    text += fmt::format("mm_per_px: {}\n", camera.mm_per_px);
+  } else {
+    text += fmt::format("fx: {}\nfy: {}\n", camera.fx_px, camera.fy_px);
+  }
+  text += fmt::format("cx: {}\ncy: {}\ndistortion: [{}]\norientation: {}\n",
+                      camera.cx_px,
+                      camera.cy_px,
+                      fmt::join(camera.distortion, ", "),
+                      to_string(camera.orientation));
+  return text;
+}
+
+std::string new_command(const Finger& finger, const Path& camera_file) {
+  std::string text = fmt::format(
+      "alltact new FINGER --camera {} --layer-mm {}", camera_file.string(), finger.face.layer_mm);
+  if (finger.face.kind == FaceKind::kFlat)
+    return text + fmt::format(" --kind flat --plane-z-mm {}", finger.face.plane_z_mm);
+  return text +
+         fmt::format(" --width-mm {} --per-row {}", finger.face.width_mm, finger.markers.per_row);
+}
+
+Console::Json finger_json(const Finger& finger) {
+  Console::Json json;
+  json["kind"] = finger.face.kind == FaceKind::kFlat ? "flat" : "fin_ray";
+  if (finger.face.kind == FaceKind::kFlat) {
+    json["plane_z_mm"] = finger.face.plane_z_mm;
+  } else {
+    json["width_mm"] = finger.face.width_mm;
+    json["per_row"] = finger.markers.per_row;
+  }
+  json["layer_mm"] = finger.face.layer_mm;
+  json["camera"] = "camera.yaml";
+  return json;
+}
+
+Status write_truth_pictures(const Path& folder, const std::string& name, const Truth& truth) {
+  const Status status = write_picture(folder / (name + ".depth.tiff"), truth.depth_mm);
+  if (!status) return status;
+  return write_picture(folder / (name + ".z.tiff"), truth.untouched_z_mm);
+}
+
+/// Renders every frame, gives it to `take`, writes its truth and adds it to `frames`.
+template <class Take>
+Status render_all(const SimulateOptions& options,
+                  const Plan& plan,
+                  int count,
+                  Console::Json& frames,
+                  Console& console,
+                  Take take) {
+  for (int frame = 0; frame < count; ++frame) {
+    if (console.job().stop_requested())
+      return Error{"stopped before all frames were rendered", "", ""};
+    const std::string name = frame_name(frame);
+    console.job().report(static_cast<double>(frame) / count, "rendering " + name);
+    if (const Status status = take(name, plan.render(frame, options.threads)); !status)
+      return status;
+    const Truth truth = plan.truth(frame);
+    if (const Status status = write_truth_pictures(options.folder, name, truth); !status)
+      return status;
+    Console::Json entry = Console::Json::parse(truth.to_json());
+    entry["frame"] = name;
+    frames.push_back(std::move(entry));
+  }
+  return {};
+}
+
+Status write_video(const SimulateOptions& options,
+                   const Plan& plan,
+                   int count,
+                   Console::Json& frames,
+                   Console& console,
+                   const Path& file) {
+  const cv::Size size{plan.finger().camera.width_px, plan.finger().camera.height_px};
+  cv::VideoWriter writer;
+  const auto take = [&](const std::string&, const cv::Mat& picture) -> Status {
+    if (!writer.isOpened() && !writer.open(file.string(),
+                                           cv::VideoWriter::fourcc('F', 'F', 'V', '1'),
+                                           30.0,
+                                           picture.size(),
+                                           false)) {
+      return Error{"the video could not be opened for writing",
+                   options.folder.string(),
+                   "free space and permission"};
+    }
+    writer.write(picture);
+    return {};
+  };
+  const Status status = render_all(options, plan, count, frames, console, take);
+  writer.release();
+  return status;
+}
+
+}  // namespace
+
+Status run_simulate(const SimulateOptions& options, Console& console) {
+  const auto scene = Scene::load(options.scene);
+  if (!scene) return scene.error();
+  const auto plan = Plan::compile(*scene, options.seed);
+  if (!plan) return plan.error();
+  const int count = options.frames.value_or(plan->frame_count());
+  if (count > plan->frame_count()) {
+    return Error{fmt::format("the scene has {} frames, not {}", plan->frame_count(), count),
+                 options.scene.string(),
+                 "fewer --frames, or more frames in the scene"};
+  }
+  if (const Status status = prepare_folder(options.folder); !status) return status;
+
+  Console::Json truth;
+  truth["scene"] = scene->name();
+  truth["seed"] = options.seed;
+  truth["effects"] = plan->effects();
+  truth["finger"] = finger_json(plan->finger());
+  Console::Json& frames = truth["frames"] = Console::Json::array();
+  Status status;
+  if (options.video) {
+    status = write_file_atomically(options.folder / kVideoFile, [&](const Path& temporary) {
+      return write_video(options, *plan, count, frames, console, temporary);
+    });
+  } else {
+    status = render_all(options,
+                        *plan,
+                        count,
+                        frames,
+                        console,
+                        [&](const std::string& name, const cv::Mat& picture) {
+                          return write_picture(options.folder / (name + ".png"), picture);
+                        });
+  }
+  if (!status) return status;
+  const Path camera_file = options.folder / "camera.yaml";
+  status = write_file_atomically(camera_file, camera_yaml(plan->finger().camera));
+  if (!status) return status;
+  status = write_file_atomically(options.folder / kTruthFile, truth.dump(1) + "\n");
+  if (!status) return status;
+
+  console.say(fmt::format("{} frames of '{}' in {}, the truth beside them.",
+                          count,
+                          scene->name(),
+                          options.folder.string()));
+  console.say("Its finger is made by: " + new_command(plan->finger(), camera_file));
+  console.answer()["frames"] = count;
+  console.answer()["folder"] = options.folder.string();
+  console.answer()["effects"] = plan->effects();
+  console.answer()["finger"] = truth["finger"];
+  return {};
+}
+
+void add_simulate(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command =
+      program.add_subcommand("simulate", "Renders a scene, with the truth beside it");
+  command->add_option("SCENE", options->scene, "Scene file (YAML)")->required();
+  command->add_option("-o,--output", options->folder, "Folder for the frames")
+      ->type_name("DIR")
+      ->required();
+  command
+      ->add_option(
+          "--frames", options->frames, "Only the first so many frames (default: all of the scene)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--seed", options->seed, "Of everything random, 0 to 2^64 - 1 (default 1)")
+      ->type_name("S");
+  command->add_flag(
+      "--video", options->video, "One lossless video, frames.mkv, instead of pictures");
+  command
+      ->add_option("--threads",
+                   options->threads,
+                   "The result is the same for any number (1 to 64; default 1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
+  command->callback(
+      [=, &chosen] { chosen = [=](Console& console) { return run_simulate(*options, console); }; });
+}
+
+}  // namespace alltact

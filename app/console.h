@@ -1,0 +1,53 @@
+// What the command line says, and where: results on standard output, errors and progress on
+// standard error, progress only when a person is watching.
+#pragma once
+
+#include "core/job.h"
+#include "core/result.h"
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace alltact {
+
+class Console {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  /// json: instead of text, one object on standard output at the end.
+  explicit Console(bool json);
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  /// A line for people; nothing with --json.
+  void say(std::string_view line);
+  /// A line on standard error that does not stop the work.
+  void warn(std::string_view line);
+
+  /// The answer for --json; filled by the command, printed by finish().
+  [[nodiscard]] Json& answer() { return answer_; }
+
+  /// The work's listener: draws progress when standard error is a terminal. The first Ctrl-C asks
+  /// the work to stop, the second ends the program.
+  [[nodiscard]] Job& job() { return job_; }
+
+  /// Prints what is left to say and gives the exit status: 0, or 1 with the error's sentence.
+  [[nodiscard]] int finish(const Status& status);
+
+ private:
+  void draw(double fraction, std::string_view what);
+  void clear_progress();
+
+  bool json_;
+  bool watched_;  // standard error is a terminal
+  bool drawn_ = false;
+  std::size_t drawn_width_ = 0;
+  std::int64_t last_drawn_ms_ = 0;
+  Json answer_ = Json::object();
+  Job job_;
+};
+
+}  // namespace alltact

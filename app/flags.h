@@ -1,0 +1,58 @@
+// Command-line flags made from the tables of settings: declared once there, never repeated here.
+#pragma once
+
+#include "core/settings.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace alltact {
+
+/// Values a person gave for settings of the group S, checked when the command line is read.
+template <class S>
+class SettingFlags {
+ public:
+  /// Adds a flag for each setting of the table except those named in `without`.
+  void add_to(CLI::App& command,
+              const std::vector<Setting<S>>& table,
+              const std::vector<std::string>& without = {}) {
+    for (const Setting<S>& setting : table) {
+      if (std::find(without.begin(), without.end(), setting.name) != without.end()) continue;
+      const auto take = [given = given_, &setting](const std::string& text) {
+        S scratch;
+        if (const Status status = setting.set(scratch, text); !status)
+          throw CLI::ValidationError("--" + setting.name, status.error().what);
+        (*given)[setting.name] = {&setting, text};
+      };
+      command
+          .add_option_function<std::string>(
+              "--" + setting.name,
+              take,
+              fmt::format(
+                  "{} ({}; default {})", setting.sentence, setting.range, setting.default_value()))
+          ->type_name("VALUE")
+          ->group("Settings");
+    }
+  }
+
+  /// `base` with everything that was given.
+  [[nodiscard]] S applied_to(S base) const {
+    for (const auto& [name, flag] : *given_) {
+      [[maybe_unused]] const Status status = flag.first->set(base, flag.second);
+      assert(status.ok());  // was checked when it was read
+    }
+    return base;
+  }
+
+ private:
+  using Given = std::map<std::string, std::pair<const Setting<S>*, std::string>>;
+  std::shared_ptr<Given> given_ = std::make_shared<Given>();
+};
+
+}  // namespace alltact

@@ -1,0 +1,37 @@
+// Is a finger fit to use: what is missing, stale or weak.
+#pragma once
+
+#include "core/finger/finger.h"
+#include "core/job.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+enum class CheckState {
+  kFine = 1,
+  kWeak,     ///< works, with less than one could have
+  kStale,    ///< works, but something newer contradicts it
+  kMissing,  ///< does not work without it
+};
+[[nodiscard]] std::string_view to_string(CheckState state);
+
+struct CheckItem {
+  std::string what;  ///< "reference", "mapping", ...
+  CheckState state = CheckState::kFine;
+  std::string sentence;
+};
+
+struct FingerCheck {
+  std::vector<CheckItem> items;
+  bool fit = false;  ///< nothing is missing, and the mapping is worth measuring with
+};
+
+/// Looks at everything a finger needs to measure, and reads the reference recording.
+[[nodiscard]] FingerCheck check_finger(const std::filesystem::path& folder,
+                                       const Finger& finger,
+                                       const Job& job);
+
+}  // namespace alltact
