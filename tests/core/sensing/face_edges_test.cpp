@@ -1,0 +1,124 @@
+#include "core/sensing/face_edges.h"
+
+#include "tests/support/synthetic_face.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+using test::SyntheticFace;
+
+/// A face that narrows from base to tip, of random size, sway and side.
+SyntheticFace random_face(std::mt19937& engine) {
+  const auto draw = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
+  SyntheticFace face;
+  if (engine() % 3 == 0) face.width = 1280, face.height = 720;
+  const double scale = face.width / 960.0;
+  const double wide = draw(380, 460) * scale, narrow = draw(90, 160) * scale;
+  const double sway = draw(-40, 40) * scale, bow = draw(-0.3, 0.3);
+  const bool mirrored = engine() % 2 == 0;
+  const double w = face.width, middle = 0.5 * face.height;
+  const auto part = [=](double u) { return mirrored ? 1.0 - u / w : u / w; };
+  const auto half = [=](double u) {
+    const double t = part(u);
+    return 0.5 / ((1.0 - t) / wide + t / narrow + bow * t * (1.0 - t) / wide);
+  };
+  face.upper = [=](double u) { return middle + sway * part(u) * part(u) - half(u); };
+  face.lower = [=](double u) { return middle + sway * part(u) * part(u) + half(u); };
+  const double near = draw(120, 220), far = draw(35, 70);
+  face.bright = [=](double u) { return near + (far - near) * part(u); };
+  face.beside = draw(4, 20);
+  face.blur_px = draw(0.0, 1.5);
+  return face;
+}
+
+struct Errors {
+  double bias = 0, rms = 0;
+  int count = 0, valid = 0;
+};
+
+Errors errors(const FaceEdges& edges,
+              const Edge& edge,
+              const std::function<double(double)>& truth) {
+  Errors e;
+  for (std::size_t i = 0; i < edges.u.size(); ++i) {
+    ++e.count;
+    if (!edge.valid[i]) continue;
+    ++e.valid;
+    const double error = edge.v[i] - truth(edges.u[i]);
+    e.bias += error;
+    e.rms += error * error;
+  }
+  e.bias /= std::max(e.valid, 1);
+  e.rms = std::sqrt(e.rms / std::max(e.valid, 1));
+  return e;
+}
+
+TEST(FaceEdges, AreFoundToAFewHundredthsOfAPixel) {
+  std::mt19937 engine(5);
+  for (unsigned run = 0; run < 12; ++run) {
+    const SyntheticFace face = random_face(engine);
+    const auto edges = FaceEdgeFinder()(face.draw(run));
+    ASSERT_TRUE(edges.ok()) << edges.error().sentence();
+    EXPECT_TRUE(edges->bright_inside);
+    for (const auto& [edge, truth] :
+         {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {
+      const Errors e = errors(*edges, *edge, *truth);
+      EXPECT_GT(e.valid, 0.95 * e.count) << "run " << run;
+      EXPECT_LT(e.rms, 0.08) << "run " << run;
+      EXPECT_LT(std::abs(e.bias), 0.015) << "run " << run;
+    }
+  }
+}
+
+TEST(FaceEdges, IntegerStepIsThePapersFloor) {
+  std::mt19937 engine(6);
+  const SyntheticFace face = random_face(engine);
+  const auto edges = FaceEdgeFinder({EdgeMethod::kInteger, 1})(face.draw(1));
+  ASSERT_TRUE(edges.ok());
+  const Errors e = errors(*edges, edges->upper, face.upper);
+  EXPECT_GT(e.rms, 0.2);
+  EXPECT_LT(e.rms, 0.8);
+}
+
+TEST(FaceEdges, NothingIsInventedBeyondTheTip) {
+  std::mt19937 engine(7);
+  SyntheticFace face = random_face(engine);
+  face.first_u = 80, face.last_u = 700;
+  const auto edges = FaceEdgeFinder()(face.draw(3));
+  ASSERT_TRUE(edges.ok());
+  for (std::size_t i = 0; i < edges->u.size(); ++i) {
+    if (edges->u[i] < 74 || edges->u[i] > 706) {
+      EXPECT_FALSE(edges->upper.valid[i]) << edges->u[i];
+      EXPECT_FALSE(edges->lower.valid[i]) << edges->u[i];
+    }
+  }
+}
+
+TEST(FaceEdges, AFaceDarkerThanItsSurroundingsIsAFaceToo) {
+  std::mt19937 engine(8);
+  SyntheticFace face = random_face(engine);
+  face.bright = [](double) { return 60.0; };
+  face.beside = 160.0;
+  const auto edges = FaceEdgeFinder()(face.draw(4));
+  ASSERT_TRUE(edges.ok());
+  EXPECT_FALSE(edges->bright_inside);
+  EXPECT_LT(errors(*edges, edges->lower, face.lower).rms, 0.08);
+}
+
+TEST(FaceEdges, APictureWithoutAFaceIsRefused) {
+  cv::Mat noise(540, 960, CV_8UC1);
+  cv::RNG random(3);
+  random.fill(noise, cv::RNG::NORMAL, 90, 2);
+  EXPECT_FALSE(FaceEdgeFinder()(noise).ok());
+  EXPECT_FALSE(FaceEdgeFinder()(cv::Mat(540, 960, CV_8UC1, cv::Scalar(0))).ok());
+  EXPECT_FALSE(FaceEdgeFinder()(cv::Mat(16, 16, CV_8UC1, cv::Scalar(200))).ok());
+}
+
+}  // namespace
+}  // namespace alltact

@@ -1,0 +1,209 @@
+#include "core/sensing/face_shape.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+CameraParameters pinhole() {
+  CameraParameters p;
+  p.width_px = 960, p.height_px = 540;
+  p.fx_px = p.fy_px = 523.9;
+  p.cx_px = 479.5, p.cy_px = 269.5;
+  return p;
+}
+
+/// A face that is a plane: 1/z is linear in x exactly. z = z0 + m X.
+struct Plane {
+  double z0 = 55.0, m = 0.55, width = 24.0, shift_y = 1.5;
+  [[nodiscard]] double z(double x) const { return z0 / (1.0 - m * x); }
+};
+
+/// Exact edges of a plane as any camera model sees them, by projecting points of both edges.
+FaceEdges edges_of(const Plane& plane, const Camera& camera, double noise_sd, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  FaceEdges edges;
+  for (double u = 3.5; u < camera.size().width; u += 8.0) {
+    edges.u.push_back(u);
+    for (const double side : {-1.0, 1.0}) {
+      // bisection for the point of this edge that projects to column u
+      double low = -0.9, high = 0.9;
+      Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+      for (int i = 0; i < 80; ++i) {
+        const double x = 0.5 * (low + high);
+        const double z = plane.z(x);
+        pixel = *camera.project({x * z, plane.shift_y + side * 0.5 * plane.width, z});
+        (pixel.x() < u ? low : high) = x;
+      }
+      Edge& edge = side < 0.0 ? edges.upper : edges.lower;
+      edge.v.push_back(pixel.y() + (noise_sd > 0.0 ? noise_sd * noise(engine) : 0.0));
+      edge.sd.push_back(std::max(noise_sd, 1e-3));
+      edge.valid.push_back(pixel.y() > 1.0 && pixel.y() < camera.size().height - 2.0);
+    }
+  }
+  return edges;
+}
+
+Face fin_ray() {
+  Face face;
+  face.width_mm = 24.0;
+  face.layer_mm = 1.5;
+  return face;
+}
+
+TEST(FaceShape, APlaneComesBackExactly) {
+  const Camera camera = Camera::create(pinhole()).value();
+  const Plane plane;
+  const auto shape = FaceShape::fit(edges_of(plane, camera, 0.0, 1), camera, fin_ray(), 7);
+  ASSERT_TRUE(shape.ok()) << shape.error().sentence();
+  EXPECT_TRUE(shape->base_at_low_u());
+  int seen = 0;
+  for (int u = 0; u < 960; ++u) {
+    const auto local = shape->at(u, 300.0);
+    if (!local) continue;
+    ++seen;
+    const double x = (u - 479.5) / 523.9;
+    EXPECT_NEAR(local->view_point_mm.z() / plane.z(x), 1.0, 1e-9);
+    const Eigen::Vector3d normal = Eigen::Vector3d(-plane.m, 0.0, 1.0).normalized();
+    EXPECT_LT((local->normal - normal).norm(), 1e-7);
+  }
+  EXPECT_GT(seen, 700);
+}
+
+TEST(FaceShape, DistortedLensesGiveTheSameFace) {
+  for (const bool fisheye : {false, true}) {
+    CameraParameters p = pinhole();
+    p.model = fisheye ? CameraModel::kFisheye : CameraModel::kBrown;
+    p.distortion = fisheye ? std::vector<double>{-0.02, 0.004, -0.002, 0.0003}
+                           : std::vector<double>{-0.18, 0.05, 0.0004, -0.0003, -0.004};
+    const Camera camera = Camera::create(p).value();
+    const Plane plane;
+    const auto shape = FaceShape::fit(edges_of(plane, camera, 0.0, 1), camera, fin_ray(), 7);
+    ASSERT_TRUE(shape.ok()) << shape.error().sentence();
+    int seen = 0;
+    for (int u = 40; u < 920; u += 11) {
+      for (int v = 180; v < 360; v += 45) {
+        const auto local = shape->at(u, v);
+        if (!local) continue;
+        ++seen;
+        const Eigen::Vector3d& q = local->view_point_mm;
+        EXPECT_NEAR(q.z(), plane.z0 + plane.m * q.x(), 0.02) << u << ' ' << v;
+      }
+    }
+    EXPECT_GT(seen, 150);
+  }
+}
+
+TEST(FaceShape, PromisesTheErrorItMakes) {
+  const Camera camera = Camera::create(pinhole()).value();
+  const Plane plane;
+  const int u = 640;
+  const double truth = plane.z((u - 479.5) / 523.9);
+  double sum = 0;
+  constexpr int kRuns = 200;
+  for (unsigned run = 0; run < kRuns; ++run) {
+    const auto shape = FaceShape::fit(edges_of(plane, camera, 0.3, 10 + run), camera, fin_ray(), 7);
+    ASSERT_TRUE(shape.ok());
+    const FaceColumn& column = shape->columns()[static_cast<std::size_t>(u)];
+    const double e = (column.z_mm - truth) / column.z_sd_mm;
+    EXPECT_LT(std::abs(column.z_mm - truth), 0.1);
+    sum += e * e;
+  }
+  EXPECT_NEAR(sum / kRuns, 1.0, 0.22);  // twice its own standard deviation over 200 runs
+}
+
+TEST(FaceShape, LayerIsAsThickAsItIsAtAnySlope) {
+  const Camera camera = Camera::create(pinhole()).value();
+  for (const double m : {-0.6, -0.2, 0.0, 0.3, 0.8}) {
+    Plane plane;
+    plane.m = m;
+    const auto shape = FaceShape::fit(edges_of(plane, camera, 0.0, 1), camera, fin_ray(), 5);
+    ASSERT_TRUE(shape.ok());
+    const auto local = shape->at(450.0, 280.0);
+    ASSERT_TRUE(local);
+    const Eigen::Vector3d normal = untouched_point_mm(*local, 1.5, MappingAlong::kNormal);
+    EXPECT_NEAR((normal - local->view_point_mm).norm(), 1.5, 4e-15 * 100.0);
+    // both places lie on the same plane, parallel to the face
+    const Eigen::Vector3d along_z = untouched_point_mm(*local, 1.5, MappingAlong::kZ);
+    EXPECT_NEAR(local->normal.dot(along_z - normal), 0.0, 1e-12);
+  }
+}
+
+TEST(FaceShape, AreaOfThePixelsIsTheAreaOfTheFace) {
+  const Camera camera = Camera::create(pinhole()).value();
+  const Plane plane;
+  const auto shape = FaceShape::fit(edges_of(plane, camera, 0.0, 1), camera, fin_ray(), 7);
+  ASSERT_TRUE(shape.ok());
+  double area = 0, flat = 0, first = 1e9, last = -1e9;
+  for (int u = 500; u < 800; ++u) {
+    for (int v = 230; v < 310; ++v) {
+      const auto local = shape->at(u, v);
+      ASSERT_TRUE(local);
+      area += local->area_mm2;
+      flat += local->flat_area_mm2;
+    }
+  }
+  // the same trapezium from its corners, between pixel borders
+  const auto corner = [&](double u, double v) {
+    const double x = (u - 479.5) / 523.9, y = (v - 269.5) / 523.9, z = plane.z(x);
+    return Eigen::Vector3d(x * z, y * z, z);
+  };
+  const Eigen::Vector3d a = corner(499.5, 229.5), b = corner(799.5, 229.5);
+  const Eigen::Vector3d c = corner(799.5, 309.5), d = corner(499.5, 309.5);
+  const Eigen::Vector3d cross = 0.5 * (c - a).cross(d - b);
+  EXPECT_NEAR(area / cross.norm(), 1.0, 1e-4);
+  EXPECT_NEAR(flat / std::abs(cross.z()), 1.0, 1e-4);
+  first = shape->length_at(500.0), last = shape->length_at(799.0);
+  const Eigen::Vector3d p = corner(500.0, 269.5), q = corner(799.0, 269.5);
+  EXPECT_NEAR(std::abs(last - first), std::hypot(p.x() - q.x(), p.z() - q.z()), 1e-3);
+}
+
+TEST(FaceShape, AnEdgeHiddenForAStretchWidensTheErrorThere) {
+  const Camera camera = Camera::create(pinhole()).value();
+  FaceEdges edges = edges_of({}, camera, 0.05, 3);
+  for (std::size_t i = 55; i < 70; ++i) edges.upper.valid[i] = 0;
+  const auto shape = FaceShape::fit(edges, camera, fin_ray(), 7);
+  ASSERT_TRUE(shape.ok());
+  const FaceColumn& hidden = shape->columns()[500];
+  const FaceColumn& seen = shape->columns()[350];
+  ASSERT_TRUE(hidden.valid);
+  EXPECT_GT(hidden.z_sd_mm / hidden.z_mm, seen.z_sd_mm / seen.z_mm);
+  EXPECT_NEAR(hidden.z_mm, Plane{}.z((500 - 479.5) / 523.9), 4.0 * hidden.z_sd_mm + 0.02);
+}
+
+TEST(FaceShape, TooLittleToGoByIsAnError) {
+  const Camera camera = Camera::create(pinhole()).value();
+  FaceEdges edges = edges_of({}, camera, 0.05, 3);
+  std::fill(edges.upper.valid.begin(), edges.upper.valid.end() - 10, 0);
+  EXPECT_FALSE(FaceShape::fit(edges, camera, fin_ray(), 7).ok());
+  FaceEdges apart = edges_of({}, camera, 0.05, 3);
+  std::fill(apart.upper.valid.begin(), apart.upper.valid.begin() + 60, 0);
+  std::fill(apart.lower.valid.begin() + 60, apart.lower.valid.end(), 0);
+  EXPECT_FALSE(FaceShape::fit(apart, camera, fin_ray(), 7).ok());
+}
+
+TEST(FaceShape, PlaneOfAFlatSensor) {
+  CameraParameters p;
+  p.model = CameraModel::kOrthographic;
+  p.width_px = 460, p.height_px = 345;
+  p.cx_px = 229.5, p.cy_px = 172.0;
+  p.mm_per_px = 0.05;
+  Face face;
+  face.kind = FaceKind::kFlat;
+  face.layer_mm = 2.0;
+  face.plane_z_mm = 12.0;
+  const FaceShape shape = FaceShape::plane(Camera::create(p).value(), face);
+  EXPECT_EQ(shape.rows(10, 2.0).first, 0);
+  EXPECT_EQ(shape.rows(459, 2.0).last, 344);
+  const auto local = shape.at(249.5, 172.0);
+  ASSERT_TRUE(local);
+  EXPECT_LT((local->view_point_mm - Eigen::Vector3d(1.0, 0.0, 12.0)).norm(), 1e-12);
+  EXPECT_DOUBLE_EQ(local->area_mm2, 0.0025);
+  EXPECT_NEAR(shape.length_at(100) - shape.length_at(0), 5.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace alltact
