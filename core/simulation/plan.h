@@ -1,17 +1,17 @@
 // A scene compiled into the list of things to do for a frame, holding only what the scene names.
 #pragma once
 
+#include "core/finger/finger.h"
+#include "core/result.h"
+#include "core/simulation/scene.h"
+#include "core/simulation/truth.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include <opencv2/core.hpp>
-
-#include "core/finger/finger.h"
-#include "core/result.h"
-#include "core/simulation/scene.h"
-#include "core/simulation/truth.h"
 
 namespace alltact {
 

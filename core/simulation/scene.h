@@ -1,12 +1,12 @@
 // What to simulate, as data: a finger, its motion, and a list of named effects.
 #pragma once
 
+#include "core/result.h"
+
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
-
-#include "core/result.h"
 
 namespace alltact {
 

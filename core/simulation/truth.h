@@ -1,6 +1,7 @@
 // The exact answer that goes with a simulated picture.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,13 +13,24 @@ namespace alltact {
 
 /// From the same analytic geometry as the picture, never from its pixels. Camera frame, mm, px.
 struct Truth {
-  cv::Mat depth_mm;        ///< CV_32FC1, the picture's size, along z; NaN off the face
-  cv::Mat untouched_z_mm;  ///< CV_32FC1, z of the locally undeformed face above the pixel's view point
-  cv::Mat view_z_mm;       ///< CV_32FC1, z of the view face; NaN off the face
-  struct Dot { double u, v; bool visible; };
-  std::vector<Dot> markers;          ///< by number; empty unless the scene names markers
-  struct Ball { Eigen::Vector3d centre_mm; double radius_mm; double depth_mm; };
+  cv::Mat depth_mm;  ///< CV_32FC1, the picture's size, along z; NaN off the face
+  cv::Mat
+      untouched_z_mm;  ///< CV_32FC1, z of the locally undeformed face above the pixel's view point
+  cv::Mat view_z_mm;   ///< CV_32FC1, z of the view face; NaN off the face
+  struct Dot {
+    double u, v;
+    bool visible;
+  };
+  /// Centres of the dots' images, by number; empty unless the scene names markers.
+  std::vector<Dot> markers;
+  /// depth_mm: greatest press depth along z.
+  struct Ball {
+    Eigen::Vector3d centre_mm;
+    double radius_mm;
+    double depth_mm;
+  };
   std::optional<Ball> ball;
+  std::map<std::string, double> pose;  ///< what the motion moved, by name: q1_mm, ...
   /// Everything but the pictures, as one JSON object (a frame's entry in truth.json).
   [[nodiscard]] std::string to_json() const;
 };

@@ -1,0 +1,112 @@
+// What an effect is. One effect is one file in core/simulation/effects/: its name is the file's
+// ('_' written as '-'), its registration is written by the build, nothing else is edited.
+//
+// An effect file ends with
+//   const EffectKind& effect_NAME() { static const EffectKind kind{...}; return kind; }
+#pragma once
+
+#include "core/result.h"
+#include "core/simulation/frame_geometry.h"
+#include "core/simulation/motion.h"
+#include "core/simulation/parameters.h"
+#include "core/simulation/row_view.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+/// In the order they run. Within a stage the physical order (EffectKind::rank) rules, not the
+/// order in which a scene lists them.
+enum class Stage { kGeometry = 1, kRadiance, kSensor, kTransport };
+
+/// Which picture is being made. All that a random draw may depend on besides who draws and where.
+struct FrameContext {
+  std::uint64_t seed;
+  int frame;
+  const Motion& motion;
+  const Finger& finger;
+
+  /// This frame's value of a parameter or of a degree of freedom.
+  [[nodiscard]] double operator()(const Varying& varying) const { return varying.at(seed, frame); }
+  [[nodiscard]] double operator()(const DegreeOfFreedom& dof) const {
+    return motion.value(dof, seed, frame);
+  }
+};
+
+/// What an effect may ask of the rest of its scene before anything is rendered.
+struct SceneFacts {
+  const Finger& finger;
+  double length_mm;                       ///< 0 for a flat sensor
+  const std::vector<std::string>& named;  ///< effects of the scene
+  [[nodiscard]] bool names(std::string_view effect) const {
+    return std::find(named.begin(), named.end(), effect) != named.end();
+  }
+};
+
+class Effect {
+ public:
+  virtual ~Effect() = default;
+  /// Error: impossible for this finger, or together with, or without, other effects.
+  [[nodiscard]] virtual Status fits(const SceneFacts&) const { return {}; }
+  /// What the scene's motion may move.
+  [[nodiscard]] virtual std::vector<DegreeOfFreedom> degrees_of_freedom() const { return {}; }
+};
+
+/// Once a frame, in two passes over all geometry effects: first the face gets its shape, then
+/// what stands on it is added. `place` sees the finished face.
+class GeometryEffect : public Effect {
+ public:
+  virtual void shape(const FrameContext&, FaceCurve&) const {}
+  virtual void place(const FrameContext&, FrameGeometry&) const {}
+};
+
+/// Light, row by row. begin() does what is common to a frame's rows; the result is used by
+/// several threads at once.
+class RadianceEffect : public Effect {
+ public:
+  class Rows {
+   public:
+    virtual ~Rows() = default;
+    virtual void row(RowView& row) const = 0;
+  };
+  [[nodiscard]] virtual std::unique_ptr<const Rows> begin(const FrameContext&,
+                                                          const FrameGeometry&) const = 0;
+};
+
+/// What the sensor makes of a row of light (grey levels, float).
+class SensorEffect : public Effect {
+ public:
+  virtual void row(const FrameContext& frame, RowView& row) const = 0;
+  /// True for the effect that turns grey levels into RowView::bytes.
+  [[nodiscard]] virtual bool gives_bytes() const { return false; }
+};
+
+/// What happens to the finished picture on its way.
+class TransportEffect : public Effect {
+ public:
+  virtual void picture(const FrameContext& frame, cv::Mat& picture) const = 0;
+};
+
+/// What ball and relief ask alike: on the face, and not through the layer.
+[[nodiscard]] Status press_fits(const SceneFacts& scene,
+                                const Varying& depth_mm,
+                                const Varying& s_mm,
+                                const Varying& y_mm);
+
+struct EffectKind {
+  std::string name;
+  Stage stage;
+  int rank;  ///< place within the stage
+  /// Reads the parameters; errors are left in them. The object is of the stage's class.
+  std::shared_ptr<const Effect> (*make)(Parameters&);
+};
+
+/// All kinds there are, written by the build from the files in effects/.
+[[nodiscard]] std::vector<const EffectKind*> effect_kinds();
+
+}  // namespace alltact

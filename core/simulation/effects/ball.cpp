@@ -1,0 +1,42 @@
+// A ball is pressed into the face until its deepest point has gone `depth_mm` along z.
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+class Ball final : public GeometryEffect {
+ public:
+  explicit Ball(Parameters& p)
+      : radius_(p.varying("radius_mm", strength_up_to(100))),
+        depth_(p.varying("depth_mm", strength_up_to(20))),
+        s_(p.varying("s_mm", {-1000, 1000})),
+        y_(p.varying("y_mm", {-1000, 1000})) {}
+
+  Status fits(const SceneFacts& scene) const override {
+    if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
+    if (depth_.greatest() >= radius_.least())
+      return Error{"the ball would sink in beyond its middle", "", "depth_mm below radius_mm"};
+    return {};
+  }
+
+  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+    geometry.presses.emplace_back(
+        make_ball_press(geometry.press_place(frame(s_), frame(y_), frame(depth_)), frame(radius_)));
+  }
+
+ private:
+  Varying radius_, depth_, s_, y_;
+};
+
+}  // namespace
+
+const EffectKind& effect_ball() {
+  static const EffectKind kKind{
+      "ball", Stage::kGeometry, 30, [](Parameters& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<Ball>(p);
+      }};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,46 @@
+// The finger bends in the x-z plane: deflection w along the untouched face's normal,
+// w(s) = q1 (s/L)^2 + q2 ((s/L)^3 - (s/L)^2), clamped at the base. The slope angle changes by
+// w'(s) and the face keeps its length.
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+class Bend final : public GeometryEffect {
+ public:
+  explicit Bend(Parameters& p)
+      : q1_(p.degree_of_freedom("q1_mm", {-100, 100})),
+        q2_(p.degree_of_freedom("q2_mm", {-100, 100})) {}
+
+  Status fits(const SceneFacts& scene) const override {
+    if (scene.finger.face.kind == FaceKind::kFlat)
+      return Error{"a flat sensor does not bend", "", "leave bend out"};
+    return {};
+  }
+  std::vector<DegreeOfFreedom> degrees_of_freedom() const override { return {q1_, q2_}; }
+
+  void shape(const FrameContext& frame, FaceCurve& curve) const override {
+    const double q1 = frame(q1_), q2 = frame(q2_), length = curve.length_mm();
+    for (int i = 0; i <= FaceCurve::kCells; ++i) {
+      const double t = curve.s_mm(i) / length;
+      curve.node(i).theta += (q1 * 2 * t + q2 * (3 * t * t - 2 * t)) / length;
+      curve.node(i).theta_s += (q1 * 2 + q2 * (6 * t - 2)) / (length * length);
+    }
+  }
+
+ private:
+  DegreeOfFreedom q1_, q2_;
+};
+
+}  // namespace
+
+const EffectKind& effect_bend() {
+  static const EffectKind kKind{
+      "bend", Stage::kGeometry, 10, [](Parameters& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<Bend>(p);
+      }};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,119 @@
+// Brightness of the translucent layer over its black coat by Kubelka and Munk: with scattering S
+// and absorption K per mm, a layer of thickness t reflects
+//   R = sinh(bSt) / (a sinh(bSt) + b cosh(bSt)),  a = (S + K) / S,  b = sqrt(a^2 - 1),
+// which without absorption is St / (1 + St).
+#include "core/numerics/dispatch.h"
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+constexpr int kTable = 4096;
+constexpr double kThickest = 1.5;  // times the untouched layer: no bulge goes beyond
+
+ALLTACT_WIDE void reflect(int first,
+                          int last,
+                          float scatter,
+                          const float* __restrict thickness,
+                          float* __restrict light) {
+  for (int u = first; u < last; ++u) {
+    const float t = scatter * thickness[u];
+    light[u] *= t / (1.0F + t);
+  }
+}
+
+class Layer final : public RadianceEffect {
+ public:
+  explicit Layer(Parameters& p)
+      : scatter_per_mm_(p.number("scatter_per_mm", strength_up_to(100))),
+        absorb_per_mm_(p.number_or("absorb_per_mm", 0, strength_up_to(100))),
+        along_z_(p.word("along", {"normal", "z"}) == "z") {}
+
+  std::unique_ptr<const Rows> begin(const FrameContext&,
+                                    const FrameGeometry& geometry) const override {
+    if (absorb_per_mm_ == 0) return std::make_unique<Scattering>(*this);
+    return std::make_unique<Absorbing>(*this, kThickest * geometry.greatest_t0_mm());
+  }
+
+ private:
+  // What is common: how thick the layer is in each pixel of the row.
+  class LayerRows : public Rows {
+   public:
+    explicit LayerRows(bool along_z) : along_z_(along_z) {}
+
+   protected:
+    [[nodiscard]] const float* thickness(RowView& row) const {
+      const FaceRow& face = row.face;
+      float* thickness = row.scratch.floats();
+      std::copy(face.luf_mm + face.first, face.luf_mm + face.last, thickness + face.first);
+      for (int u = row.press_first; u < row.press_last; ++u)
+        thickness[u] = std::max(0.0F, thickness[u] - row.press_depth_mm[u]);
+      if (!along_z_)
+        for (int u = face.first; u < face.last; ++u) thickness[u] *= face.cos_incline[u];
+      return thickness;
+    }
+
+   private:
+    bool along_z_;
+  };
+
+  class Scattering final : public LayerRows {
+   public:
+    explicit Scattering(const Layer& layer)
+        : LayerRows(layer.along_z_), scatter_(static_cast<float>(layer.scatter_per_mm_)) {}
+    void row(RowView& row) const override {
+      reflect(row.face.first, row.face.last, scatter_, thickness(row), row.surfaces[0].light);
+    }
+
+   private:
+    float scatter_;
+  };
+
+  // By table, 1e-7 from the formula.
+  class Absorbing final : public LayerRows {
+   public:
+    Absorbing(const Layer& layer, double thickest_mm) : LayerRows(layer.along_z_) {
+      for (int i = 0; i <= kTable; ++i)
+        table_.push_back(static_cast<float>(layer.reflectance(thickest_mm * i / kTable)));
+      per_mm_ = static_cast<float>(kTable / thickest_mm);
+    }
+    void row(RowView& row) const override {
+      const float* thick = thickness(row);
+      for (int u = row.face.first; u < row.face.last; ++u) {
+        const float at = std::min(thick[u] * per_mm_, static_cast<float>(kTable) - 0.001F);
+        const auto i = static_cast<std::size_t>(at);
+        const float part = at - static_cast<float>(i);
+        row.surfaces[0].light[u] *= table_[i] + part * (table_[i + 1] - table_[i]);
+      }
+    }
+
+   private:
+    std::vector<float> table_;
+    float per_mm_;
+  };
+
+  // R = E / (a E + b (E + 2)) with E = expm1(2 b S t): nothing cancels for thin layers or weak
+  // absorption.
+  [[nodiscard]] double reflectance(double thickness_mm) const {
+    const double k = absorb_per_mm_ / scatter_per_mm_;
+    const double a = 1 + k, b = std::sqrt(k * (2 + k));
+    const double e = std::expm1(2 * b * scatter_per_mm_ * thickness_mm);
+    return std::isinf(e) ? 1 / (a + b) : e / (a * e + b * (e + 2));
+  }
+
+  double scatter_per_mm_, absorb_per_mm_;
+  bool along_z_;
+};
+
+}  // namespace
+
+const EffectKind& effect_layer() {
+  static const EffectKind kKind{
+      "layer", Stage::kRadiance, 10, [](Parameters& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<Layer>(p);
+      }};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,117 @@
+// White LEDs near the camera: each lights a point by power * cos(incidence) / distance^2, in grey
+// levels of a perfectly white surface. A lamp with `aim_mm` shines along the way there, weaker
+// beside it by cos^lobe of the angle.
+#include "core/numerics/dispatch.h"
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+struct Lamp {
+  float x, y, z, power;
+  bool aimed;
+  float aim_x, aim_y, aim_z;
+  int squarings;  // lobe = 2^squarings
+};
+
+ALLTACT_WIDE void shine(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
+  const float* __restrict nx = s.normal_x, * __restrict ny = s.normal_y, * __restrict nz = s.normal_z;
+  const float lx = lamp.x, ly = lamp.y, lz = lamp.z, power = lamp.power;
+  for (int u = s.first; u < s.last; ++u) {
+    const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
+    const float r2 = dx * dx + dy * dy + dz * dz;
+    const float facing = nx[u] * dx + ny[u] * dy + nz[u] * dz;
+    sum[u] += power * std::max(facing, 0.0F) / (r2 * std::sqrt(r2));
+  }
+}
+
+ALLTACT_WIDE void shine_aimed(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
+  const float* __restrict nx = s.normal_x, * __restrict ny = s.normal_y, * __restrict nz = s.normal_z;
+  const float lx = lamp.x, ly = lamp.y, lz = lamp.z, power = lamp.power;
+  const float ax = lamp.aim_x, ay = lamp.aim_y, az = lamp.aim_z;
+  // lobe 1, 2, 4 or 8: one of these is 1, the others 0, so that the loop has no branch.
+  const float w1 = lamp.squarings == 0, w2 = lamp.squarings == 1;
+  const float w4 = lamp.squarings == 2, w8 = lamp.squarings == 3;
+  for (int u = s.first; u < s.last; ++u) {
+    const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
+    const float r2 = dx * dx + dy * dy + dz * dz;
+    const float r = std::sqrt(r2);
+    const float facing = nx[u] * dx + ny[u] * dy + nz[u] * dz;
+    const float c = std::max(-(ax * dx + ay * dy + az * dz) / r, 0.0F);
+    const float c2 = c * c, c4 = c2 * c2, c8 = c4 * c4;
+    const float lobe = w1 * c + w2 * c2 + w4 * c4 + w8 * c8;
+    sum[u] += power * lobe * std::max(facing, 0.0F) / (r2 * r);
+  }
+}
+
+class Leds final : public RadianceEffect {
+ public:
+  explicit Leds(Parameters& p) {
+    for (Parameters& map : p.maps("lamps")) lamps_.push_back(read_lamp(map));
+    if (lamps_.empty()) p.refuse("lamps", "there is no lamp", "- {at_mm: [x, y, z], power: p}");
+  }
+
+  std::unique_ptr<const Rows> begin(const FrameContext&, const FrameGeometry&) const override {
+    return std::make_unique<LedRows>(*this);
+  }
+
+ private:
+  class LedRows final : public Rows {
+   public:
+    explicit LedRows(const Leds& leds) : leds_(leds) {}
+    void row(RowView& row) const override {
+      float* sum = row.scratch.floats();
+      for (const Surface& surface : row.surfaces) {
+        std::fill(sum + surface.first, sum + surface.last, 0.0F);
+        for (const Lamp& lamp : leds_.lamps_)
+          lamp.aimed ? shine_aimed(surface, lamp, sum) : shine(surface, lamp, sum);
+        for (int u = surface.first; u < surface.last; ++u) surface.light[u] *= sum[u];
+      }
+    }
+
+   private:
+    const Leds& leds_;
+  };
+
+  static Lamp read_lamp(Parameters& map) {
+    const auto at = map.numbers("at_mm", 3, 3);
+    Lamp lamp{static_cast<float>(at[0]),
+              static_cast<float>(at[1]),
+              static_cast<float>(at[2]),
+              static_cast<float>(map.number("power", strength_up_to(1e9))),
+              map.has("aim_mm"),
+              0,
+              0,
+              0,
+              0};
+    if (!lamp.aimed) return lamp;
+    const auto to = map.numbers("aim_mm", 3, 3);
+    const Eigen::Vector3d way(to[0] - at[0], to[1] - at[1], to[2] - at[2]);
+    if (way.norm() < 1e-6) map.refuse("aim_mm", "the lamp aims at itself", "another point");
+    const Eigen::Vector3d aim = way.normalized();
+    lamp.aim_x = static_cast<float>(aim.x());
+    lamp.aim_y = static_cast<float>(aim.y());
+    lamp.aim_z = static_cast<float>(aim.z());
+    const int lobe = map.integer("lobe", 1, 8);
+    while (1 << lamp.squarings < lobe) ++lamp.squarings;
+    if (1 << lamp.squarings != lobe) map.refuse("lobe", "this lobe is not known", "1, 2, 4 or 8");
+    return lamp;
+  }
+
+  std::vector<Lamp> lamps_;
+};
+
+}  // namespace
+
+const EffectKind& effect_leds() {
+  static const EffectKind kKind{
+      "leds", Stage::kRadiance, 50, [](Parameters& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<Leds>(p);
+      }};
+  return kKind;
+}
+
+}  // namespace alltact

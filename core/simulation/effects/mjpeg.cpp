@@ -1,0 +1,39 @@
+// The camera sends JPEG pictures (Motion JPEG).
+#include "core/simulation/effect.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+namespace alltact {
+
+namespace {
+
+class Mjpeg final : public TransportEffect {
+ public:
+  explicit Mjpeg(Parameters& p) : quality_(p.integer("quality", 1, 100)) {}
+
+  Status fits(const SceneFacts& scene) const override {
+    if (!scene.names("quantisation"))
+      return Error{"JPEG needs whole grey levels", "", "name the effect quantisation too"};
+    return {};
+  }
+  void picture(const FrameContext&, cv::Mat& picture) const override {
+    std::vector<std::uint8_t> packet;
+    cv::imencode(".jpg", picture, packet, {cv::IMWRITE_JPEG_QUALITY, quality_});
+    picture = cv::imdecode(packet, cv::IMREAD_GRAYSCALE);
+  }
+
+ private:
+  int quality_;
+};
+
+}  // namespace
+
+const EffectKind& effect_mjpeg() {
+  static const EffectKind kKind{
+      "mjpeg", Stage::kTransport, 50, [](Parameters& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<Mjpeg>(p);
+      }};
+  return kKind;
+}
+
+}  // namespace alltact

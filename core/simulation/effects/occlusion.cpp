@@ -1,0 +1,80 @@
+// Folds of the side faces hide dots: the same ones in every frame (`markers`), or as many as
+// `count` says, drawn anew for each frame.
+#include "core/numerics/philox.h"
+#include "core/simulation/effect.h"
+
+#include <numeric>
+
+namespace alltact {
+
+namespace {
+
+class Occlusion final : public GeometryEffect {
+ public:
+  explicit Occlusion(Parameters& p) : by_count_(p.has("count")) {
+    if (by_count_) {
+      count_ = p.varying("count", {0, 128});
+      if (count_.greatest() < 0.5)
+        p.refuse("count", "no dot would ever be hidden", "leave occlusion out, or 1 and more");
+      return;
+    }
+    for (const double number : p.numbers("markers", 1, 128)) {
+      if (number < 0 || number != std::floor(number))
+        p.refuse("markers", fmt::format("{:g} is not a marker's number", number), "0, 1, 2, ...");
+      else
+        markers_.push_back(static_cast<std::size_t>(number));
+    }
+  }
+
+  Status fits(const SceneFacts& scene) const override {
+    if (!scene.names("markers"))
+      return Error{"there are no dots to hide", "", "name the effect markers too"};
+    const auto n = static_cast<std::size_t>(scene.finger.marker_count());
+    for (const std::size_t number : markers_)
+      if (number >= n)
+        return Error{
+            fmt::format("there is no marker {}", number), "", fmt::format("0 to {}", n - 1)};
+    if (count_.greatest() > static_cast<double>(n))
+      return Error{"more dots would be hidden than there are", "", fmt::format("up to {}", n)};
+    return {};
+  }
+
+  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+    for (const std::size_t number : by_count_ ? drawn(frame, geometry.discs.size()) : markers_)
+      geometry.discs[number].visible = false;
+  }
+
+ private:
+  // The first `count` of a shuffled row of numbers.
+  std::vector<std::size_t> drawn(const FrameContext& frame, std::size_t n) const {
+    std::vector<std::size_t> numbers(n);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    const auto count = std::min(n, static_cast<std::size_t>(std::lround(frame(count_))));
+    for (std::size_t i = 0; i < count; ++i) {
+      const double unit = philox_uniform(frame.seed,
+                                         "occlusion.which",
+                                         static_cast<std::uint32_t>(frame.frame),
+                                         static_cast<std::uint32_t>(i));
+      std::swap(numbers[i],
+                numbers[i + static_cast<std::size_t>(unit * static_cast<double>(n - i))]);
+    }
+    numbers.resize(count);
+    return numbers;
+  }
+
+  bool by_count_;
+  Varying count_;
+  std::vector<std::size_t> markers_;
+};
+
+}  // namespace
+
+const EffectKind& effect_occlusion() {
+  static const EffectKind kKind{
+      "occlusion", Stage::kGeometry, 61, [](Parameters& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<Occlusion>(p);
+      }};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,143 @@
+// What the face does where it leaves the thing that presses.
+//   hertz:  a ball touches only within a = sqrt(R delta) of its axis. Outside, the elastic half
+//           space's (delta / pi) ((2 - q^2) asin(1/q) + sqrt(q^2 - 1)), q = r/a, scaled to meet
+//           the ball at a. `length_mm` fades it by exp(-(r - a) / length), as a thin layer does.
+//   smooth: the press is blurred with a Gaussian of standard deviation `length_mm`.
+#include "core/simulation/effect.h"
+
+#include <numbers>
+
+namespace alltact {
+
+namespace {
+
+constexpr double kNegligible_mm = 1e-5;
+
+// The half space's deflection over delta, at q = a/r <= 1; 0.5 at the rim. Far out the closed
+// form is a difference of large numbers, so its series takes over.
+double hertz_tail(double q) {
+  if (q < 0.05) {
+    const double q2 = q * q;
+    return q * (4.0 / 3 + q2 * (2.0 / 15 + q2 * (3.0 / 70 + q2 * 5.0 / 252))) / std::numbers::pi;
+  }
+  const double r = 1 / q;
+  return ((2 - r * r) * std::asin(q) + std::sqrt(std::max(0.0, r * r - 1))) / std::numbers::pi;
+}
+
+void hertz(BallPress& press, double fade_length_mm, double greatest_reach_mm) {
+  const double depth = press.place.normal_depth_mm();
+  const double a = std::sqrt(press.radius_mm * depth);
+  const double at_rim = press.ball_profile(a);
+  press.contact_radius_mm = press.rim_mm = a;
+  press.profile_mm.clear();
+  for (int i = 0;; ++i) {
+    const double r = i * BallPress::kStep_mm;
+    double h = press.ball_profile(std::min(r, a));
+    if (r > a) {
+      h = at_rim * 2 * hertz_tail(a / r);
+      if (fade_length_mm > 0) h *= std::exp(-(r - a) / fade_length_mm);
+      if (h < kNegligible_mm || r > greatest_reach_mm) break;
+    }
+    press.profile_mm.push_back(static_cast<float>(h));
+  }
+  press.profile_mm.push_back(0);
+}
+
+std::vector<double> gaussian(double sd_steps) {
+  const int half = static_cast<int>(std::ceil(4 * sd_steps));
+  std::vector<double> weights;
+  double sum = 0;
+  for (int i = -half; i <= half; ++i) {
+    weights.push_back(std::exp(-0.5 * i * i / (sd_steps * sd_steps)));
+    sum += weights.back();
+  }
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+void smooth(BallPress& press, double length_mm) {
+  const double step = length_mm / 6;
+  const std::vector<double> weights = gaussian(6);
+  const int half = static_cast<int>(weights.size() / 2);
+  std::vector<float> blurred;
+  const int n = static_cast<int>((press.reach_mm() + 4 * length_mm) / BallPress::kStep_mm);
+  for (int i = 0; i < n; ++i) {
+    const double r = i * BallPress::kStep_mm;
+    double sum = 0;
+    for (int j = -half; j <= half; ++j)
+      for (int k = -half; k <= half; ++k)
+        sum += weights[static_cast<std::size_t>(j + half)] *
+               weights[static_cast<std::size_t>(k + half)] *
+               press.profile_at(std::hypot(r + j * step, k * step));
+    blurred.push_back(static_cast<float>(sum));
+  }
+  press.profile_mm = std::move(blurred);
+  press.contact_radius_mm = 0;
+}
+
+cv::Mat_<float> blurred_rows(const cv::Mat_<float>& in, const std::vector<double>& weights) {
+  const int half = static_cast<int>(weights.size() / 2);
+  cv::Mat_<float> out(in.size());
+  for (int row = 0; row < in.rows; ++row)
+    for (int column = 0; column < in.cols; ++column) {
+      double sum = 0;
+      const int low = std::max(-half, -column), high = std::min(half, in.cols - 1 - column);
+      for (int k = low; k <= high; ++k)
+        sum += weights[static_cast<std::size_t>(k + half)] * in(row, column + k);
+      out(row, column) = static_cast<float>(sum);
+    }
+  return out;
+}
+
+void smooth(ReliefPress& press, double length_mm) {
+  const double sd_steps = length_mm / press.step_mm;
+  const int border = static_cast<int>(std::ceil(4 * sd_steps)) + 1;
+  cv::Mat_<float> grid;
+  cv::copyMakeBorder(press.depth_mm, grid, border, border, border, border, cv::BORDER_CONSTANT, 0);
+  const std::vector<double> weights = gaussian(sd_steps);
+  const cv::Mat_<float> along = blurred_rows(grid, weights).t();
+  press.depth_mm = blurred_rows(along, weights).t();
+}
+
+class Rolloff final : public GeometryEffect {
+ public:
+  explicit Rolloff(Parameters& p) : hertz_(p.word("kind", {"hertz", "smooth"}) == "hertz") {
+    length_mm_ = hertz_ ? p.number_or("length_mm", 0, strength_up_to(100))
+                        : p.number("length_mm", {0.005, 5});
+  }
+
+  Status fits(const SceneFacts& scene) const override {
+    if (!scene.names("ball") && !scene.names("relief"))
+      return Error{"nothing presses, so nothing rolls off", "", "name ball or relief too"};
+    if (hertz_ && scene.names("relief"))
+      return Error{"kind hertz is for balls only", "", "kind: smooth with a length_mm"};
+    return {};
+  }
+
+  void place(const FrameContext&, FrameGeometry& geometry) const override {
+    const FaceCurve* curve = geometry.curve();
+    const double greatest_reach = curve ? curve->length_mm() + geometry.face().width_mm : 200;
+    for (auto& press : geometry.presses) {
+      if (auto* ball = std::get_if<BallPress>(&press); ball && hertz_)
+        hertz(*ball, length_mm_, greatest_reach);
+      else
+        std::visit([&](auto& p) { smooth(p, length_mm_); }, press);
+    }
+  }
+
+ private:
+  bool hertz_;
+  double length_mm_;  // hertz: 0 is the half space, which does not fade
+};
+
+}  // namespace
+
+const EffectKind& effect_rolloff() {
+  static const EffectKind kKind{
+      "rolloff", Stage::kGeometry, 40, [](Parameters& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<Rolloff>(p);
+      }};
+  return kKind;
+}
+
+}  // namespace alltact

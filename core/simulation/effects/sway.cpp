@@ -1,0 +1,42 @@
+// The finger leans sideways: its middle line shifts in y by sway (s/L)^2.
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+class Sway final : public GeometryEffect {
+ public:
+  explicit Sway(Parameters& p) : sway_(p.degree_of_freedom("sway_mm", {-100, 100})) {}
+
+  Status fits(const SceneFacts& scene) const override {
+    if (scene.finger.face.kind == FaceKind::kFlat)
+      return Error{"a flat sensor does not sway", "", "leave sway out"};
+    return {};
+  }
+  std::vector<DegreeOfFreedom> degrees_of_freedom() const override { return {sway_}; }
+
+  void shape(const FrameContext& frame, FaceCurve& curve) const override {
+    const double sway = frame(sway_), length = curve.length_mm();
+    for (int i = 0; i <= FaceCurve::kCells; ++i) {
+      const double t = curve.s_mm(i) / length;
+      curve.node(i).shift_mm += sway * t * t;
+      curve.node(i).shift_s += 2 * sway * t / length;
+    }
+  }
+
+ private:
+  DegreeOfFreedom sway_;
+};
+
+}  // namespace
+
+const EffectKind& effect_sway() {
+  static const EffectKind kKind{
+      "sway", Stage::kGeometry, 11, [](Parameters& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<Sway>(p);
+      }};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,47 @@
+// The middle line of a bent view face: an inextensible curve, given by its slope angle.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// Parametrised by arc length s in the x-z plane, from the base (s = 0) to the tip. Effects add to
+/// the slope angle and to the sideways shift at the nodes; integrate() makes the curve of it.
+/// Between nodes everything is a cubic Hermite curve, exact for quadratic slope angles and within
+/// 1e-11 mm for fingers of this size; beyond the ends the curve goes on straight.
+class FaceCurve {
+ public:
+  static constexpr int kCells = 256;
+
+  struct Node {
+    double theta = 0;     ///< slope angle, rad: dx/ds = cos, dz/ds = sin
+    double theta_s = 0;   ///< its derivative along s, rad/mm
+    double shift_mm = 0;  ///< of the middle line in y
+    double shift_s = 0;   ///< its derivative along s
+    double x_mm = 0, z_mm = 0;
+  };
+
+  FaceCurve(const Eigen::Vector3d& base_mm, double incline_rad, double length_mm);
+
+  [[nodiscard]] double length_mm() const { return length_mm_; }
+  [[nodiscard]] double s_mm(int node) const { return node * cell_mm_; }
+  [[nodiscard]] Node& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
+
+  /// Integrates the slope angle (three-point Gauss in each cell).
+  void integrate();
+
+  /// Anything at arc length s, any s.
+  [[nodiscard]] Node at(double s_mm) const;
+
+  /// The s where the curve meets the line x = origin_x + z * direction_x; NaN when it does not
+  /// with z > 0. Lines that graze the face (cos - direction_x sin <= 0.02) do not meet it.
+  [[nodiscard]] double meet(double origin_x_mm, double direction_x) const;
+
+ private:
+  double length_mm_, cell_mm_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace alltact

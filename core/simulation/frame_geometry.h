@@ -1,0 +1,99 @@
+// Where everything is in one frame: the face, what presses into it, the dots beside it.
+#pragma once
+
+#include "core/camera/camera.h"
+#include "core/finger/finger.h"
+#include "core/simulation/face_curve.h"
+#include "core/simulation/press.h"
+#include "core/simulation/row_view.h"
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+/// The rays of a camera's pixels in the form the rows want them, made once per plan. A ray is
+/// origin + z * direction, of which only x and y are kept.
+class PixelRays {
+ public:
+  explicit PixelRays(const Camera& camera);
+
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+  /// True: direction and origin x depend on the column only, y on the row only.
+  [[nodiscard]] bool linear() const { return map_.empty(); }
+  struct Ray {
+    float origin_x, origin_y, direction_x, direction_y;
+  };
+  [[nodiscard]] Ray at(int u, int v) const;
+  /// d(direction_y)/dv and d(origin_y)/dv.
+  struct Step {
+    float origin_y, direction_y;
+  };
+  [[nodiscard]] Step step_v(int u, int v) const;
+
+ private:
+  Camera camera_;
+  std::vector<Ray> columns_, rows_;
+  Step step_{};
+  cv::Mat_<cv::Vec2f> map_;  // directions of a camera with distortion
+};
+
+/// A dot engraved on a side face, as it appears in the picture.
+struct MarkerDisc {
+  int side;                   ///< -1: upper (small v), +1: lower
+  Eigen::Vector2d centre_px;  ///< of its image
+  bool visible;
+  double albedo;
+  cv::Point corner;          ///< top left pixel of `coverage`
+  cv::Mat_<float> coverage;  ///< part of each pixel that the dot covers
+};
+
+/// The view face of one frame, for a given camera, and what an effect may add to it.
+class FrameGeometry {
+ public:
+  /// Fin Ray: a finished curve. Flat: nullopt, the plane face.plane_z_mm.
+  FrameGeometry(const PixelRays& rays, const Face& face, std::optional<FaceCurve> curve);
+
+  [[nodiscard]] const PixelRays& rays() const { return rays_; }
+  [[nodiscard]] const Face& face() const { return face_; }
+  /// nullptr for a flat sensor.
+  [[nodiscard]] const FaceCurve* curve() const { return curve_ ? &*curve_ : nullptr; }
+  [[nodiscard]] double t0_mm(double theta) const { return face_.layer_mm / std::cos(theta); }
+
+  /// A place for a press; for a flat sensor s is x and y is y.
+  [[nodiscard]] PressPlace press_place(double s_mm, double y_mm, double depth_mm) const;
+
+  /// The layer's greatest thickness along z over the picture, untouched.
+  [[nodiscard]] double greatest_t0_mm() const;
+
+  std::vector<std::variant<BallPress, ReliefPress>> presses;
+  std::vector<MarkerDisc> discs;  ///< by number
+
+  /// Fills row.face, the press depth and the view face's surface.
+  void fill(RowView& row) const;
+
+ private:
+  struct Columns {
+    std::vector<float> x, z, sin, cos, luf, shift, s, end, per_mm, normal_z, zero;
+    void resize(std::size_t n);
+  };
+  void set_column(Columns& columns, std::size_t i, double origin_x, double direction_x) const;
+  void find_bands();
+  void fill_linear(RowView& row) const;
+  void fill_by_table(RowView& row) const;
+  void fill_presses(RowView& row) const;
+
+  const PixelRays& rays_;
+  Face face_;
+  std::optional<FaceCurve> curve_;
+  Columns columns_;  // by column, or by direction for a camera with distortion
+  double table_first_ = 0, table_per_direction_ = 0;
+  static constexpr int kBlock = 16;
+  std::vector<float> block_top_, block_bottom_;  // rows that the face may touch, by block
+};
+
+}  // namespace alltact

@@ -1,0 +1,109 @@
+#include "core/simulation/motion.h"
+
+#include "core/numerics/philox.h"
+
+#include <numbers>
+
+namespace alltact {
+
+namespace {
+
+constexpr Limits kPoseLimits{-1000, 1000};
+
+// Radical inverse of k in base b, in [0, 1).
+double halton(int k, int base) {
+  double value = 0, digit = 1;
+  for (; k > 0; k /= base) {
+    digit /= base;
+    value += digit * (k % base);
+  }
+  return value;
+}
+
+// A base of its own for each degree of freedom; the names decide, not their order in the scene.
+int base_of(const std::string& name) {
+  if (name == "q1_mm") return 2;
+  if (name == "q2_mm") return 3;
+  if (name == "sway_mm") return 5;
+  constexpr std::array kOthers{7, 11, 13, 17, 19};
+  return kOthers[fnv1a(name) % kOthers.size()];
+}
+
+}  // namespace
+
+Motion Motion::read(Parameters& parameters) {
+  Motion motion;
+  motion.where_ = parameters.where("");
+  const std::string kind = parameters.word("kind", {"hold", "poses", "random", "wander"});
+  const auto read_pose = [](Parameters map) {
+    Pose pose;
+    for (const std::string& key : map.keys()) pose[key] = map.number(key.c_str(), kPoseLimits);
+    return pose;
+  };
+  if (kind == "hold" && parameters.has("pose")) motion.poses_ = {read_pose(parameters.map("pose"))};
+  if (kind == "poses") {
+    motion.poses_.clear();
+    for (const Parameters& map : parameters.maps("poses")) motion.poses_.push_back(read_pose(map));
+    if (motion.poses_.empty()) {
+      parameters.refuse("poses", "the list is empty", "one pose a frame");
+      motion.poses_.emplace_back();
+    }
+  }
+  if (kind == "random") motion.kind_ = Kind::kRandom;
+  if (kind == "wander") {
+    motion.kind_ = Kind::kWander;
+    motion.frames_per_move_ = parameters.number("frames_per_move", {1, 10000});
+  }
+  return motion;
+}
+
+double Motion::value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) const {
+  const std::string who = "motion." + dof.name;
+  const auto in_range = [&](double unit) { return dof.low + (dof.high - dof.low) * unit; };
+  switch (kind_) {
+    case Kind::kRandom:
+      return in_range(philox_uniform(seed, who, static_cast<std::uint32_t>(frame), 0));
+    case Kind::kWander: {
+      const double shift = philox_uniform(seed, who, 0, 0);
+      const auto place = [&](int k) {
+        const double unit = halton(k + 1, base_of(dof.name)) + shift;
+        return in_range(unit - std::floor(unit));
+      };
+      const double move = frame / frames_per_move_;
+      const int k = static_cast<int>(move);
+      const double ease = 0.5 - 0.5 * std::cos(std::numbers::pi * (move - k));
+      return place(k) + (place(k + 1) - place(k)) * ease;
+    }
+    case Kind::kPoses:
+      break;
+  }
+  const Pose& pose = poses_[static_cast<std::size_t>(frame) % poses_.size()];
+  const auto found = pose.find(dof.name);
+  return found == pose.end() ? 0.0 : found->second;
+}
+
+Status Motion::fits(const std::vector<DegreeOfFreedom>& dofs) const {
+  std::vector<std::string> names;
+  for (const auto& dof : dofs) names.push_back(dof.name);
+  for (const Pose& pose : poses_)
+    for (const auto& [name, value] : pose) {
+      const auto dof = std::find(names.begin(), names.end(), name);
+      if (dof == names.end())
+        return Error{fmt::format("the motion moves '{}', but no effect of the scene does", name),
+                     where_,
+                     names.empty() ? "name `bend` or `sway` among the effects"
+                                   : fmt::format("one of {}", fmt::join(names, ", "))};
+      const DegreeOfFreedom& range = dofs[static_cast<std::size_t>(dof - names.begin())];
+      if (value < range.low || value > range.high)
+        return Error{fmt::format("{} = {:g} is outside the effect's range", name, value),
+                     where_,
+                     fmt::format("{:g} to {:g}", range.low, range.high)};
+    }
+  if (kind_ != Kind::kPoses && dofs.empty())
+    return Error{"the motion has nothing to move",
+                 where_,
+                 "name `bend` or `sway` among the effects, or leave the motion out"};
+  return {};
+}
+
+}  // namespace alltact

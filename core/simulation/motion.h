@@ -1,0 +1,40 @@
+// How a simulated finger moves from frame to frame.
+#pragma once
+
+#include "core/result.h"
+#include "core/simulation/parameters.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+/// A pure function of (seed, frame): any frame can be asked for at any time.
+///   hold:   the same pose in every frame, `pose: {q1_mm: 3}`; what is not named is 0.
+///   poses:  `poses: [{q1_mm: 3}, ...]`, frame i takes pose i modulo their number.
+///   random: every frame draws each degree of freedom evenly from its range, on its own.
+///   wander: from one place of the ranges to the next in `frames_per_move` frames, starting and
+///           arriving softly; the places fill the ranges evenly (Halton sequence, shifted by seed).
+class Motion {
+ public:
+  /// The motion of a scene that names none: hold, everything 0.
+  Motion() = default;
+  static Motion read(Parameters& parameters);
+
+  [[nodiscard]] double value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) const;
+  /// Error: a pose names something that nothing moves, or puts it outside its range.
+  [[nodiscard]] Status fits(const std::vector<DegreeOfFreedom>& dofs) const;
+
+ private:
+  enum class Kind { kPoses = 1, kRandom, kWander };
+  using Pose = std::map<std::string, double>;
+
+  Kind kind_ = Kind::kPoses;
+  std::vector<Pose> poses_{Pose{}};
+  double frames_per_move_ = 1;
+  std::string where_;
+};
+
+}  // namespace alltact

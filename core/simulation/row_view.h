@@ -1,0 +1,63 @@
+// One row of a picture in the making.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace alltact {
+
+/// Rows of floats for one thread, handed out anew for every picture row.
+class RowScratch {
+ public:
+  explicit RowScratch(int width) : width_(static_cast<std::size_t>(width)) {}
+  void rewind() { next_ = 0; }
+  /// `width` floats with any content.
+  [[nodiscard]] float* floats() {
+    if (next_ == rows_.size()) rows_.push_back(std::make_unique<float[]>(width_));
+    return rows_[next_++].get();
+  }
+
+ private:
+  std::size_t width_, next_ = 0;
+  std::vector<std::unique_ptr<float[]>> rows_;
+};
+
+/// The view face along one row, for the columns [first, last). All arrays are indexed by column;
+/// off the face they hold finite numbers and coverage is 0.
+struct FaceRow {
+  int first = 0, last = 0;
+  const float *x_mm = nullptr, *y_mm = nullptr, *z_mm = nullptr;  ///< points of the view face
+  const float *sin_incline = nullptr, *cos_incline = nullptr;
+  const float* luf_mm = nullptr;    ///< layer's thickness along z, t0: LUF is z_mm + luf_mm
+  const float* shift_mm = nullptr;  ///< y of the face's middle line
+  const float* s_mm = nullptr;      ///< arc length from the base
+  const float* coverage = nullptr;  ///< part of the pixel that the face covers, 0..1
+};
+
+/// Something that shines in this row: points, normals on the side that is seen, and the light
+/// that leaves it, which starts as 1.
+struct Surface {
+  int first = 0, last = 0;
+  const float *x_mm = nullptr, *y_mm = nullptr, *z_mm = nullptr;
+  const float *normal_x = nullptr, *normal_y = nullptr, *normal_z = nullptr;
+  const float* coverage = nullptr;
+  float* light = nullptr;
+};
+
+struct RowView {
+  RowView(int width_px, RowScratch& rows) : width(width_px), scratch(rows) {}
+
+  int v = 0;
+  int width;
+  RowScratch& scratch;
+  FaceRow face;
+  /// Press depth along z in columns [press_first, press_last); 0 outside.
+  int press_first = 0, press_last = 0;
+  const float* press_depth_mm = nullptr;
+  std::vector<Surface> surfaces;  ///< the first is the view face
+  float* value = nullptr;         ///< grey levels, when the light is done
+  std::uint8_t* bytes = nullptr;  ///< what the sensor gives, if it gives bytes
+};
+
+}  // namespace alltact

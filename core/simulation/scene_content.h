@@ -1,0 +1,37 @@
+// What a Scene holds; for the simulation's own files.
+#pragma once
+
+#include "core/finger/finger.h"
+#include "core/simulation/effect.h"
+#include "core/simulation/motion.h"
+#include "core/simulation/scene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+struct Scene::Content {
+  std::string name, why;
+  Finger finger;  // camera, face, markers; nothing calibrated
+  int frame_count = 1;
+
+  // Of the untouched finger, Fin Ray only: the view face's middle line starts at `base_mm`, makes
+  // `incline_rad` with x and is `length_mm` long.
+  Eigen::Vector3d base_mm = Eigen::Vector3d::Zero();
+  double incline_rad = 0;
+  double length_mm = 0;
+
+  Motion motion;
+  struct Named {
+    const EffectKind* kind;
+    std::shared_ptr<const Effect> effect;
+    std::string where;  // in the file, for errors
+  };
+  std::vector<Named> effects;  // in the order they run
+};
+
+}  // namespace alltact
