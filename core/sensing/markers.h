@@ -3,6 +3,11 @@
 // Numbers: 0..n-1 along the upper row (small v) from base to tip, n..2n-1 along the lower row.
 #pragma once
 
+#include "core/finger/finger.h"
+#include "core/result.h"
+#include "core/sensing/face_shape.h"
+
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,16 +15,12 @@
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
-#include "core/finger/finger.h"
-#include "core/result.h"
-#include "core/sensing/face_shape.h"
-
 namespace alltact {
 
 struct Marker {
   double u = 0, v = 0;  ///< px, oriented picture; an estimate when not seen
   bool seen = false;
-  double sd_px = 0;     ///< expected standard deviation of u and of v
+  double sd_px = 0;  ///< expected standard deviation of u and of v
 };
 
 /// 2n markers by number.
@@ -28,10 +29,10 @@ using Markers = std::vector<Marker>;
 /// A dot found in the picture, not yet numbered.
 struct Dot {
   double u = 0, v = 0;
-  double radius_px = 0;   ///< of the disc of the same area
-  double contrast = 0;    ///< grey levels against the surroundings; sign is the polarity
+  double radius_px = 0;  ///< of the disc of the same area
+  double contrast = 0;   ///< grey levels against the surroundings; sign is the polarity
   double sd_px = 0;
-  bool upper = false;     ///< on the side face at small v
+  bool upper = false;  ///< on the side face at small v
 };
 
 /// Finds dots on the side faces (outside the face's edges) by multi-scale blob response, sub-pixel
@@ -89,13 +90,28 @@ class MarkerModel {
   [[nodiscard]] double residual_px(const Markers& markers) const;
 
   [[nodiscard]] const std::vector<Dot>& typical_dots() const { return typical_; }
+  /// How far a seen marker typically lies from what the others tell of it, px.
+  [[nodiscard]] double noise_px() const { return noise_px_; }
+  /// Least distance of neighbouring markers of a row in the recording, px.
+  [[nodiscard]] double spacing_px() const { return spacing_px_; }
 
  private:
-  Eigen::MatrixXd layouts_;  // complete ones
+  struct Pose;  // modes fitted to numbered dots
+  [[nodiscard]] Eigen::VectorXd fit_modes(const Markers& markers) const;
+  [[nodiscard]] Pose explain(const std::vector<Dot>& dots, Eigen::VectorXd layout) const;
+  [[nodiscard]] std::vector<int> likeliest_layouts(const std::vector<Dot>& dots) const;
+  [[nodiscard]] Markers fill(const Markers& markers) const;
+  [[nodiscard]] int minimum_seen() const { return std::max(2, (marker_count() + 2) / 3); }
+  void learn_noise();
+
+  Eigen::MatrixXd layouts_;  // complete ones, a row each
+  Eigen::MatrixXd places_;   // of the layouts in the modes, px, a row each
   Eigen::VectorXd mean_;
-  Eigen::MatrixXd basis_;    // 4n x modes
+  Eigen::MatrixXd basis_;  // 4n x modes, orthonormal columns
   Eigen::VectorXd mode_sd_;
+  std::vector<int> covering_;  // rows of layouts_ that lie near every other
   double noise_px_ = 0.1;
+  double spacing_px_ = 10;  // least distance of neighbouring markers in a row
   std::vector<Dot> typical_;
 };
 
@@ -113,6 +129,8 @@ class MarkerTracker {
   void forget() { last_.reset(); }
 
  private:
+  [[nodiscard]] std::optional<Markers> follow(const cv::Mat& grey, const FaceShape& shape) const;
+
   MarkerDetector detector_;
   MarkerModel model_;
   std::optional<Markers> last_;

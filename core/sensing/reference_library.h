@@ -34,12 +34,17 @@ struct Reference {
   double noise_gain = 1;     ///< standard deviation of the reference's noise / that of one frame
 };
 
-/// Marker table of a recording (reference.csv): frame,number,u,v,seen and a line a marker.
+/// Marker table of a recording (reference.csv). First a line of column names, then one line a marker
+/// of `frame,number,u,v,seen,radius,contrast` (px, grey levels; the last two typical of the marker and
+/// the same in every frame), all markers of a frame together in the order of their numbers. The last
+/// line, `end,FRAMES`, tells a whole table from one that was cut off.
 struct MarkerTable {
-  std::vector<int> frames;   ///< number of each row in the video
-  Eigen::MatrixXd layouts;   ///< one row a frame, (u0, v0, ...), px
-  std::vector<Dot> typical;  ///< mean radius and contrast of each marker
+  std::vector<int> frames;   ///< number of each row in the video, ascending
+  Eigen::MatrixXd layouts;   ///< one row a frame, (u0, v0, ...), px, estimates where not seen
+  std::vector<std::vector<char>> seen;  ///< one row a frame, by marker
+  std::vector<Dot> typical;  ///< mean radius and contrast of each marker, at its mean position
 
+  /// Strict: any line that is not as above is an error that names it.
   static Result<MarkerTable> load(const std::filesystem::path& file, int marker_count);
   [[nodiscard]] Status save(const std::filesystem::path& file) const;
 };
@@ -69,7 +74,14 @@ class ReferenceLibrary {
   [[nodiscard]] Nearest nearest(const Markers& markers) const;
 
   /// The reference for a pose. `markers` is ignored by a single picture.
+  ///
+  /// kLocal: local linear regression over the 16 frames nearest in the finger's modes of motion.
+  /// known_pose: distance_px is at most three times the median distance of the recording's frames to
+  /// their nearest other, and at least 1.5 px is always allowed.
   [[nodiscard]] Reference reference_for(const Markers& markers, ReferenceMethod method) const;
+  /// The same into `reference`, whose pictures are written anew in place where nobody else holds
+  /// them: saves asking the system for memory at every frame.
+  void reference_for(const Markers& markers, ReferenceMethod method, Reference& reference) const;
 
  private:
   struct Content;

@@ -1,0 +1,15 @@
+// A few points that stand for many.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// Order in which farthest-point sampling takes the rows of `points`: the first row first, then
+/// always the one furthest from all taken (least index on a tie). The first k of them cover the
+/// points within twice the best radius that k points can reach. Takes `count` rows, at most all.
+[[nodiscard]] std::vector<int> farthest_point_order(const Eigen::MatrixXd& points, int count);
+
+}  // namespace alltact

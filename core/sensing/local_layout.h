@@ -1,0 +1,42 @@
+// Markers told from the recorded layouts nearest to them: an affine mixture of these, which follows
+// the bending where one set of modes for the whole recording cannot.
+#pragma once
+
+#include "core/sensing/markers.h"
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+inline constexpr int kLocalNeighbours = 20;
+
+/// Indices of the `count` rows of `points` nearest to `query`, nearest first, without row `except`
+/// (-1: all take part).
+[[nodiscard]] std::vector<int> nearest_rows(const Eigen::MatrixXd& points,
+                                            const Eigen::VectorXd& query,
+                                            int count,
+                                            Eigen::Index except);
+
+/// The mixture (weights that sum to 1) of recorded layouts that lies nearest to the markers seen,
+/// by ridge regression: deviations from the neighbours' mean are drawn from a normal distribution
+/// with twice their own spread, and markers are seen with `noise_px`.
+class LocalLayout {
+ public:
+  LocalLayout(const Eigen::MatrixXd& layouts,
+              const std::vector<int>& neighbours,
+              const Markers& markers,
+              double noise_px);
+
+  [[nodiscard]] Eigen::Vector2d place(int marker) const { return place_.segment<2>(2 * marker); }
+  /// Standard deviation of u and of v that the mixture leaves open (the larger of the two).
+  [[nodiscard]] double sd_px(int marker) const;
+
+ private:
+  Eigen::MatrixXd deviations_;  // 4n x neighbours
+  Eigen::MatrixXd covariance_;  // of the deviations' coefficients
+  Eigen::VectorXd place_;
+};
+
+}  // namespace alltact

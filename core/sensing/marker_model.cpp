@@ -1,0 +1,308 @@
+#include "core/numerics/farthest_points.h"
+#include "core/sensing/local_layout.h"
+#include "core/sensing/markers.h"
+
+#include <limits>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr int kMostModes = 8;      // a Fin Ray bends, sways and twists; the rest is noise
+constexpr int kCovering = 160;     // layouts that a search for the pose starts from
+constexpr int kStarts = 6;         // of these, how many are followed up
+constexpr double kFloorPx = 0.05;  // noise that even a perfect recording has
+
+Eigen::Vector2d place_of(const Eigen::VectorXd& layout, int marker) {
+  return layout.segment<2>(2 * marker);
+}
+
+// Rows without a hole.
+Eigen::MatrixXd complete_rows(const Eigen::MatrixXd& layouts) {
+  Eigen::MatrixXd kept(layouts.rows(), layouts.cols());
+  Eigen::Index n = 0;
+  for (Eigen::Index i = 0; i < layouts.rows(); ++i)
+    if (layouts.row(i).allFinite()) kept.row(n++) = layouts.row(i);
+  kept.conservativeResize(n, Eigen::NoChange);
+  return kept;
+}
+
+double least_spacing(const Eigen::MatrixXd& layouts) {
+  const Eigen::Index per_row = layouts.cols() / 4;
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < layouts.rows(); ++i)
+    for (Eigen::Index m = 0; m + 1 < 2 * per_row; ++m) {
+      if (m + 1 == per_row) continue;  // from the end of one row to the start of the other
+      const auto step = layouts.row(i).segment<2>(2 * m + 2) - layouts.row(i).segment<2>(2 * m);
+      least = std::min(least, step.norm());
+    }
+  return std::isfinite(least) ? std::max(least, 1.0) : 1.0;
+}
+
+int seen_count(const Markers& markers) {
+  return static_cast<int>(
+      std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
+}
+
+}  // namespace
+
+// Numbered dots and the layout that the modes make of them.
+struct MarkerModel::Pose {
+  std::vector<int> dot_of;  // by marker, -1: none
+  Eigen::VectorXd layout;
+  int assigned = 0;
+  double distance = 0;  // mean over the assigned, px
+};
+
+Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
+                                       const std::vector<Dot>& typical_dots) {
+  MarkerModel model;
+  model.layouts_ = complete_rows(layouts);
+  const Eigen::Index n = model.layouts_.rows(), size = layouts.cols();
+  if (n < 2 || size < 8 || size % 4 != 0)
+    return Error{
+        fmt::format("only {} recorded pictures show every marker; at least 2 are needed", n),
+        "marker model",
+        "record the finger bending with both side faces in view and evenly lit"};
+  if (static_cast<Eigen::Index>(typical_dots.size()) * 2 != size)
+    return Error{
+        fmt::format("{} markers have a position but {} have a size", size / 2, typical_dots.size()),
+        "marker model",
+        "record the reference again"};
+  model.typical_ = typical_dots;
+  model.mean_ = model.layouts_.colwise().mean().transpose();
+  const Eigen::MatrixXd centred = model.layouts_.rowwise() - model.mean_.transpose();
+  const Eigen::MatrixXd covariance = centred.transpose() * centred / static_cast<double>(n - 1);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
+  if (eigen.info() != Eigen::Success)
+    return Error{"the markers' positions are not finite numbers",
+                 "marker model",
+                 "record the reference again"};
+  // Half of all eigenvalues are noise where there are enough layouts to tell.
+  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(0.0);
+  const double noise = n > size / 2 ? values[size / 2] : 0.0;
+  const int most = static_cast<int>(std::min<Eigen::Index>({kMostModes, n - 1, size - 4}));
+  int modes = 1;
+  while (modes < most && values[size - 1 - modes] > 4 * noise + kFloorPx * kFloorPx) ++modes;
+  model.basis_.resize(size, modes);
+  model.mode_sd_.resize(modes);
+  for (int k = 0; k < modes; ++k) {
+    model.basis_.col(k) = eigen.eigenvectors().col(size - 1 - k);
+    model.mode_sd_[k] = std::sqrt(values[size - 1 - k] + kFloorPx * kFloorPx);
+  }
+  model.places_ = centred * model.basis_;
+  model.covering_ = farthest_point_order(model.places_, kCovering);
+  model.spacing_px_ = least_spacing(model.layouts_);
+  model.learn_noise();
+  return model;
+}
+
+void MarkerModel::learn_noise() {
+  // Every so-many-th layout told from its neighbours without itself.
+  const Eigen::Index step = std::max<Eigen::Index>(1, layouts_.rows() / 60);
+  double square = 0;
+  int count = 0;
+  for (Eigen::Index i = 0; i < layouts_.rows(); i += step) {
+    Markers markers(static_cast<std::size_t>(marker_count()));
+    for (int m = 0; m < marker_count(); ++m)
+      markers[static_cast<std::size_t>(m)] = {layouts_(i, 2 * m), layouts_(i, 2 * m + 1), true, 0};
+    const auto neighbours = nearest_rows(places_, places_.row(i).transpose(), kLocalNeighbours, i);
+    if (neighbours.size() < 2) continue;
+    const LocalLayout local(layouts_, neighbours, markers, kFloorPx);
+    for (int m = 0; m < marker_count(); ++m)
+      square += (local.place(m) - place_of(layouts_.row(i).transpose(), m)).squaredNorm();
+    count += 2 * marker_count();
+  }
+  if (count > 0)
+    noise_px_ = std::clamp(std::sqrt(square / count), kFloorPx, 0.05 * spacing_px_ + kFloorPx);
+}
+
+Eigen::VectorXd MarkerModel::fit_modes(const Markers& markers) const {
+  const Eigen::Index modes = basis_.cols();
+  // Poses up to three times as far out as the recording's cost little; the noise keeps what no
+  // marker tells at the mean.
+  Eigen::MatrixXd a =
+      (noise_px_ * noise_px_ / (9 * mode_sd_.array().square())).matrix().asDiagonal();
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(modes);
+  for (int m = 0; m < marker_count(); ++m) {
+    const Marker& marker = markers[static_cast<std::size_t>(m)];
+    if (!marker.seen) continue;
+    const auto rows = basis_.middleRows(2 * m, 2);
+    a.noalias() += rows.transpose() * rows;
+    b.noalias() += rows.transpose() * (Eigen::Vector2d(marker.u, marker.v) - place_of(mean_, m));
+  }
+  return a.ldlt().solve(b);
+}
+
+std::vector<int> MarkerModel::likeliest_layouts(const std::vector<Dot>& dots) const {
+  const double gate = 0.6 * spacing_px_;
+  std::vector<std::pair<double, int>> scores;
+  for (const int row : covering_) {
+    double score = 0;
+    for (int m = 0; m < marker_count(); ++m) {
+      const double u = layouts_(row, 2 * m), v = layouts_(row, 2 * m + 1);
+      double nearest = gate * gate;
+      for (const Dot& dot : dots) {
+        const double square = (dot.u - u) * (dot.u - u) + (dot.v - v) * (dot.v - v);
+        if (dot.upper == (2 * m < marker_count()) && square < nearest) nearest = square;
+      }
+      score += 1 - nearest / (gate * gate);
+    }
+    scores.emplace_back(-score, row);
+  }
+  std::sort(scores.begin(), scores.end());
+  std::vector<int> rows;
+  for (const auto& [score, row] : scores)
+    if (static_cast<int>(rows.size()) < kStarts) rows.push_back(row);
+  return rows;
+}
+
+MarkerModel::Pose MarkerModel::explain(const std::vector<Dot>& dots, Eigen::VectorXd layout) const {
+  struct Pair {
+    double distance;
+    int marker, dot;
+  };
+  const double last_gate = std::min(0.3 * spacing_px_, std::max(3.0, 8 * noise_px_));
+  Pose pose;
+  for (const double gate : {0.7 * spacing_px_,
+                            0.6 * spacing_px_,
+                            0.5 * spacing_px_,
+                            0.4 * spacing_px_,
+                            std::max(last_gate, 0.25 * spacing_px_),
+                            last_gate,
+                            last_gate}) {
+    std::vector<Pair> pairs;
+    for (int m = 0; m < marker_count(); ++m)
+      for (std::size_t d = 0; d < dots.size(); ++d) {
+        if (dots[d].upper != (2 * m < marker_count())) continue;
+        const double distance =
+            (Eigen::Vector2d(dots[d].u, dots[d].v) - place_of(layout, m)).norm();
+        if (distance < gate) pairs.push_back({distance, m, static_cast<int>(d)});
+      }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+      return std::tie(a.distance, a.marker, a.dot) < std::tie(b.distance, b.marker, b.dot);
+    });
+    pose = Pose{std::vector<int>(static_cast<std::size_t>(marker_count()), -1), {}, 0, 0};
+    std::vector<char> taken(dots.size(), 0);
+    Markers markers(static_cast<std::size_t>(marker_count()));
+    for (const Pair& pair : pairs) {
+      const auto m = static_cast<std::size_t>(pair.marker), d = static_cast<std::size_t>(pair.dot);
+      if (pose.dot_of[m] >= 0 || taken[d]) continue;
+      pose.dot_of[m] = pair.dot;
+      taken[d] = 1;
+      markers[m] = {dots[d].u, dots[d].v, true, dots[d].sd_px};
+      pose.distance += pair.distance;
+      ++pose.assigned;
+    }
+    if (pose.assigned < 2) return pose;
+    pose.distance /= pose.assigned;
+    layout = mean_ + basis_ * fit_modes(markers);
+    pose.layout = layout;
+  }
+  return pose;
+}
+
+std::optional<Markers> MarkerModel::number(const std::vector<Dot>& dots) const {
+  std::optional<Pose> best;
+  const auto worth = [&](const Pose& p) { return p.assigned - p.distance / (0.3 * spacing_px_); };
+  for (const int row : likeliest_layouts(dots)) {
+    Pose pose = explain(dots, layouts_.row(row).transpose());
+    if (pose.assigned >= 2 && (!best || worth(pose) > worth(*best))) best = std::move(pose);
+  }
+  if (!best || best->assigned < minimum_seen()) return std::nullopt;
+  Markers markers(static_cast<std::size_t>(marker_count()));
+  std::vector<char> taken(dots.size(), 0);
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    if (best->dot_of[m] < 0) continue;
+    const auto d = static_cast<std::size_t>(best->dot_of[m]);
+    markers[m] = {dots[d].u, dots[d].v, true, dots[d].sd_px};
+    taken[d] = 1;
+  }
+  auto completed = complete(markers);
+  if (!completed) return std::nullopt;
+  // The modes are coarser than the neighbours: a dot they had no room for may fit now.
+  bool found_more = false;
+  const double gate = std::max(1.0, 5 * noise_px_);
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    Marker& marker = (*completed)[m];
+    if (marker.seen) continue;
+    for (std::size_t d = 0; d < dots.size(); ++d) {
+      const bool same_side = dots[d].upper == (2 * m < markers.size());
+      if (taken[d] || !same_side || std::hypot(dots[d].u - marker.u, dots[d].v - marker.v) > gate)
+        continue;
+      marker = {dots[d].u, dots[d].v, true, dots[d].sd_px};
+      taken[d] = 1;
+      found_more = true;
+      break;
+    }
+  }
+  return found_more ? complete(*completed) : completed;
+}
+
+Markers MarkerModel::fill(const Markers& markers) const {
+  const auto neighbours = nearest_rows(places_, fit_modes(markers), kLocalNeighbours, -1);
+  const LocalLayout local(layouts_, neighbours, markers, noise_px_);
+  Markers filled(markers.size());
+  for (int m = 0; m < marker_count(); ++m) {
+    const Eigen::Vector2d place = local.place(m);
+    const double sd =
+        markers[static_cast<std::size_t>(m)].seen ? 0.0 : std::hypot(local.sd_px(m), noise_px_);
+    filled[static_cast<std::size_t>(m)] = {place.x(), place.y(), false, sd};
+  }
+  return filled;
+}
+
+std::optional<Markers> MarkerModel::complete(Markers markers) const {
+  if (static_cast<int>(markers.size()) != marker_count()) return std::nullopt;
+  for (Marker& m : markers) m.seen = m.seen && std::isfinite(m.u) && std::isfinite(m.v);
+  const int most_refused = marker_count() / 3;
+  for (int refused = 0;; ++refused) {
+    if (seen_count(markers) < minimum_seen()) return std::nullopt;
+    const Markers filled = fill(markers);
+    std::vector<double> distances;
+    double worst = 0;
+    std::size_t worst_marker = 0;
+    for (std::size_t m = 0; m < markers.size(); ++m) {
+      if (!markers[m].seen) continue;
+      distances.push_back(std::hypot(markers[m].u - filled[m].u, markers[m].v - filled[m].v));
+      if (distances.back() > worst) worst = distances.back(), worst_marker = m;
+    }
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    // In a pose beyond the recording every marker lies off a little; only one that lies off far
+    // more than the others contradicts them.
+    const double limit = std::max({0.5, 5 * noise_px_, 4 * *middle});
+    if (worst <= limit || refused >= most_refused) {
+      for (std::size_t m = 0; m < markers.size(); ++m)
+        if (!markers[m].seen) markers[m] = filled[m];
+      return markers;
+    }
+    markers[worst_marker].seen = false;
+  }
+}
+
+Eigen::VectorXd MarkerModel::modes(const Markers& markers) const {
+  Eigen::VectorXd layout(mean_.size());
+  for (int m = 0; m < marker_count(); ++m) {
+    const Marker& marker = markers[static_cast<std::size_t>(m)];
+    layout.segment<2>(2 * m) << marker.u, marker.v;
+  }
+  return (basis_.transpose() * (layout - mean_)).cwiseQuotient(mode_sd_);
+}
+
+double MarkerModel::residual_px(const Markers& markers) const {
+  const Eigen::VectorXd layout = mean_ + basis_ * fit_modes(markers);
+  double square = 0;
+  int count = 0;
+  for (int m = 0; m < marker_count(); ++m) {
+    const Marker& marker = markers[static_cast<std::size_t>(m)];
+    if (!marker.seen) continue;
+    square += (Eigen::Vector2d(marker.u, marker.v) - place_of(layout, m)).squaredNorm();
+    ++count;
+  }
+  return count > 0 ? std::sqrt(square / count) : 0.0;
+}
+
+}  // namespace alltact

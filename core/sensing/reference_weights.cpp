@@ -1,0 +1,43 @@
+#include "core/sensing/reference_weights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace alltact {
+namespace {
+
+// With k the diagonal of the kernel and D the offsets p_i - query, the minimum is
+//   w = k (lambda - D mu),  mu = (ridge^2 I + D' k D)^-1 D' k lambda,  lambda so that sum w = 1.
+Eigen::VectorXd weights_with(const Eigen::MatrixXd& offsets, const Eigen::VectorXd& kernel, double ridge_px) {
+  const Eigen::MatrixXd weighted = kernel.asDiagonal() * offsets;
+  Eigen::MatrixXd normal = offsets.transpose() * weighted;
+  normal.diagonal().array() += ridge_px * ridge_px;
+  const Eigen::VectorXd mean = weighted.colwise().sum().transpose();
+  const Eigen::VectorXd w = kernel - weighted * normal.ldlt().solve(mean);
+  return w / w.sum();
+}
+
+}  // namespace
+
+Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points,
+                                     const Eigen::VectorXd& query,
+                                     double ridge_px,
+                                     double most) {
+  const Eigen::MatrixXd offsets = points.rowwise() - query.transpose();
+  const Eigen::VectorXd square = offsets.rowwise().squaredNorm();
+  const double nearest = square.minCoeff() + ridge_px * ridge_px;
+  // 1 at the nearest, 1/4 at twice its distance.
+  const Eigen::VectorXd kernel = (nearest / (square.array() + ridge_px * ridge_px)).matrix();
+  Eigen::VectorXd w = weights_with(offsets, kernel, ridge_px);
+  double ridge = ridge_px;
+  while (!w.allFinite() || w.lpNorm<1>() > most) {
+    ridge *= 2;
+    if (ridge > 1e6 * ridge_px) return kernel / kernel.sum();
+    w = weights_with(offsets, kernel, ridge);
+  }
+  return w;
+}
+
+}  // namespace alltact
