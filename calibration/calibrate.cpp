@@ -1,0 +1,264 @@
+#include "calibration/calibrate.h"
+
+#include "calibration/joint_fit.h"
+#include "calibration/model_choice.h"
+#include "calibration/paper_method.h"
+#include "calibration/press_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr int kFineSamples = 1500;   // a press, for the solution
+constexpr int kCoarseSamples = 400;  // a press, for choosing what to fit
+
+/// A press whose ball was found.
+struct Found {
+  const Press* press;
+  BallGuess guess;
+  PressSamples fine, coarse;
+};
+
+bool same_picture(const Press& a, const Press& b) {
+  const cv::Mat& x = a.difference.x;
+  const cv::Mat& y = b.difference.x;
+  if (x.size() != y.size() || x.type() != y.type()) return false;
+  for (int row = 0; row < x.rows; ++row)
+    if (std::memcmp(x.ptr(row), y.ptr(row), static_cast<std::size_t>(x.cols) * x.elemSize()) != 0)
+      return false;
+  return true;
+}
+
+/// An order that depends on what was measured only, so that results do not depend on the order the
+/// presses were given in.
+bool before(const Found& a, const Found& b) {
+  const auto key = [](const Found& f) {
+    double sum = 0;
+    for (const Sample& sample : f.fine.samples) sum += sample.x;
+    return std::tuple(f.fine.samples.size(), sum, f.guess.centre_mm.x(), f.guess.centre_mm.y());
+  };
+  return key(a) < key(b);
+}
+
+std::vector<Found> find_balls(const std::vector<Press>& presses,
+                              const Face& face,
+                              double ball_radius_mm,
+                              const Job& job,
+                              std::vector<std::string>* left_out) {
+  std::vector<Found> found;
+  for (std::size_t i = 0; i < presses.size() && !job.stop_requested(); ++i) {
+    const Press& press = presses[i];
+    job.report(0.2 * static_cast<double>(i) / static_cast<double>(presses.size()),
+               fmt::format("looking for the ball in {}", press.name));
+    const auto twin = std::find_if(presses.begin(),
+                                   presses.begin() + static_cast<std::ptrdiff_t>(i),
+                                   [&](const Press& p) { return same_picture(p, press); });
+    if (twin != presses.begin() + static_cast<std::ptrdiff_t>(i)) {
+      left_out->push_back(
+          fmt::format("{}: the same picture as {}, counted once.", press.name, twin->name));
+      continue;
+    }
+    auto guess = find_ball(press, face, ball_radius_mm);
+    if (!guess) {
+      left_out->push_back(guess.error().sentence());
+      continue;
+    }
+    const Eigen::Vector3d& centre = guess->centre_mm;
+    const double reach = 1.06 * ball_radius_mm;
+    Found one{&press,
+              *guess,
+              sample_around(press, face, centre, reach, kFineSamples),
+              sample_around(press, face, centre, reach, kCoarseSamples)};
+    if (one.coarse.samples.size() < 60) {
+      left_out->push_back(fmt::format(
+          "{}: the contact covers too few pixels. Try: pressing deeper, or a larger picture.",
+          press.name));
+      continue;
+    }
+    found.push_back(std::move(one));
+  }
+  std::stable_sort(found.begin(), found.end(), before);
+  return found;
+}
+
+Error no_press(const std::vector<Press>& presses, const std::vector<std::string>& left_out) {
+  std::string reasons;
+  for (const std::string& reason : left_out) reasons += (reasons.empty() ? "" : " ") + reason;
+  if (!reasons.empty()) reasons.pop_back();  // Error adds the full stop
+  if (presses.empty()) return {"no press was given", "", "at least one picture of a pressed ball"};
+  return {fmt::format("none of {} presses could be used: {}", presses.size(), reasons),
+          "",
+          "pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face"};
+}
+
+Error stopped() {
+  return {"stopped before there was a solution", "", ""};
+}
+
+double deepest_mm(const Found& found, const Eigen::Vector3d& centre, double radius_mm) {
+  double depth = 0;
+  for (const Sample& sample : found.fine.samples) {
+    const double here = ball_depth_mm(sample, MappingAlong::kZ, centre, radius_mm);
+    if (std::isfinite(here)) depth = std::max(depth, here);
+  }
+  return depth;
+}
+
+std::vector<BallFit> balls_of(const std::vector<Found>& found,
+                              const ModelChoice& choice,
+                              const JointFit& fit,
+                              const JointCovariance& covariance) {
+  std::vector<const PressSamples*> presses;
+  for (const Found& f : found) presses.push_back(&f.fine);
+  const FitQuality quality = quality_of(presses, fit, choice.options);
+  std::vector<BallFit> balls;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    BallFit ball;
+    ball.press = found[i].press->name;
+    ball.centre_mm = fit.centres_mm[i];
+    ball.centre_sd_mm.setZero();
+    if (covariance.covariance.size() > 0) {
+      const Eigen::Index first = fit.curve.values().size() + 3 * static_cast<Eigen::Index>(i);
+      ball.centre_sd_mm = covariance.covariance.diagonal().segment<3>(first).cwiseSqrt();
+    }
+    ball.depth_mm = deepest_mm(found[i], ball.centre_mm, choice.options.ball_radius_mm);
+    ball.residual_mm = quality.residual_mm[i];
+    ball.held_out_mm = i < choice.held_out_mm.size() ? choice.held_out_mm[i] : 0.0;
+    ball.cut_by_edge = found[i].guess.cut_by_edge;
+    balls.push_back(std::move(ball));
+  }
+  return balls;
+}
+
+double mean_of(const std::vector<BallFit>& balls, double BallFit::*member) {
+  double mean = 0;
+  for (const BallFit& ball : balls) mean += ball.*member / static_cast<double>(balls.size());
+  return mean;
+}
+
+void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* balls) {
+  const auto place = [&](const BallFit& ball) {
+    return std::find_if(
+        presses.begin(), presses.end(), [&](const Press& p) { return p.name == ball.press; });
+  };
+  std::stable_sort(balls->begin(), balls->end(), [&](const BallFit& a, const BallFit& b) {
+    return place(a) < place(b);
+  });
+}
+
+Result<Calibration> solve_jointly(const std::vector<Found>& found,
+                                  double ball_radius_mm,
+                                  const CalibrationSettings& settings,
+                                  const Job& job,
+                                  Calibration calibration) {
+  ChoiceInput coarse{{}, {}, ball_radius_mm};
+  std::vector<const PressSamples*> fine;
+  for (const Found& f : found) {
+    coarse.presses.push_back(&f.coarse);
+    coarse.centres_mm.push_back(f.guess.centre_mm);
+    fine.push_back(&f.fine);
+  }
+  const auto choice = choose_model(coarse, settings, job);
+  if (!choice && job.stop_requested()) return stopped();
+  if (!choice)
+    return Error{"no increasing mapping fits the presses",
+                 "",
+                 "leaving out presses with the largest residual, a lower degree, or checking the "
+                 "ball's radius"};
+  job.report(0.9, "solving all presses together");
+  JointFit fit = fit_jointly(fine, choice->fit, choice->options, job);
+  if (!fit.converged) fit = choice->fit;  // stopped: the best so far
+  const JointCovariance covariance = covariance_of(fine, fit, choice->options);
+
+  calibration.mapping = mapping_parameters(fit.curve, choice->options.along);
+  const Eigen::Index n = fit.curve.values().size();
+  if (covariance.covariance.size() > 0)
+    calibration.mapping.covariance = covariance.covariance.topLeftCorner(n, n);
+  if (const auto mapping = Mapping::create(calibration.mapping); !mapping)
+    return Error{"the solution is no mapping: " + mapping.error().what,
+                 "",
+                 "more presses of different depth, or a lower degree"};
+  calibration.balls = balls_of(found, *choice, fit, covariance);
+  calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
+  calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
+  calibration.condition = covariance.condition;
+  calibration.degree_choice = choice->sentence;
+  calibration.remarks.insert(
+      calibration.remarks.end(), choice->remarks.begin(), choice->remarks.end());
+  if (found.size() == 1)
+    calibration.remarks.push_back(
+        "one press cannot separate the ball's depth from the mapping: add presses of different "
+        "depth at other places");
+  if (covariance.covariance.size() == 0)
+    calibration.remarks.push_back("the presses do not determine every unknown: add presses");
+  return calibration;
+}
+
+}  // namespace
+
+const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
+  using S = CalibrationSettings;
+  static const std::vector<Setting<S>> settings{
+      choice_setting<S, CalibrationMethod>(
+          "method",
+          "how presses become a mapping: all balls and the mapping in one fit, or the source "
+          "paper's circle and polynomial",
+          &S::method,
+          {{"joint", CalibrationMethod::kJoint}, {"paper", CalibrationMethod::kPaper}}),
+      choice_setting<S, FamilyChoice>(
+          "family",
+          "the mapping's curve; auto: whichever predicts presses left out best",
+          &S::family,
+          {{"auto", FamilyChoice::kAuto},
+           {"polynomial", FamilyChoice::kPolynomial},
+           {"moebius", FamilyChoice::kMoebius}}),
+      number_setting<S>(
+          "degree", "degree of the polynomial; 0: chosen by leaving presses out", &S::degree, 0, 8),
+      choice_setting<S, AlongChoice>(
+          "along",
+          "which thickness of the layer brightness follows; auto: along z unless presses left out "
+          "say otherwise",
+          &S::along,
+          {{"auto", AlongChoice::kAuto}, {"z", AlongChoice::kZ}, {"normal", AlongChoice::kNormal}}),
+  };
+  return settings;
+}
+
+Result<Calibration> calibrate(const std::vector<Press>& presses,
+                              const Camera& camera,
+                              const Face& face,
+                              double ball_radius_mm,
+                              const CalibrationSettings& settings,
+                              const Job& job) {
+  if (!(ball_radius_mm > 0.0) || !std::isfinite(ball_radius_mm))
+    return Error{fmt::format("a ball radius of {} mm is impossible", ball_radius_mm),
+                 "ball radius",
+                 "the radius in millimetres, as measured with callipers"};
+  try {
+    Calibration calibration;
+    const std::vector<Found> found =
+        find_balls(presses, face, ball_radius_mm, job, &calibration.left_out);
+    if (found.empty())
+      return job.stop_requested() ? stopped() : no_press(presses, calibration.left_out);
+    Result<Calibration> result = [&]() -> Result<Calibration> {
+      if (settings.method == CalibrationMethod::kJoint)
+        return solve_jointly(found, ball_radius_mm, settings, job, std::move(calibration));
+      std::vector<PaperPress> circles;
+      for (const Found& f : found) circles.push_back({f.press, f.guess});
+      return calibrate_as_paper(circles, camera, face, ball_radius_mm, job, std::move(calibration));
+    }();
+    if (result) sort_as_given(presses, &result->balls);
+    job.report(1.0, "done");
+    return result;
+  } catch (const std::exception& problem) {
+    return Error{fmt::format("the calibration failed: {}", problem.what()), "", "fewer presses"};
+  }
+}
+
+}  // namespace alltact

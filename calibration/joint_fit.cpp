@@ -1,0 +1,358 @@
+#include "calibration/joint_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+#include <ceres/ceres.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kFloorMm = 0.003;  // no sample is believed better than this
+constexpr double kRobustAt = 2.0;   // standard deviations where the loss turns linear
+constexpr double kTaper = 0.02;     // half width of the zone's soft border
+constexpr int kMostRounds = 40;     // of reweighting
+constexpr double kSettled = 1e-8;   // change of any parameter, mm
+
+/// One press's samples in the zone with their weights for this round.
+struct Weighted {
+  std::vector<const Sample*> samples;
+  std::vector<double> root_weight;  ///< 1 / sigma with the robust and the zone's weight, 1/mm
+};
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Weighted weigh(const PressSamples& press,
+               const MappingCurve& curve,
+               const Eigen::Vector3d& centre,
+               const JointOptions& options) {
+  const ContactDisc disc(press, centre, options.ball_radius_mm);
+  Weighted weighted;
+  std::vector<double> normed;
+  std::vector<double> taper;
+  std::vector<double> sigma;
+  for (const Sample& sample : press.samples) {
+    const double inside = (options.zone + kTaper - disc.radius_of(sample)) / (2.0 * kTaper);
+    if (!(inside > 0.0)) continue;
+    const double depth = ball_depth_mm(sample, options.along, centre, options.ball_radius_mm);
+    const double read = curve.depth_mm(sample.x);
+    if (!std::isfinite(depth) || !std::isfinite(read)) continue;
+    const double sd = std::hypot(curve.slope_mm(sample.x) * press.x_sd, kFloorMm);
+    weighted.samples.push_back(&sample);
+    taper.push_back(std::min(1.0, inside));
+    sigma.push_back(sd);
+    normed.push_back((read - depth) / sd);
+  }
+  std::vector<double> sizes;
+  sizes.reserve(normed.size());
+  for (const double z : normed) sizes.push_back(std::abs(z));
+  const double scale = std::max(1.0, 1.4826 * median_of(sizes));
+  for (std::size_t i = 0; i < normed.size(); ++i) {
+    const double z = normed[i] / (scale * kRobustAt);
+    const double weight = taper[i] / std::sqrt(1.0 + z * z);
+    weighted.root_weight.push_back(std::sqrt(weight) / (sigma[i] * scale));
+  }
+  return weighted;
+}
+
+/// Residuals of one press: parameter blocks are its centre and the mapping's numbers.
+class PressCost final : public ceres::CostFunction {
+ public:
+  PressCost(const Weighted& weighted, const MappingCurve& curve, const JointOptions& options)
+      : weighted_(weighted), curve_(curve), options_(options) {
+    set_num_residuals(static_cast<int>(weighted.samples.size()));
+    mutable_parameter_block_sizes()->push_back(3);
+    mutable_parameter_block_sizes()->push_back(curve.family().coefficients);
+  }
+
+  bool Evaluate(double const* const* parameters,
+                double* residuals,
+                double** jacobians) const override {
+    const Eigen::Vector3d centre(parameters[0]);
+    const int n = curve_.family().coefficients;
+    std::array<double, 16> by_values{};
+    for (std::size_t i = 0; i < weighted_.samples.size(); ++i) {
+      const Sample& sample = *weighted_.samples[i];
+      const double weight = weighted_.root_weight[i];
+      Eigen::Vector3d by_centre;
+      const double depth =
+          ball_depth_mm(sample, options_.along, centre, options_.ball_radius_mm, &by_centre);
+      const double read = curve_.evaluate(parameters[1], sample.x, by_values.data());
+      if (!std::isfinite(depth) || !std::isfinite(read)) return false;
+      residuals[i] = weight * (read - depth);
+      if (jacobians == nullptr) continue;
+      if (jacobians[0] != nullptr)
+        Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = -weight * by_centre;
+      if (jacobians[1] != nullptr)
+        for (int k = 0; k < n; ++k)
+          jacobians[1][static_cast<std::size_t>(n) * i + static_cast<std::size_t>(k)] =
+              weight * by_values[static_cast<std::size_t>(k)];
+    }
+    return true;
+  }
+
+ private:
+  const Weighted& weighted_;
+  const MappingCurve& curve_;
+  const JointOptions& options_;
+};
+
+class StopWithJob final : public ceres::IterationCallback {
+ public:
+  explicit StopWithJob(const Job& job) : job_(job) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return job_.stop_requested() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const Job& job_;
+};
+
+/// One weighted least-squares problem, solved to the end. False when nothing could be evaluated.
+bool solve(const std::vector<Weighted>& weighted,
+           const JointOptions& options,
+           const Job& job,
+           JointFit* fit) {
+  const MappingCurve family = fit->curve;
+  ceres::Problem problem;
+  for (std::size_t i = 0; i < weighted.size(); ++i) {
+    if (weighted[i].samples.size() < 10) return false;
+    problem.AddResidualBlock(new PressCost(weighted[i], family, options),
+                             nullptr,
+                             fit->centres_mm[i].data(),
+                             fit->curve.values().data());
+  }
+  if (options.fix_mapping) problem.SetParameterBlockConstant(fit->curve.values().data());
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::DENSE_QR;
+  solver.max_num_iterations = 200;
+  solver.function_tolerance = 1e-14;
+  solver.parameter_tolerance = 1e-12;
+  solver.gradient_tolerance = 1e-14;
+  solver.logging_type = ceres::SILENT;
+  solver.num_threads = 1;
+  StopWithJob stop(job);
+  solver.callbacks.push_back(&stop);
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver, &problem, &summary);
+  return summary.IsSolutionUsable();
+}
+
+double change_between(const JointFit& a, const JointFit& b) {
+  double change = (a.curve.values() - b.curve.values()).cwiseAbs().maxCoeff();
+  for (std::size_t i = 0; i < a.centres_mm.size(); ++i)
+    change = std::max(change, (a.centres_mm[i] - b.centres_mm[i]).cwiseAbs().maxCoeff());
+  return change;
+}
+
+bool is_finite(const JointFit& fit) {
+  if (!fit.curve.values().allFinite()) return false;
+  return std::all_of(fit.centres_mm.begin(), fit.centres_mm.end(), [](const Eigen::Vector3d& c) {
+    return c.allFinite();
+  });
+}
+
+}  // namespace
+
+double ball_depth_mm(const Sample& sample,
+                     MappingAlong along,
+                     const Eigen::Vector3d& centre_mm,
+                     double radius_mm,
+                     Eigen::Vector3d* by_centre) {
+  const bool normal = along == MappingAlong::kNormal;
+  const Eigen::Vector3d direction = normal ? sample.normal : Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d from = (normal ? sample.untouched_n : sample.untouched_z) - centre_mm;
+  // Back from the untouched point against `direction` to the far side of the ball.
+  const double ahead = from.dot(direction);
+  const Eigen::Vector3d aside = from - ahead * direction;
+  const double distance = aside.norm();
+  const double half2 = (radius_mm - distance) * (radius_mm + distance);
+  if (!(half2 > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  const double half = std::sqrt(half2);
+  if (by_centre != nullptr) *by_centre = aside / half - direction;
+  return ahead + half;
+}
+
+ContactDisc::ContactDisc(const PressSamples& press,
+                         const Eigen::Vector3d& centre_mm,
+                         double radius_mm)
+    : centre_mm_(centre_mm) {
+  const Sample* nearest = nullptr;
+  double nearest2 = std::numeric_limits<double>::infinity();
+  for (const Sample& sample : press.samples) {
+    const double distance2 = (sample.untouched_n - centre_mm).squaredNorm();
+    if (distance2 >= nearest2) continue;
+    nearest2 = distance2;
+    nearest = &sample;
+  }
+  const double height =
+      nearest != nullptr ? nearest->normal.dot(centre_mm - nearest->untouched_n) : radius_mm;
+  height2_ = height * height;
+  depth_mm_ = radius_mm - height;
+  // A ball that no longer touches keeps a speck of a rim, so that a fit can come back.
+  rim2_ = std::max(radius_mm * radius_mm - height2_, 1e-3 * radius_mm * radius_mm);
+}
+
+double ContactDisc::radius_of(const Sample& sample) const {
+  const double r2 = (sample.untouched_n - centre_mm_).squaredNorm() - height2_;
+  return std::sqrt(std::max(0.0, r2) / rim2_);
+}
+
+int ContactDisc::patch_of(const Sample& sample) const {
+  const double radius = radius_of(sample);
+  int ring = 0;
+  while (ring + 1 < kRings && radius > kRingRadius[ring]) ++ring;
+  const double turn = (std::atan2(sample.untouched_n.y() - centre_mm_.y(),
+                                  sample.untouched_n.x() - centre_mm_.x()) +
+                       M_PI) /
+                      (2.0 * M_PI);
+  return ring * kSectors + std::min(kSectors - 1, static_cast<int>(turn * kSectors));
+}
+
+JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
+                     JointFit start,
+                     const JointOptions& options,
+                     const Job& job) {
+  JointFit fit = std::move(start);
+  fit.converged = false;
+  for (int round = 0; round < kMostRounds && !job.stop_requested(); ++round) {
+    std::vector<Weighted> weighted;
+    weighted.reserve(presses.size());
+    for (std::size_t i = 0; i < presses.size(); ++i)
+      weighted.push_back(weigh(*presses[i], fit.curve, fit.centres_mm[i], options));
+    JointFit next = fit;
+    if (!solve(weighted, options, job, &next) || !is_finite(next)) return fit;
+    const double change = change_between(next, fit);
+    fit = std::move(next);
+    fit.converged = true;
+    if (change < kSettled) break;
+  }
+  return fit;
+}
+
+FitQuality quality_of(const std::vector<const PressSamples*>& presses,
+                      const JointFit& fit,
+                      const JointOptions& options) {
+  FitQuality quality;
+  struct Patch {
+    double sum = 0;
+    int count = 0;
+  };
+  std::vector<std::vector<double>> ring_values(ContactDisc::kRings);
+  std::vector<double> ring_scatter;
+  for (std::size_t i = 0; i < presses.size(); ++i) {
+    const ContactDisc disc(*presses[i], fit.centres_mm[i], options.ball_radius_mm);
+    std::vector<Patch> patches(ContactDisc::kPatches);
+    double absolute = 0;
+    int count = 0;
+    for (const Sample& sample : presses[i]->samples) {
+      if (!(disc.radius_of(sample) <= options.zone)) continue;
+      const double residual =
+          fit.curve.depth_mm(sample.x) -
+          ball_depth_mm(sample, options.along, fit.centres_mm[i], options.ball_radius_mm);
+      if (!std::isfinite(residual)) continue;
+      absolute += std::abs(residual);
+      ++count;
+      Patch& patch = patches[static_cast<std::size_t>(disc.patch_of(sample))];
+      patch.sum += residual;
+      ++patch.count;
+    }
+    quality.residual_mm.push_back(count > 0 ? absolute / count : 0.0);
+    for (int ring = 0; ring < ContactDisc::kRings; ++ring) {
+      std::vector<double> means;
+      for (int sector = 0; sector < ContactDisc::kSectors; ++sector) {
+        const Patch& patch =
+            patches[static_cast<std::size_t>(ring * ContactDisc::kSectors + sector)];
+        if (patch.count >= 2) means.push_back(patch.sum / patch.count);
+      }
+      if (means.size() < 3) continue;
+      const auto n = static_cast<double>(means.size());
+      double mean = 0;
+      for (const double m : means) mean += m / n;
+      double variance = 0;
+      for (const double m : means) variance += (m - mean) * (m - mean) / (n - 1.0);
+      ring_values[static_cast<std::size_t>(ring)].push_back(mean);
+      ring_scatter.push_back(variance / n);
+    }
+  }
+  // A ring's mean over all presses: what every press shows alike is the skin leaving the ball.
+  double sum = 0;
+  for (const auto& values : ring_values) {
+    if (values.empty()) continue;
+    double mean = 0;
+    for (const double v : values) mean += v / static_cast<double>(values.size());
+    sum += mean * mean;
+    ++quality.rings;
+  }
+  if (quality.rings > 0) {
+    quality.ring_mm = std::sqrt(sum / quality.rings);
+    double scatter = 0;
+    for (const double v : ring_scatter) scatter += v;
+    quality.scatter_mm = std::sqrt(scatter / static_cast<double>(ring_scatter.size()) /
+                                   static_cast<double>(presses.size()));
+  }
+  return quality;
+}
+
+JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
+                              const JointFit& fit,
+                              const JointOptions& options) {
+  const Eigen::Index n_map = fit.curve.values().size();
+  const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size());
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(n, n);
+  int observations = 0;
+  std::vector<double> by_values(static_cast<std::size_t>(n_map));
+  for (std::size_t i = 0; i < presses.size(); ++i) {
+    const Weighted weighted = weigh(*presses[i], fit.curve, fit.centres_mm[i], options);
+    const ContactDisc disc(*presses[i], fit.centres_mm[i], options.ball_radius_mm);
+    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(n, ContactDisc::kPatches);
+    std::vector<bool> seen(ContactDisc::kPatches, false);
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+    for (std::size_t k = 0; k < weighted.samples.size(); ++k) {
+      const Sample& sample = *weighted.samples[k];
+      const double weight = weighted.root_weight[k];
+      Eigen::Vector3d by_centre;
+      const double depth = ball_depth_mm(
+          sample, options.along, fit.centres_mm[i], options.ball_radius_mm, &by_centre);
+      const double residual = weight * (fit.curve.depth_mm(sample.x, by_values.data()) - depth);
+      row.head(n_map) = weight * Eigen::Map<const Eigen::VectorXd>(by_values.data(), n_map);
+      row.segment<3>(n_map + 3 * static_cast<Eigen::Index>(i)) = -weight * by_centre;
+      hessian.selfadjointView<Eigen::Lower>().rankUpdate(row);
+      const int patch = disc.patch_of(sample);
+      pull.col(patch) += residual * row;
+      seen[static_cast<std::size_t>(patch)] = true;
+    }
+    spread += pull * pull.transpose();
+    observations += static_cast<int>(std::count(seen.begin(), seen.end(), true));
+  }
+  JointCovariance result;
+  const Eigen::MatrixXd full = hessian.selfadjointView<Eigen::Lower>();
+  const Eigen::VectorXd scale = full.diagonal().cwiseSqrt();
+  if (!(scale.minCoeff() > 0.0) || observations <= n) return result;
+  const Eigen::MatrixXd scaled =
+      scale.cwiseInverse().asDiagonal() * full * scale.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+  const double smallest = eigen.eigenvalues().minCoeff();
+  const double largest = eigen.eigenvalues().maxCoeff();
+  if (!(smallest > 1e-14 * largest)) return result;
+  result.condition = std::sqrt(largest / smallest);
+  const Eigen::MatrixXd inverse =
+      scale.cwiseInverse().asDiagonal() *
+      (eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
+       eigen.eigenvectors().transpose()) *
+      scale.cwiseInverse().asDiagonal();
+  const double few = static_cast<double>(observations) / static_cast<double>(observations - n);
+  result.covariance = few * inverse * spread * inverse;
+  result.covariance = (0.5 * (result.covariance + result.covariance.transpose())).eval();
+  return result;
+}
+
+}  // namespace alltact

@@ -1,0 +1,91 @@
+// All ball centres and the mapping in one robust weighted least-squares problem.
+//
+// A ball of radius R at c gives every sample inside its contact a depth d(c); the mapping says
+// M(x). Both must agree: minimise sum ((M(x_i) - d_i(c)) / sigma_i)^2, robustly, over the part of
+// every contact where skin and ball certainly touch (the zone).
+#pragma once
+
+#include "calibration/mapping_curve.h"
+#include "calibration/press_samples.h"
+#include "core/job.h"
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// How deep a ball presses in at a sample, mm, in the direction of `along`, negative where the ball
+/// is off the face; with its derivative by the centre. NaN where the line misses the ball.
+[[nodiscard]] double ball_depth_mm(const Sample& sample,
+                                   MappingAlong along,
+                                   const Eigen::Vector3d& centre_mm,
+                                   double radius_mm,
+                                   Eigen::Vector3d* by_centre = nullptr);
+
+/// Where in the contact the samples lie: 0 at its middle, 1 at the rim of the ball's cap, where
+/// face and ball part if the skin followed the ball to the end.
+class ContactDisc {
+ public:
+  ContactDisc(const PressSamples& press, const Eigen::Vector3d& centre_mm, double radius_mm);
+  [[nodiscard]] double radius_of(const Sample& sample) const;
+  /// Greatest depth along the normal, also when the middle lies off the face.
+  [[nodiscard]] double depth_mm() const { return depth_mm_; }
+  /// Number of the patch a sample lies in, 0..kPatches-1: rings of like area, 8 sectors each.
+  [[nodiscard]] int patch_of(const Sample& sample) const;
+  static constexpr int kRings = 7;
+  static constexpr int kSectors = 8;
+  static constexpr int kPatches = kRings * kSectors;
+  /// Outer radii of the rings.
+  static constexpr double kRingRadius[kRings] = {0.35, 0.5, 0.65, 0.75, 0.85, 0.93, 1.0};
+
+ private:
+  Eigen::Vector3d centre_mm_;
+  double height2_ = 0;  ///< squared height of the ball's centre over the face
+  double rim2_ = 1;     ///< squared radius of the cap's rim
+  double depth_mm_ = 0;
+};
+
+struct JointOptions {
+  MappingAlong along = MappingAlong::kZ;
+  double ball_radius_mm = 0;
+  double zone = 0.65;        ///< contacts are read up to this part of the rim's radius
+  bool fix_mapping = false;  ///< only the balls are free
+};
+
+/// The state of a fit: what to start from, and what came out.
+struct JointFit {
+  MappingCurve curve;
+  std::vector<Eigen::Vector3d> centres_mm;  ///< one a press
+  bool converged = false;                   ///< finite and settled
+};
+
+/// Improves `start`. A stopped job ends it early with the best so far.
+[[nodiscard]] JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
+                                   JointFit start,
+                                   const JointOptions& options,
+                                   const Job& job);
+
+/// What the residuals at a solution say.
+struct FitQuality {
+  std::vector<double> residual_mm;  ///< mean absolute in the zone, one a press
+  double ring_mm = 0;     ///< root mean square of the rings' mean residuals over all presses
+  double scatter_mm = 0;  ///< what ring_mm would be from the sectors' scatter alone
+  int rings = 0;
+};
+[[nodiscard]] FitQuality quality_of(const std::vector<const PressSamples*>& presses,
+                                    const JointFit& fit,
+                                    const JointOptions& options);
+
+/// Covariance of (mapping values, centres in order) and the condition of the scaled problem.
+struct JointCovariance {
+  Eigen::MatrixXd covariance;  ///< empty when the problem is singular
+  double condition = 0;
+};
+/// Spread of the solution as the residuals themselves show it: neighbouring samples share their
+/// errors, so that each patch of the contact counts as one observation.
+[[nodiscard]] JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
+                                            const JointFit& fit,
+                                            const JointOptions& options);
+
+}  // namespace alltact

@@ -1,0 +1,66 @@
+#include "calibration/mapping_curve.h"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace alltact {
+
+std::string CurveFamily::name() const {
+  if (kind == MappingKind::kMoebius) return "Moebius curve";
+  return fmt::format("polynomial of degree {}", coefficients);
+}
+
+double MappingCurve::evaluate(const double* values, double x, double* gradient) const {
+  const double at = std::max(x, 0.0);  // below zero: slope at zero times x
+  if (family_.kind == MappingKind::kMoebius) {
+    const double below = 1.0 + values[1] * at;
+    if (!(below > 1e-3)) return std::numeric_limits<double>::quiet_NaN();
+    if (gradient != nullptr) {
+      gradient[0] = x / below;
+      gradient[1] = -values[0] * x * at / (below * below);
+    }
+    return values[0] * x / below;
+  }
+  const double t = 2.0 * at / x_max_ - 1.0;
+  double before = 0.0;
+  double now = 1.0;
+  double sum = 0.0;
+  for (int k = 0; k < family_.coefficients; ++k) {
+    sum += values[k] * now;
+    if (gradient != nullptr) gradient[k] = x * now;
+    const double next = k == 0 ? t : 2.0 * t * now - before;
+    before = now;
+    now = next;
+  }
+  return x * sum;
+}
+
+double MappingCurve::slope_mm(double x) const {
+  const double at = std::max(x, 0.0);
+  if (family_.kind == MappingKind::kMoebius) {
+    const double below = 1.0 + values_[1] * at;
+    return values_[0] / (below * below);
+  }
+  // d/dx of x p(t): p + x p' 2 / x_max, with T_k' = k U_{k-1}.
+  const double t = 2.0 * at / x_max_ - 1.0;
+  double before = 0.0, now = 1.0;      // T_{k-1}, T_k
+  double u_before = 0.0, u_now = 1.0;  // U_{k-2}, U_{k-1} once k >= 1
+  double sum = 0.0, derivative = 0.0;
+  for (int k = 0; k < family_.coefficients; ++k) {
+    sum += values_[k] * now;
+    if (k >= 1) {
+      derivative += values_[k] * k * u_now;
+      const double u_next = 2.0 * t * u_now - u_before;
+      u_before = u_now;
+      u_now = u_next;
+    }
+    const double next = k == 0 ? t : 2.0 * t * now - before;
+    before = now;
+    now = next;
+  }
+  return sum + at * derivative * 2.0 / x_max_;
+}
+
+}  // namespace alltact

@@ -1,0 +1,57 @@
+// The mapping as the fits see it: a family of curves with derivatives, without the checks of
+// Mapping.
+#pragma once
+
+#include "core/finger/mapping.h"
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// A kind of curve and how many numbers it has.
+struct CurveFamily {
+  MappingKind kind = MappingKind::kMoebius;
+  int coefficients = 2;  ///< 2 for Moebius
+
+  [[nodiscard]] std::string name() const;  ///< "Moebius", "polynomial of degree 3"
+  bool operator==(const CurveFamily&) const = default;
+};
+
+/// d = M(x) with M(0) = 0. Below zero it goes on straight, so that a bulge next to the contact
+/// counts as skin above the ball.
+class MappingCurve {
+ public:
+  MappingCurve(CurveFamily family, double x_max)
+      : family_(family), x_max_(x_max), values_(Eigen::VectorXd::Zero(family.coefficients)) {}
+
+  [[nodiscard]] const CurveFamily& family() const { return family_; }
+  [[nodiscard]] double x_max() const { return x_max_; }
+  /// (a, b), or the Chebyshev coefficients.
+  [[nodiscard]] Eigen::VectorXd& values() { return values_; }
+  [[nodiscard]] const Eigen::VectorXd& values() const { return values_; }
+
+  /// The straight line d = slope * x in this family.
+  void set_line(double slope_mm) {
+    values_.setZero();
+    values_[0] = slope_mm;
+  }
+
+  /// NaN where a Moebius curve has passed its pole. `gradient` (by values(), may be null) has
+  /// coefficients() entries.
+  [[nodiscard]] double depth_mm(double x, double* gradient = nullptr) const {
+    return evaluate(values_.data(), x, gradient);
+  }
+  [[nodiscard]] double slope_mm(double x) const;
+
+  /// The same for numbers that stand elsewhere (a solver's).
+  [[nodiscard]] double evaluate(const double* values, double x, double* gradient) const;
+
+ private:
+  CurveFamily family_;
+  double x_max_;
+  Eigen::VectorXd values_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,274 @@
+#include "calibration/model_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kInnerZone = 0.65;     // skin and ball touch here on any material (Hertz: 0.71)
+constexpr double kQuietRingMm = 0.003;  // mean residual of a ring that is never held against it
+constexpr double kRingExcess = 2.0;     // times the scatter of a ring's sectors
+constexpr double kInclineDeg = 3.0;     // needed to tell thickness along z from along the normal
+constexpr int kMostCoefficients = 6;
+constexpr double kTieMm = 0.0005;  // held-out errors closer than this are the same
+
+constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};
+
+bool increases(const MappingCurve& curve, MappingAlong along) {
+  return Mapping::create(mapping_parameters(curve, along)).ok();
+}
+
+/// The largest difference at which the contacts' inner parts are seen: the end of the domain.
+double domain_of(const ChoiceInput& input) {
+  double x_max = 0;
+  for (std::size_t i = 0; i < input.presses.size(); ++i) {
+    const ContactDisc disc(*input.presses[i], input.centres_mm[i], input.ball_radius_mm);
+    std::vector<double> x;
+    for (const Sample& sample : input.presses[i]->samples)
+      if (disc.radius_of(sample) < kInnerZone) x.push_back(sample.x);
+    if (x.empty()) continue;
+    const auto at = x.begin() + static_cast<std::ptrdiff_t>(0.995 * (x.size() - 1));
+    std::nth_element(x.begin(), at, x.end());
+    x_max = std::max(x_max, *at);
+  }
+  return std::min(x_max, 1.0);
+}
+
+/// A straight line through the balls as found.
+JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_max) {
+  JointFit fit{MappingCurve({MappingKind::kPolynomial, 1}, x_max), input.centres_mm};
+  double xd = 0, xx = 0;
+  for (std::size_t i = 0; i < input.presses.size(); ++i) {
+    const ContactDisc disc(*input.presses[i], input.centres_mm[i], input.ball_radius_mm);
+    for (const Sample& sample : input.presses[i]->samples) {
+      if (disc.radius_of(sample) > kInnerZone) continue;
+      const double depth = ball_depth_mm(sample, along, input.centres_mm[i], input.ball_radius_mm);
+      if (!std::isfinite(depth)) continue;
+      xd += sample.x * depth;
+      xx += sample.x * sample.x;
+    }
+  }
+  fit.curve.set_line(xx > 0.0 && xd > 0.0 ? xd / xx : 1.0);
+  return fit;
+}
+
+/// The same straight line, or the nearest curve of another family, to go on from.
+JointFit as_family(const JointFit& fit, CurveFamily family) {
+  if (fit.curve.family() == family) return fit;
+  MappingCurve curve(family, fit.curve.x_max());
+  curve.set_line(fit.curve.depth_mm(fit.curve.x_max()) / fit.curve.x_max());
+  return {curve, fit.centres_mm, false};
+}
+
+/// Fits with a growing zone; leaves the largest believable one in `options`.
+JointFit grow_zone(const ChoiceInput& input, JointFit fit, JointOptions* options, const Job& job) {
+  options->zone = kInnerZone;
+  fit = fit_jointly(input.presses, as_family(fit, kMoebiusFamily), *options, job);
+  for (const double zone : {0.75, 0.85, 0.93, 1.0}) {
+    JointOptions wider = *options;
+    wider.zone = zone;
+    const JointFit next = fit_jointly(input.presses, fit, wider, job);
+    if (!next.converged || job.stop_requested()) break;
+    const FitQuality quality = quality_of(input.presses, next, wider);
+    if (quality.ring_mm > std::max(kQuietRingMm, kRingExcess * quality.scatter_mm)) break;
+    *options = wider;
+    fit = next;
+  }
+  return fit;
+}
+
+/// Mean absolute error in the inner part of each press, the mapping fitted without it.
+std::vector<double> held_out_errors(const ChoiceInput& input,
+                                    const JointFit& all,
+                                    const JointOptions& options,
+                                    const Job& job) {
+  std::vector<double> errors;
+  for (std::size_t left = 0; left < input.presses.size() && !job.stop_requested(); ++left) {
+    std::vector<const PressSamples*> others;
+    JointFit fit{all.curve, {}, false};
+    for (std::size_t i = 0; i < input.presses.size(); ++i) {
+      if (i == left) continue;
+      others.push_back(input.presses[i]);
+      fit.centres_mm.push_back(all.centres_mm[i]);
+    }
+    fit = fit_jointly(others, std::move(fit), options, job);
+    JointOptions alone = options;
+    alone.fix_mapping = true;
+    const std::vector<const PressSamples*> one{input.presses[left]};
+    const JointFit ball = fit_jointly(one, {fit.curve, {all.centres_mm[left]}, false}, alone, job);
+    JointOptions inner = options;
+    inner.zone = kInnerZone;
+    errors.push_back(fit.converged && ball.converged
+                         ? quality_of(one, ball, inner).residual_mm.front()
+                         : std::numeric_limits<double>::infinity());
+  }
+  return errors;
+}
+
+double mean_of(const std::vector<double>& values) {
+  double mean = 0;
+  for (const double v : values) mean += v / static_cast<double>(values.size());
+  return mean;
+}
+
+/// True when a is not worse than b by more than the standard error of their difference.
+bool as_good(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto n = static_cast<double>(a.size());
+  double mean = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) mean += (a[i] - b[i]) / n;
+  double variance = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    variance += (a[i] - b[i] - mean) * (a[i] - b[i] - mean) / (n - 1.0);
+  return mean <= std::max(kTieMm, std::sqrt(variance / n));
+}
+
+std::vector<CurveFamily> families_for(const CalibrationSettings& settings, std::size_t presses) {
+  const bool alone = presses < 2;
+  std::vector<CurveFamily> families;
+  const auto polynomial = [&](int n) { families.push_back({MappingKind::kPolynomial, n}); };
+  if (settings.family == FamilyChoice::kMoebius) return {kMoebiusFamily};
+  if (settings.degree > 0) {
+    // A degree was asked for: that polynomial.
+    polynomial(settings.degree);
+    return families;
+  }
+  if (settings.family == FamilyChoice::kPolynomial) {
+    if (alone) return {{MappingKind::kPolynomial, 2}, {MappingKind::kPolynomial, 1}};
+    for (int n = 1; n <= kMostCoefficients; ++n) polynomial(n);
+    return families;
+  }
+  if (alone) return {kMoebiusFamily, {MappingKind::kPolynomial, 1}};
+  polynomial(1);
+  families.push_back(kMoebiusFamily);
+  for (int n = 2; n <= kMostCoefficients; ++n) polynomial(n);
+  return families;
+}
+
+double incline_spread_deg(const ChoiceInput& input) {
+  double low = 1.0, high = 0.0;
+  for (const PressSamples* press : input.presses) {
+    for (const Sample& sample : press->samples) {
+      low = std::min(low, sample.cos_incline);
+      high = std::max(high, sample.cos_incline);
+    }
+  }
+  constexpr double kDegrees = 180.0 / M_PI;
+  return kDegrees * (std::acos(std::clamp(low, 0.0, 1.0)) - std::acos(std::clamp(high, 0.0, 1.0)));
+}
+
+/// The best family for one way of measuring thickness.
+std::optional<ModelChoice> choose_family(const ChoiceInput& input,
+                                         const CalibrationSettings& settings,
+                                         MappingAlong along,
+                                         const Job& job) {
+  ModelChoice choice{
+      {along, input.ball_radius_mm}, straight_start(input, along, domain_of(input)), {}, {}, {}};
+  if (!(choice.fit.curve.x_max() > 0.0)) return std::nullopt;
+  choice.options.zone = kInnerZone;
+  JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
+  start = grow_zone(input, std::move(start), &choice.options, job);
+
+  struct Candidate {
+    JointFit fit;
+    std::vector<double> errors;
+  };
+  std::vector<Candidate> candidates;
+  std::size_t best = 0;
+  int worse = 0;
+  const bool alone = input.presses.size() < 2;
+  const auto families = families_for(settings, input.presses.size());
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    if (job.stop_requested() && !candidates.empty()) break;
+    job.report(static_cast<double>(i) / static_cast<double>(families.size()),
+               fmt::format("trying a {}", families[i].name()));
+    Candidate candidate{
+        fit_jointly(input.presses, as_family(start, families[i]), choice.options, job), {}};
+    if (!candidate.fit.converged || !increases(candidate.fit.curve, along)) continue;
+    if (!alone && families.size() > 1)
+      candidate.errors = held_out_errors(input, candidate.fit, choice.options, job);
+    if (!alone && families.size() > 1 && candidate.errors.size() < input.presses.size()) break;
+    candidates.push_back(std::move(candidate));
+    if (alone || families.size() == 1) break;
+    const std::size_t last = candidates.size() - 1;
+    if (mean_of(candidates[last].errors) < mean_of(candidates[best].errors)) {
+      best = last;
+      worse = 0;
+    } else if (++worse == 3) {
+      break;  // more coefficients no longer help
+    }
+  }
+  if (candidates.empty()) return std::nullopt;
+  std::size_t chosen = 0;
+  if (!alone && families.size() > 1)
+    while (chosen < best && !as_good(candidates[chosen].errors, candidates[best].errors)) ++chosen;
+
+  choice.fit = candidates[chosen].fit;
+  const std::string name = choice.fit.curve.family().name();
+  if (alone) {
+    choice.sentence = fmt::format("{}: with one press nothing can be held out", name);
+  } else if (families.size() == 1) {
+    choice.sentence = fmt::format("{}: as asked for", name);
+    choice.held_out_mm = held_out_errors(input, choice.fit, choice.options, job);
+  } else {
+    choice.held_out_mm = candidates[chosen].errors;
+    choice.sentence =
+        chosen == best ? fmt::format("{}: least error on presses left out, {:.4f} mm",
+                                     name,
+                                     mean_of(candidates[chosen].errors))
+                       : fmt::format(
+                             "{}: {:.4f} mm on presses left out, not distinguishable from the best "
+                             "({}, {:.4f} mm) and simpler",
+                             name,
+                             mean_of(candidates[chosen].errors),
+                             candidates[best].fit.curve.family().name(),
+                             mean_of(candidates[best].errors));
+  }
+  if (choice.options.zone < 0.99)
+    choice.remarks.push_back(fmt::format(
+        "the skin leaves the ball before the rim of its cap: the inner {:.0f} % of each "
+        "contact's radius was used",
+        100.0 * choice.options.zone));
+  return choice;
+}
+
+}  // namespace
+
+MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong along) {
+  MappingParameters parameters;
+  parameters.kind = curve.family().kind;
+  parameters.along = along;
+  parameters.x_max = curve.x_max();
+  if (curve.family().kind == MappingKind::kMoebius) {
+    parameters.a_mm = curve.values()[0];
+    parameters.b = curve.values()[1];
+  } else {
+    parameters.chebyshev.assign(curve.values().begin(), curve.values().end());
+  }
+  return parameters;
+}
+
+std::optional<ModelChoice> choose_model(const ChoiceInput& input,
+                                        const CalibrationSettings& settings,
+                                        const Job& job) {
+  if (settings.along == AlongChoice::kNormal)
+    return choose_family(input, settings, MappingAlong::kNormal, job);
+  auto by_z = choose_family(input, settings, MappingAlong::kZ, job);
+  const bool told_apart = input.presses.size() > 1 && incline_spread_deg(input) > kInclineDeg;
+  if (settings.along == AlongChoice::kZ || !by_z || !told_apart || job.stop_requested())
+    return by_z;
+  auto by_normal = choose_family(input, settings, MappingAlong::kNormal, job);
+  if (!by_normal || by_normal->held_out_mm.size() != by_z->held_out_mm.size() ||
+      by_z->held_out_mm.empty() || as_good(by_z->held_out_mm, by_normal->held_out_mm))
+    return by_z;
+  by_normal->remarks.push_back(
+      fmt::format("brightness follows the layer's thickness along its normal: {:.4f} mm on presses "
+                  "left out, against {:.4f} mm along z",
+                  mean_of(by_normal->held_out_mm),
+                  mean_of(by_z->held_out_mm)));
+  return by_normal;
+}
+
+}  // namespace alltact

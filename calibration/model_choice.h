@@ -1,0 +1,41 @@
+// Which mapping to fit, and how much of each contact to believe: decided by the presses themselves.
+#pragma once
+
+#include "calibration/calibrate.h"
+#include "calibration/joint_fit.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+/// Presses and where to start: the balls as found, one a press.
+struct ChoiceInput {
+  std::vector<const PressSamples*> presses;
+  std::vector<Eigen::Vector3d> centres_mm;
+  double ball_radius_mm = 0;
+};
+
+struct ModelChoice {
+  JointOptions options;             ///< along and zone
+  JointFit fit;                     ///< of the chosen family, to go on from
+  std::vector<double> held_out_mm;  ///< one a press; empty with one press
+  std::string sentence;             ///< why
+  std::vector<std::string> remarks;
+};
+
+/// The mean absolute error inside a contact of a press that the mapping was fitted without, only
+/// its ball being fitted to it, decides between families; among those within one standard error of
+/// the best the simplest wins, Moebius before polynomials of two and more coefficients.
+/// How far out the contacts are read grows ring by ring as long as the rings' mean residuals stay
+/// within what the rest of the contact scatters: where the skin leaves the ball before the rim they
+/// do not. nullopt when no family gave an increasing curve, or the job was stopped before one had.
+[[nodiscard]] std::optional<ModelChoice> choose_model(const ChoiceInput& input,
+                                                      const CalibrationSettings& settings,
+                                                      const Job& job);
+
+/// What is stored of a fitted curve.
+[[nodiscard]] MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong along);
+
+}  // namespace alltact

@@ -1,0 +1,231 @@
+#include "calibration/paper_method.h"
+
+#include "calibration/mapping_curve.h"
+#include "calibration/model_choice.h"
+#include "calibration/press_samples.h"
+#include "core/geometry/ball.h"
+#include "core/geometry/circle_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr int kDegree = 3;
+constexpr int kBlockPx = 2;
+
+double bilinear(const cv::Mat& x, const Eigen::Vector2d& pixel) {
+  const auto u = static_cast<int>(std::floor(pixel.x()));
+  const auto v = static_cast<int>(std::floor(pixel.y()));
+  if (u < 0 || v < 0 || u + 1 >= x.cols || v + 1 >= x.rows)
+    return std::numeric_limits<double>::quiet_NaN();
+  const double a = pixel.x() - u;
+  const double b = pixel.y() - v;
+  const auto at = [&](int row, int column) {
+    return static_cast<double>(x.at<float>(row, column));
+  };
+  return (1 - b) * ((1 - a) * at(v, u) + a * at(v, u + 1)) +
+         b * ((1 - a) * at(v + 1, u) + a * at(v + 1, u + 1));
+}
+
+/// Steepest fall of x along rays from the middle of the disc, up to `reach_px` out.
+std::optional<Circle> border_circle(const cv::Mat& x,
+                                    const Eigen::Vector2d& middle,
+                                    double reach_px) {
+  constexpr int kRays = 180;
+  constexpr double kStep = 2.0;
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i < kRays; ++i) {
+    const double angle = 2.0 * M_PI * i / kRays;
+    const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
+    double steepest = 0;
+    double place = 0;
+    for (double r = 0.3 * reach_px; r < reach_px; r += 0.5) {
+      const double fall =
+          bilinear(x, middle + (r - kStep) * out) - bilinear(x, middle + (r + kStep) * out);
+      if (!(fall > steepest)) continue;
+      steepest = fall;
+      place = r;
+    }
+    if (place > 0.0) points.emplace_back(middle + place * out);
+  }
+  auto circle = fit_circle(points);
+  if (!circle) return std::nullopt;
+  const double gate = 2.0 * circle->rms + 0.5;
+  std::erase_if(points, [&](const Eigen::Vector2d& p) {
+    return std::abs((p - circle->centre).norm() - circle->radius) > gate;
+  });
+  return fit_circle(points);
+}
+
+/// Depth of a ball at the samples inside the circle: where each pixel's ray meets the ball.
+struct Cloud {
+  std::vector<double> x, depth_mm;
+};
+
+Cloud cloud_of(const std::vector<Sample>& samples,
+               const Camera& camera,
+               const Eigen::Vector3d& centre,
+               double radius_mm) {
+  Cloud cloud;
+  for (const Sample& sample : samples) {
+    const auto ray = camera.unproject(sample.pixel);
+    if (!ray) continue;
+    const auto hit = meet_ball(*ray, centre, radius_mm);
+    if (!hit) continue;
+    cloud.x.push_back(sample.x);
+    cloud.depth_mm.push_back(sample.untouched_z.z() - ray->point_at(hit->near).z());
+  }
+  return cloud;
+}
+
+/// Chebyshev polynomial of degree 3 with a constant; its value at x = 0.
+std::optional<double> constant_of(const Cloud& cloud, double x_max) {
+  const auto n = static_cast<Eigen::Index>(cloud.x.size());
+  if (n < 50) return std::nullopt;
+  Eigen::MatrixXd design(n, kDegree + 1);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double t = 2.0 * cloud.x[static_cast<std::size_t>(i)] / x_max - 1.0;
+    design.row(i) << 1.0, t, 2.0 * t * t - 1.0, t * (4.0 * t * t - 3.0);
+  }
+  const Eigen::Map<const Eigen::VectorXd> depth(cloud.depth_mm.data(), n);
+  const Eigen::VectorXd c = design.colPivHouseholderQr().solve(depth);
+  if (!c.allFinite()) return std::nullopt;
+  return c[0] - c[1] + c[2] - c[3];
+}
+
+struct Solved {
+  BallFit ball;
+  std::vector<Sample> samples;
+  Cloud cloud;
+};
+
+std::optional<Solved> solve_press(const PaperPress& input,
+                                  const Camera& camera,
+                                  const Face& face,
+                                  double radius_mm) {
+  const Press& press = *input.press;
+  const auto outline = ball_outline_px(camera, input.guess.centre_mm, radius_mm, 64);
+  if (outline.size() < 3) return std::nullopt;
+  const auto around = fit_circle(outline);
+  if (!around) return std::nullopt;
+  // The dark border lies well inside the outline of the whole ball, unless it is deep.
+  const auto circle = border_circle(press.difference.x, around->centre, 1.05 * around->radius);
+  if (!circle) return std::nullopt;
+  const auto local = press.shape.at(circle->centre.x(), circle->centre.y());
+  const auto to_centre = camera.unproject(circle->centre);
+  const auto to_edge = camera.unproject(circle->centre + Eigen::Vector2d(0.0, circle->radius));
+  if (!local || !to_centre || !to_edge) return std::nullopt;
+
+  Eigen::Vector3d centre;
+  if (camera.is_perspective()) {
+    const double sine = sine_between(to_edge->direction, to_centre->direction);
+    if (!(sine > 0.0)) return std::nullopt;
+    centre = to_centre->direction.normalized() * (radius_mm / sine);
+  } else {
+    const double rim_mm = circle->radius * camera.mm_per_px_at(0.0);
+    if (!(rim_mm < radius_mm)) return std::nullopt;
+    centre = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ);
+    centre.z() += std::sqrt((radius_mm - rim_mm) * (radius_mm + rim_mm));
+  }
+  Solved solved;
+  for (const Sample& sample : sample_press(press, face, kBlockPx).samples)
+    if ((sample.pixel - circle->centre).norm() < circle->radius) solved.samples.push_back(sample);
+  double x_max = 0;
+  for (const Sample& sample : solved.samples) x_max = std::max(x_max, sample.x);
+  if (!(x_max > 0.0)) return std::nullopt;
+
+  // Moving the ball by dz takes dz off every depth and so off the constant: Newton with slope -1.
+  for (int round = 0; round < 50; ++round) {
+    const auto constant = constant_of(cloud_of(solved.samples, camera, centre, radius_mm), x_max);
+    if (!constant || !(std::abs(*constant) < 2.0 * radius_mm)) return std::nullopt;
+    centre.z() += *constant;
+    if (std::abs(*constant) < 1e-9) break;
+  }
+  solved.cloud = cloud_of(solved.samples, camera, centre, radius_mm);
+  if (solved.cloud.x.size() < 50) return std::nullopt;
+  solved.ball.press = press.name;
+  solved.ball.centre_mm = centre;
+  solved.ball.centre_sd_mm.setZero();
+  solved.ball.cut_by_edge = input.guess.cut_by_edge;
+  solved.ball.depth_mm =
+      *std::max_element(solved.cloud.depth_mm.begin(), solved.cloud.depth_mm.end());
+  return solved;
+}
+
+std::optional<MappingCurve> curve_through(const std::vector<Solved>& presses,
+                                          int coefficients,
+                                          double x_max) {
+  std::vector<double> x, depth;
+  for (const Solved& s : presses) {
+    x.insert(x.end(), s.cloud.x.begin(), s.cloud.x.end());
+    depth.insert(depth.end(), s.cloud.depth_mm.begin(), s.cloud.depth_mm.end());
+  }
+  MappingCurve curve({MappingKind::kPolynomial, coefficients}, x_max);
+  Eigen::MatrixXd design(static_cast<Eigen::Index>(x.size()), coefficients);
+  std::vector<double> row(static_cast<std::size_t>(coefficients));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    (void)curve.depth_mm(x[i], row.data());
+    design.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::RowVectorXd>(row.data(), coefficients);
+  }
+  const Eigen::Map<const Eigen::VectorXd> target(depth.data(), design.rows());
+  curve.values() = design.colPivHouseholderQr().solve(target);
+  if (!Mapping::create(mapping_parameters(curve, MappingAlong::kZ))) return std::nullopt;
+  return curve;
+}
+
+}  // namespace
+
+Result<Calibration> calibrate_as_paper(const std::vector<PaperPress>& presses,
+                                       const Camera& camera,
+                                       const Face& face,
+                                       double ball_radius_mm,
+                                       const Job& job,
+                                       Calibration calibration) {
+  std::vector<Solved> solved;
+  for (const PaperPress& input : presses) {
+    if (job.stop_requested()) break;
+    if (auto one = solve_press(input, camera, face, ball_radius_mm)) {
+      solved.push_back(std::move(*one));
+    } else {
+      calibration.left_out.push_back(fmt::format(
+          "{}: no ball follows from the circle on its dark border.", input.press->name));
+    }
+  }
+  if (solved.empty())
+    return Error{"the paper's circle led to no ball in any press",
+                 "",
+                 "the joint method, which fits the ball itself"};
+  double x_max = 0;
+  for (const Solved& s : solved)
+    for (const double x : s.cloud.x) x_max = std::max(x_max, x);
+  x_max = std::min(x_max, 1.0);
+  std::optional<MappingCurve> curve;
+  int degree = kDegree;
+  for (; degree >= 1 && !curve; --degree) curve = curve_through(solved, degree, x_max);
+  if (!curve)
+    return Error{"the paper's polynomial does not increase",
+                 "",
+                 "the joint method, or more presses of different depth"};
+  if (curve->family().coefficients != kDegree)
+    calibration.remarks.push_back(fmt::format(
+        "the cubic does not increase; degree {} was used instead", curve->family().coefficients));
+  calibration.mapping = mapping_parameters(*curve, MappingAlong::kZ);
+  calibration.degree_choice = "polynomial of degree 3: the source paper's";
+  for (Solved& s : solved) {
+    double sum = 0;
+    for (std::size_t i = 0; i < s.cloud.x.size(); ++i)
+      sum += std::abs(curve->depth_mm(s.cloud.x[i]) - s.cloud.depth_mm[i]);
+    s.ball.residual_mm = sum / static_cast<double>(s.cloud.x.size());
+    calibration.residual_mm += s.ball.residual_mm / static_cast<double>(solved.size());
+    calibration.balls.push_back(s.ball);
+  }
+  return calibration;
+}
+
+}  // namespace alltact
