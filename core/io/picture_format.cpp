@@ -160,17 +160,18 @@ Result<PictureHeader> pgm_header(std::string_view content) {
 
 /// One entry of a TIFF's directory: what it is, and its first value.
 struct TiffEntry {
-  std::uint32_t tag, count, value;
+  std::uint32_t tag, value;
 };
 
+/// Touches the last byte of the entry's values, so that a missing one is noticed.
 TiffEntry tiff_entry(Bytes& bytes, std::size_t at) {
+  static constexpr std::array<std::size_t, 13> kSizes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8};
   constexpr std::uint32_t kShort = 3;
-  TiffEntry entry{bytes.u16(at), bytes.u32(at + 4), 0};
-  const bool is_short = bytes.u16(at + 2) == kShort;
-  const bool is_inside = entry.count * (is_short ? 2ULL : 4ULL) <= 4;
-  const std::size_t place = is_inside ? at + 8 : bytes.u32(at + 8);
-  entry.value = is_short ? bytes.u16(place) : bytes.u32(place);
-  return entry;
+  const std::uint32_t type = bytes.u16(at + 2);
+  const std::size_t size = bytes.u32(at + 4) * (type < kSizes.size() ? kSizes[type] : 0);
+  const std::size_t place = size <= 4 ? at + 8 : bytes.u32(at + 8);
+  if (size > 0) static_cast<void>(bytes.u8(place + size - 1));
+  return {bytes.u16(at), type == kShort ? bytes.u16(place) : bytes.u32(place)};
 }
 
 Result<PictureHeader> tiff_header(std::string_view content) {
@@ -180,14 +181,9 @@ Result<PictureHeader> tiff_header(std::string_view content) {
   header.channels = 1;
   const std::size_t directory = bytes.u32(4);
   const std::size_t entries = bytes.u16(directory);
-  for (std::size_t i = 0; i < entries; ++i) {
-    const std::size_t at = directory + 2 + 12 * i;
-    const std::uint32_t tag = bytes.u16(at);
-    if (bytes.is_past_end()) break;
-    // Only these are read: the values of others may lie anywhere and be of any type.
-    if (tag != 256 && tag != 257 && tag != 258 && tag != 277 && tag != 338 && tag != 339) continue;
-    const TiffEntry entry = tiff_entry(bytes, at);
-    switch (tag) {
+  for (std::size_t i = 0; i < entries && !bytes.is_past_end(); ++i) {
+    const TiffEntry entry = tiff_entry(bytes, directory + 2 + 12 * i);
+    switch (entry.tag) {
       case 256:
         header.width_px = entry.value;
         break;
@@ -203,11 +199,15 @@ Result<PictureHeader> tiff_header(std::string_view content) {
       case 338:
         header.has_transparency = true;
         break;
-      default:
+      case 339:
         header.is_float = entry.value == 3;
+        break;
+      default:
+        break;
     }
   }
-  // What follows the directory or lies before it is for the decoder, which does complain here.
+  static_cast<void>(bytes.u32(directory + 2 + 12 * entries));  // where the next picture would be
+  // Whether the pixels themselves are whole is for the decoder: it does complain here.
   if (bytes.is_past_end() || entries == 0) return truncated();
   return header;
 }
