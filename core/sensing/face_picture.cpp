@@ -1,14 +1,15 @@
 #include "core/sensing/face_picture.h"
 
-#include <cstring>
-
 #include "core/numerics/dispatch.h"
+
+#include <cstring>
 
 namespace alltact {
 namespace {
 
 // out += the weighted sum of four rows at a time: one pass over `out` for each four frames.
-ALLTACT_WIDE void add_rows(const std::uint8_t* const* rows, const float* weights, int count, int n, float* out) {
+ALLTACT_WIDE void add_rows(
+    const std::uint8_t* const* rows, const float* weights, int count, int n, float* out) {
   int k = 0;
   for (; k + 4 <= count; k += 4) {
     const std::uint8_t *a = rows[k], *b = rows[k + 1], *c = rows[k + 2], *d = rows[k + 3];
@@ -110,7 +111,8 @@ void mix_faces(const std::vector<const FacePicture*>& frames,
     }
     for_common_stretches(cursors, [&](int first, int end) {
       for (std::size_t k = 0; k < cursors.size(); ++k) rows[k] = cursors[k].at(first);
-      add_rows(rows.data(), weights.data(), static_cast<int>(rows.size()), end - first, out + first);
+      add_rows(
+          rows.data(), weights.data(), static_cast<int>(rows.size()), end - first, out + first);
       std::memset(mask + first, 255, static_cast<std::size_t>(end - first));
     });
   }

@@ -90,6 +90,8 @@ class MarkerModel {
   [[nodiscard]] double residual_px(const Markers& markers) const;
 
   [[nodiscard]] const std::vector<Dot>& typical_dots() const { return typical_; }
+  /// Standard deviation of each mode in the recording, px: times modes() it is a distance.
+  [[nodiscard]] const Eigen::VectorXd& mode_sd_px() const { return mode_sd_; }
   /// How far a seen marker typically lies from what the others tell of it, px.
   [[nodiscard]] double noise_px() const { return noise_px_; }
   /// Least distance of neighbouring markers of a row in the recording, px.

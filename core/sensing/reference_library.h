@@ -1,6 +1,12 @@
 // Untouched pictures of the finger in all its poses, and the one that fits the pose now.
 #pragma once
 
+#include "core/finger/finger.h"
+#include "core/job.h"
+#include "core/result.h"
+#include "core/sensing/face_shape.h"
+#include "core/sensing/markers.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -9,12 +15,6 @@
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
-
-#include "core/finger/finger.h"
-#include "core/job.h"
-#include "core/result.h"
-#include "core/sensing/face_shape.h"
-#include "core/sensing/markers.h"
 
 namespace alltact {
 
@@ -26,21 +26,21 @@ enum class ReferenceMethod {
 
 /// The reference picture of a frame: grey levels in float on the face, 0 elsewhere.
 struct Reference {
-  cv::Mat grey;              ///< CV_32FC1, the picture's size
-  cv::Mat valid;             ///< CV_8UC1, 255 where every frame used shows the face
-  int frame = -1;            ///< number of the nearest frame in the recording
-  double distance_px = 0;    ///< mean distance of the seen markers to that frame's
-  bool known_pose = true;    ///< false: further away than the recording's own frames are apart
-  double noise_gain = 1;     ///< standard deviation of the reference's noise / that of one frame
+  cv::Mat grey;            ///< CV_32FC1, the picture's size
+  cv::Mat valid;           ///< CV_8UC1, 255 where every frame used shows the face
+  int frame = -1;          ///< number of the nearest frame in the recording
+  double distance_px = 0;  ///< mean distance of the seen markers to that frame's
+  bool known_pose = true;  ///< false: further away than the recording's own frames are apart
+  double noise_gain = 1;   ///< standard deviation of the reference's noise / that of one frame
 };
 
-/// Marker table of a recording (reference.csv). First a line of column names, then one line a marker
-/// of `frame,number,u,v,seen,radius,contrast` (px, grey levels; the last two typical of the marker and
-/// the same in every frame), all markers of a frame together in the order of their numbers. The last
-/// line, `end,FRAMES`, tells a whole table from one that was cut off.
+/// Marker table of a recording (reference.csv). First a line of column names, then one line a
+/// marker of `frame,number,u,v,seen,radius,contrast` (px, grey levels; the last two typical of the
+/// marker and the same in every frame), all markers of a frame together in the order of their
+/// numbers. The last line, `end,FRAMES`, tells a whole table from one that was cut off.
 struct MarkerTable {
-  std::vector<int> frames;   ///< number of each row in the video, ascending
-  Eigen::MatrixXd layouts;   ///< one row a frame, (u0, v0, ...), px, estimates where not seen
+  std::vector<int> frames;  ///< number of each row in the video, ascending
+  Eigen::MatrixXd layouts;  ///< one row a frame, (u0, v0, ...), px, estimates where not seen
   std::vector<std::vector<char>> seen;  ///< one row a frame, by marker
   std::vector<Dot> typical;  ///< mean radius and contrast of each marker, at its mean position
 
@@ -70,14 +70,17 @@ class ReferenceLibrary {
 
   /// Index into the library (not the video) of the frame with the least mean distance over the
   /// markers that are seen, by brute force; and that distance.
-  struct Nearest { int index; double distance_px; };
+  struct Nearest {
+    int index;
+    double distance_px;
+  };
   [[nodiscard]] Nearest nearest(const Markers& markers) const;
 
   /// The reference for a pose. `markers` is ignored by a single picture.
   ///
   /// kLocal: local linear regression over the 16 frames nearest in the finger's modes of motion.
-  /// known_pose: distance_px is at most three times the median distance of the recording's frames to
-  /// their nearest other, and at least 1.5 px is always allowed.
+  /// known_pose: distance_px is at most three times the median distance of the recording's frames
+  /// to their nearest other, and at least 1.5 px is always allowed.
   [[nodiscard]] Reference reference_for(const Markers& markers, ReferenceMethod method) const;
   /// The same into `reference`, whose pictures are written anew in place where nobody else holds
   /// them: saves asking the system for memory at every frame.

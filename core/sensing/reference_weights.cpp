@@ -10,7 +10,9 @@ namespace {
 
 // With k the diagonal of the kernel and D the offsets p_i - query, the minimum is
 //   w = k (lambda - D mu),  mu = (ridge^2 I + D' k D)^-1 D' k lambda,  lambda so that sum w = 1.
-Eigen::VectorXd weights_with(const Eigen::MatrixXd& offsets, const Eigen::VectorXd& kernel, double ridge_px) {
+Eigen::VectorXd weights_with(const Eigen::MatrixXd& offsets,
+                             const Eigen::VectorXd& kernel,
+                             double ridge_px) {
   const Eigen::MatrixXd weighted = kernel.asDiagonal() * offsets;
   Eigen::MatrixXd normal = offsets.transpose() * weighted;
   normal.diagonal().array() += ridge_px * ridge_px;

@@ -1,0 +1,360 @@
+#include "calibration/reference_recording.h"
+
+#include "calibration/recording_layouts.h"
+#include "core/io/atomic_file.h"
+#include "core/io/picture.h"
+#include "core/sensing/face_edges.h"
+#include "core/sensing/face_shape.h"
+#include "core/sensing/reference_library.h"
+
+#include <system_error>
+
+#include <fmt/format.h>
+#include <opencv2/videoio.hpp>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kVideo = "reference.mkv";
+constexpr const char* kTable = "reference.csv";
+constexpr int kProfileDegree = 7;
+constexpr double kTouchSigmas = 5.0;
+constexpr double kTouchFloorPx = 0.2;  // of every marker at once: a camera that moves or warms up
+
+// Lossless grey video.
+class VideoWriter {
+ public:
+  explicit VideoWriter(fs::path file) : file_(std::move(file)) {}
+
+  Status add(const cv::Mat& grey) {
+    if (!writer_.isOpened()) {
+      size_ = grey.size();
+      const int ffv1 = cv::VideoWriter::fourcc('F', 'F', 'V', '1');
+      if (!writer_.open(file_.string(), cv::CAP_FFMPEG, ffv1, 30.0, size_, false))
+        return Error{"the recording cannot be written",
+                     file_.string(),
+                     "check the folder's rights and space"};
+    }
+    writer_.write(grey);
+    return {};
+  }
+  void close() { writer_.release(); }
+
+ private:
+  fs::path file_;
+  cv::Size size_;
+  cv::VideoWriter writer_;
+};
+
+// All that the first pass over a recording leaves.
+struct Pass {
+  std::vector<FrameDots> frames;
+  std::vector<int> in_video;  // number in the video just written, -1: never got there
+  int written = 0;
+};
+
+FrameDots look_at(const cv::Mat& raw, const Camera& camera, const Finger& finger) {
+  FrameDots found;
+  const cv::Mat grey = oriented(raw, camera.parameters().orientation);
+  const auto edges = FaceEdgeFinder()(grey);
+  if (!edges) {
+    found.problem = edges.error().what;
+    return found;
+  }
+  const auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
+  if (!shape) {
+    found.problem = shape.error().what;
+    return found;
+  }
+  found.base_at_low_u = shape->base_at_low_u();
+  for (const Polarity polarity : {Polarity::kBright, Polarity::kDark}) {
+    if (finger.markers.polarity != Polarity::kAuto && finger.markers.polarity != polarity) continue;
+    auto& dots = polarity == Polarity::kBright ? found.bright : found.dark;
+    dots = MarkerDetector({finger.markers.per_row, polarity})(grey, *shape).dots;
+  }
+  return found;
+}
+
+Status wrong_size(const Frame& frame, const Camera& camera) {
+  const cv::Size want = oriented(frame.grey, camera.parameters().orientation).size();
+  if (frame.grey.type() == CV_8UC1 && want == camera.size()) return {};
+  return Error{
+      fmt::format("the picture is {} x {}, the finger's camera gives {} x {}",
+                  want.width,
+                  want.height,
+                  camera.size().width,
+                  camera.size().height),
+      frame.origin.empty() ? frame.name : frame.origin,
+      "a recording made with this finger's camera, or the right camera.size and orientation"};
+}
+
+Result<Pass> first_pass(Source& source,
+                        const Camera& camera,
+                        const Finger& finger,
+                        const Job& job,
+                        const fs::path& video) {
+  Pass pass;
+  VideoWriter writer(video);
+  const auto total = source.count();
+  for (;;) {
+    if (job.stop_requested())
+      return Error{"stopped before the recording was read", video.parent_path().string(), ""};
+    const auto frame = source.next();
+    if (frame && !*frame) break;
+    const std::size_t number = pass.frames.size();
+    if (total && *total > 0)
+      job.report(0.8 * static_cast<double>(number) / static_cast<double>(*total),
+                 fmt::format("reading frame {} of {}", number + 1, *total));
+    if (!frame) {
+      pass.frames.push_back({{}, {}, true, frame.error().what});
+      pass.in_video.push_back(-1);
+      // A source that fails for ever must not keep us here.
+      if (total && pass.frames.size() > *total) return frame.error();
+      if (!total && pass.written == 0 && pass.frames.size() > 100) return frame.error();
+      continue;
+    }
+    const Status fits = wrong_size(**frame, camera);
+    if (!fits) return fits.error();
+    pass.frames.push_back(look_at((*frame)->grey, camera, finger));
+    const Status written = writer.add((*frame)->grey);
+    if (!written) return written.error();
+    pass.in_video.push_back(pass.written++);
+  }
+  writer.close();
+  return pass;
+}
+
+// Rewrites the video with only some of its frames, in order.
+Status keep_frames(const fs::path& video, const std::vector<char>& keep, const Job& job) {
+  fs::path whole = video;
+  whole.replace_filename(video.stem().string() + ".whole" + video.extension().string());
+  std::error_code problem;
+  fs::rename(video, whole, problem);
+  if (problem)
+    return Error{"the recording cannot be renamed: " + problem.message(), video.string(), ""};
+  struct Remove {
+    const fs::path& file;
+    ~Remove() {
+      std::error_code ignored;
+      fs::remove(file, ignored);
+    }
+  } remove{whole};
+  cv::VideoCapture reader(whole.string(), cv::CAP_FFMPEG);
+  VideoWriter writer(video);
+  cv::Mat picture;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (job.stop_requested())
+      return Error{"stopped before the recording was written", video.string(), ""};
+    if (!reader.read(picture))
+      return Error{
+          fmt::format(
+              "the recording broke off after {} of {} frames while it was written", i, keep.size()),
+          video.string(),
+          "check that the disk is not full"};
+    if (!keep[i]) continue;
+    if (picture.channels() == 3) cv::extractChannel(picture, picture, 0);
+    const Status written = writer.add(picture);
+    if (!written) return written;
+  }
+  writer.close();
+  return {};
+}
+
+// Written pictures are counted by reading them back: the writer itself tells nothing of a full
+// disk.
+Status check_count(const fs::path& video, int expected) {
+  cv::VideoCapture reader(video.string(), cv::CAP_FFMPEG);
+  int count = 0;
+  while (reader.isOpened() && reader.grab()) ++count;
+  if (count == expected) return {};
+  return Error{
+      fmt::format("only {} of {} frames of the recording could be written", count, expected),
+      video.string(),
+      "check that the disk is not full"};
+}
+
+MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::size_t>& kept) {
+  MarkerTable table;
+  const auto count = numbered.typical.size();
+  table.typical = numbered.typical;
+  table.layouts.resize(static_cast<Eigen::Index>(kept.size()),
+                       static_cast<Eigen::Index>(2 * count));
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const Markers& markers = *numbered.markers[kept[i]];
+    table.frames.push_back(static_cast<int>(i));
+    table.seen.emplace_back(count, 0);
+    for (std::size_t m = 0; m < count; ++m) {
+      table.layouts.row(static_cast<Eigen::Index>(i)).segment<2>(static_cast<Eigen::Index>(2 * m))
+          << markers[m].u,
+          markers[m].v;
+      table.seen.back()[m] = static_cast<char>(markers[m].seen);
+    }
+  }
+  return table;
+}
+
+// Median over the frames of the mean marker distance to the nearest other frame.
+double median_step_px(const Eigen::MatrixXd& layouts) {
+  std::vector<double> steps;
+  for (Eigen::Index i = 0; i < layouts.rows(); ++i) {
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index j = 0; j < layouts.rows(); ++j) {
+      if (i == j) continue;
+      double sum = 0;
+      for (Eigen::Index k = 0; k < layouts.cols(); k += 2)
+        sum += std::hypot(layouts(i, k) - layouts(j, k), layouts(i, k + 1) - layouts(j, k + 1));
+      least = std::min(least, 2 * sum / static_cast<double>(layouts.cols()));
+    }
+    steps.push_back(least);
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+// Noise of a sum of offsets is that of one times the root of their number, twice over because the
+// rest layout was measured too; never below a shift of all markers that is no touch.
+double touch_threshold_px(double marker_noise_px, std::size_t markers) {
+  const auto count = static_cast<double>(markers);
+  return std::max(kTouchSigmas * marker_noise_px * std::sqrt(2 * count), kTouchFloorPx * count);
+}
+
+// Fills `temporary` with the video and `table` and `report` with what goes with it.
+Status make_reference(Source& source,
+                      const Camera& camera,
+                      const Finger& finger,
+                      const Job& job,
+                      const fs::path& temporary,
+                      MarkerTable& table,
+                      NumberedRecording& numbered,
+                      ReferenceReport& report) {
+  const auto pass = first_pass(source, camera, finger, job, temporary);
+  if (!pass) return pass.error();
+  report.frames_read = static_cast<int>(pass->frames.size());
+  if (pass->frames.size() < 2)
+    return Error{fmt::format("the recording holds {} frame{}; at least 2 are needed",
+                             pass->frames.size(),
+                             pass->frames.size() == 1 ? "" : "s"),
+                 "recording",
+                 "record the finger while it bends slowly in every direction, untouched"};
+  job.report(0.8, "numbering the markers");
+  auto result = number_recording(pass->frames, finger.markers);
+  if (!result) return result.error();
+  numbered = std::move(*result);
+  std::vector<std::size_t> kept;
+  std::vector<char> keep(static_cast<std::size_t>(pass->written), 0);
+  for (std::size_t i = 0; i < pass->frames.size(); ++i) {
+    if (!numbered.markers[i]) {
+      report.rejected.push_back(fmt::format("frame {}: {}", i, numbered.problems[i]));
+      continue;
+    }
+    kept.push_back(i);
+    keep[static_cast<std::size_t>(pass->in_video[i])] = 1;
+  }
+  if (kept.size() < 2)
+    return Error{fmt::format("only {} of {} frames can be used ({})",
+                             kept.size(),
+                             report.frames_read,
+                             report.rejected.front()),
+                 "recording",
+                 "record again with every marker in view"};
+  if (static_cast<int>(kept.size()) < pass->written) {
+    job.report(0.9, "writing the frames that are kept");
+    const Status rewritten = keep_frames(temporary, keep, job);
+    if (!rewritten) return rewritten;
+  }
+  const Status complete = check_count(temporary, static_cast<int>(kept.size()));
+  if (!complete) return complete;
+  table = table_of(numbered, kept);
+  report.frames_kept = static_cast<int>(kept.size());
+  report.median_step_px = median_step_px(table.layouts);
+  return {};
+}
+
+void remark(const MarkerTable& table, ReferenceReport& report) {
+  std::size_t estimated = 0;
+  for (const auto& row : table.seen)
+    estimated += static_cast<std::size_t>(std::count(row.begin(), row.end(), 0));
+  if (estimated > 0)
+    report.remarks.push_back(
+        fmt::format("{} marker positions in {} frames are estimates, because the markers were "
+                    "covered or not found",
+                    estimated,
+                    report.frames_kept));
+  if (report.frames_kept < 100)
+    report.remarks.push_back(
+        fmt::format("{} frames are few: a recording of a minute (about 1500 frames) over all "
+                    "directions of bending gives closer references",
+                    report.frames_kept));
+}
+
+}  // namespace
+
+Result<ReferenceReport> install_reference(Source& source,
+                                          const fs::path& folder,
+                                          Finger& finger,
+                                          const Job& job) {
+  if (finger.face.kind != FaceKind::kFinRay || finger.markers.per_row < 2)
+    return Error{"this finger has no markers to record a reference with",
+                 folder.string(),
+                 "a flat sensor takes one untouched picture; for a Fin Ray set markers.per_row"};
+  const auto camera = Camera::create(finger.camera);
+  if (!camera) return camera.error();
+  ReferenceReport report;
+  MarkerTable table;
+  NumberedRecording numbered;
+  const Status written =
+      write_file_atomically(folder / kVideo, [&](const fs::path& temporary) -> Status {
+        try {
+          const Status made =
+              make_reference(source, *camera, finger, job, temporary, table, numbered, report);
+          // The table first: should the disk fill up here, the old video still stands beside the
+          // old table.
+          return made ? table.save(folder / kTable) : made;
+        } catch (const std::exception& problem) {
+          return Error{fmt::format("the recording could not be processed ({})", problem.what()),
+                       folder.string(),
+                       ""};
+        }
+      });
+  if (!written) return written.error();
+  finger.reference = ReferenceFiles{kVideo, kTable, ""};
+  finger.markers.polarity = numbered.polarity;
+  ContactSettings contact;
+  for (Eigen::Index k = 0; k < table.layouts.cols(); k += 2)
+    contact.rest_markers.emplace_back(table.layouts(0, k), table.layouts(0, k + 1));
+  contact.threshold_px = touch_threshold_px(numbered.marker_noise_px, contact.rest_markers.size());
+  finger.contact = std::move(contact);
+  remark(table, report);
+  job.report(1.0, "reference installed");
+  return report;
+}
+
+Status install_flat_reference(const fs::path& picture, const fs::path& folder, Finger& finger) {
+  if (finger.face.kind != FaceKind::kFlat)
+    return Error{"only a flat sensor takes one untouched picture as its reference",
+                 picture.string(),
+                 "a recording of the bending, untouched finger"};
+  const auto grey = read_grey_picture(picture);
+  if (!grey) return grey.error();
+  const auto camera = Camera::create(finger.camera);
+  if (!camera) return camera.error();
+  const cv::Size size = oriented(*grey, finger.camera.orientation).size();
+  if (size != camera->size())
+    return Error{fmt::format("the picture is {} x {}, the sensor's camera gives {} x {}",
+                             size.width,
+                             size.height,
+                             camera->size().width,
+                             camera->size().height),
+                 picture.string(),
+                 "an untouched picture taken with this sensor's camera"};
+  constexpr const char* kPicture = "reference.png";
+  const Status written = write_picture(folder / kPicture, *grey);
+  if (!written) return written;
+  finger.reference = ReferenceFiles{"", "", kPicture};
+  return {};
+}
+
+}  // namespace alltact

@@ -1,0 +1,353 @@
+#include "core/sensing/reference_library.h"
+
+#include "core/numerics/dispatch.h"
+#include "core/numerics/farthest_points.h"
+#include "core/sensing/face_edges.h"
+#include "core/sensing/face_picture.h"
+#include "core/sensing/local_layout.h"
+#include "core/sensing/reference_weights.h"
+
+#include <cstring>
+#include <limits>
+
+#include <fmt/format.h>
+#include <opencv2/videoio.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr double kFaceMarginPx = 1.0;  // inside the fitted edges
+constexpr int kProfileDegree = 7;
+constexpr int kNeighbours = 16;        // of the local regression
+constexpr double kMostWeight = 3.0;    // sum of |w|: noise and model error grow with it
+constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
+constexpr double kKnownSteps = 3.0;    // of the recording's own median step
+constexpr double kKnownFloorPx = 1.5;  // a recording cannot be told apart more finely than this
+
+constexpr const char* kAdvice = "make the reference anew from the recording";
+
+Error wrong(std::string what, const std::filesystem::path& file) {
+  return {std::move(what), file.string(), kAdvice};
+}
+
+// Marker positions of all frames, one coordinate after the other: the search runs along frames.
+struct Places {
+  std::size_t frames = 0;
+  std::vector<float> values;  // (u0 of all frames, v0 of all frames, u1 ...)
+
+  explicit Places(const Eigen::MatrixXd& layouts)
+      : frames(static_cast<std::size_t>(layouts.rows())),
+        values(static_cast<std::size_t>(layouts.size())) {
+    std::copy_n(layouts.data(), layouts.size(), values.begin());  // column by column already
+  }
+};
+
+ALLTACT_WIDE void add_distances(
+    const float* u, const float* v, float at_u, float at_v, std::size_t n, float* sum) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const float du = u[i] - at_u, dv = v[i] - at_v;
+    sum[i] += std::sqrt(du * du + dv * dv);
+  }
+}
+
+ReferenceLibrary::Nearest search(const Places& places, const Markers& markers, std::size_t except) {
+  std::vector<float> sum(places.frames, 0.0F);
+  const bool any_seen =
+      std::any_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
+  int used = 0;
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    if (any_seen && !markers[m].seen) continue;
+    const float* u = places.values.data() + 2 * m * places.frames;
+    add_distances(u,
+                  u + places.frames,
+                  static_cast<float>(markers[m].u),
+                  static_cast<float>(markers[m].v),
+                  places.frames,
+                  sum.data());
+    ++used;
+  }
+  if (except < sum.size()) sum[except] = std::numeric_limits<float>::infinity();
+  const auto least = std::min_element(sum.begin(), sum.end());
+  return {static_cast<int>(least - sum.begin()), *least / std::max(1, used)};
+}
+
+// Median over the frames of the distance to the nearest other one.
+double median_step(const Places& places, const Eigen::MatrixXd& layouts) {
+  std::vector<double> steps;
+  const Eigen::Index every = std::max<Eigen::Index>(1, layouts.rows() / 200);
+  for (Eigen::Index i = 0; i < layouts.rows(); i += every) {
+    Markers markers(static_cast<std::size_t>(layouts.cols() / 2));
+    for (std::size_t m = 0; m < markers.size(); ++m) {
+      const auto k = static_cast<Eigen::Index>(2 * m);
+      markers[m] = {layouts(i, k), layouts(i, k + 1), true, 0};
+    }
+    steps.push_back(search(places, markers, static_cast<std::size_t>(i)).distance_px);
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+}  // namespace
+
+struct ReferenceLibrary::Content {
+  cv::Size size;
+  std::vector<int> frames;  // numbers in the video
+  std::vector<FacePicture> faces;
+  std::size_t bytes = 0;
+  std::optional<MarkerModel> model;
+  std::optional<Places> places;
+  Eigen::MatrixXd modes;  // of the frames, px, a row each
+  Eigen::VectorXd mode_sd;
+  double known_px = std::numeric_limits<double>::infinity();
+  cv::Mat single;  // CV_32FC1; empty for a recording
+};
+
+namespace {
+
+// Faces of a recording within a limit: where it is passed, the frame that covers least goes first.
+class Keeper {
+ public:
+  Keeper(const MarkerTable& table, std::size_t limit)
+      : table_(table), limit_(limit), faces_(table.frames.size()) {}
+
+  void add(std::size_t row, FacePicture face) {
+    bytes_ += face.bytes();
+    faces_[row] = std::move(face);
+    if (bytes_ > limit_ && rank_.empty()) rank_frames();
+    while (bytes_ > limit_ && kept() > 2) drop_one();
+  }
+
+  [[nodiscard]] std::vector<std::size_t> rows() const {
+    std::vector<std::size_t> kept;
+    for (std::size_t row = 0; row < faces_.size(); ++row)
+      if (faces_[row]) kept.push_back(row);
+    return kept;
+  }
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  FacePicture take(std::size_t row) { return std::move(*faces_[row]); }
+
+ private:
+  [[nodiscard]] std::size_t kept() const { return rows().size(); }
+  void rank_frames() {
+    rank_ = farthest_point_order(table_.layouts, static_cast<int>(faces_.size()));
+  }
+  void drop_one() {
+    while (!rank_.empty()) {
+      // The last of the covering order among those already read.
+      const auto last = std::find_if(rank_.rbegin(), rank_.rend(), [&](int row) {
+        return faces_[static_cast<std::size_t>(row)].has_value();
+      });
+      if (last == rank_.rend()) return;
+      auto& face = faces_[static_cast<std::size_t>(*last)];
+      bytes_ -= face->bytes();
+      face.reset();
+      return;
+    }
+  }
+
+  const MarkerTable& table_;
+  std::size_t limit_, bytes_ = 0;
+  std::vector<std::optional<FacePicture>> faces_;
+  std::vector<int> rank_;
+};
+
+Status read_faces(const std::filesystem::path& video_file,
+                  const MarkerTable& table,
+                  const Finger& finger,
+                  const Camera& camera,
+                  const Job& job,
+                  Keeper& keeper) {
+  cv::VideoCapture video(video_file.string(), cv::CAP_FFMPEG);
+  if (!video.isOpened()) return wrong("the reference recording is missing or no video", video_file);
+  const FaceEdgeFinder finder;
+  cv::Mat picture;
+  int at = -1;
+  for (std::size_t row = 0; row < table.frames.size(); ++row) {
+    if (job.stop_requested())
+      return Error{"stopped before the reference was read", video_file.string(), ""};
+    if (row % 16 == 0)
+      job.report(static_cast<double>(row) / static_cast<double>(table.frames.size()),
+                 fmt::format("reading reference frame {} of {}", row + 1, table.frames.size()));
+    while (at < table.frames[row]) {
+      if (!video.read(picture) || picture.empty())
+        return wrong(
+            fmt::format("the marker table names frame {} but the recording ends after {} frames",
+                        table.frames[row],
+                        at + 1),
+            video_file);
+      ++at;
+    }
+    cv::Mat grey = picture;
+    if (picture.channels() == 3)
+      cv::extractChannel(picture, grey, 0);  // grey video, three times the same
+    const cv::Mat turned = oriented(grey, camera.parameters().orientation);
+    if (turned.type() != CV_8UC1 || turned.size() != camera.size())
+      return wrong(
+          fmt::format("the recording's pictures are {} x {}, the finger's camera gives {} x {}",
+                      turned.cols,
+                      turned.rows,
+                      camera.size().width,
+                      camera.size().height),
+          video_file);
+    const auto edges = finder(turned);
+    if (!edges) continue;
+    const auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
+    if (shape) keeper.add(row, keep_face(turned, *shape, kFaceMarginPx));
+  }
+  return {};
+}
+
+Eigen::MatrixXd seen_layouts(const MarkerTable& table) {
+  Eigen::MatrixXd layouts = table.layouts;
+  for (std::size_t i = 0; i < table.seen.size(); ++i)
+    for (std::size_t m = 0; m < table.seen[i].size(); ++m)
+      if (!table.seen[i][m])
+        layouts.block<1, 2>(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(2 * m))
+            .setConstant(std::numeric_limits<double>::quiet_NaN());
+  return layouts;
+}
+
+Markers as_markers(const Eigen::MatrixXd& layouts, Eigen::Index row) {
+  Markers markers(static_cast<std::size_t>(layouts.cols() / 2));
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const auto k = static_cast<Eigen::Index>(2 * m);
+    markers[m] = {layouts(row, k), layouts(row, k + 1), true, 0};
+  }
+  return markers;
+}
+
+}  // namespace
+
+Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& finger_folder,
+                                                const Finger& finger,
+                                                const Camera& camera,
+                                                const Job& job,
+                                                std::size_t memory_limit_bytes) {
+  if (!finger.reference || finger.reference->video.empty() || finger.reference->markers.empty())
+    return Error{"the finger has no reference recording",
+                 (finger_folder / Finger::kFileName).string(),
+                 "record the bending, untouched finger and make its reference"};
+  const auto table_file = finger_folder / finger.reference->markers;
+  const auto video_file = finger_folder / finger.reference->video;
+  const auto table = MarkerTable::load(table_file, finger.marker_count());
+  if (!table) return table.error();
+  auto model = MarkerModel::learn(seen_layouts(*table), table->typical);
+  if (!model) return Error{model.error().what, table_file.string(), model.error().advice};
+  auto content = std::make_shared<Content>();
+  Keeper keeper(*table, memory_limit_bytes);
+  try {
+    const Status read = read_faces(video_file, *table, finger, camera, job, keeper);
+    if (!read) return read.error();
+  } catch (const std::exception& problem) {
+    return wrong(fmt::format("the recording cannot be read ({})", problem.what()), video_file);
+  }
+  const auto rows = keeper.rows();
+  if (rows.size() < 2)
+    return wrong(fmt::format("the face was found in {} of {} recorded pictures; 2 are needed",
+                             rows.size(),
+                             table->frames.size()),
+                 video_file);
+  content->size = camera.size();
+  content->bytes = keeper.bytes();
+  Eigen::MatrixXd layouts(static_cast<Eigen::Index>(rows.size()), table->layouts.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    layouts.row(static_cast<Eigen::Index>(i)) =
+        table->layouts.row(static_cast<Eigen::Index>(rows[i]));
+    content->frames.push_back(table->frames[rows[i]]);
+    content->faces.push_back(keeper.take(rows[i]));
+  }
+  content->model = std::move(*model);
+  content->mode_sd = content->model->mode_sd_px();
+  content->modes.resize(layouts.rows(), content->mode_sd.size());
+  for (Eigen::Index i = 0; i < layouts.rows(); ++i)
+    content->modes.row(i) =
+        content->model->modes(as_markers(layouts, i)).cwiseProduct(content->mode_sd).transpose();
+  content->places.emplace(layouts);
+  content->known_px = std::max(kKnownFloorPx, kKnownSteps * median_step(*content->places, layouts));
+  ReferenceLibrary library;
+  library.content_ = std::move(content);
+  return library;
+}
+
+Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
+  if (grey.empty() || grey.type() != CV_8UC1)
+    return Error{
+        "the reference picture is not an 8-bit grey picture", "reference", "save it as such"};
+  auto content = std::make_shared<Content>();
+  content->size = grey.size();
+  grey.convertTo(content->single, CV_32F);
+  content->bytes = content->single.total() * sizeof(float);
+  ReferenceLibrary library;
+  library.content_ = std::move(content);
+  return library;
+}
+
+std::size_t ReferenceLibrary::frame_count() const {
+  return content_->single.empty() ? content_->frames.size() : 1;
+}
+
+std::size_t ReferenceLibrary::memory_bytes() const {
+  return content_->bytes;
+}
+
+const MarkerModel* ReferenceLibrary::marker_model() const {
+  return content_->model ? &*content_->model : nullptr;
+}
+
+ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers) const {
+  if (!content_->places || static_cast<int>(markers.size()) != content_->model->marker_count())
+    return {0, 0.0};
+  return search(*content_->places, markers, std::numeric_limits<std::size_t>::max());
+}
+
+Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMethod method) const {
+  Reference reference;
+  reference_for(markers, method, reference);
+  return reference;
+}
+
+void ReferenceLibrary::reference_for(const Markers& markers,
+                                     ReferenceMethod method,
+                                     Reference& reference) const {
+  const Content& content = *content_;
+  if (!content.places) {
+    reference = Reference{};
+    reference.grey = content.single;
+    reference.valid = cv::Mat(content.size, CV_8UC1, cv::Scalar(255));
+    reference.frame = 0;
+    return;
+  }
+  const Nearest found = nearest(markers);
+  reference.frame = content.frames[static_cast<std::size_t>(found.index)];
+  reference.distance_px = found.distance_px;
+  reference.known_pose = found.distance_px <= content.known_px;
+  std::vector<const FacePicture*> faces{&content.faces[static_cast<std::size_t>(found.index)]};
+  std::vector<float> weights{1.0F};
+  if (method == ReferenceMethod::kLocal) {
+    const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
+    const auto rows = nearest_rows(content.modes, place, kNeighbours, -1);
+    Eigen::MatrixXd points(static_cast<Eigen::Index>(rows.size()), place.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      points.row(static_cast<Eigen::Index>(i)) = content.modes.row(rows[i]);
+    // Modes are known to about the noise of one marker: every marker has its say in each.
+    const Eigen::VectorXd w =
+        local_linear_weights(points, place, content.model->noise_px(), kMostWeight);
+    double kept = 0;
+    for (Eigen::Index i = 0; i < w.size(); ++i)
+      if (std::abs(w[i]) >= kLeastWeight) kept += w[i];
+    faces.clear();
+    weights.clear();
+    for (Eigen::Index i = 0; i < w.size(); ++i) {
+      if (std::abs(w[i]) < kLeastWeight) continue;
+      faces.push_back(&content.faces[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])]);
+      weights.push_back(static_cast<float>(w[i] / kept));
+    }
+  }
+  double square = 0;
+  for (const float w : weights) square += static_cast<double>(w) * w;
+  reference.noise_gain = std::sqrt(square);
+  mix_faces(faces, weights, content.size, reference.grey, reference.valid);
+}
+
+}  // namespace alltact
