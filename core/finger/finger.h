@@ -75,10 +75,18 @@ class Finger {
   static Result<Finger> load(const std::filesystem::path& folder,
                              std::vector<std::string>* warnings = nullptr);
 
+  /// What load() does with the file's content; `origin` names it in errors.
+  static Result<Finger> parse(const std::string& yaml,
+                              const std::filesystem::path& origin,
+                              std::vector<std::string>* warnings = nullptr);
+
   /// Writes FOLDER/finger.yaml whole or not at all; a finger that is not valid is refused. Keys are
   /// written in the order of the format, numbers with all their digits: load, save, load gives an
   /// equal value and the same bytes.
   [[nodiscard]] Status save(const std::filesystem::path& folder) const;
+
+  /// The content that save() writes.
+  [[nodiscard]] Result<std::string> to_yaml() const;
 
   /// What load() checks of values, for a finger that was put together in memory. The error's
   /// `where` is the key ("face.width_mm"). A fin_ray needs a perspective camera and markers; a flat

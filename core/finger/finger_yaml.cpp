@@ -110,9 +110,9 @@ std::optional<MappingRecord> read_record(YamlSection& section) {
   return record;
 }
 
-ReferenceFiles read_reference(YamlSection section) {
+ReferenceFiles read_reference(YamlSection section, FaceKind kind) {
   ReferenceFiles files;
-  if (section.has("image")) {
+  if (section.has("image") || (kind == FaceKind::kFlat && !section.has("video"))) {
     files.image = section.text("image");
   } else {
     files.video = section.text("video");
@@ -152,7 +152,8 @@ Finger read_finger(YamlSection& top) {
     finger.mapping_record = read_record(mapping);
     mapping.keep_the_rest();
   }
-  if (top.has("reference")) finger.reference = read_reference(top.section("reference"));
+  if (top.has("reference"))
+    finger.reference = read_reference(top.section("reference"), finger.face.kind);
   if (top.has("contact")) finger.contact = read_contact(top.section("contact"));
   if (top.has("force")) {
     YamlSection force = top.section("force");
@@ -286,11 +287,18 @@ struct Finger::Unknown {
 
 Result<Finger> Finger::load(const std::filesystem::path& folder,
                             std::vector<std::string>* warnings) {
-  YamlFile file{folder / kFileName, {}, {}, {}};
-  const auto content = read_file(file.path, kMaxYamlBytes);
+  const std::filesystem::path path = folder / kFileName;
+  const auto content = read_file(path, kMaxYamlBytes);
   if (!content) return content.error();
+  return parse(*content, path, warnings);
+}
+
+Result<Finger> Finger::parse(const std::string& yaml,
+                             const std::filesystem::path& origin,
+                             std::vector<std::string>* warnings) {
+  YamlFile file{origin, {}, {}, {}};
   try {
-    YamlSection top = YamlSection::top(file, *content);
+    YamlSection top = YamlSection::top(file, yaml);
     Finger finger = read_finger(top);
     if (const Status status = finger.validate(); !status) return located(file, status.error());
     finger.unknown_ = std::make_shared<const Unknown>(Unknown{std::move(file.unknown)});
@@ -299,15 +307,20 @@ Result<Finger> Finger::load(const std::filesystem::path& folder,
   } catch (const Refused& refused) {
     return refused.error;
   } catch (const YAML::Exception& problem) {
-    return Error{"this is not YAML: " + problem.msg, file.path.string(), "look at its brackets"};
+    return Error{"this is not YAML: " + problem.msg, origin.string(), "look at its brackets"};
   }
 }
 
-Status Finger::save(const std::filesystem::path& folder) const {
-  if (Status status = validate(); !status) return status;
+Result<std::string> Finger::to_yaml() const {
   static const UnknownKeys kNone;
-  return write_file_atomically(folder / kFileName,
-                               text_of(*this, unknown_ ? unknown_->keys : kNone));
+  if (const Status status = validate(); !status) return status.error();
+  return text_of(*this, unknown_ ? unknown_->keys : kNone);
+}
+
+Status Finger::save(const std::filesystem::path& folder) const {
+  const auto text = to_yaml();
+  if (!text) return text.error();
+  return write_file_atomically(folder / kFileName, *text);
 }
 
 }  // namespace alltact

@@ -120,12 +120,12 @@ std::optional<Error> coefficient_problem(const MappingParameters& p) {
   if (p.kind == MappingKind::kMoebius) {
     if (!(p.a_mm > 0 && std::isfinite(p.a_mm)))
       return Error{"must be a positive number", "mapping.a_mm", "calibrate again"};
-    if (!(p.b > -1 / p.x_max && std::isfinite(p.b)))
-      return Error{
-          fmt::format("must be greater than {:.6g}, or the curve has a pole where it is used",
-                      -1 / p.x_max),
-          "mapping.b",
-          "calibrate again"};
+    if (!(p.b > -1 / p.x_max && p.b <= 1e6))
+      return Error{fmt::format("must be greater than {:.6g}, where the curve has its pole, and at "
+                               "most 1000000",
+                               -1 / p.x_max),
+                   "mapping.b",
+                   "calibrate again"};
     return std::nullopt;
   }
   if (p.chebyshev.empty() || p.chebyshev.size() > kMaxCoefficients)

@@ -103,6 +103,7 @@ YamlSection YamlSection::top(YamlFile& file, const std::string& content) {
 
 YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string name, int line)
     : file_(&file), name_(std::move(name)), line_(line) {
+  if (node.IsNull()) return;  // the first key that is needed will be missed by its name
   if (!node.IsMap())
     throw Refused{
         file.error(fmt::format("must be a block of 'key: value' lines, not {}", shown(node)),
