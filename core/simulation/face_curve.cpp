@@ -33,6 +33,10 @@ void FaceCurve::integrate() {
   static const double kOff = std::sqrt(0.15);
   const std::array<double, 3> place{0.5 - kOff, 0.5, 0.5 + kOff};
   constexpr std::array<double, 3> kWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
+  for (Node& node : nodes_) {
+    node.x_s = std::cos(node.theta);
+    node.z_s = std::sin(node.theta);
+  }
   for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
     const Node& a = nodes_[i];
     Node& b = nodes_[i + 1];
@@ -51,8 +55,8 @@ FaceCurve::Node FaceCurve::at(double s_mm) const {
   if (s_mm < 0 || s_mm > length_mm_) {
     Node end = s_mm < 0 ? nodes_.front() : nodes_.back();
     const double beyond = s_mm < 0 ? s_mm : s_mm - length_mm_;
-    end.x_mm += beyond * std::cos(end.theta);
-    end.z_mm += beyond * std::sin(end.theta);
+    end.x_mm += beyond * end.x_s;
+    end.z_mm += beyond * end.z_s;
     end.shift_mm += beyond * end.shift_s;
     end.theta_s = 0;
     return end;
@@ -65,34 +69,39 @@ FaceCurve::Node FaceCurve::at(double s_mm) const {
   p.theta_s = a.theta_s + (b.theta_s - a.theta_s) * t;
   p.shift_mm = hermite(a.shift_mm, a.shift_s, b.shift_mm, b.shift_s, h, t);
   p.shift_s = a.shift_s + (b.shift_s - a.shift_s) * t;
-  p.x_mm = hermite(a.x_mm, std::cos(a.theta), b.x_mm, std::cos(b.theta), h, t);
-  p.z_mm = hermite(a.z_mm, std::sin(a.theta), b.z_mm, std::sin(b.theta), h, t);
+  p.x_mm = hermite(a.x_mm, a.x_s, b.x_mm, b.x_s, h, t);
+  p.z_mm = hermite(a.z_mm, a.z_s, b.z_mm, b.z_s, h, t);
+  p.x_s = std::cos(p.theta);
+  p.z_s = std::sin(p.theta);
   return p;
 }
 
 double FaceCurve::meet(double origin_x_mm, double direction_x) const {
   const auto gap = [&](const Node& n) { return n.x_mm - origin_x_mm - direction_x * n.z_mm; };
-  const auto slope = [&](const Node& n) {
-    return std::cos(n.theta) - direction_x * std::sin(n.theta);
-  };
+  const auto slope = [&](const Node& n) { return n.x_s - direction_x * n.z_s; };
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  double s = 0;
+  const auto seen = [&](double s) { return at(s).z_mm > 0 ? s : kNone; };
   if (gap(nodes_.front()) >= 0 || gap(nodes_.back()) <= 0) {
     const bool before = gap(nodes_.front()) >= 0;
     const Node& end = before ? nodes_.front() : nodes_.back();
     if (slope(end) <= kLeastCrossing) return kNone;
-    s = (before ? 0 : length_mm_) - gap(end) / slope(end);
-  } else {
-    const auto above = std::partition_point(
-        nodes_.begin(), nodes_.end(), [&](const Node& n) { return gap(n) < 0; });
-    s = cell_mm_ * static_cast<double>(above - nodes_.begin() - 1) + 0.5 * cell_mm_;
-    for (int i = 0; i < 4; ++i) {
-      const Node here = at(s);
-      if (slope(here) <= kLeastCrossing) return kNone;
-      s -= gap(here) / slope(here);
-    }
+    return seen((before ? 0 : length_mm_) - gap(end) / slope(end));
   }
-  return at(s).z_mm > 0 ? s : kNone;
+  const auto above =
+      std::partition_point(nodes_.begin(), nodes_.end(), [&](const Node& n) { return gap(n) < 0; });
+  const Node &a = *(above - 1), &b = *above;
+  if (std::min(slope(a), slope(b)) <= kLeastCrossing) return kNone;
+  // Within a cell the gap is a cubic Hermite curve too, and nearly straight.
+  const double h = cell_mm_, f0 = gap(a), f1 = gap(b), d0 = h * slope(a), d1 = h * slope(b);
+  double t = f0 / (f0 - f1);
+  for (int i = 0; i < 3; ++i) {
+    const double f =
+        f0 + t * (d0 + t * (3 * (f1 - f0) - 2 * d0 - d1 + t * (2 * (f0 - f1) + d0 + d1)));
+    const double f_t =
+        d0 + t * (2 * (3 * (f1 - f0) - 2 * d0 - d1) + 3 * t * (2 * (f0 - f1) + d0 + d1));
+    t -= f / f_t;
+  }
+  return seen(cell_mm_ * (static_cast<double>(above - nodes_.begin() - 1) + t));
 }
 
 }  // namespace alltact

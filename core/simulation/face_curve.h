@@ -21,6 +21,7 @@ class FaceCurve {
     double shift_mm = 0;  ///< of the middle line in y
     double shift_s = 0;   ///< its derivative along s
     double x_mm = 0, z_mm = 0;
+    double x_s = 1, z_s = 0;  ///< cos and sin of theta, after integrate()
   };
 
   FaceCurve(const Eigen::Vector3d& base_mm, double incline_rad, double length_mm);
@@ -29,7 +30,7 @@ class FaceCurve {
   [[nodiscard]] double s_mm(int node) const { return node * cell_mm_; }
   [[nodiscard]] Node& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
 
-  /// Integrates the slope angle (three-point Gauss in each cell).
+  /// Integrates the slope angle (three-point Gauss in each cell); needed before what follows.
   void integrate();
 
   /// Anything at arc length s, any s.

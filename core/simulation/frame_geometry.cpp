@@ -57,31 +57,21 @@ FrameGeometry::FrameGeometry(const PixelRays& rays,
   const cv::Size size = rays.camera().size();
   if (rays.linear()) {
     columns_.resize(static_cast<std::size_t>(size.width));
-    for (int u = 0; u < size.width; ++u) {
-      const auto ray = rays.at(u, 0);
-      set_column(columns_, static_cast<std::size_t>(u), ray.origin_x, ray.direction_x);
-    }
+    for (int u = 0; u < size.width; ++u)
+      set_column(static_cast<std::size_t>(u), rays.origin_x(u), rays.direction_x(u));
     find_bands();
     return;
   }
-  float low = std::numeric_limits<float>::max(), high = -low;
-  for (int v = 0; v < size.height; ++v)
-    for (const int u : {0, size.width - 1}) {
-      low = std::min(low, rays.at(u, v).direction_x);
-      high = std::max(high, rays.at(u, v).direction_x);
-    }
+  const auto [low, high] = rays.direction_x_range();
   const int cells = static_cast<int>((high - low) / kTableStep) + 3;
   table_per_direction_ = 1 / kTableStep;
   table_first_ = low - kTableStep;
   columns_.resize(static_cast<std::size_t>(cells) + 1);
   for (int i = 0; i <= cells; ++i)
-    set_column(columns_, static_cast<std::size_t>(i), 0, table_first_ + i * kTableStep);
+    set_column(static_cast<std::size_t>(i), 0, table_first_ + i * kTableStep);
 }
 
-void FrameGeometry::set_column(Columns& columns,
-                               std::size_t i,
-                               double origin_x,
-                               double direction_x) const {
+void FrameGeometry::set_column(std::size_t i, double origin_x, double direction_x) {
   FaceCurve::Node p;
   double s = 0, end = 1;
   if (curve_) {
@@ -92,31 +82,29 @@ void FrameGeometry::set_column(Columns& columns,
     p = curve_->at(s);
     const CameraParameters& camera = rays_.camera().parameters();
     const double px_u = rays_.camera().is_perspective() ? p.z_mm / camera.fx_px : camera.mm_per_px;
-    const double s_per_px =
-        px_u / std::max(0.02, std::cos(p.theta) - direction_x * std::sin(p.theta));
+    const double s_per_px = px_u / std::max(0.02, p.x_s - direction_x * p.z_s);
     const double inside = std::min(s, curve_->length_mm() - s) / s_per_px + 0.5;
     end = met ? std::clamp(inside, 0.0, 1.0) : 0.0;
   } else {
     p.z_mm = face_.plane_z_mm;
     p.x_mm = s = origin_x + direction_x * p.z_mm;
   }
-  columns.x[i] = static_cast<float>(p.x_mm);
-  columns.z[i] = static_cast<float>(p.z_mm);
-  columns.sin[i] = static_cast<float>(std::sin(p.theta));
-  columns.cos[i] = static_cast<float>(std::cos(p.theta));
-  columns.luf[i] = static_cast<float>(t0_mm(p.theta));
-  columns.shift[i] = static_cast<float>(p.shift_mm);
-  columns.s[i] = static_cast<float>(s);
-  columns.end[i] = static_cast<float>(end);
-  columns.normal_z[i] = -columns.cos[i];
-  const auto step = rays_.step_v(0, 0);
-  columns.per_mm[i] = 1.0F / (step.origin_y + step.direction_y * columns.z[i]);
+  columns_.x[i] = static_cast<float>(p.x_mm);
+  columns_.z[i] = static_cast<float>(p.z_mm);
+  columns_.sin[i] = static_cast<float>(p.z_s);
+  columns_.cos[i] = static_cast<float>(p.x_s);
+  columns_.luf[i] = static_cast<float>(face_.layer_mm / p.x_s);
+  columns_.shift[i] = static_cast<float>(p.shift_mm);
+  columns_.s[i] = static_cast<float>(s);
+  columns_.end[i] = static_cast<float>(end);
+  columns_.normal_z[i] = -columns_.cos[i];
+  columns_.per_mm[i] = static_cast<float>(1 / rays_.camera().mm_per_px_at(p.z_mm));
 }
 
 // For each block of columns the rows between which the face can be, so that the rest is skipped.
 void FrameGeometry::find_bands() {
   const int width = static_cast<int>(columns_.x.size());
-  const auto ray_0 = rays_.at(0, 0);
+  const PixelRays::RowRay ray_0 = rays_.row_ray(0);
   for (int from = 0; from < width; from += kBlock) {
     float top = kNoEdge, bottom = -kNoEdge;
     for (int u = from; u < std::min(from + kBlock, width); ++u) {
@@ -150,8 +138,8 @@ PressPlace FrameGeometry::press_place(double s_mm, double y_mm, double depth_mm)
     return place;
   }
   const FaceCurve::Node p = curve_->at(s_mm);
-  const double sin = std::sin(p.theta), cos = std::cos(p.theta);
-  place.luf_mm = {p.x_mm, p.shift_mm + y_mm, p.z_mm + t0_mm(p.theta)};
+  const double sin = p.z_s, cos = p.x_s;
+  place.luf_mm = {p.x_mm, p.shift_mm + y_mm, p.z_mm + face_.layer_mm / cos};
   // dz/dx of the LUF: the view face's, and the layer's growth along z where the face bends.
   const double slope = sin / cos + face_.layer_mm * sin * p.theta_s / (cos * cos * cos);
   place.normal = Eigen::Vector3d(-slope, 0, 1).normalized();
@@ -214,7 +202,7 @@ void FrameGeometry::fill_linear(RowView& row) const {
   face.shift_mm = columns_.shift.data();
   face.s_mm = columns_.s.data();
   face.coverage = coverage;
-  const auto ray = rays_.at(0, row.v);
+  const PixelRays::RowRay ray = rays_.row_ray(row.v);
   cover_row(face.first,
             face.last,
             ray.origin_y,
@@ -233,8 +221,9 @@ void FrameGeometry::fill_by_table(RowView& row) const {
   std::vector<int> cell(static_cast<std::size_t>(n));
   float* part = row.scratch.floats();
   const int cells = static_cast<int>(columns_.x.size()) - 2;
+  const RayRow rays = rays_.row(row.v, row.scratch);
   for (int u = 0; u < n; ++u) {
-    const double at = (rays_.at(u, row.v).direction_x - table_first_) * table_per_direction_;
+    const double at = (rays.direction_x[u] - table_first_) * table_per_direction_;
     cell[static_cast<std::size_t>(u)] = std::clamp(static_cast<int>(at), 0, cells);
     part[u] = static_cast<float>(at - cell[static_cast<std::size_t>(u)]);
   }
@@ -257,8 +246,8 @@ void FrameGeometry::fill_by_table(RowView& row) const {
   float *y = row.scratch.floats(), *coverage = row.scratch.floats();
   const float half = curve_ ? static_cast<float>(face_.width_mm / 2) : kNoEdge;
   for (int u = 0; u < n; ++u) {
-    y[u] = rays_.at(u, row.v).direction_y * z[u];
-    const float step = rays_.step_v(u, row.v).direction_y * z[u];
+    y[u] = rays.direction_y[u] * z[u];
+    const float step = rays.step_y[u] * z[u];
     const float inside = (half - std::abs(y[u] - face.shift_mm[u])) / step + 0.5F;
     coverage[u] = std::clamp(inside, 0.0F, 1.0F) * end[u];
   }

@@ -4,6 +4,7 @@
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
 #include "core/simulation/face_curve.h"
+#include "core/simulation/pixel_rays.h"
 #include "core/simulation/press.h"
 #include "core/simulation/row_view.h"
 
@@ -15,32 +16,6 @@
 #include <opencv2/core.hpp>
 
 namespace alltact {
-
-/// The rays of a camera's pixels in the form the rows want them, made once per plan. A ray is
-/// origin + z * direction, of which only x and y are kept.
-class PixelRays {
- public:
-  explicit PixelRays(const Camera& camera);
-
-  [[nodiscard]] const Camera& camera() const { return camera_; }
-  /// True: direction and origin x depend on the column only, y on the row only.
-  [[nodiscard]] bool linear() const { return map_.empty(); }
-  struct Ray {
-    float origin_x, origin_y, direction_x, direction_y;
-  };
-  [[nodiscard]] Ray at(int u, int v) const;
-  /// d(direction_y)/dv and d(origin_y)/dv.
-  struct Step {
-    float origin_y, direction_y;
-  };
-  [[nodiscard]] Step step_v(int u, int v) const;
-
- private:
-  Camera camera_;
-  std::vector<Ray> columns_, rows_;
-  Step step_{};
-  cv::Mat_<cv::Vec2f> map_;  // directions of a camera with distortion
-};
 
 /// A dot engraved on a side face, as it appears in the picture.
 struct MarkerDisc {
@@ -62,7 +37,6 @@ class FrameGeometry {
   [[nodiscard]] const Face& face() const { return face_; }
   /// nullptr for a flat sensor.
   [[nodiscard]] const FaceCurve* curve() const { return curve_ ? &*curve_ : nullptr; }
-  [[nodiscard]] double t0_mm(double theta) const { return face_.layer_mm / std::cos(theta); }
 
   /// A place for a press; for a flat sensor s is x and y is y.
   [[nodiscard]] PressPlace press_place(double s_mm, double y_mm, double depth_mm) const;
@@ -81,7 +55,7 @@ class FrameGeometry {
     std::vector<float> x, z, sin, cos, luf, shift, s, end, per_mm, normal_z, zero;
     void resize(std::size_t n);
   };
-  void set_column(Columns& columns, std::size_t i, double origin_x, double direction_x) const;
+  void set_column(std::size_t i, double origin_x, double direction_x);
   void find_bands();
   void fill_linear(RowView& row) const;
   void fill_by_table(RowView& row) const;

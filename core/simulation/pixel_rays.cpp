@@ -1,17 +1,12 @@
-#include "core/simulation/frame_geometry.h"
+#include "core/simulation/pixel_rays.h"
 
 namespace alltact {
 
 namespace {
 
-PixelRays::Ray ray_of(const Camera& camera, double u, double v) {
+Ray ray_of(const Camera& camera, double u, double v) {
   // Camera::create refuses distortions that leave pixels of the picture without a ray.
-  const std::optional<Ray> ray = camera.unproject({u, v});
-  const Ray& r = ray ? *ray : Ray{};
-  return {static_cast<float>(r.origin_mm.x()),
-          static_cast<float>(r.origin_mm.y()),
-          static_cast<float>(r.direction.x()),
-          static_cast<float>(r.direction.y())};
+  return camera.unproject({u, v}).value_or(Ray{});
 }
 
 }  // namespace
@@ -24,29 +19,47 @@ PixelRays::PixelRays(const Camera& camera) : camera_(camera) {
     for (int v = 0; v < size.height; ++v)
       for (int u = 0; u < size.width; ++u) {
         const Ray ray = ray_of(camera, u, v);
-        map_(v, u) = {ray.direction_x, ray.direction_y};
+        map_(v, u) = {static_cast<float>(ray.direction.x()), static_cast<float>(ray.direction.y())};
       }
     return;
   }
-  for (int u = 0; u < size.width; ++u) columns_.push_back(ray_of(camera, u, p.cy_px));
-  for (int v = 0; v < size.height; ++v) rows_.push_back(ray_of(camera, p.cx_px, v));
-  if (camera.is_perspective())
-    step_ = {0, static_cast<float>(1 / p.fy_px)};
-  else
-    step_ = {static_cast<float>(p.mm_per_px), 0};
+  for (int u = 0; u < size.width; ++u) {
+    const Ray ray = ray_of(camera, u, p.cy_px);
+    origin_x_.push_back(static_cast<float>(ray.origin_mm.x()));
+    direction_x_.push_back(static_cast<float>(ray.direction.x()));
+  }
+  for (int v = 0; v < size.height; ++v) {
+    const Ray ray = ray_of(camera, p.cx_px, v);
+    rows_.push_back({static_cast<float>(ray.origin_mm.y()), static_cast<float>(ray.direction.y())});
+  }
 }
 
-PixelRays::Ray PixelRays::at(int u, int v) const {
-  if (!linear()) return {0, 0, map_(v, u)[0], map_(v, u)[1]};
-  const Ray& column = columns_[static_cast<std::size_t>(u)];
-  const Ray& row = rows_[static_cast<std::size_t>(v)];
-  return {column.origin_x, row.origin_y, column.direction_x, row.direction_y};
-}
-
-PixelRays::Step PixelRays::step_v(int u, int v) const {
-  if (linear()) return step_;
+RayRow PixelRays::row(int v, RowScratch& scratch) const {
+  const int n = camera_.size().width;
+  float *direction_y = scratch.floats(), *step_y = scratch.floats();
+  if (linear()) {
+    std::fill(direction_y, direction_y + n, row_ray(v).direction_y);
+    std::fill(step_y, step_y + n, static_cast<float>(1 / camera_.parameters().fy_px));
+    return {direction_x_.data(), direction_y, step_y};
+  }
+  float* direction_x = scratch.floats();
   const int a = std::max(v - 1, 0), b = std::min(v + 1, map_.rows - 1);
-  return {0, (map_(b, u)[1] - map_(a, u)[1]) / static_cast<float>(b - a)};
+  const auto *here = map_[v], *above = map_[a], *below = map_[b];
+  for (int u = 0; u < n; ++u) {
+    direction_x[u] = here[u][0];
+    direction_y[u] = here[u][1];
+    step_y[u] = (below[u][1] - above[u][1]) / static_cast<float>(b - a);
+  }
+  return {direction_x, direction_y, step_y};
+}
+
+std::pair<float, float> PixelRays::direction_x_range() const {
+  std::pair<float, float> range{map_(0, 0)[0], map_(0, 0)[0]};
+  for (const cv::Vec2f& direction : map_) {
+    range.first = std::min(range.first, direction[0]);
+    range.second = std::max(range.second, direction[0]);
+  }
+  return range;
 }
 
 }  // namespace alltact

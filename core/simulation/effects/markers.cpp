@@ -44,10 +44,9 @@ class Markers final : public GeometryEffect {
  private:
   MarkerDisc disc(const FrameGeometry& geometry, double s_mm, int side) const {
     const FaceCurve::Node p = geometry.curve()->at(s_mm);
-    const double sin = std::sin(p.theta), cos = std::cos(p.theta);
-    const Eigen::Vector3d centre(p.x_mm + setback_mm_ * sin,
+    const Eigen::Vector3d centre(p.x_mm + setback_mm_ * p.z_s,
                                  p.shift_mm + side * geometry.face().width_mm / 2,
-                                 p.z_mm - setback_mm_ * cos);
+                                 p.z_mm - setback_mm_ * p.x_s);
     const Camera& camera = geometry.rays().camera();
     std::vector<Eigen::Vector2d> outline;
     for (int i = 0; i < kCorners; ++i) {

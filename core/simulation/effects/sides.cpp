@@ -1,14 +1,57 @@
 // The two side faces of the finger's body, seen beside the view face: planes y = +-W/2 (shifted
 // with a swaying finger), of even albedo, `depth_mm` deep behind the face's edge. What is engraved
 // in them is drawn here.
+#include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 
 namespace alltact {
 
 namespace {
 
-float part_of(float inside_px) {
-  return std::clamp(inside_px + 0.5F, 0.0F, 1.0F);
+inline float unit(float part) {
+  return std::min(std::max(part, 0.0F), 1.0F);
+}
+
+// What the loop below needs to know, and what it gives.
+struct SideRow {
+  int n;
+  float half_width, length, depth, albedo;
+  RayRow rays;
+  FaceRow face;
+  float *x, *y, *z, *inward, *coverage, *light;
+};
+
+ALLTACT_WIDE void meet_sides(const SideRow& r) {
+  const float* __restrict dx = r.rays.direction_x, * __restrict dy = r.rays.direction_y;
+  const float* __restrict step = r.rays.step_y;
+  const float* __restrict face_z = r.face.z_mm, * __restrict shift = r.face.shift_mm;
+  const float* __restrict sin = r.face.sin_incline, * __restrict cos = r.face.cos_incline;
+  const float* __restrict face_s = r.face.s_mm, * __restrict face_part = r.face.coverage;
+  float* __restrict x = r.x, * __restrict y = r.y, * __restrict z = r.z;
+  float* __restrict inward = r.inward, * __restrict coverage = r.coverage;
+  float* __restrict light = r.light;
+  const float half = r.half_width, length = r.length, deep = r.depth, albedo = r.albedo;
+  const int n = r.n;
+#pragma GCC ivdep  // the arrays are rows of their own
+  for (int u = 0; u < n; ++u) {
+    // The ray points to one of the sides; where it meets that, as a share of the way to the face.
+    const float y_at_face = dy[u] * face_z[u];
+    const float towards = y_at_face < shift[u] ? -1.0F : 1.0F;
+    y[u] = shift[u] + towards * half;
+    const float way = (half + towards * shift[u]) / std::max(y_at_face * towards, 1e-6F);
+    const float share = std::min(std::max(way, 0.01F), 1.0F);
+    z[u] = face_z[u] * share;
+    x[u] = dx[u] * z[u];
+    inward[u] = -towards;
+    light[u] = albedo;
+    // The column's point of the face tells how deep behind the face that is, and where along it.
+    const float back = face_z[u] - z[u];
+    const float behind = back * (cos[u] - dx[u] * sin[u]);
+    const float s = face_s[u] - back * (dx[u] * cos[u] + sin[u]);
+    const float per_mm = 1.0F / (z[u] * step[u]);
+    coverage[u] = (1.0F - face_part[u]) * unit((deep - behind) * per_mm + 0.5F) *
+                  unit(s * per_mm + 0.5F) * unit((length - s) * per_mm + 0.5F);
+  }
 }
 
 class Sides final : public RadianceEffect {
@@ -36,51 +79,27 @@ class Sides final : public RadianceEffect {
     SideRows(const Sides& sides, const FrameGeometry& geometry)
         : sides_(sides), geometry_(geometry) {}
 
-    // A ray meets one of the two sides, on the side of the picture's middle where it points. The
-    // face's point in the same column tells where along the finger that is.
     void row(RowView& row) const override {
-      const int n = row.width;
-      Surface side;
-      side.first = 0;
-      side.last = n;
-      float *x = row.scratch.floats(), *y = row.scratch.floats(), *z = row.scratch.floats();
-      float *zero = row.scratch.floats(), *inward = row.scratch.floats();
-      float *coverage = row.scratch.floats(), *light = row.scratch.floats();
-      const FaceRow face = whole_face(row);
-      const auto half = static_cast<float>(geometry_.face().width_mm / 2);
-      const auto length = static_cast<float>(geometry_.curve()->length_mm());
-      for (int u = 0; u < n; ++u) {
-        const auto ray = geometry_.rays().at(u, row.v);
-        const float y_at_face = ray.direction_y * face.z_mm[u];
-        const bool upper = y_at_face < face.shift_mm[u];
-        y[u] = face.shift_mm[u] + (upper ? -half : half);
-        const float behind = y_at_face == 0 ? 2.0F : y[u] / y_at_face;
-        z[u] = face.z_mm[u] * std::clamp(behind, 0.0F, 1.0F);
-        x[u] = ray.direction_x * z[u];
-        zero[u] = 0;
-        inward[u] = upper ? 1.0F : -1.0F;
-        light[u] = sides_.albedo_;
-        const float back = face.z_mm[u] - z[u];
-        const float sin = face.sin_incline[u], cos = face.cos_incline[u];
-        const float depth = back * (cos - ray.direction_x * sin);
-        const float s = face.s_mm[u] - back * (ray.direction_x * cos + sin);
-        const float mm_per_px = z[u] * std::abs(geometry_.rays().step_v(u, row.v).direction_y);
-        coverage[u] = behind > 1 || z[u] <= 0
-                          ? 0.0F
-                          : (1 - face.coverage[u]) *
-                                part_of((sides_.depth_mm_ - depth) / mm_per_px) *
-                                part_of(s / mm_per_px) * part_of((length - s) / mm_per_px);
-        if (z[u] <= 0) z[u] = face.z_mm[u];
-      }
-      for (const MarkerDisc& disc : geometry_.discs) draw(disc, row.v, light);
-      side.x_mm = x;
-      side.y_mm = y;
-      side.z_mm = z;
-      side.normal_x = side.normal_z = zero;
-      side.normal_y = inward;
-      side.coverage = coverage;
-      side.light = light;
-      row.surfaces.push_back(side);
+      const auto floats = [&] { return row.scratch.floats(); };
+      const SideRow r{row.width,
+                      static_cast<float>(geometry_.face().width_mm / 2),
+                      static_cast<float>(geometry_.curve()->length_mm()),
+                      sides_.depth_mm_,
+                      sides_.albedo_,
+                      geometry_.rays().row(row.v, row.scratch),
+                      whole_face(row),
+                      floats(),
+                      floats(),
+                      floats(),
+                      floats(),
+                      floats(),
+                      floats()};
+      meet_sides(r);
+      for (const MarkerDisc& disc : geometry_.discs) draw(disc, row.v, r.light);
+      float* zero = floats();
+      std::fill(zero, zero + row.width, 0.0F);
+      row.surfaces.push_back(
+          {0, row.width, r.x, r.y, r.z, zero, r.inward, zero, r.coverage, r.light});
     }
 
    private:

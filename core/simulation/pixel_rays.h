@@ -1,0 +1,50 @@
+// The rays of a camera's pixels in the form that rows of a picture want them.
+#pragma once
+
+#include "core/camera/camera.h"
+#include "core/simulation/row_view.h"
+
+#include <utility>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+/// The rays of one row of a perspective camera, indexed by column.
+struct RayRow {
+  const float* direction_x = nullptr;
+  const float* direction_y = nullptr;
+  const float* step_y = nullptr;  ///< d(direction_y)/dv
+};
+
+/// Made once per plan. A ray is origin + z * direction, of which only x and y are kept.
+class PixelRays {
+ public:
+  explicit PixelRays(const Camera& camera);
+
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+
+  /// True: the ray's x depends on the column only, its y on the row only.
+  [[nodiscard]] bool linear() const { return map_.empty(); }
+  // Of a linear camera:
+  [[nodiscard]] float origin_x(int u) const { return origin_x_[static_cast<std::size_t>(u)]; }
+  [[nodiscard]] float direction_x(int u) const { return direction_x_[static_cast<std::size_t>(u)]; }
+  struct RowRay {
+    float origin_y, direction_y;
+  };
+  [[nodiscard]] RowRay row_ray(int v) const { return rows_[static_cast<std::size_t>(v)]; }
+
+  // Of a perspective camera:
+  [[nodiscard]] RayRow row(int v, RowScratch& scratch) const;
+  /// Least and greatest direction_x in the picture, of a camera with distortion.
+  [[nodiscard]] std::pair<float, float> direction_x_range() const;
+
+ private:
+  Camera camera_;
+  std::vector<float> origin_x_, direction_x_;
+  std::vector<RowRay> rows_;
+  cv::Mat_<cv::Vec2f> map_;  // directions, of a camera with distortion
+};
+
+}  // namespace alltact
