@@ -12,6 +12,7 @@ namespace alltact {
 namespace {
 
 constexpr double kMinimumWidthPx = 8.0;  // below, 1/width is biased by percents
+constexpr int kLensDegrees = 4;
 
 Error no_shape(std::string what) {
   return {std::move(what),
@@ -32,10 +33,12 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   const CameraParameters& lens = camera.parameters();
   const int width = lens.width_px;
 
+  // What the lens bends needs a few coefficients more.
+  const int edge_degree = camera.is_linear() ? degree : degree + kLensDegrees;
   const auto upper =
-      fit_robust_polynomial(edges.u, edges.upper.v, edges.upper.sd, edges.upper.valid, degree);
+      fit_robust_polynomial(edges.u, edges.upper.v, edges.upper.sd, edges.upper.valid, edge_degree);
   const auto lower =
-      fit_robust_polynomial(edges.u, edges.lower.v, edges.lower.sd, edges.lower.valid, degree);
+      fit_robust_polynomial(edges.u, edges.lower.v, edges.lower.sd, edges.lower.valid, edge_degree);
   if (!upper || !lower) {
     return no_shape(fmt::format("the {} edge of the face was seen in too few columns",
                                 !upper ? "upper" : "lower"));
@@ -57,7 +60,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     column.lower_v = lower->value(u);
     column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
   }
-  if (!shape.fit_inverse_depth(first, last, degree)) return no_shape("no smooth shape fits them");
+  if (!shape.fit_inverse_depth(first, last, edge_degree)) return no_shape("no smooth shape fits them");
 
   int valid = 0;
   for (int u = 0; u < width; ++u) {
@@ -81,8 +84,8 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
 
 bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
   // The edges are smooth curves now. For a lens without distortion 1/z is a polynomial of the same
-  // degree in u and this is exact; with distortion a few more coefficients follow the lens.
-  const Eigen::Index n = camera_.is_linear() ? degree + 1 : degree + 5;
+  // degree in u and this is exact.
+  const Eigen::Index n = degree + 1;
   const int samples = 8 * static_cast<int>(n);
   Eigen::VectorXd upper_x(samples), upper_y(samples), lower_x(samples), lower_y(samples);
   int used = 0;

@@ -62,8 +62,8 @@ TEST(RobustPolynomial, PredictsItsOwnSpread) {
 
 TEST(RobustPolynomial, TooFewPointsAreNoFit) {
   Points p = sampled(0.1, 3);
-  std::fill(p.valid.begin() + 11, p.valid.end(), 0);
-  EXPECT_FALSE(fit_robust_polynomial(p.x, p.y, p.sd, p.valid, 5));
+  std::fill(p.valid.begin() + 15, p.valid.end(), 0);
+  EXPECT_FALSE(fit_robust_polynomial(p.x, p.y, p.sd, p.valid, 7));
   EXPECT_TRUE(fit_robust_polynomial(p.x, p.y, p.sd, p.valid, 4));
   EXPECT_FALSE(fit_robust_polynomial({}, {}, {}, {}, 1));
 }

@@ -40,7 +40,7 @@ FaceEdges edges_of(const Plane& plane, const Camera& camera, double noise_sd, un
       }
       Edge& edge = side < 0.0 ? edges.upper : edges.lower;
       edge.v.push_back(pixel.y() + (noise_sd > 0.0 ? noise_sd * noise(engine) : 0.0));
-      edge.sd.push_back(std::max(noise_sd, 1e-3));
+      edge.sd.push_back(std::max(noise_sd, 0.02));
       edge.valid.push_back(pixel.y() > 1.0 && pixel.y() < camera.size().height - 2.0);
     }
   }
