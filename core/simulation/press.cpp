@@ -32,7 +32,7 @@ double ball_depth(const BallPress& press, const Eigen::Vector3d& luf) {
     if (h2 > 0) {
       const double d = from_centre.z() + std::sqrt(h2);
       const double along = a - d * tilt;
-      if (along * along + across2 <= contact * contact) return d;
+      if (d > 0 && along * along + across2 <= contact * contact) return d;
     }
   }
   double d = press.profile_at(std::hypot(a, y)) / upright;
@@ -71,12 +71,9 @@ BallPress make_ball_press(const PressPlace& place, double radius_mm) {
   press.radius_mm = radius_mm;
   press.centre_mm = place.luf_mm - Eigen::Vector3d(0, 0, place.depth_mm) + radius_mm * place.normal;
   const double depth = place.normal_depth_mm();
-  press.contact_radius_mm = std::sqrt(depth * (2 * radius_mm - depth));
-  press.rim_mm = press.contact_radius_mm;
-  const int n = static_cast<int>(press.contact_radius_mm / BallPress::kStep_mm) + 3;
-  for (int i = 0; i < n; ++i)
-    press.profile_mm.push_back(
-        static_cast<float>(std::max(0.0, press.ball_profile(i * BallPress::kStep_mm))));
+  press.contact_radius_mm = radius_mm;
+  press.rim_mm = std::sqrt(depth * (2 * radius_mm - depth));
+  press.profile_mm.assign(static_cast<std::size_t>(press.rim_mm / BallPress::kStep_mm) + 3, 0.0F);
   return press;
 }
 

@@ -29,10 +29,11 @@ struct BallPress {
   PressPlace place;
   double radius_mm = 0;
   Eigen::Vector3d centre_mm;
-  /// Within this distance from the axis the face lies on the ball itself; 0: nowhere.
+  /// Within this distance from the axis the face lies on the ball wherever that reaches it; 0: the
+  /// face lies on the ball nowhere.
   double contact_radius_mm = 0;
   double rim_mm = 0;  ///< where the contact ends, whatever the face does there
-  /// Normal depth at r = i * kStep; 0 beyond its end. Negative: bulged.
+  /// Normal depth off the ball at r = i * kStep; 0 beyond its end. Negative: bulged.
   std::vector<float> profile_mm;
   static constexpr double kStep_mm = 0.005;
 
@@ -59,7 +60,7 @@ struct ReliefPress {
 void press_row(const BallPress& press, const FaceRow& face, int first, int last, float* depth_mm);
 void press_row(const ReliefPress& press, const FaceRow& face, int first, int last, float* depth_mm);
 
-/// BallPress with the ball's own profile and the circle in which it cuts the LUF.
+/// A ball that cuts the face: on it, or untouched. The rim is where it cuts the LUF.
 [[nodiscard]] BallPress make_ball_press(const PressPlace& place, double radius_mm);
 
 }  // namespace alltact

@@ -60,15 +60,17 @@ void smooth(BallPress& press, double length_mm) {
   const std::vector<double> weights = gaussian(6);
   const int half = static_cast<int>(weights.size() / 2);
   std::vector<float> blurred;
-  const int n = static_cast<int>((press.reach_mm() + 4 * length_mm) / BallPress::kStep_mm);
+  const int n = static_cast<int>((press.rim_mm + 4 * length_mm) / BallPress::kStep_mm) + 2;
   for (int i = 0; i < n; ++i) {
     const double r = i * BallPress::kStep_mm;
     double sum = 0;
     for (int j = -half; j <= half; ++j)
-      for (int k = -half; k <= half; ++k)
-        sum += weights[static_cast<std::size_t>(j + half)] *
-               weights[static_cast<std::size_t>(k + half)] *
-               press.profile_at(std::hypot(r + j * step, k * step));
+      for (int k = -half; k <= half; ++k) {
+        const double from_axis = std::hypot(r + j * step, k * step);
+        if (from_axis < press.rim_mm)
+          sum += weights[static_cast<std::size_t>(j + half)] *
+                 weights[static_cast<std::size_t>(k + half)] * press.ball_profile(from_axis);
+      }
     blurred.push_back(static_cast<float>(sum));
   }
   press.profile_mm = std::move(blurred);

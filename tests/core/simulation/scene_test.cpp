@@ -1,0 +1,109 @@
+#include "core/simulation/scene.h"
+
+#include "core/simulation/plan.h"
+#include "tests/core/simulation/scene_text.h"
+
+#include <filesystem>
+#include <regex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+using testing::HasSubstr;
+
+std::string problem_of(const std::string& yaml) {
+  const auto scene = Scene::parse(yaml, "test.yaml");
+  if (!scene) return scene.error().sentence();
+  const auto plan = Plan::compile(*scene, 1);
+  return plan ? "" : plan.error().sentence();
+}
+
+TEST(Scene, EveryShippedSceneCompilesAndSaysWhy) {
+  int scenes = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(ALLTACT_SOURCE_DIR "/resources/scenes")) {
+    SCOPED_TRACE(entry.path());
+    const auto scene = Scene::load(entry.path());
+    ASSERT_TRUE(scene) << scene.error().sentence();
+    EXPECT_GT(scene->why().size(), 20U);
+    const auto plan = Plan::compile(*scene, 1);
+    ASSERT_TRUE(plan) << plan.error().sentence();
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 5);
+}
+
+TEST(Scene, UnknownThingsAreRefusedWithFileLineAndKey) {
+  const std::string unknown_effect = problem_of(scene_text("  - {use: sparkle}\n"));
+  EXPECT_THAT(unknown_effect, HasSubstr("test.yaml:10"));
+  EXPECT_THAT(unknown_effect, HasSubstr("'sparkle'"));
+  EXPECT_THAT(unknown_effect, HasSubstr("quantisation"));  // names those that there are
+
+  const std::string unknown_key =
+      problem_of(scene_text("  - {use: quantisation}\n  - {use: read, sd: 1, amount: 2}\n"));
+  EXPECT_THAT(unknown_key, HasSubstr("test.yaml:11: read.amount: unknown key 'amount'"));
+
+  EXPECT_THAT(problem_of(scene_text("  - {use: read, sd: 1, enabled: false}\n")),
+              HasSubstr("unknown key 'enabled'"));
+  EXPECT_THAT(problem_of("colour: red\n" + scene_text("")), HasSubstr("unknown key 'colour'"));
+}
+
+TEST(Scene, StrengthZeroIsRefusedWithASentence) {
+  for (const char* effect : {"  - {use: read, sd: 0}\n",
+                             "  - {use: shot, gain: 0.0}\n",
+                             "  - {use: layer, scatter_per_mm: 0, along: z}\n"})
+    EXPECT_THAT(problem_of(scene_text(effect)), HasSubstr("what is absent is not named")) << effect;
+}
+
+TEST(Scene, EffectsThatCannotBeTogetherOrAloneAreRefused) {
+  EXPECT_THAT(problem_of(scene_text("  - {use: read, sd: 1}\n  - {use: read, sd: 2}\n")),
+              HasSubstr("named twice"));
+  EXPECT_THAT(problem_of(scene_text("  - {use: bulge, share: 0.1, width_mm: 1}\n")),
+              HasSubstr("nothing presses"));
+  EXPECT_THAT(problem_of(scene_text("  - {use: mjpeg, quality: 80}\n")), HasSubstr("quantisation"));
+  EXPECT_THAT(
+      problem_of(scene_text("  - {use: ball, radius_mm: 4, s_mm: 30, y_mm: 0, depth_mm: 1.5}\n")),
+      HasSubstr("goes through the layer"));
+  EXPECT_THAT(
+      problem_of(scene_text("  - {use: ball, radius_mm: 4, s_mm: 300, y_mm: 0, depth_mm: 1}\n")),
+      HasSubstr("beyond the ends"));
+  EXPECT_THAT(problem_of("motion: {kind: random}\n" + scene_text("")),
+              HasSubstr("nothing to move"));
+  EXPECT_THAT(problem_of("motion: {kind: hold, pose: {q1_mm: 2}}\n" + scene_text("")),
+              HasSubstr("'q1_mm'"));
+}
+
+// Every number of a scene in turn becomes something that is no number.
+TEST(Scene, SpoiledNumbersAreRefused) {
+  const std::string text = scene_text(
+      "  - {use: bend, q1_mm: {from: -5, to: 5}, q2_mm: {from: -4, to: 4}}\n"
+      "  - {use: ball, radius_mm: 4, s_mm: 30, y_mm: 0, depth_mm: 1}\n"
+      "  - {use: rolloff, kind: hertz, length_mm: 0.8}\n"
+      "  - {use: layer, scatter_per_mm: 0.6, along: normal}\n"
+      "  - {use: shot, gain: 0.03}\n");
+  ASSERT_EQ(problem_of(text), "");
+  const std::regex number(R"([ \[]-?[0-9.]+(?=[,}\]\n]))");
+  int spoiled = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it)
+    for (const char* wrong : {"pancake", ".nan", ".inf", "[[]]", "1e999", ""}) {
+      std::string other = text;
+      other.replace(static_cast<std::size_t>(it->position()) + 1,
+                    static_cast<std::size_t>(it->length()) - 1,
+                    wrong);
+      EXPECT_NE(problem_of(other), "") << other;
+      ++spoiled;
+    }
+  EXPECT_GT(spoiled, 100);
+}
+
+TEST(Scene, NoTruncationOfASceneCrashes) {
+  const std::string text = scene_text("  - {use: shot, gain: 0.03}\n");
+  for (std::size_t n = 0; n + 30 < text.size(); ++n)
+    EXPECT_NE(problem_of(text.substr(0, n)), "") << n;
+}
+
+}  // namespace
+}  // namespace alltact
