@@ -17,7 +17,9 @@ namespace alltact {
 [[nodiscard]] Result<cv::Mat> read_grey_picture(const std::filesystem::path& file);
 
 /// Writes a picture whole or not at all (see atomic_file.h): PNG for CV_8UC1 or CV_8UC3, TIFF for
-/// CV_32FC1 and CV_32FC3 (no compression, so that any program reads it). The ending decides.
+/// CV_32FC1 and CV_32FC3 (no compression, so that any program reads it). The ending decides. Three
+/// channels come back in their order from OpenCV and from read_float_picture(); in the file they
+/// stand last first, as OpenCV writes them, and so they are for readers that know red, green, blue.
 [[nodiscard]] Status write_picture(const std::filesystem::path& file, const cv::Mat& picture);
 
 /// Reads a float TIFF written by write_picture (CV_32FC1 or CV_32FC3).
