@@ -138,13 +138,14 @@ class RimReader {
 };
 
 double arc_deg(const std::vector<Eigen::Vector2d>& points, const Circle& circle) {
-  std::array<bool, 180> seen{};
+  constexpr std::size_t kBins = 60;  // wide enough for the rim of the smallest disc to fill them
+  std::array<bool, kBins> seen{};
   for (const auto& p : points) {
     const Eigen::Vector2d d = p - circle.centre;
     const double turn = (std::atan2(d.y(), d.x()) + M_PI) / (2.0 * M_PI);
-    seen[std::min<std::size_t>(179, static_cast<std::size_t>(turn * 180.0))] = true;
+    seen[std::min(kBins - 1, static_cast<std::size_t>(turn * kBins))] = true;
   }
-  return 2.0 * static_cast<double>(std::count(seen.begin(), seen.end(), true));
+  return 360.0 / kBins * static_cast<double>(std::count(seen.begin(), seen.end(), true));
 }
 
 /// A circle through most of the points: refitted without those further off than 2.5 sd.

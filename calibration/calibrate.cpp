@@ -164,13 +164,14 @@ Result<Calibration> solve_jointly(const std::vector<Found>& found,
     coarse.centres_mm.push_back(f.guess.centre_mm);
     fine.push_back(&f.fine);
   }
-  const auto choice = choose_model(coarse, settings, job);
+  auto choice = choose_model(coarse, settings, job);
   if (!choice && job.stop_requested()) return stopped();
   if (!choice)
     return Error{"no increasing mapping fits the presses",
                  "",
                  "leaving out presses with the largest residual, a lower degree, or checking the "
                  "ball's radius"};
+  choice->options.settled_mm = JointOptions{}.settled_mm;
   job.report(0.9, "solving all presses together");
   JointFit fit = fit_jointly(fine, choice->fit, choice->options, job);
   if (!fit.converged) fit = choice->fit;  // stopped: the best so far

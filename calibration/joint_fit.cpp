@@ -14,7 +14,6 @@ constexpr double kFloorMm = 0.003;  // no sample is believed better than this
 constexpr double kRobustAt = 2.0;   // standard deviations where the loss turns linear
 constexpr double kTaper = 0.02;     // half width of the zone's soft border
 constexpr int kMostRounds = 40;     // of reweighting
-constexpr double kSettled = 1e-8;   // change of any parameter, mm
 
 /// One press's samples in the zone with their weights for this round.
 struct Weighted {
@@ -232,7 +231,7 @@ JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
     const double change = change_between(next, fit);
     fit = std::move(next);
     fit.converged = true;
-    if (change < kSettled) break;
+    if (change < options.settled_mm) break;
   }
   return fit;
 }

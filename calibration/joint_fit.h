@@ -50,6 +50,7 @@ struct JointOptions {
   MappingAlong along = MappingAlong::kZ;
   double ball_radius_mm = 0;
   double zone = 0.65;        ///< contacts are read up to this part of the rim's radius
+  double settled_mm = 1e-8;  ///< the reweighting ends when no unknown changes by more
   bool fix_mapping = false;  ///< only the balls are free
 };
 

@@ -9,11 +9,14 @@ namespace alltact {
 namespace {
 
 constexpr double kInnerZone = 0.65;     // skin and ball touch here on any material (Hertz: 0.71)
-constexpr double kQuietRingMm = 0.003;  // mean residual of a ring that is never held against it
-constexpr double kRingExcess = 2.0;     // times the scatter of a ring's sectors
+constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is never held against it
+constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
 constexpr double kInclineDeg = 3.0;     // needed to tell thickness along z from along the normal
 constexpr int kMostCoefficients = 6;
-constexpr double kTieMm = 0.0005;  // held-out errors closer than this are the same
+constexpr double kTieMm = 0.001;  // held-out errors closer than this are the same
+
+constexpr double kTiePart = 0.1;     // or than this part of the better one
+constexpr double kSettledMm = 1e-5;  // enough to choose by
 
 constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};
 
@@ -122,7 +125,7 @@ bool as_good(const std::vector<double>& a, const std::vector<double>& b) {
   double variance = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     variance += (a[i] - b[i] - mean) * (a[i] - b[i] - mean) / (n - 1.0);
-  return mean <= std::max(kTieMm, std::sqrt(variance / n));
+  return mean <= std::max({kTieMm, kTiePart * mean_of(b), std::sqrt(variance / n)});
 }
 
 std::vector<CurveFamily> families_for(const CalibrationSettings& settings, std::size_t presses) {
@@ -168,6 +171,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
       {along, input.ball_radius_mm}, straight_start(input, along, domain_of(input)), {}, {}, {}};
   if (!(choice.fit.curve.x_max() > 0.0)) return std::nullopt;
   choice.options.zone = kInnerZone;
+  choice.options.settled_mm = kSettledMm;
   JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
   start = grow_zone(input, std::move(start), &choice.options, job);
 

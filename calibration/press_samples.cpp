@@ -45,36 +45,42 @@ cv::Mat block_means(const cv::Mat& x, int block) {
   return means;
 }
 
-}  // namespace
-
-PressSamples sample_press(const Press& press, const Face& face, int block_px) {
+PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box, int block_px) {
   PressSamples result;
   result.block_px = block_px;
-  const cv::Mat means = block_means(press.difference.x, block_px);
+  const cv::Mat means = block_means(press.difference.x(box), block_px);
   result.x_sd = noise_of(means);
-  double area_mm2 = 0;
   for (int row = 0; row < means.rows; ++row) {
     for (int column = 0; column < means.cols; ++column) {
       const double x = static_cast<double>(means.at<float>(row, column));
       if (!std::isfinite(x)) continue;
-      const Eigen::Vector2d pixel((column + 0.5) * block_px - 0.5, (row + 0.5) * block_px - 0.5);
+      const Eigen::Vector2d pixel(box.x + (column + 0.5) * block_px - 0.5,
+                                  box.y + (row + 0.5) * block_px - 0.5);
       const auto local = press.shape.at(pixel.x(), pixel.y());
       if (!local) continue;
       Sample sample;
       sample.pixel = pixel;
-      sample.face_mm = {press.shape.length_at(pixel.x()), local->view_point_mm.y()};
       sample.untouched_z = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ);
       sample.untouched_n = untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal);
       sample.normal = local->normal;
       sample.cos_incline = local->cos_incline;
       sample.x = x;
-      area_mm2 += local->area_mm2;
       result.samples.push_back(sample);
     }
   }
-  if (!result.samples.empty())
-    result.block_mm = block_px * std::sqrt(area_mm2 / static_cast<double>(result.samples.size()));
   return result;
+}
+
+void keep_near(const Eigen::Vector3d& middle, double radius_mm, PressSamples* press) {
+  std::erase_if(press->samples, [&](const Sample& s) {
+    return !((s.untouched_n - middle).squaredNorm() <= radius_mm * radius_mm);
+  });
+}
+
+}  // namespace
+
+PressSamples sample_press(const Press& press, const Face& face, int block_px) {
+  return sample_in(press, face, {{0, 0}, press.difference.x.size()}, block_px);
 }
 
 PressSamples sample_around(const Press& press,
@@ -82,17 +88,28 @@ PressSamples sample_around(const Press& press,
                            const Eigen::Vector3d& middle,
                            double radius_mm,
                            int limit) {
-  const auto keep_near = [&](int block_px) {
-    PressSamples near = sample_press(press, face, block_px);
-    std::erase_if(near.samples, [&](const Sample& s) {
-      return !((s.untouched_n - middle).squaredNorm() <= radius_mm * radius_mm);
-    });
-    return near;
-  };
-  PressSamples near = keep_near(4);
-  const double excess = static_cast<double>(near.samples.size()) / limit;
-  if (excess <= 1.0) return near;
-  return keep_near(static_cast<int>(std::ceil(4.0 * std::sqrt(excess))));
+  // Roughly where, from a thin sample; then as fine as the limit allows.
+  constexpr int kRough = 8;
+  constexpr int kFinest = 2;
+  PressSamples rough = sample_press(press, face, kRough);
+  keep_near(middle, radius_mm + 0.01 * middle.norm(), &rough);
+  if (rough.samples.empty()) return rough;
+  Eigen::Vector2d low = rough.samples.front().pixel;
+  Eigen::Vector2d high = low;
+  for (const Sample& sample : rough.samples) {
+    low = low.cwiseMin(sample.pixel);
+    high = high.cwiseMax(sample.pixel);
+  }
+  const cv::Point first(static_cast<int>(low.x()) - 2 * kRough,
+                        static_cast<int>(low.y()) - 2 * kRough);
+  const cv::Point last(static_cast<int>(high.x()) + 2 * kRough,
+                       static_cast<int>(high.y()) + 2 * kRough);
+  const cv::Rect box = cv::Rect(first, last) & cv::Rect({0, 0}, press.difference.x.size());
+  const double pixels = static_cast<double>(rough.samples.size()) * kRough * kRough;
+  const int block = std::max(kFinest, static_cast<int>(std::ceil(std::sqrt(pixels / limit))));
+  PressSamples near = sample_in(press, face, box, block);
+  keep_near(middle, radius_mm, &near);
+  return near;
 }
 
 }  // namespace alltact

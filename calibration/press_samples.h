@@ -12,7 +12,6 @@ namespace alltact {
 /// One block of pixels: the mean difference, and the untouched face above its middle.
 struct Sample {
   Eigen::Vector2d pixel;
-  Eigen::Vector2d face_mm;      ///< length along the face, y: the face rolled out flat
   Eigen::Vector3d untouched_z;  ///< outer side of the layer along z, mm
   Eigen::Vector3d untouched_n;  ///< the same along the normal, mm
   Eigen::Vector3d normal;       ///< outward, away from the camera
@@ -23,15 +22,14 @@ struct Sample {
 struct PressSamples {
   std::vector<Sample> samples;  ///< by rows, then columns; only blocks that lie wholly on the face
   int block_px = 1;
-  double block_mm = 0;  ///< mean side of a block on the face
-  double x_sd = 0;      ///< noise of a block's mean, from second differences along rows
+  double x_sd = 0;  ///< noise of a block's mean, from second differences along rows
 };
 
 /// Block means of side `block_px`. A block with any pixel that has no measurement is left out.
 [[nodiscard]] PressSamples sample_press(const Press& press, const Face& face, int block_px);
 
-/// The part of `all` within `radius_mm` of `middle` (camera frame, measured from untouched_n),
-/// thinned evenly to at most about `limit` blocks by a larger block size when need be.
+/// The blocks within `radius_mm` of `middle` (camera frame, measured from untouched_n), of the
+/// smallest size from 2 px on that gives at most about `limit` of them.
 [[nodiscard]] PressSamples sample_around(const Press& press,
                                          const Face& face,
                                          const Eigen::Vector3d& middle,

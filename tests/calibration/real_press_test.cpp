@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <Eigen/Dense>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -128,18 +129,21 @@ TEST_F(RealPress, ReliefIsTheBall) {
     EXPECT_LE(judged.sphere.mean_absolute, 0.03) << "depth above " << threshold;
     EXPECT_LT(judged.halo_mm, 0.03);
     EXPECT_LT(judged.far_mm, 0.03);
-    if (std::getenv("ALLTACT_PRINT") != nullptr)
-      std::printf("over %.2f: radius %.4f residual %.4f halo %.4f far %.4f depth %.4f sd %.4f\n",
-                  threshold,
-                  judged.sphere.radius,
-                  judged.sphere.mean_absolute,
-                  judged.halo_mm,
-                  judged.far_mm,
-                  calibration->balls[0].depth_mm,
-                  calibration->balls[0].centre_sd_mm.z());
   }
   // One press cannot tell its ball's depth from the mapping, and the user must hear it.
   EXPECT_FALSE(calibration->remarks.empty());
+}
+
+TEST_F(RealPress, PaperMethodGivesAComparableRelief) {
+  const Press p = press();
+  CalibrationSettings settings;
+  settings.method = CalibrationMethod::kPaper;
+  const auto calibration = calibrate({p}, *camera_, face_, kBallRadiusMm, settings, Job{});
+  ASSERT_TRUE(calibration.ok()) << calibration.error().sentence();
+  const Judged judged = judge(p, calibration->mapping, 0.1);
+  EXPECT_NEAR(judged.sphere.radius, 4.0, 0.6);
+  RecordProperty("paper_radius_mm", fmt::format("{:.3f}", judged.sphere.radius));
+  RecordProperty("paper_residual_mm", fmt::format("{:.3f}", judged.sphere.mean_absolute));
 }
 
 }  // namespace

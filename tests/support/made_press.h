@@ -1,0 +1,236 @@
+// Presses whose answer is known: a ball, skin that follows it or leaves it, a scattering layer,
+// noise. Written from the physics alone; shares no formula with the code under test.
+#pragma once
+
+#include "calibration/press.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <opencv2/imgproc.hpp>
+
+namespace alltact::made {
+
+struct Scene {
+  Camera camera;
+  Face face;
+  FaceShape shape;
+  Eigen::Vector3d normal;  ///< outward
+};
+
+/// A flat sensor, orthographic.
+inline Scene flat_scene(double mm_per_px = 0.05, int width = 400, int height = 300) {
+  CameraParameters p;
+  p.model = CameraModel::kOrthographic;
+  p.width_px = width;
+  p.height_px = height;
+  p.cx_px = 0.5 * width;
+  p.cy_px = 0.5 * height;
+  p.mm_per_px = mm_per_px;
+  Face face;
+  face.kind = FaceKind::kFlat;
+  face.layer_mm = 1.5;
+  face.plane_z_mm = 20.0;
+  const Camera camera = Camera::create(p).value();
+  return {camera, face, FaceShape::plane(camera, face), Eigen::Vector3d::UnitZ()};
+}
+
+/// A straight Fin Ray face seen in perspective: z = z0 + x tan(incline), from its two edges.
+inline Scene finger_scene(double z0_mm, double incline_deg) {
+  CameraParameters p;
+  p.width_px = 960;
+  p.height_px = 540;
+  p.fx_px = p.fy_px = 523.9;
+  p.cx_px = 479.5;
+  p.cy_px = 269.5;
+  Face face;
+  face.width_mm = 24.0;
+  face.layer_mm = 1.5;
+  const Camera camera = Camera::create(p).value();
+  const double slope = std::tan(incline_deg * M_PI / 180.0);
+  FaceEdges edges;
+  for (double u = 3.5; u < 960; u += 8.0) {
+    const double z = z0_mm / (1.0 - slope * (u - p.cx_px) / p.fx_px);
+    const double half = 0.5 * face.width_mm * p.fy_px / z;
+    edges.u.push_back(u);
+    for (auto [edge, sign] : {std::pair{&edges.upper, -1.0}, std::pair{&edges.lower, 1.0}}) {
+      edge->v.push_back(p.cy_px + sign * half);
+      edge->sd.push_back(0.05);
+      edge->valid.push_back(p.cy_px - half > 1.0 && z > 10.0);
+    }
+  }
+  return {camera,
+          face,
+          FaceShape::fit(edges, camera, face, 7).value(),
+          Eigen::Vector3d(-slope, 0.0, 1.0).normalized()};
+}
+
+enum class Skin { kSharp, kSmooth, kTail, kHertz };
+
+/// How the skin goes from the ball to the untouched face.
+struct Contact {
+  Skin skin = Skin::kSharp;
+  double size = 0;      ///< smooth: mm; tail: part of the rim's radius where the skin leaves
+  double bulge_mm = 0;  ///< height of a bright ring outside
+};
+
+/// Depth of the skin along the normal against the distance from the contact's middle.
+class Relief {
+ public:
+  Relief(Contact contact, double radius_mm, double depth_mm) {
+    const double rim = std::sqrt(depth_mm * (2.0 * radius_mm - depth_mm));
+    const auto cap = [&](double r) {
+      return std::sqrt(std::max(0.0, radius_mm * radius_mm - r * r)) - (radius_mm - depth_mm);
+    };
+    const double a = std::sqrt(radius_mm * depth_mm);
+    const double leave = contact.size * rim;
+    for (int i = 0; i < kSteps; ++i) {
+      const double r = i * kStepMm;
+      double h = std::max(0.0, cap(r));
+      if (contact.skin == Skin::kHertz && r > a) {
+        const double q = r / a;
+        const double u = ((2.0 - q * q) * std::asin(1.0 / q) + std::sqrt(q * q - 1.0)) / M_PI;
+        h = cap(a) * u / 0.5;
+      }
+      if (contact.skin == Skin::kTail && r > leave) {
+        const double slope = leave / std::sqrt(radius_mm * radius_mm - leave * leave);
+        h = cap(leave) * std::exp(-slope * (r - leave) / cap(leave));
+      }
+      if (contact.skin == Skin::kSmooth) h = smoothed(cap, r, contact.size);
+      const double ring = (r - (contact.skin == Skin::kHertz ? a : rim) - 1.0) / 0.6;
+      h_[static_cast<std::size_t>(i)] = h - contact.bulge_mm * std::exp(-ring * ring);
+    }
+  }
+  double operator()(double r) const {
+    const double at = std::min(r / kStepMm, kSteps - 1.001);
+    const auto i = static_cast<std::size_t>(at);
+    return h_[i] + (at - static_cast<double>(i)) * (h_[i + 1] - h_[i]);
+  }
+
+ private:
+  static constexpr int kSteps = 1000;
+  static constexpr double kStepMm = 0.01;
+  std::array<double, kSteps> h_{};
+
+  template <class Cap>
+  static double smoothed(const Cap& cap, double r, double sd) {
+    constexpr int kHalf = 5;
+    double sum = 0, weight = 0;
+    for (int i = -kHalf; i <= kHalf; ++i) {
+      for (int j = -kHalf; j <= kHalf; ++j) {
+        const double x = 3.0 * i / kHalf, y = 3.0 * j / kHalf;
+        const double w = std::exp(-0.5 * (x * x + y * y));
+        sum += w * std::max(0.0, cap(std::hypot(r + sd * x, sd * y)));
+        weight += w;
+      }
+    }
+    return sum / weight;
+  }
+};
+
+/// Kubelka-Munk layer over black: s = scattering times thickness, k = absorption / scattering.
+struct Layer {
+  double s = 0.6, k = 0.02;
+  double thickness_mm = 1.5;
+  MappingAlong along = MappingAlong::kZ;
+
+  double reflectance(double t_mm) const {
+    const double scatter = s / thickness_mm;
+    if (k == 0.0) return scatter * t_mm / (1.0 + scatter * t_mm);
+    const double a = 1.0 + k, b = std::sqrt(a * a - 1.0);
+    return std::sinh(b * scatter * t_mm) /
+           (a * std::sinh(b * scatter * t_mm) + b * std::cosh(b * scatter * t_mm));
+  }
+  double difference_at(double depth_mm) const {
+    const double left = std::max(0.02, thickness_mm - depth_mm);
+    return 1.0 - reflectance(left) / reflectance(thickness_mm);
+  }
+  double depth_at(double x) const {
+    double low = -1.0, high = thickness_mm;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (difference_at(middle) < x ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+};
+
+struct Made {
+  Press press;
+  Eigen::Vector3d centre_mm;
+};
+
+struct Ball {
+  double u, v;  ///< pixel whose point of the face is the contact's middle
+  double radius_mm = 4.0;
+  double depth_mm = 0.8;  ///< along the normal
+};
+
+/// noise: standard deviation of a grey level at a brightness of 120.
+inline Made make_press(const Scene& scene,
+                       const Layer& layer,
+                       const Contact& contact,
+                       const std::vector<Ball>& balls,
+                       double noise,
+                       std::mt19937& random,
+                       const std::string& name = "press") {
+  const cv::Size size = scene.camera.size();
+  const Eigen::Vector3d n = scene.normal;
+  std::vector<Relief> reliefs;
+  std::vector<Eigen::Vector3d> feet;
+  for (const Ball& ball : balls) {
+    reliefs.emplace_back(contact, ball.radius_mm, ball.depth_mm);
+    const auto middle = scene.shape.at(ball.u, ball.v).value();
+    feet.push_back(middle.view_point_mm + scene.face.layer_mm * n);
+  }
+  std::normal_distribution<double> normal;
+  cv::Mat x(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  cv::Mat grain(size, CV_32FC1);
+  for (int v = 0; v < size.height; ++v) {
+    for (int u = 0; u < size.width; ++u) {
+      grain.at<float>(v, u) = static_cast<float>(normal(random));
+      const auto rows = scene.shape.rows(u, 2.0);
+      if (v < rows.first || v > rows.last) continue;
+      const auto local = scene.shape.at(u, v);
+      if (!local) continue;
+      const bool by_normal = layer.along == MappingAlong::kNormal;
+      const Eigen::Vector3d back = by_normal ? n : Eigen::Vector3d(0.0, 0.0, 1.0);
+      const double thick =
+          by_normal ? scene.face.layer_mm : scene.face.layer_mm / local->cos_incline;
+      const Eigen::Vector3d from = local->view_point_mm + thick * back;
+      double depth = 0;
+      for (std::size_t k = 0; k < balls.size(); ++k) {
+        // The skin is a height over the face: follow the line until it meets it.
+        double here = 0;
+        for (int i = 0; i < (by_normal || local->cos_incline == 1.0 ? 1 : 12); ++i) {
+          const Eigen::Vector3d p = from - here * back - feet[k];
+          const double r = (p - p.dot(n) * n).norm();
+          here = reliefs[k](r) / n.dot(back);
+        }
+        depth = std::abs(here) > std::abs(depth) ? here : depth;
+      }
+      x.at<float>(v, u) = static_cast<float>(layer.difference_at(depth));
+    }
+  }
+  cv::GaussianBlur(grain, grain, {7, 7}, 1.0);
+  for (int v = 0; v < size.height; ++v)
+    for (int u = 0; u < size.width; ++u) {
+      float& value = x.at<float>(v, u);
+      value +=
+          static_cast<float>(noise / 120.0 * std::hypot(1.0, 1.0 - static_cast<double>(value))) *
+          grain.at<float>(v, u);
+    }
+  Difference difference;
+  difference.x = x;
+  difference.flags = cv::Mat(size, CV_8UC1, cv::Scalar(kMeasured));
+  return {{name, difference, scene.shape},
+          feet.empty() ? Eigen::Vector3d::Zero().eval()
+                       : (feet[0] + (balls[0].radius_mm - balls[0].depth_mm) * n).eval()};
+}
+
+}  // namespace alltact::made
