@@ -1,12 +1,12 @@
 // Files that are old or new, never half.
 #pragma once
 
+#include "core/result.h"
+
 #include <filesystem>
 #include <functional>
 #include <span>
 #include <string_view>
-
-#include "core/result.h"
 
 namespace alltact {
 

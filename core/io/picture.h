@@ -1,11 +1,11 @@
 // Reading and writing single pictures.
 #pragma once
 
+#include "core/result.h"
+
 #include <filesystem>
 
 #include <opencv2/core.hpp>
-
-#include "core/result.h"
 
 namespace alltact {
 

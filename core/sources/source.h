@@ -1,13 +1,13 @@
 // Where frames come from: pictures, a folder of pictures, a video.
 #pragma once
 
+#include "core/result.h"
+#include "core/sources/frame.h"
+
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
-
-#include "core/result.h"
-#include "core/sources/frame.h"
 
 namespace alltact {
 
