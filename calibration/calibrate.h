@@ -1,22 +1,22 @@
 // From ball presses to the depth mapping: all presses solved together.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include <Eigen/Core>
-
 #include "calibration/press.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
 #include "core/result.h"
 #include "core/settings.h"
 
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
 namespace alltact {
 
 enum class CalibrationMethod {
   kJoint = 1,  ///< all ball centres and the mapping in one robust least-squares problem
-  kPaper,      ///< the source paper: circle on each press, ball depth from its radius, one polynomial
+  kPaper,  ///< the source paper: circle on each press, ball depth from its radius, one polynomial
 };
 enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius };
 enum class AlongChoice { kAuto = 1, kZ, kNormal };
@@ -37,7 +37,7 @@ struct BallFit {
   double depth_mm = 0;         ///< greatest press depth along z
   double residual_mm = 0;      ///< mean absolute, inside the contact
   double held_out_mm = 0;      ///< the same with a mapping fitted without this press; 0: only press
-  double tangent_arc_deg = 0;  ///< of the ball's own outline that entered the fit
+  double tangent_arc_deg = 0;  ///< of the outline that entered the fit; 0: brightness alone
   bool cut_by_edge = false;
 };
 
@@ -45,9 +45,9 @@ struct Calibration {
   MappingParameters mapping;
   std::vector<BallFit> balls;
   double residual_mm = 0;
-  double held_out_mm = 0;        ///< 0 when there was only one press
-  double condition = 0;          ///< of the scaled problem
-  std::string degree_choice;     ///< why this family and degree, a sentence
+  double held_out_mm = 0;             ///< 0 when there was only one press
+  double condition = 0;               ///< of the scaled problem
+  std::string degree_choice;          ///< why this family and degree, a sentence
   std::vector<std::string> left_out;  ///< presses not used, each with the reason
   std::vector<std::string> remarks;   ///< what the user should know (one press only, ...)
 };
