@@ -1,5 +1,6 @@
 #include "core/simulation/plan.h"
 
+#include "core/numerics/philox.h"
 #include "core/simulation/scene_content.h"
 
 #include <limits>
@@ -111,6 +112,8 @@ Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
     return Error{camera.error().what,
                  fmt::format("scene '{}': finger.camera", content.name),
                  camera.error().advice};
+  // The noise of a recording must not be that of the press that is compared with it.
+  seed ^= std::uint64_t{fnv1a(content.name)} << 32;
   auto state = std::make_shared<State>(scene, seed, *camera);
   std::vector<std::string> names;
   for (const auto& named : content.effects) names.push_back(named.kind->name);

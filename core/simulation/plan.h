@@ -17,6 +17,8 @@ namespace alltact {
 
 class Plan {
  public:
+  /// Everything drawn at random is a function of the seed and the scene's name (two scenes with one
+  /// seed share no noise), the effect, the frame and the pixel.
   /// Errors: an effect with impossible parameters for this finger.
   static Result<Plan> compile(const Scene& scene, std::uint64_t seed);
 

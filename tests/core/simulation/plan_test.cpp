@@ -77,7 +77,7 @@ TEST(Plan, NamingAnotherEffectDisturbsNoDraw) {
           plan_of(scene_text(before ? others + read : read + others)).render(1, before ? 1 : 4);
       int compared = 0;
       for (int v = 0; v < clean.rows; ++v) {
-        noise.normals(7, 1, v, clean.cols, draws.data());
+        noise.normals(7 ^ std::uint64_t{fnv1a("test")} << 32, 1, v, clean.cols, draws.data());
         for (int u = 0; u < clean.cols; ++u) {
           if (clean.at<float>(v, u) != 0.0F) continue;
           ASSERT_EQ(noisy.at<float>(v, u), draws[static_cast<std::size_t>(u)]) << u << ' ' << v;
@@ -118,6 +118,14 @@ TEST(RowNoise, IsPhiloxAndStandardNormal) {
   EXPECT_NEAR(sum / total, 0, 4 / std::sqrt(total));
   EXPECT_NEAR(sum2 / total, 1, 4 * std::sqrt(2 / total));
   EXPECT_NEAR(sum4 / total, 3, 4 * std::sqrt(96 / total));
+}
+
+TEST(Plan, ScenesOfOtherNamesShareNoNoise) {
+  std::string other = scene_text("  - {use: read, sd: 1}\n");
+  const cv::Mat a = plan_of(other).render(0);
+  const cv::Mat b = plan_of(other.replace(0, 10, "name: tent")).render(0);
+  const cv::Rect corner(0, 0, 320, 5);
+  EXPECT_LT(std::abs(a(corner).dot(b(corner)) / 1600), 4 / std::sqrt(1600.0));
 }
 
 // Kubelka-Munk over black and inverse squares, in long double, for a face that is not bent.
