@@ -5,6 +5,7 @@
 #include "core/io/picture.h"
 #include "core/sensing/face_edges.h"
 #include "core/sensing/face_shape.h"
+#include "core/sensing/layout_search.h"
 #include "core/sensing/reference_library.h"
 
 #include <system_error>
@@ -195,25 +196,6 @@ MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::s
   return table;
 }
 
-// Median over the frames of the mean marker distance to the nearest other frame.
-double median_step_px(const Eigen::MatrixXd& layouts) {
-  std::vector<double> steps;
-  for (Eigen::Index i = 0; i < layouts.rows(); ++i) {
-    double least = std::numeric_limits<double>::infinity();
-    for (Eigen::Index j = 0; j < layouts.rows(); ++j) {
-      if (i == j) continue;
-      double sum = 0;
-      for (Eigen::Index k = 0; k < layouts.cols(); k += 2)
-        sum += std::hypot(layouts(i, k) - layouts(j, k), layouts(i, k + 1) - layouts(j, k + 1));
-      least = std::min(least, 2 * sum / static_cast<double>(layouts.cols()));
-    }
-    steps.push_back(least);
-  }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
 // Noise of a sum of offsets is that of one times the root of their number, twice over because the
 // rest layout was measured too; never below a shift of all markers that is no touch.
 double touch_threshold_px(double marker_noise_px, std::size_t markers) {
@@ -269,7 +251,7 @@ Status make_reference(Source& source,
   if (!complete) return complete;
   table = table_of(numbered, kept);
   report.frames_kept = static_cast<int>(kept.size());
-  report.median_step_px = median_step_px(table.layouts);
+  report.median_step_px = LayoutSearch(table.layouts).median_step_px();
   return {};
 }
 

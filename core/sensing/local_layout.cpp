@@ -31,7 +31,8 @@ std::vector<int> nearest_rows(const Eigen::MatrixXd& points,
 LocalLayout::LocalLayout(const Eigen::MatrixXd& layouts,
                          const std::vector<int>& neighbours,
                          const Markers& markers,
-                         double noise_px) {
+                         double noise_px)
+    : noise_px_(noise_px) {
   const Eigen::Index size = layouts.cols(), count = static_cast<Eigen::Index>(neighbours.size());
   deviations_.resize(size, count);
   for (Eigen::Index k = 0; k < count; ++k)
@@ -44,22 +45,37 @@ LocalLayout::LocalLayout(const Eigen::MatrixXd& layouts,
   Eigen::MatrixXd information =
       Eigen::MatrixXd::Identity(count, count) * (0.25 * static_cast<double>(count));
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(count);
+  double square = 0;
   for (std::size_t m = 0; m < markers.size(); ++m) {
     if (!markers[m].seen) continue;
     const auto i = static_cast<Eigen::Index>(2 * m);
     const auto rows = deviations_.middleRows(i, 2);
     information.noalias() += rows.transpose() * rows / noise;
-    pull.noalias() += rows.transpose() *
-                      (Eigen::Vector2d(markers[m].u, markers[m].v) - mean.segment<2>(i)) / noise;
+    const Eigen::Vector2d off = Eigen::Vector2d(markers[m].u, markers[m].v) - mean.segment<2>(i);
+    pull.noalias() += rows.transpose() * off / noise;
+    square += off.squaredNorm() / noise;
   }
   covariance_ = information.llt().solve(Eigen::MatrixXd::Identity(count, count));
-  place_ = mean + deviations_ * (covariance_ * pull);
+  const Eigen::VectorXd coefficients = covariance_ * pull;
+  place_ = mean + deviations_ * coefficients;
+  misfit_ = std::max(0.0, square - pull.dot(coefficients));
 }
 
 double LocalLayout::sd_px(int marker) const {
   const auto rows = deviations_.middleRows(2 * marker, 2);
   const Eigen::Matrix2d spread = rows * covariance_ * rows.transpose();
   return std::sqrt(std::max({0.0, spread(0, 0), spread(1, 1)}));
+}
+
+LocalLayout::Discrepancy LocalLayout::discrepancy(int marker, const Eigen::Vector2d& seen) const {
+  const auto rows = deviations_.middleRows(2 * marker, 2);
+  const double noise = noise_px_ * noise_px_;
+  // Leaving one observation out of a linear fit divides its residual by (1 - its leverage).
+  const Eigen::Matrix2d left =
+      Eigen::Matrix2d::Identity() - rows * covariance_ * rows.transpose() / noise;
+  const Eigen::Vector2d residual = seen - place(marker);
+  const Eigen::Vector2d told = left.inverse() * residual;
+  return {told.norm(), std::sqrt(std::max(0.0, residual.dot(told)) / noise)};
 }
 
 }  // namespace alltact

@@ -33,7 +33,19 @@ class LocalLayout {
   /// Standard deviation of u and of v that the mixture leaves open (the larger of the two).
   [[nodiscard]] double sd_px(int marker) const;
 
+  /// How far a marker that took part lies from what the other markers tell of it: in px, and in
+  /// standard deviations. A single residual hides that, because a marker at the end of a row pulls
+  /// the mixture to itself.
+  struct Discrepancy {
+    double px, sigmas;
+  };
+  [[nodiscard]] Discrepancy discrepancy(int marker, const Eigen::Vector2d& seen) const;
+  /// What the fit leaves, in squared standard deviations; without a marker it falls by the square
+  /// of that marker's discrepancy.
+  [[nodiscard]] double misfit() const { return misfit_; }
+
  private:
+  double noise_px_, misfit_ = 0;
   Eigen::MatrixXd deviations_;  // 4n x neighbours
   Eigen::MatrixXd covariance_;  // of the deviations' coefficients
   Eigen::VectorXd place_;

@@ -10,10 +10,11 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostModes = 8;      // a Fin Ray bends, sways and twists; the rest is noise
-constexpr int kCovering = 160;     // layouts that a search for the pose starts from
-constexpr int kStarts = 6;         // of these, how many are followed up
-constexpr double kFloorPx = 0.05;  // noise that even a perfect recording has
+constexpr int kMostModes = 8;             // a Fin Ray bends, sways and twists; the rest is noise
+constexpr int kCovering = 160;            // layouts that a search for the pose starts from
+constexpr int kStarts = 6;                // of these, how many are followed up
+constexpr double kContradictionPx = 0.5;  // less is harmless whatever it is
+constexpr double kFloorPx = 0.05;         // noise that even a perfect recording has
 
 Eigen::Vector2d place_of(const Eigen::VectorXd& layout, int marker) {
   return layout.segment<2>(2 * marker);
@@ -241,17 +242,11 @@ std::optional<Markers> MarkerModel::number(const std::vector<Dot>& dots) const {
   return found_more ? complete(*completed) : completed;
 }
 
-Markers MarkerModel::fill(const Markers& markers) const {
-  const auto neighbours = nearest_rows(places_, fit_modes(markers), kLocalNeighbours, -1);
-  const LocalLayout local(layouts_, neighbours, markers, noise_px_);
-  Markers filled(markers.size());
-  for (int m = 0; m < marker_count(); ++m) {
-    const Eigen::Vector2d place = local.place(m);
-    const double sd =
-        markers[static_cast<std::size_t>(m)].seen ? 0.0 : std::hypot(local.sd_px(m), noise_px_);
-    filled[static_cast<std::size_t>(m)] = {place.x(), place.y(), false, sd};
-  }
-  return filled;
+LocalLayout MarkerModel::local_layout(const Markers& markers) const {
+  return {layouts_,
+          nearest_rows(places_, fit_modes(markers), kLocalNeighbours, -1),
+          markers,
+          noise_px_};
 }
 
 std::optional<Markers> MarkerModel::complete(Markers markers) const {
@@ -260,23 +255,26 @@ std::optional<Markers> MarkerModel::complete(Markers markers) const {
   const int most_refused = marker_count() / 3;
   for (int refused = 0;; ++refused) {
     if (seen_count(markers) < minimum_seen()) return std::nullopt;
-    const Markers filled = fill(markers);
-    std::vector<double> distances;
+    const LocalLayout local = local_layout(markers);
     double worst = 0;
     std::size_t worst_marker = 0;
     for (std::size_t m = 0; m < markers.size(); ++m) {
       if (!markers[m].seen) continue;
-      distances.push_back(std::hypot(markers[m].u - filled[m].u, markers[m].v - filled[m].v));
-      if (distances.back() > worst) worst = distances.back(), worst_marker = m;
+      const auto off = local.discrepancy(static_cast<int>(m), {markers[m].u, markers[m].v});
+      if (off.px > kContradictionPx && off.sigmas > worst) worst = off.sigmas, worst_marker = m;
     }
-    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
-    // In a pose beyond the recording every marker lies off a little; only one that lies off far
-    // more than the others contradicts them.
-    const double limit = std::max({0.5, 5 * noise_px_, 4 * *middle});
-    if (worst <= limit || refused >= most_refused) {
-      for (std::size_t m = 0; m < markers.size(); ++m)
-        if (!markers[m].seen) markers[m] = filled[m];
+    // In a pose beyond the recording every marker lies off a little; only one without which the
+    // rest agrees far better contradicts it.
+    const double others =
+        std::max(1.0, 2.0 * (seen_count(markers) - 1) - static_cast<double>(basis_.cols()));
+    const double rest = std::max(1.0, (local.misfit() - worst * worst) / others);
+    if (worst < 6.0 || worst * worst < 8.0 * rest || refused >= most_refused) {
+      for (int m = 0; m < marker_count(); ++m) {
+        Marker& marker = markers[static_cast<std::size_t>(m)];
+        if (marker.seen) continue;
+        const Eigen::Vector2d place = local.place(m);
+        marker = {place.x(), place.y(), false, std::hypot(local.sd_px(m), noise_px_)};
+      }
       return markers;
     }
     markers[worst_marker].seen = false;

@@ -17,6 +17,8 @@
 
 namespace alltact {
 
+class LocalLayout;
+
 struct Marker {
   double u = 0, v = 0;  ///< px, oriented picture; an estimate when not seen
   bool seen = false;
@@ -102,7 +104,7 @@ class MarkerModel {
   [[nodiscard]] Eigen::VectorXd fit_modes(const Markers& markers) const;
   [[nodiscard]] Pose explain(const std::vector<Dot>& dots, Eigen::VectorXd layout) const;
   [[nodiscard]] std::vector<int> likeliest_layouts(const std::vector<Dot>& dots) const;
-  [[nodiscard]] Markers fill(const Markers& markers) const;
+  [[nodiscard]] LocalLayout local_layout(const Markers& markers) const;
   [[nodiscard]] int minimum_seen() const { return std::max(2, (marker_count() + 2) / 3); }
   void learn_noise();
 

@@ -1,13 +1,12 @@
 #include "core/sensing/reference_library.h"
 
-#include "core/numerics/dispatch.h"
 #include "core/numerics/farthest_points.h"
 #include "core/sensing/face_edges.h"
 #include "core/sensing/face_picture.h"
+#include "core/sensing/layout_search.h"
 #include "core/sensing/local_layout.h"
 #include "core/sensing/reference_weights.h"
 
-#include <cstring>
 #include <limits>
 
 #include <fmt/format.h>
@@ -30,64 +29,6 @@ Error wrong(std::string what, const std::filesystem::path& file) {
   return {std::move(what), file.string(), kAdvice};
 }
 
-// Marker positions of all frames, one coordinate after the other: the search runs along frames.
-struct Places {
-  std::size_t frames = 0;
-  std::vector<float> values;  // (u0 of all frames, v0 of all frames, u1 ...)
-
-  explicit Places(const Eigen::MatrixXd& layouts)
-      : frames(static_cast<std::size_t>(layouts.rows())),
-        values(static_cast<std::size_t>(layouts.size())) {
-    std::copy_n(layouts.data(), layouts.size(), values.begin());  // column by column already
-  }
-};
-
-ALLTACT_WIDE void add_distances(
-    const float* u, const float* v, float at_u, float at_v, std::size_t n, float* sum) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const float du = u[i] - at_u, dv = v[i] - at_v;
-    sum[i] += std::sqrt(du * du + dv * dv);
-  }
-}
-
-ReferenceLibrary::Nearest search(const Places& places, const Markers& markers, std::size_t except) {
-  std::vector<float> sum(places.frames, 0.0F);
-  const bool any_seen =
-      std::any_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
-  int used = 0;
-  for (std::size_t m = 0; m < markers.size(); ++m) {
-    if (any_seen && !markers[m].seen) continue;
-    const float* u = places.values.data() + 2 * m * places.frames;
-    add_distances(u,
-                  u + places.frames,
-                  static_cast<float>(markers[m].u),
-                  static_cast<float>(markers[m].v),
-                  places.frames,
-                  sum.data());
-    ++used;
-  }
-  if (except < sum.size()) sum[except] = std::numeric_limits<float>::infinity();
-  const auto least = std::min_element(sum.begin(), sum.end());
-  return {static_cast<int>(least - sum.begin()), *least / std::max(1, used)};
-}
-
-// Median over the frames of the distance to the nearest other one.
-double median_step(const Places& places, const Eigen::MatrixXd& layouts) {
-  std::vector<double> steps;
-  const Eigen::Index every = std::max<Eigen::Index>(1, layouts.rows() / 200);
-  for (Eigen::Index i = 0; i < layouts.rows(); i += every) {
-    Markers markers(static_cast<std::size_t>(layouts.cols() / 2));
-    for (std::size_t m = 0; m < markers.size(); ++m) {
-      const auto k = static_cast<Eigen::Index>(2 * m);
-      markers[m] = {layouts(i, k), layouts(i, k + 1), true, 0};
-    }
-    steps.push_back(search(places, markers, static_cast<std::size_t>(i)).distance_px);
-  }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
 }  // namespace
 
 struct ReferenceLibrary::Content {
@@ -96,7 +37,7 @@ struct ReferenceLibrary::Content {
   std::vector<FacePicture> faces;
   std::size_t bytes = 0;
   std::optional<MarkerModel> model;
-  std::optional<Places> places;
+  std::optional<LayoutSearch> search;
   Eigen::MatrixXd modes;  // of the frames, px, a row each
   Eigen::VectorXd mode_sd;
   double known_px = std::numeric_limits<double>::infinity();
@@ -263,8 +204,8 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& fin
   for (Eigen::Index i = 0; i < layouts.rows(); ++i)
     content->modes.row(i) =
         content->model->modes(as_markers(layouts, i)).cwiseProduct(content->mode_sd).transpose();
-  content->places.emplace(layouts);
-  content->known_px = std::max(kKnownFloorPx, kKnownSteps * median_step(*content->places, layouts));
+  content->search.emplace(layouts);
+  content->known_px = std::max(kKnownFloorPx, kKnownSteps * content->search->median_step_px());
   ReferenceLibrary library;
   library.content_ = std::move(content);
   return library;
@@ -296,9 +237,10 @@ const MarkerModel* ReferenceLibrary::marker_model() const {
 }
 
 ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers) const {
-  if (!content_->places || static_cast<int>(markers.size()) != content_->model->marker_count())
+  if (!content_->search || static_cast<int>(markers.size()) != content_->model->marker_count())
     return {0, 0.0};
-  return search(*content_->places, markers, std::numeric_limits<std::size_t>::max());
+  const auto found = content_->search->nearest(markers);
+  return {found.row, found.distance_px};
 }
 
 Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMethod method) const {
@@ -311,7 +253,7 @@ void ReferenceLibrary::reference_for(const Markers& markers,
                                      ReferenceMethod method,
                                      Reference& reference) const {
   const Content& content = *content_;
-  if (!content.places) {
+  if (!content.search) {
     reference = Reference{};
     reference.grey = content.single;
     reference.valid = cv::Mat(content.size, CV_8UC1, cv::Scalar(255));
