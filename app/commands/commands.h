@@ -69,6 +69,7 @@ struct ReconstructOptions {
   std::vector<Path> inputs;
   Path folder;
   bool depth = true, points = true, ply = false;
+  int threads = 1;
   PipelineSettings pipeline;
 };
 /// Turns pictures into depth. Error at the end when any of them could not be.

@@ -10,6 +10,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <opencv2/core/utility.hpp>
 
 namespace alltact {
 namespace {
@@ -117,6 +118,7 @@ Status reconstruct_all(Source& source,
 }  // namespace
 
 Status run_reconstruct(const ReconstructOptions& options, Console& console) {
+  cv::setNumThreads(options.threads);
   const auto finger = load_finger(options.finger, console);
   if (!finger) return finger.error();
   if (!finger->mapping) {
@@ -190,6 +192,12 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
                    "paper: the source paper's own formulas, to compare with (default ours)")
       ->type_name("ours|paper")
       ->check(CLI::IsMember({"ours", "paper"}));
+  command
+      ->add_option("--threads",
+                   options->threads,
+                   "The result is the same for any number (1 to 64; default 1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
   SettingFlags<PipelineSettings> pipeline;
   pipeline.add_to(*command, pipeline_settings());
   command->callback([=, &chosen] {

@@ -1,5 +1,6 @@
 #include "core/sensing/reference_library.h"
 
+#include "core/io/picture.h"
 #include "core/numerics/farthest_points.h"
 #include "core/sensing/face_edges.h"
 #include "core/sensing/face_picture.h"
@@ -158,6 +159,30 @@ Markers as_markers(const Eigen::MatrixXd& layouts, Eigen::Index row) {
   return markers;
 }
 
+/// The untouched picture that a flat sensor's finger names.
+Result<cv::Mat> flat_picture(const std::filesystem::path& finger_folder,
+                             const Finger& finger,
+                             const Camera& camera) {
+  if (!finger.reference || finger.reference->image.empty())
+    return Error{"the sensor has no untouched picture",
+                 (finger_folder / Finger::kFileName).string(),
+                 "give one with the calibration"};
+  const auto file = finger_folder / finger.reference->image;
+  const auto raw = read_grey_picture(file);
+  if (!raw) return raw.error();
+  cv::Mat grey = oriented(*raw, finger.camera.orientation);
+  if (grey.size() != camera.size())
+    return Error{
+        fmt::format("the untouched picture is {} x {} px, the sensor's camera gives {} x {}",
+                    grey.cols,
+                    grey.rows,
+                    camera.size().width,
+                    camera.size().height),
+        file.string(),
+        "give the untouched picture anew"};
+  return grey;
+}
+
 }  // namespace
 
 Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& finger_folder,
@@ -165,6 +190,11 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& fin
                                                 const Camera& camera,
                                                 const Job& job,
                                                 std::size_t memory_limit_bytes) {
+  if (finger.face.kind == FaceKind::kFlat) {
+    const auto grey = flat_picture(finger_folder, finger, camera);
+    if (!grey) return grey.error();
+    return single(*grey);
+  }
   if (!finger.reference || finger.reference->video.empty() || finger.reference->markers.empty())
     return Error{"the finger has no reference recording",
                  (finger_folder / Finger::kFileName).string(),

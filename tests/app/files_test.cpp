@@ -1,0 +1,200 @@
+// What lies on disk after a run: everything that was promised, whole, and nothing else.
+#include "tests/support/flat_finger.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <unistd.h>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& [name, content] : contents_of(folder)) names.push_back(name);
+  return names;
+}
+
+/// A small file system that is full after `kilobytes`; root only.
+class SmallDisk {
+ public:
+  SmallDisk(const fs::path& place, int kilobytes) : place_(place) {
+    fs::create_directories(place);
+    mounted_ = run_shell("mount -t tmpfs -o size=" + std::to_string(kilobytes) + "k tmpfs '" +
+                         place.string() + "'")
+                   .status == 0;
+  }
+  ~SmallDisk() {
+    if (mounted_) run_shell("umount '" + place_.string() + "'");
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  [[nodiscard]] bool mounted() const { return mounted_; }
+
+ private:
+  fs::path place_;
+  bool mounted_ = false;
+};
+
+TEST(Files, ACalibrationLeavesWhatTheDesignNames) {
+  const FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
+  EXPECT_THAT(names_in(flat.finger()), testing::ElementsAre("finger.yaml"));
+  const ProgramRun run = flat.calibrate();
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(names_in(flat.finger()),
+              testing::UnorderedElementsAre("calibration_report.json",
+                                            "finger.yaml",
+                                            "presses/press_0.png",
+                                            "presses/press_1.png",
+                                            "presses/press_2.png",
+                                            "presses/press_3.png",
+                                            "reference.png"));
+  EXPECT_THAT(run.output, HasSubstr("Verdict: good"));
+  EXPECT_EQ(run_alltact({"check", flat.finger()}).status, 0);
+}
+
+TEST(Files, AReconstructionMeasuresWhatWasPressed) {
+  const FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
+  ASSERT_EQ(flat.calibrate().status, 0);
+  const cv::Mat truth = ball_depth_mm(170, 110, 0.45);
+  cv::imwrite(flat.file("new.png"), pressed_picture(truth, 99));
+  const ProgramRun run =
+      flat.reconstruct({flat.file("new.png")}, "out", {"--format", "depth,points,ply"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(names_in(flat.folder / "out"),
+              testing::UnorderedElementsAre(
+                  "new.depth.tiff", "new.points.tiff", "new.ply", "results.jsonl"));
+  const cv::Mat depth = cv::imread(flat.file("out/new.depth.tiff"), cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(depth.type(), CV_32FC1);
+  ASSERT_EQ(depth.size(), truth.size());
+  double sum = 0;
+  int count = 0;
+  for (int v = 0; v < truth.rows; ++v) {
+    for (int u = 0; u < truth.cols; ++u) {
+      if (truth.at<float>(v, u) < 0.05F) continue;
+      sum += std::abs(depth.at<float>(v, u) - truth.at<float>(v, u));
+      ++count;
+    }
+  }
+  EXPECT_LT(sum / count, 0.03);
+  const auto line = nlohmann::json::parse(text_of(flat.folder.path() / "out" / "results.jsonl"));
+  ASSERT_EQ(line.at("regions").size(), 1U);
+  EXPECT_NEAR(line.at("regions")[0].at("deepest_mm").get<double>(), 0.45, 0.06);
+  EXPECT_FALSE(line.contains("markers"));
+  EXPECT_FALSE(line.contains("contact"));
+}
+
+TEST(Files, AFullDiskIsToldAndLeavesNothingHalf) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can mount a small disk";
+  const FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
+  ASSERT_EQ(flat.calibrate().status, 0);
+  const SmallDisk disk(flat.folder / "disk", 400);  // a depth picture has 300 kB, points 900 kB
+  if (!disk.mounted()) GTEST_SKIP() << "a small disk cannot be mounted here";
+  const ProgramRun run = flat.reconstruct({flat.presses[0].string()}, "disk");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("space"));
+  for (const std::string& name : names_in(flat.folder / "disk"))
+    EXPECT_EQ(name, "press_0.depth.tiff");
+}
+
+TEST(Files, AFullDiskLeavesTheFingerAsItWas) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can mount a small disk";
+  const FlatFinger flat;
+  const SmallDisk disk(flat.finger(), 64);
+  if (!disk.mounted()) GTEST_SKIP() << "a small disk cannot be mounted here";
+  ASSERT_EQ(flat.make().status, 0);
+  const std::string before = text_of(fs::path(flat.finger()) / "finger.yaml");
+  const ProgramRun run = flat.calibrate();
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("space"));
+  EXPECT_EQ(text_of(fs::path(flat.finger()) / "finger.yaml"), before);
+  for (const std::string& name : names_in(flat.finger()))
+    EXPECT_THAT(name, testing::EndsWith(name.find("png") == std::string::npos ? "yaml" : ".png"));
+}
+
+TEST(Files, AReadOnlyFolderIsTold) {
+  const FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
+  ASSERT_EQ(flat.calibrate().status, 0);
+  // Root may write anywhere but where a whole file system forbids it.
+  write_text(flat.folder / "file", "");
+  const ProgramRun below_a_file = flat.reconstruct({flat.presses[0].string()}, "file/out");
+  EXPECT_EQ(below_a_file.status, 1);
+  EXPECT_THAT(below_a_file.errors, HasSubstr("file"));
+  if (geteuid() == 0) {
+    const SmallDisk disk(flat.folder / "disk", 64);
+    if (!disk.mounted()) GTEST_SKIP() << "a small disk cannot be mounted here";
+    ASSERT_EQ(run_shell("mount -o remount,ro '" + flat.file("disk") + "'").status, 0);
+    const ProgramRun run = flat.reconstruct({flat.presses[0].string()}, "disk");
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.errors, HasSubstr("disk"));
+  } else {
+    fs::create_directory(flat.folder / "closed");
+    fs::permissions(flat.folder / "closed", fs::perms::owner_read | fs::perms::owner_exec);
+    const ProgramRun run = flat.reconstruct({flat.presses[0].string()}, "closed");
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.errors, HasSubstr("closed"));
+  }
+}
+
+TEST(Files, ExportsCarryTheSameNumbers) {
+  const TemporaryFolder folder;
+  write_text(folder / "camera.yaml",
+             "model: brown\nsize: [640, 480]\nfx: 411.5\nfy: 412.25\ncx: 320.5\ncy: 239.75\n"
+             "distortion: [-0.11, 0.02, 0.001, -0.002]\norientation: none\n");
+  const std::string finger = (folder / "finger").string();
+  ASSERT_EQ(run_alltact({"new",
+                         finger,
+                         "--camera",
+                         (folder / "camera.yaml").string(),
+                         "--layer-mm",
+                         "1.5",
+                         "--width-mm",
+                         "24",
+                         "--per-row",
+                         "6"})
+                .status,
+            0);
+  const ProgramRun run =
+      run_alltact({"export", finger, "--to", "opencv,json", "-o", (folder / "out").string()});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const cv::FileStorage file((folder / "out").string() + "/camera.opencv.yaml",
+                             cv::FileStorage::READ);
+  ASSERT_TRUE(file.isOpened());
+  cv::Mat matrix, distortion;
+  file["camera_matrix"] >> matrix;
+  file["distortion_coefficients"] >> distortion;
+  EXPECT_EQ(static_cast<int>(file["image_width"]), 640);
+  EXPECT_EQ(matrix.at<double>(0, 0), 411.5);
+  EXPECT_EQ(matrix.at<double>(1, 1), 412.25);
+  EXPECT_EQ(matrix.at<double>(0, 2), 320.5);
+  EXPECT_EQ(matrix.at<double>(1, 2), 239.75);
+  ASSERT_EQ(distortion.total(), 5U);
+  EXPECT_EQ(distortion.at<double>(3), -0.002);
+  EXPECT_EQ(distortion.at<double>(4), 0.0);
+  const auto json = nlohmann::json::parse(text_of(folder.path() / "out" / "calibration.json"));
+  EXPECT_EQ(json.at("camera").at("fy_px"), 412.25);
+  EXPECT_EQ(json.at("face").at("width_mm"), 24.0);
+  EXPECT_FALSE(json.contains("mapping")) << "absent, never zero";
+}
+
+TEST(Files, AnOrthographicCameraHasNoOpenCvForm) {
+  const FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
+  const ProgramRun run =
+      run_alltact({"export", flat.finger(), "--to", "opencv", "-o", flat.file("out")});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("orthographic"));
+}
+
+}  // namespace
+}  // namespace alltact::test

@@ -1,0 +1,188 @@
+// A newcomer's whole day with the simulated finger, through the program alone.
+#include "calibration/evaluate.h"
+#include "tests/support/program.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string scene(const std::string& name) {
+  return std::string(ALLTACT_SOURCE_DIR) + "/resources/scenes/" + name + ".yaml";
+}
+
+/// All steps of a day below one folder; the recording is the long one of the demonstration.
+class Day {
+ public:
+  [[nodiscard]] std::string file(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+  void step(const std::vector<std::string>& arguments) {
+    const ProgramRun run = run_alltact(arguments);
+    ASSERT_EQ(run.status, 0) << testing::PrintToString(arguments) << "\n"
+                             << run.errors << run.output;
+  }
+
+  /// Up to a finger with reference and mapping.
+  void prepare(const std::string& recording_frames) {
+    std::vector<std::string> simulate = {
+        "simulate", scene("demo_reference"), "-o", file("recording"), "--video", "--threads", "2"};
+    if (!recording_frames.empty()) {
+      // The same wandering, in fewer and longer steps.
+      std::string text = text_of(scene("demo_reference"));
+      const auto place = text.find("frames: 240");
+      ASSERT_NE(place, std::string::npos);
+      text.replace(place, 11, "frames: " + recording_frames);
+      write_text(file("recording.yaml"), text);
+      simulate[1] = file("recording.yaml");
+    }
+    step(simulate);
+    step({"simulate", scene("demo_presses"), "-o", file("presses"), "--threads", "2"});
+    step({"simulate", scene("demo_objects"), "-o", file("objects"), "--threads", "2"});
+    step({"new",
+          file("finger"),
+          "--camera",
+          file("recording/camera.yaml"),
+          "--width-mm",
+          "24",
+          "--layer-mm",
+          "1.5",
+          "--per-row",
+          "6"});
+    step({"reference", file("finger"), file("recording/frames.mkv")});
+    step({"calibrate", file("finger"), file("presses"), "--ball-radius-mm", "4"});
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+void expect_measured_well(const Evaluation& evaluation) {
+  EXPECT_EQ(evaluation.frames_missing, 0);
+  EXPECT_LE(evaluation.contact_depth_mm.value(), 0.06);
+  EXPECT_GE(evaluation.contact_coverage.value(), 0.95);
+  EXPECT_LE(evaluation.false_depth_mm.value(), 0.04);
+  EXPECT_LE(evaluation.position_mm.value(), 0.05);
+  EXPECT_LE(evaluation.marker_seen_px.value(), 0.1);
+  EXPECT_LE(evaluation.marker_hidden_px.value(), 1.0);
+}
+
+void print(const Evaluation& evaluation) {
+  testing::Test::RecordProperty("contact_depth_mm",
+                                std::to_string(evaluation.contact_depth_mm.value_or(-1)));
+  std::printf(
+      "contact %.4f mm (%.3f covered), away %.4f mm, position %.4f mm, markers %.3f / %.3f px, "
+      "%.2f ms\n",
+      evaluation.contact_depth_mm.value_or(-1),
+      evaluation.contact_coverage.value_or(-1),
+      evaluation.false_depth_mm.value_or(-1),
+      evaluation.position_mm.value_or(-1),
+      evaluation.marker_seen_px.value_or(-1),
+      evaluation.marker_hidden_px.value_or(-1),
+      evaluation.time_ms.value_or(-1));
+}
+
+TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {
+  Day day;
+  ASSERT_NO_FATAL_FAILURE(day.prepare(""));
+  day.step({"check", day.file("finger")});
+  day.step({"reconstruct", day.file("finger"), day.file("objects"), "-o", day.file("results")});
+  const auto evaluation = evaluate_folder(day.file("objects"), day.file("results"));
+  ASSERT_TRUE(evaluation.ok()) << evaluation.error().sentence();
+  print(*evaluation);
+  EXPECT_EQ(evaluation->frames, 12);
+  expect_measured_well(*evaluation);
+}
+
+TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {
+  Day day;
+  ASSERT_NO_FATAL_FAILURE(day.prepare("60"));
+  // Rendered by one thread and by two.
+  day.step({"simulate",
+            scene("demo_objects"),
+            "-o",
+            day.file("one"),
+            "--threads",
+            "1",
+            "--frames",
+            "3"});
+  day.step({"simulate",
+            scene("demo_objects"),
+            "-o",
+            day.file("two"),
+            "--threads",
+            "2",
+            "--frames",
+            "3"});
+  EXPECT_EQ(contents_of(day.file("one")), contents_of(day.file("two")));
+
+  // Reconstructed twice, and from a finger that was calibrated once more: all but the times.
+  day.step({"reconstruct",
+            day.file("finger"),
+            day.file("one"),
+            "-o",
+            day.file("first"),
+            "--threads",
+            "1"});
+  const std::string finger_before = text_of(day.file("finger/calibration_report.json"));
+  day.step({"calibrate", day.file("finger"), day.file("finger/presses"), "--ball-radius-mm", "4"});
+  EXPECT_EQ(text_of(day.file("finger/calibration_report.json")), finger_before);
+  day.step({"reconstruct",
+            day.file("finger"),
+            day.file("one"),
+            "-o",
+            day.file("second"),
+            "--threads",
+            "2"});
+  for (const auto& [name, content] : contents_of(day.file("first"))) {
+    if (name == "results.jsonl") continue;
+    EXPECT_EQ(text_of(day.file("second/" + name)), content) << name;
+  }
+  std::istringstream first(text_of(day.file("first/results.jsonl"))),
+      second(text_of(day.file("second/results.jsonl")));
+  int lines = 0;
+  for (std::string a, b; std::getline(first, a) && std::getline(second, b); ++lines) {
+    auto left = nlohmann::json::parse(a), right = nlohmann::json::parse(b);
+    left.erase("times_ms");
+    right.erase("times_ms");
+    EXPECT_EQ(left, right);
+  }
+  EXPECT_EQ(lines, 3);
+}
+
+TEST(SimulatedFinger, ThePaperMethodRunsBesideOurs) {
+  Day day;
+  ASSERT_NO_FATAL_FAILURE(day.prepare("60"));
+  day.step({"reconstruct", day.file("finger"), day.file("objects"), "-o", day.file("ours")});
+  day.step({"calibrate",
+            day.file("finger"),
+            day.file("presses"),
+            "--ball-radius-mm",
+            "4",
+            "--method",
+            "paper"});
+  day.step({"reconstruct",
+            day.file("finger"),
+            day.file("objects"),
+            "-o",
+            day.file("paper"),
+            "--method",
+            "paper"});
+  const auto ours = evaluate_folder(day.file("objects"), day.file("ours"));
+  const auto paper = evaluate_folder(day.file("objects"), day.file("paper"));
+  ASSERT_TRUE(ours.ok() && paper.ok());
+  print(*ours);
+  print(*paper);
+  EXPECT_LT(*ours->contact_depth_mm, *paper->contact_depth_mm);
+  EXPECT_LT(*ours->position_mm, *paper->position_mm);
+}
+
+}  // namespace
+}  // namespace alltact::test

@@ -1,0 +1,76 @@
+#include "tests/support/program.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace alltact::test {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "alltact-test-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+ProgramRun run_shell(const std::string& command) {
+  const TemporaryFolder folder;
+  const std::string redirected = "{ " + command + "\n} </dev/null >" +
+                                 quoted((folder / "out").string()) + " 2>" +
+                                 quoted((folder / "err").string());
+  const int status = std::system(redirected.c_str());
+  ProgramRun run;
+  run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  run.output = text_of(folder / "out");
+  run.errors = text_of(folder / "err");
+  return run;
+}
+
+ProgramRun run_alltact(const std::vector<std::string>& arguments) {
+  std::string command = quoted(ALLTACT_PROGRAM);
+  for (const std::string& argument : arguments) command += " " + quoted(argument);
+  return run_shell(command);
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::vector<std::pair<std::string, std::string>> contents_of(const fs::path& folder) {
+  std::vector<std::pair<std::string, std::string>> contents;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file())
+      contents.emplace_back(fs::relative(entry.path(), folder).string(), text_of(entry.path()));
+  }
+  std::sort(contents.begin(), contents.end());
+  return contents;
+}
+
+}  // namespace alltact::test

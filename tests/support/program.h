@@ -1,0 +1,47 @@
+// Running `alltact` as a person would, and looking at what it leaves behind.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace alltact::test {
+
+/// An empty folder that goes away with its owner.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
+    return path_ / name;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct ProgramRun {
+  int status = -1;  ///< exit status; 128 + signal when it was killed
+  std::string output;
+  std::string errors;
+};
+
+/// Runs alltact with these arguments; nothing on standard input.
+ProgramRun run_alltact(const std::vector<std::string>& arguments);
+
+/// Runs a shell command, for what only the system can do (mount, ldd).
+ProgramRun run_shell(const std::string& command);
+
+/// "" where the file cannot be read.
+std::string text_of(const std::filesystem::path& file);
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+/// Every file below a folder with its bytes, by relative path: two of these are equal when nothing
+/// was changed, added or left over.
+std::vector<std::pair<std::string, std::string>> contents_of(const std::filesystem::path& folder);
+
+}  // namespace alltact::test
