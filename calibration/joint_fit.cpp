@@ -32,13 +32,13 @@ Weighted weigh(const PressSamples& press,
                const MappingCurve& curve,
                const Eigen::Vector3d& centre,
                const JointOptions& options) {
-  const ContactDisc disc(press, centre, options.ball_radius_mm);
+  const ContactDisc disc(press, options.along, centre, options.ball_radius_mm);
   Weighted weighted;
   std::vector<double> normed;
   std::vector<double> taper;
   std::vector<double> sigma;
   for (const Sample& sample : press.samples) {
-    const double inside = (options.zone + kTaper - disc.radius_of(sample)) / (2.0 * kTaper);
+    const double inside = (options.zone + kTaper - disc.place_of(sample).radius) / (2.0 * kTaper);
     if (!(inside > 0.0)) continue;
     const double depth = ball_depth_mm(sample, options.along, centre, options.ball_radius_mm);
     const double read = curve.depth_mm(sample.x);
@@ -180,9 +180,10 @@ double ball_depth_mm(const Sample& sample,
 }
 
 ContactDisc::ContactDisc(const PressSamples& press,
+                         MappingAlong along,
                          const Eigen::Vector3d& centre_mm,
                          double radius_mm)
-    : centre_mm_(centre_mm) {
+    : along_(along), centre_mm_(centre_mm), radius_mm_(radius_mm) {
   const Sample* nearest = nullptr;
   double nearest2 = std::numeric_limits<double>::infinity();
   for (const Sample& sample : press.samples) {
@@ -191,28 +192,27 @@ ContactDisc::ContactDisc(const PressSamples& press,
     nearest2 = distance2;
     nearest = &sample;
   }
+  // Height over the face's plane there, so that a middle beyond the face's edge counts as well.
   const double height =
       nearest != nullptr ? nearest->normal.dot(centre_mm - nearest->untouched_n) : radius_mm;
-  height2_ = height * height;
-  depth_mm_ = radius_mm - height;
   // A ball that no longer touches keeps a speck of a rim, so that a fit can come back.
-  rim2_ = std::max(radius_mm * radius_mm - height2_, 1e-3 * radius_mm * radius_mm);
+  rim2_ = std::max((radius_mm - height) * (radius_mm + height), 1e-3 * radius_mm * radius_mm);
 }
 
-double ContactDisc::radius_of(const Sample& sample) const {
-  const double r2 = (sample.untouched_n - centre_mm_).squaredNorm() - height2_;
-  return std::sqrt(std::max(0.0, r2) / rim2_);
-}
-
-int ContactDisc::patch_of(const Sample& sample) const {
-  const double radius = radius_of(sample);
+ContactDisc::Place ContactDisc::place_of(const Sample& sample) const {
+  const double depth = ball_depth_mm(sample, along_, centre_mm_, radius_mm_);
+  if (!std::isfinite(depth)) return {std::numeric_limits<double>::infinity(), kPatches - 1};
+  const bool normal = along_ == MappingAlong::kNormal;
+  Eigen::Vector3d touched = normal ? sample.untouched_n : sample.untouched_z;
+  touched -= depth * (normal ? sample.normal : Eigen::Vector3d(0.0, 0.0, 1.0));
+  const Eigen::Vector3d from = touched - centre_mm_;
+  const Eigen::Vector3d aside = from - from.dot(sample.normal) * sample.normal;
+  Place place{std::sqrt(aside.squaredNorm() / rim2_), 0};
   int ring = 0;
-  while (ring + 1 < kRings && radius > kRingRadius[ring]) ++ring;
-  const double turn = (std::atan2(sample.untouched_n.y() - centre_mm_.y(),
-                                  sample.untouched_n.x() - centre_mm_.x()) +
-                       M_PI) /
-                      (2.0 * M_PI);
-  return ring * kSectors + std::min(kSectors - 1, static_cast<int>(turn * kSectors));
+  while (ring + 1 < kRings && place.radius > kRingRadius[ring]) ++ring;
+  const double turn = (std::atan2(aside.y(), aside.x()) + M_PI) / (2.0 * M_PI);
+  place.patch = ring * kSectors + std::min(kSectors - 1, static_cast<int>(turn * kSectors));
+  return place;
 }
 
 JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
@@ -247,19 +247,20 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
   std::vector<std::vector<double>> ring_values(ContactDisc::kRings);
   std::vector<double> ring_scatter;
   for (std::size_t i = 0; i < presses.size(); ++i) {
-    const ContactDisc disc(*presses[i], fit.centres_mm[i], options.ball_radius_mm);
+    const ContactDisc disc(*presses[i], options.along, fit.centres_mm[i], options.ball_radius_mm);
     std::vector<Patch> patches(ContactDisc::kPatches);
     double absolute = 0;
     int count = 0;
     for (const Sample& sample : presses[i]->samples) {
-      if (!(disc.radius_of(sample) <= options.zone)) continue;
+      const ContactDisc::Place place = disc.place_of(sample);
+      if (!(place.radius <= options.zone)) continue;
       const double residual =
           fit.curve.depth_mm(sample.x) -
           ball_depth_mm(sample, options.along, fit.centres_mm[i], options.ball_radius_mm);
       if (!std::isfinite(residual)) continue;
       absolute += std::abs(residual);
       ++count;
-      Patch& patch = patches[static_cast<std::size_t>(disc.patch_of(sample))];
+      Patch& patch = patches[static_cast<std::size_t>(place.patch)];
       patch.sum += residual;
       ++patch.count;
     }
@@ -307,11 +308,15 @@ JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
   const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size());
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n);
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(n, n);
+  // What the rings' means show besides is no chance: the skin leaving the ball, the mapping's own
+  // form. It is the same in every press, so that more presses do not average it away.
+  const double systematic_mm = std::hypot(kFloorMm, quality_of(presses, fit, options).ring_mm);
+  Eigen::MatrixXd ring_pull = Eigen::MatrixXd::Zero(n, ContactDisc::kRings);
   int observations = 0;
   std::vector<double> by_values(static_cast<std::size_t>(n_map));
   for (std::size_t i = 0; i < presses.size(); ++i) {
     const Weighted weighted = weigh(*presses[i], fit.curve, fit.centres_mm[i], options);
-    const ContactDisc disc(*presses[i], fit.centres_mm[i], options.ball_radius_mm);
+    const ContactDisc disc(*presses[i], options.along, fit.centres_mm[i], options.ball_radius_mm);
     Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(n, ContactDisc::kPatches);
     std::vector<bool> seen(ContactDisc::kPatches, false);
     Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
@@ -325,8 +330,9 @@ JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
       row.head(n_map) = weight * Eigen::Map<const Eigen::VectorXd>(by_values.data(), n_map);
       row.segment<3>(n_map + 3 * static_cast<Eigen::Index>(i)) = -weight * by_centre;
       hessian.selfadjointView<Eigen::Lower>().rankUpdate(row);
-      const int patch = disc.patch_of(sample);
+      const int patch = disc.place_of(sample).patch;
       pull.col(patch) += residual * row;
+      ring_pull.col(patch / ContactDisc::kSectors) += systematic_mm * weight * row;
       seen[static_cast<std::size_t>(patch)] = true;
     }
     spread += pull * pull.transpose();
@@ -349,7 +355,8 @@ JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
        eigen.eigenvectors().transpose()) *
       scale.cwiseInverse().asDiagonal();
   const double few = static_cast<double>(observations) / static_cast<double>(observations - n);
-  result.covariance = few * inverse * spread * inverse;
+  spread = few * spread + ring_pull * ring_pull.transpose();
+  result.covariance = inverse * spread * inverse;
   result.covariance = (0.5 * (result.covariance + result.covariance.transpose())).eval();
   return result;
 }

@@ -27,12 +27,17 @@ namespace alltact {
 /// face and ball part if the skin followed the ball to the end.
 class ContactDisc {
  public:
-  ContactDisc(const PressSamples& press, const Eigen::Vector3d& centre_mm, double radius_mm);
-  [[nodiscard]] double radius_of(const Sample& sample) const;
-  /// Greatest depth along the normal, also when the middle lies off the face.
-  [[nodiscard]] double depth_mm() const { return depth_mm_; }
-  /// Number of the patch a sample lies in, 0..kPatches-1: rings of like area, 8 sectors each.
-  [[nodiscard]] int patch_of(const Sample& sample) const;
+  ContactDisc(const PressSamples& press,
+              MappingAlong along,
+              const Eigen::Vector3d& centre_mm,
+              double radius_mm);
+
+  /// Where the skin over a sample touches the ball.
+  struct Place {
+    double radius;  ///< part of the rim's; infinite where the sample's line misses the ball
+    int patch;      ///< 0..kPatches-1: rings as below, 8 sectors each
+  };
+  [[nodiscard]] Place place_of(const Sample& sample) const;
   static constexpr int kRings = 7;
   static constexpr int kSectors = 8;
   static constexpr int kPatches = kRings * kSectors;
@@ -40,10 +45,10 @@ class ContactDisc {
   static constexpr double kRingRadius[kRings] = {0.35, 0.5, 0.65, 0.75, 0.85, 0.93, 1.0};
 
  private:
+  MappingAlong along_;
   Eigen::Vector3d centre_mm_;
-  double height2_ = 0;  ///< squared height of the ball's centre over the face
-  double rim2_ = 1;     ///< squared radius of the cap's rim
-  double depth_mm_ = 0;
+  double radius_mm_;
+  double rim2_ = 1;  ///< squared radius of the cap's rim
 };
 
 struct JointOptions {
@@ -84,7 +89,8 @@ struct JointCovariance {
   double condition = 0;
 };
 /// Spread of the solution as the residuals themselves show it: neighbouring samples share their
-/// errors, so that each patch of the contact counts as one observation.
+/// errors, so that each patch of the contact counts as one observation, and each ring may be off
+/// as a whole, in all presses alike, by what its mean residuals are.
 [[nodiscard]] JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
                                             const JointFit& fit,
                                             const JointOptions& options);

@@ -25,13 +25,13 @@ bool increases(const MappingCurve& curve, MappingAlong along) {
 }
 
 /// The largest difference at which the contacts' inner parts are seen: the end of the domain.
-double domain_of(const ChoiceInput& input) {
+double domain_of(const ChoiceInput& input, MappingAlong along) {
   double x_max = 0;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
-    const ContactDisc disc(*input.presses[i], input.centres_mm[i], input.ball_radius_mm);
+    const ContactDisc disc(*input.presses[i], along, input.centres_mm[i], input.ball_radius_mm);
     std::vector<double> x;
     for (const Sample& sample : input.presses[i]->samples)
-      if (disc.radius_of(sample) < kInnerZone) x.push_back(sample.x);
+      if (disc.place_of(sample).radius < kInnerZone) x.push_back(sample.x);
     if (x.empty()) continue;
     const auto at = x.begin() + static_cast<std::ptrdiff_t>(0.995 * (x.size() - 1));
     std::nth_element(x.begin(), at, x.end());
@@ -45,9 +45,9 @@ JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_m
   JointFit fit{MappingCurve({MappingKind::kPolynomial, 1}, x_max), input.centres_mm};
   double xd = 0, xx = 0;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
-    const ContactDisc disc(*input.presses[i], input.centres_mm[i], input.ball_radius_mm);
+    const ContactDisc disc(*input.presses[i], along, input.centres_mm[i], input.ball_radius_mm);
     for (const Sample& sample : input.presses[i]->samples) {
-      if (disc.radius_of(sample) > kInnerZone) continue;
+      if (disc.place_of(sample).radius > kInnerZone) continue;
       const double depth = ball_depth_mm(sample, along, input.centres_mm[i], input.ball_radius_mm);
       if (!std::isfinite(depth)) continue;
       xd += sample.x * depth;
@@ -117,15 +117,25 @@ double mean_of(const std::vector<double>& values) {
   return mean;
 }
 
-/// True when a is not worse than b by more than the standard error of their difference.
-bool as_good(const std::vector<double>& a, const std::vector<double>& b) {
+/// How much worse a is than b on the same presses, and the standard error of that.
+struct Excess {
+  double mean, standard_error;
+};
+
+Excess excess_of(const std::vector<double>& a, const std::vector<double>& b) {
   const auto n = static_cast<double>(a.size());
   double mean = 0;
   for (std::size_t i = 0; i < a.size(); ++i) mean += (a[i] - b[i]) / n;
   double variance = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     variance += (a[i] - b[i] - mean) * (a[i] - b[i] - mean) / (n - 1.0);
-  return mean <= std::max({kTieMm, kTiePart * mean_of(b), std::sqrt(variance / n)});
+  return {mean, std::sqrt(variance / n)};
+}
+
+/// True when a family's errors are not worth leaving it for a less simple one.
+bool as_good(const std::vector<double>& a, const std::vector<double>& b) {
+  const Excess excess = excess_of(a, b);
+  return excess.mean <= std::max({kTieMm, kTiePart * mean_of(b), excess.standard_error});
 }
 
 std::vector<CurveFamily> families_for(const CalibrationSettings& settings, std::size_t presses) {
@@ -167,8 +177,11 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
                                          const CalibrationSettings& settings,
                                          MappingAlong along,
                                          const Job& job) {
-  ModelChoice choice{
-      {along, input.ball_radius_mm}, straight_start(input, along, domain_of(input)), {}, {}, {}};
+  ModelChoice choice{{along, input.ball_radius_mm},
+                     straight_start(input, along, domain_of(input, along)),
+                     {},
+                     {},
+                     {}};
   if (!(choice.fit.curve.x_max() > 0.0)) return std::nullopt;
   choice.options.zone = kInnerZone;
   choice.options.settled_mm = kSettledMm;
@@ -265,8 +278,10 @@ std::optional<ModelChoice> choose_model(const ChoiceInput& input,
     return by_z;
   auto by_normal = choose_family(input, settings, MappingAlong::kNormal, job);
   if (!by_normal || by_normal->held_out_mm.size() != by_z->held_out_mm.size() ||
-      by_z->held_out_mm.empty() || as_good(by_z->held_out_mm, by_normal->held_out_mm))
+      by_z->held_out_mm.empty())
     return by_z;
+  const Excess excess = excess_of(by_z->held_out_mm, by_normal->held_out_mm);
+  if (!(excess.mean > excess.standard_error)) return by_z;
   by_normal->remarks.push_back(
       fmt::format("brightness follows the layer's thickness along its normal: {:.4f} mm on presses "
                   "left out, against {:.4f} mm along z",
