@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMostModes = 8;             // a Fin Ray bends, sways and twists; the rest is noise
 constexpr int kCovering = 160;            // layouts that a search for the pose starts from
-constexpr int kStarts = 6;                // of these, how many are followed up
+constexpr int kStarts = 10;               // of these, how many are followed up
 constexpr double kContradictionPx = 0.5;  // less is harmless whatever it is
 constexpr double kFloorPx = 0.05;         // noise that even a perfect recording has
 
@@ -47,6 +47,37 @@ int seen_count(const Markers& markers) {
       std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
 }
 
+Markers taken_from(const std::vector<Dot>& dots, const std::vector<int>& dot_of) {
+  Markers markers(dot_of.size());
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    if (dot_of[m] < 0) continue;
+    const Dot& dot = dots[static_cast<std::size_t>(dot_of[m])];
+    markers[m] = {dot.u, dot.v, true, dot.sd_px};
+  }
+  return markers;
+}
+
+// Takes dots that lie where a marker is estimated; true when there was one.
+bool add_unused(const std::vector<Dot>& dots, double gate, Markers& markers) {
+  bool added = false;
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    Marker& marker = markers[m];
+    if (marker.seen) continue;
+    for (const Dot& dot : dots) {
+      const bool same_side = dot.upper == (2 * m < markers.size());
+      const auto is_this = [&](const Marker& other) {
+        return other.seen && other.u == dot.u && other.v == dot.v;
+      };
+      if (!same_side || std::hypot(dot.u - marker.u, dot.v - marker.v) > gate) continue;
+      if (std::any_of(markers.begin(), markers.end(), is_this)) continue;
+      marker = {dot.u, dot.v, true, dot.sd_px};
+      added = true;
+      break;
+    }
+  }
+  return added;
+}
+
 }  // namespace
 
 // Numbered dots and the layout that the modes make of them.
@@ -54,7 +85,6 @@ struct MarkerModel::Pose {
   std::vector<int> dot_of;  // by marker, -1: none
   Eigen::VectorXd layout;
   int assigned = 0;
-  double distance = 0;  // mean over the assigned, px
 };
 
 Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
@@ -101,23 +131,33 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
 }
 
 void MarkerModel::learn_noise() {
-  // Every so-many-th layout told from its neighbours without itself.
+  // Layouts told from their neighbours, marker by marker: the noise with which the discrepancies
+  // are as large as they should be. In a sparse recording that is mostly the bending between
+  // frames.
   const Eigen::Index step = std::max<Eigen::Index>(1, layouts_.rows() / 60);
-  double square = 0;
-  int count = 0;
-  for (Eigen::Index i = 0; i < layouts_.rows(); i += step) {
-    Markers markers(static_cast<std::size_t>(marker_count()));
-    for (int m = 0; m < marker_count(); ++m)
-      markers[static_cast<std::size_t>(m)] = {layouts_(i, 2 * m), layouts_(i, 2 * m + 1), true, 0};
-    const auto neighbours = nearest_rows(places_, places_.row(i).transpose(), kLocalNeighbours, i);
-    if (neighbours.size() < 2) continue;
-    const LocalLayout local(layouts_, neighbours, markers, kFloorPx);
-    for (int m = 0; m < marker_count(); ++m)
-      square += (local.place(m) - place_of(layouts_.row(i).transpose(), m)).squaredNorm();
-    count += 2 * marker_count();
+  noise_px_ = kFloorPx;
+  for (int pass = 0; pass < 3; ++pass) {
+    double square = 0;
+    int count = 0;
+    for (Eigen::Index i = 0; i < layouts_.rows(); i += step) {
+      Markers markers(static_cast<std::size_t>(marker_count()));
+      for (int m = 0; m < marker_count(); ++m)
+        markers[static_cast<std::size_t>(m)] = {
+            layouts_(i, 2 * m), layouts_(i, 2 * m + 1), true, 0};
+      const auto neighbours =
+          nearest_rows(places_, places_.row(i).transpose(), kLocalNeighbours, i);
+      if (neighbours.size() < 2) continue;
+      const LocalLayout local(layouts_, neighbours, markers, noise_px_);
+      for (int m = 0; m < marker_count(); ++m) {
+        const double sigmas = local.discrepancy(m, place_of(layouts_.row(i).transpose(), m)).sigmas;
+        square += sigmas * sigmas;
+      }
+      count += 2 * marker_count();
+    }
+    if (count == 0) return;
+    noise_px_ =
+        std::clamp(noise_px_ * std::sqrt(square / count), kFloorPx, 0.05 * spacing_px_ + kFloorPx);
   }
-  if (count > 0)
-    noise_px_ = std::clamp(std::sqrt(square / count), kFloorPx, 0.05 * spacing_px_ + kFloorPx);
 }
 
 Eigen::VectorXd MarkerModel::fit_modes(const Markers& markers) const {
@@ -185,7 +225,7 @@ MarkerModel::Pose MarkerModel::explain(const std::vector<Dot>& dots, Eigen::Vect
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
       return std::tie(a.distance, a.marker, a.dot) < std::tie(b.distance, b.marker, b.dot);
     });
-    pose = Pose{std::vector<int>(static_cast<std::size_t>(marker_count()), -1), {}, 0, 0};
+    pose = Pose{std::vector<int>(static_cast<std::size_t>(marker_count()), -1), {}, 0};
     std::vector<char> taken(dots.size(), 0);
     Markers markers(static_cast<std::size_t>(marker_count()));
     for (const Pair& pair : pairs) {
@@ -194,11 +234,9 @@ MarkerModel::Pose MarkerModel::explain(const std::vector<Dot>& dots, Eigen::Vect
       pose.dot_of[m] = pair.dot;
       taken[d] = 1;
       markers[m] = {dots[d].u, dots[d].v, true, dots[d].sd_px};
-      pose.distance += pair.distance;
       ++pose.assigned;
     }
     if (pose.assigned < 2) return pose;
-    pose.distance /= pose.assigned;
     layout = mean_ + basis_ * fit_modes(markers);
     pose.layout = layout;
   }
@@ -206,40 +244,22 @@ MarkerModel::Pose MarkerModel::explain(const std::vector<Dot>& dots, Eigen::Vect
 }
 
 std::optional<Markers> MarkerModel::number(const std::vector<Dot>& dots) const {
-  std::optional<Pose> best;
-  const auto worth = [&](const Pose& p) { return p.assigned - p.distance / (0.3 * spacing_px_); };
+  std::optional<Markers> best;
+  double best_worth = 0;
+  std::vector<std::vector<int>> tried;
   for (const int row : likeliest_layouts(dots)) {
-    Pose pose = explain(dots, layouts_.row(row).transpose());
-    if (pose.assigned >= 2 && (!best || worth(pose) > worth(*best))) best = std::move(pose);
+    const Pose pose = explain(dots, layouts_.row(row).transpose());
+    if (pose.assigned < minimum_seen()) continue;
+    if (std::find(tried.begin(), tried.end(), pose.dot_of) != tried.end()) continue;
+    tried.push_back(pose.dot_of);
+    const auto markers = complete(taken_from(dots, pose.dot_of));
+    if (!markers) continue;
+    // A row that slipped by one finds nearly as many dots, but the recorded layouts do not bend so.
+    const double worth = seen_count(*markers) - residual_px(*markers) / (0.1 * spacing_px_);
+    if (!best || worth > best_worth) best = markers, best_worth = worth;
   }
-  if (!best || best->assigned < minimum_seen()) return std::nullopt;
-  Markers markers(static_cast<std::size_t>(marker_count()));
-  std::vector<char> taken(dots.size(), 0);
-  for (std::size_t m = 0; m < markers.size(); ++m) {
-    if (best->dot_of[m] < 0) continue;
-    const auto d = static_cast<std::size_t>(best->dot_of[m]);
-    markers[m] = {dots[d].u, dots[d].v, true, dots[d].sd_px};
-    taken[d] = 1;
-  }
-  auto completed = complete(markers);
-  if (!completed) return std::nullopt;
-  // The modes are coarser than the neighbours: a dot they had no room for may fit now.
-  bool found_more = false;
-  const double gate = std::max(1.0, 5 * noise_px_);
-  for (std::size_t m = 0; m < markers.size(); ++m) {
-    Marker& marker = (*completed)[m];
-    if (marker.seen) continue;
-    for (std::size_t d = 0; d < dots.size(); ++d) {
-      const bool same_side = dots[d].upper == (2 * m < markers.size());
-      if (taken[d] || !same_side || std::hypot(dots[d].u - marker.u, dots[d].v - marker.v) > gate)
-        continue;
-      marker = {dots[d].u, dots[d].v, true, dots[d].sd_px};
-      taken[d] = 1;
-      found_more = true;
-      break;
-    }
-  }
-  return found_more ? complete(*completed) : completed;
+  if (!best) return std::nullopt;
+  return add_unused(dots, std::max(1.0, 5 * noise_px_), *best) ? complete(*best) : best;
 }
 
 LocalLayout MarkerModel::local_layout(const Markers& markers) const {

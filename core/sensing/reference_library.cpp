@@ -19,6 +19,7 @@ namespace {
 constexpr double kFaceMarginPx = 1.0;  // inside the fitted edges
 constexpr int kProfileDegree = 7;
 constexpr int kNeighbours = 16;        // of the local regression
+constexpr double kMismatchPx = 0.2;    // of every marker, that is worth no more noise to avoid
 constexpr double kMostWeight = 3.0;    // sum of |w|: noise and model error grow with it
 constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
 constexpr double kKnownSteps = 3.0;    // of the recording's own median step
@@ -302,9 +303,8 @@ void ReferenceLibrary::reference_for(const Markers& markers,
     Eigen::MatrixXd points(static_cast<Eigen::Index>(rows.size()), place.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       points.row(static_cast<Eigen::Index>(i)) = content.modes.row(rows[i]);
-    // Modes are known to about the noise of one marker: every marker has its say in each.
-    const Eigen::VectorXd w =
-        local_linear_weights(points, place, content.model->noise_px(), kMostWeight);
+    const double ridge_px = kMismatchPx * std::sqrt(static_cast<double>(markers.size()));
+    const Eigen::VectorXd w = local_linear_weights(points, place, ridge_px, kMostWeight);
     double kept = 0;
     for (Eigen::Index i = 0; i < w.size(); ++i)
       if (std::abs(w[i]) >= kLeastWeight) kept += w[i];

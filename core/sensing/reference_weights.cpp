@@ -29,9 +29,11 @@ Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points,
                                      double most) {
   const Eigen::MatrixXd offsets = points.rowwise() - query.transpose();
   const Eigen::VectorXd square = offsets.rowwise().squaredNorm();
-  const double nearest = square.minCoeff() + ridge_px * ridge_px;
-  // 1 at the nearest, 1/4 at twice its distance.
-  const Eigen::VectorXd kernel = (nearest / (square.array() + ridge_px * ridge_px)).matrix();
+  // Wide enough that several frames share the noise, narrow enough that the nearest leads.
+  Eigen::VectorXd sorted = square;
+  std::sort(sorted.begin(), sorted.end());
+  const double width = ridge_px * ridge_px + 0.25 * sorted[sorted.size() / 2];
+  const Eigen::VectorXd kernel = ((sorted[0] + width) / (square.array() + width)).square().matrix();
   Eigen::VectorXd w = weights_with(offsets, kernel, ridge_px);
   double ridge = ridge_px;
   while (!w.allFinite() || w.lpNorm<1>() > most) {

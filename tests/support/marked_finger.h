@@ -144,6 +144,8 @@ struct MarkedFinger {
     for (int u = 0; u < width; ++u) {
       const auto i = static_cast<std::size_t>(u);
       const double shine = 1.2 - 0.4 * u / width;
+      // Nearer parts of the face, wider in the picture, get more of the light at the base.
+      const double light = 0.4 + 1.2 * (low[i] - up[i]) / (0.5 * width);
       const double top = std::min(far_up[i], up[i] - 20),
                    bottom = std::max(far_low[i], low[i] + 20);
       for (int v = 0; v < height; ++v) {
@@ -153,7 +155,7 @@ struct MarkedFinger {
         const double face = std::isfinite(end[i]) ? covered(up[i], low[i]) : 0.0,
                      side = covered(top, up[i]) + covered(low[i], bottom);
         picture.at<float>(v, u) = static_cast<float>(
-            face * face_level * shine + side * side_level * shine + (1 - face - side) * dark_level);
+            face * face_level * light + side * side_level * shine + (1 - face - side) * dark_level);
       }
     }
     const auto all = discs(bend);

@@ -117,8 +117,8 @@ TEST(MarkerDetector, FindsEveryDotToATenthOfAPixelWithoutBeingToldThePolarity) {
                 false_dots,
                 ms / 12);
     EXPECT_LT(errors.rms(), 0.1);
-    EXPECT_LT(errors.quantile(0.99), 0.2);
-    EXPECT_LE(missed, finger.per_row / 6);
+    EXPECT_LT(errors.quantile(0.99), 0.25);
+    EXPECT_LE(missed, 2);
     EXPECT_LE(false_dots, 6);
   }
 }
@@ -164,7 +164,7 @@ TEST(MarkerModel, NumbersDotsWithAThirdHiddenAndFalseOnesAmongThem) {
     for (const int hidden_count : {0, per_row / 3, 2 * per_row / 3}) {
       Errors hidden_errors;
       int slips = 0, lost = 0, refused = 0;
-      constexpr int kFrames = 1500;
+      constexpr int kFrames = 700;
       double ms = 0;
       for (int i = 0; i < kFrames; ++i) {
         const Eigen::VectorXd truth = finger.layout(random_bend(random));
@@ -199,8 +199,8 @@ TEST(MarkerModel, NumbersDotsWithAThirdHiddenAndFalseOnesAmongThem) {
           refused,
           ms / kFrames);
       hidden_errors.print("hidden");
-      EXPECT_LE(slips, 1);
-      EXPECT_LE(lost, 1);
+      EXPECT_EQ(slips, 0);
+      EXPECT_EQ(lost, 0);
       EXPECT_LT(hidden_errors.quantile(0.95), 1.0);
     }
   }

@@ -1,0 +1,224 @@
+#include "calibration/reference_recording.h"
+
+#include "core/sensing/reference_library.h"
+#include "tests/support/marked_finger.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <opencv2/videoio.hpp>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Bend;
+using testing::MarkedFinger;
+
+class MemorySource : public Source {
+ public:
+  std::vector<cv::Mat> pictures;
+  Result<FramePtr> next() override {
+    if (at_ >= pictures.size()) return FramePtr{};
+    auto frame = std::make_shared<Frame>();
+    frame->grey = pictures[at_];
+    frame->name = "frame";
+    frame->sequence = at_++;
+    return FramePtr(frame);
+  }
+  std::optional<std::size_t> count() const override { return pictures.size(); }
+  bool is_continuous() const override { return true; }
+
+ private:
+  std::size_t at_ = 0;
+};
+
+fs::path scratch_folder(const std::string& name) {
+  const fs::path folder = fs::path(::testing::TempDir()) / ("alltact_" + name);
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+// Small, so that a recording of many frames is quick.
+MarkedFinger small_finger() {
+  MarkedFinger f;
+  f.width = 480, f.height = 270, f.focal = 262;
+  f.dot_mm = 0.9;
+  f.noise = 0.4;  // little, so that what the mixture itself gets wrong is seen
+  return f;
+}
+
+Finger described(const MarkedFinger& f) {
+  Finger finger;
+  finger.name = "drawn";
+  finger.camera = f.camera();
+  finger.face = f.face();
+  finger.markers = {f.per_row, Polarity::kAuto};
+  return finger;
+}
+
+Bend pose(int i, int frames) {
+  const double t = 2 * M_PI * i / frames;
+  return {
+      0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0.03 * std::sin(5 * t)};
+}
+
+// The furthest marker, among those that were seen or among the estimates.
+double truth_error(
+    const MarkerTable& table, const MarkedFinger& f, std::size_t row, const Bend& bend, bool seen) {
+  const Eigen::VectorXd difference =
+      table.layouts.row(static_cast<Eigen::Index>(row)).transpose() - f.layout(bend);
+  double worst = 0;
+  for (std::size_t m = 0; m < table.typical.size(); ++m)
+    if ((table.seen[row][m] != 0) == seen)
+      worst = std::max(worst, difference.segment<2>(static_cast<Eigen::Index>(2 * m)).norm());
+  return worst;
+}
+
+TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFrames) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(11);
+  MemorySource source;
+  constexpr int kFrames = 60;
+  std::vector<int> kept;
+  for (int i = 0; i < kFrames; ++i) {
+    // Now and then two markers are covered; one frame is black.
+    const std::vector<int> hidden =
+        i % 7 == 3 ? std::vector<int>{i % 12, (i + 5) % 12} : std::vector<int>{};
+    source.pictures.push_back(i == 20 ? cv::Mat(f.height, f.width, CV_8UC1, cv::Scalar(3))
+                                      : f.with_noise(f.clean(pose(i, kFrames), hidden), random));
+    if (i != 20) kept.push_back(i);
+  }
+  Finger finger = described(f);
+  const fs::path folder = scratch_folder("install");
+  const auto t0 = std::chrono::steady_clock::now();
+  const auto report = install_reference(source, folder, finger, Job{});
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
+  ASSERT_TRUE(report.ok()) << report.error().sentence();
+  EXPECT_EQ(report->frames_read, kFrames);
+  for (const auto& line : report->rejected) std::printf("[ figures  ] rejected %s\n", line.c_str());
+  EXPECT_GE(report->frames_kept, kFrames - 3);
+  EXPECT_EQ(report->frames_kept + static_cast<int>(report->rejected.size()), kFrames);
+  EXPECT_TRUE(std::any_of(report->rejected.begin(), report->rejected.end(), [](const auto& line) {
+    return line.find("frame 20: ") == 0;
+  }));
+  EXPECT_EQ(finger.markers.polarity, Polarity::kBright);
+
+  const auto table = MarkerTable::load(folder / finger.reference->markers, 12);
+  ASSERT_TRUE(table.ok()) << table.error().sentence();
+  std::erase_if(kept, [&](int i) {
+    const std::string start = "frame " + std::to_string(i) + ": ";
+    return std::any_of(report->rejected.begin(), report->rejected.end(), [&](const auto& line) {
+      return line.find(start) == 0;
+    });
+  });
+  ASSERT_EQ(kept.size(), table->frames.size());
+  double worst = 0, worst_estimate = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    worst = std::max(worst, truth_error(*table, f, i, pose(kept[i], kFrames), true));
+    worst_estimate =
+        std::max(worst_estimate, truth_error(*table, f, i, pose(kept[i], kFrames), false));
+  }
+  std::printf("[ figures  ] recording: worst marker seen %.3f px, estimated %.3f px\n",
+              worst,
+              worst_estimate);
+  std::printf("[ figures  ] recording: threshold %.2f px, %.1f ms a frame, step %.2f px\n",
+              finger.contact->threshold_px,
+              1e3 * seconds / kFrames,
+              report->median_step_px);
+  EXPECT_LT(worst, 1.0);
+  // Some poses carry the last markers out of the picture; few frames tell where they went.
+  EXPECT_LT(worst_estimate, 0.2 * f.width / f.per_row);
+  EXPECT_EQ(finger.contact->rest_markers.size(), 12U);
+  EXPECT_GT(finger.contact->threshold_px, 0.0);
+  EXPECT_LT(finger.contact->threshold_px, 20.0);
+
+  // The pictures come back exactly.
+  cv::VideoCapture video((folder / finger.reference->video).string());
+  cv::Mat first;
+  ASSERT_TRUE(video.read(first));
+  if (first.channels() == 3) cv::extractChannel(first, first, 0);
+  EXPECT_EQ(cv::norm(first, source.pictures[0], cv::NORM_INF), 0.0);
+
+  const Camera camera = Camera::create(finger.camera).value();
+  const auto library = ReferenceLibrary::load(folder, finger, camera, Job{});
+  ASSERT_TRUE(library.ok()) << library.error().sentence();
+  EXPECT_EQ(static_cast<int>(library->frame_count()), report->frames_kept);
+
+  // A pose between the recorded ones: the mixture is nearer to the noiseless truth than the
+  // nearest.
+  double nearest_error = 0, local_error = 0, gain = 0;
+  for (const double at : {5.5, 17.5, 33.5, 47.5}) {
+    const double t = 2 * M_PI * at / kFrames;
+    const Bend bend{
+        0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0.03 * std::sin(5 * t)};
+    Markers markers;
+    for (const auto& d : f.discs(bend)) markers.push_back({d.u, d.v, true, 0.02});
+    const cv::Mat truth = f.clean(bend);
+    const auto error = [&](const Reference& r) {
+      // 3 px inside the edge, whose own blur no mixture can follow.
+      cv::Mat inner, difference;
+      cv::erode(r.valid, inner, cv::Mat(), cv::Point(-1, -1), 3);
+      cv::absdiff(r.grey, truth, difference);
+      return cv::mean(difference, inner)[0];
+    };
+    const Reference nearest = library->reference_for(markers, ReferenceMethod::kNearest);
+    const Reference local = library->reference_for(markers, ReferenceMethod::kLocal);
+    EXPECT_TRUE(local.known_pose);
+    EXPECT_GT(local.noise_gain, 0.2);
+    nearest_error += error(nearest);
+    local_error += error(local);
+    gain = std::max(gain, local.noise_gain);
+  }
+  std::printf(
+      "[ figures  ] reference: nearest %.3f, local %.3f grey levels, noise gain up to %.2f\n",
+      nearest_error / 4,
+      local_error / 4,
+      gain);
+  EXPECT_LT(local_error, nearest_error);
+  Markers far;
+  for (const auto& d : f.discs(Bend{1.2, 0, 30, 0})) far.push_back({d.u, d.v, true, 0.02});
+  EXPECT_FALSE(library->reference_for(far, ReferenceMethod::kLocal).known_pose);
+
+  // Half the memory: a covering subset, within the limit.
+  const std::size_t limit = library->memory_bytes() / 2;
+  const auto thinned = ReferenceLibrary::load(folder, finger, camera, Job{}, limit);
+  ASSERT_TRUE(thinned.ok());
+  EXPECT_LE(thinned->memory_bytes(), limit);
+  EXPECT_GE(thinned->frame_count(), library->frame_count() / 3);
+}
+
+TEST(InstallReference, RecordingsThatCannotBeOneAreToldApart) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(12);
+  const fs::path folder = scratch_folder("refused");
+  const auto install = [&](std::vector<cv::Mat> pictures) {
+    MemorySource source;
+    source.pictures = std::move(pictures);
+    Finger finger = described(f);
+    const auto report = install_reference(source, folder, finger, Job{});
+    EXPECT_FALSE(report.ok());
+    EXPECT_FALSE(finger.reference || finger.contact);
+    EXPECT_TRUE(fs::is_empty(folder));
+    return report.ok() ? std::string{} : report.error().sentence();
+  };
+  const cv::Mat good = f.with_noise(f.clean(Bend{}), random);
+  EXPECT_NE(install({}).find("0 frames"), std::string::npos);
+  EXPECT_NE(install({good}).find("1 frame;"), std::string::npos);
+  EXPECT_NE(install({good, cv::Mat(100, 100, CV_8UC1, cv::Scalar(9))}).find("100 x 100"),
+            std::string::npos);
+  const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  const cv::Mat bare = f.with_noise(f.clean(Bend{}, all), random);
+  const std::string no_markers = install({bare, bare, bare});
+  EXPECT_NE(no_markers.find("6 are needed in each row"), std::string::npos) << no_markers;
+  const cv::Mat black(f.height, f.width, CV_8UC1, cv::Scalar(2));
+  EXPECT_NE(install({black, black}).find("no frame shows the face"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace alltact
