@@ -10,7 +10,7 @@ namespace alltact {
 namespace {
 
 constexpr int kMaxSide = 128;       // of a window, px
-constexpr double kMaxAspect = 8.0;  // side faces are seen at a grazing angle
+constexpr double kMaxAspect = 20.0;  // side faces are seen at a grazing angle
 constexpr double kLeastArea = 4.0;  // px at half height
 
 // The part of the picture around a seed, polarity turned so that the dot is bright.

@@ -7,7 +7,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kSmallWidth = 480;  // of the picture candidates are looked for in, px
+constexpr int kSmallWidth = 960;  // of the picture candidates are looked for in, px
 
 // A spot of the small picture, in its pixels.
 struct Candidate {
@@ -181,10 +181,35 @@ std::vector<Dot> detect(
   std::sort(contrasts.begin(), contrasts.end(), std::greater<>());
   if (contrasts.empty()) return dots;
   const std::size_t typical = std::min(contrasts.size() - 1, static_cast<std::size_t>(per_row));
-  std::erase_if(dots, [least = 0.2 * contrasts[typical]](const Dot& dot) {
+  std::erase_if(dots, [least = 0.06 * contrasts[typical]](const Dot& dot) {
     return std::abs(dot.contrast) < least;
   });
   return dots;
+}
+
+// Length along the face in a column, going on evenly beyond its trusted columns.
+double along_mm(const FaceShape& shape, double u) {
+  const auto& columns = shape.columns();
+  const auto valid = [](const FaceColumn& c) { return c.valid; };
+  const auto first = std::find_if(columns.begin(), columns.end(), valid) - columns.begin();
+  const auto last = columns.rend() - std::find_if(columns.rbegin(), columns.rend(), valid) - 1;
+  const double inside = std::clamp(u, static_cast<double>(first), static_cast<double>(last));
+  if (inside == u) return shape.length_at(u);
+  const double step = std::min(20.0, 0.5 * static_cast<double>(last - first));
+  const double towards = inside + (u < inside ? step : -step);
+  return shape.length_at(inside) +
+         (u - inside) * (shape.length_at(inside) - shape.length_at(towards)) / (inside - towards);
+}
+
+// Where the dots lie on the finger, as far as the face beside them tells.
+void place_on_finger(std::vector<Dot>& dots, const FaceShape& shape, const SideEdges& edges) {
+  for (Dot& dot : dots) {
+    const auto u = static_cast<std::size_t>(
+        std::clamp(std::lround(dot.u), 0L, static_cast<long>(shape.width_px()) - 1));
+    dot.along_mm = along_mm(shape, dot.u);
+    dot.face_px = std::max(1.0F, edges.lower[u] - edges.upper[u]);
+    dot.off_face = (dot.upper ? edges.upper[u] - dot.v : dot.v - edges.lower[u]) / dot.face_px;
+  }
 }
 
 // How far a set of dots is from two even rows of exactly per_row; a row that is not there costs 1,
@@ -208,11 +233,13 @@ MarkerDetector::Found MarkerDetector::operator()(const cv::Mat& grey,
   const SideEdges edges(shape);
   if (grey.type() != CV_8UC1 || grey.cols != shape.width_px() || rows_.per_row <= 0) return {};
   const Small small = shrink(grey, edges);
-  if (rows_.polarity != Polarity::kAuto)
-    return {detect(grey, edges, small, rows_.polarity == Polarity::kBright, rows_.per_row),
-            rows_.polarity};
-  Found bright{detect(grey, edges, small, true, rows_.per_row), Polarity::kBright};
-  Found dark{detect(grey, edges, small, false, rows_.per_row), Polarity::kDark};
+  const auto found = [&](Polarity polarity) {
+    Found result{detect(grey, edges, small, polarity == Polarity::kBright, rows_.per_row), polarity};
+    place_on_finger(result.dots, shape, edges);
+    return result;
+  };
+  if (rows_.polarity != Polarity::kAuto) return found(rows_.polarity);
+  Found bright = found(Polarity::kBright), dark = found(Polarity::kDark);
   const bool base = shape.base_at_low_u();
   return unevenness(dark.dots, rows_.per_row, base) < unevenness(bright.dots, rows_.per_row, base)
              ? dark

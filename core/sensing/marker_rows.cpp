@@ -9,18 +9,19 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// Neighbours in a row look alike: log ratios, so that growth and shrinkage cost the same.
+// Neighbours in a row look alike once perspective is taken out of their size: log ratios, so that
+// growth and shrinkage cost the same. Light falls off along the row, so contrast counts little.
 double unlikeness(const Dot& a, const Dot& b) {
-  const double size = std::log(b.radius_px / a.radius_px);
+  const double size = std::log(b.radius_px * a.face_px / (a.radius_px * b.face_px));
   const double contrast = std::log(std::abs(b.contrast) / std::abs(a.contrast));
-  return size * size + 0.3 * contrast * contrast;
+  const double off_face = b.off_face - a.off_face;
+  return 0.5 * size * size + 0.15 * contrast * contrast + 20.0 * off_face * off_face;
 }
 
-// Neighbouring steps are alike: |b - a|^2 / (|a| |b|), 1/2 where one dot was left out.
+// Neighbouring steps along the finger are alike: (b - a)^2 / (a b), 1/2 where a dot was left out.
 double bend(const Dot& p, const Dot& q, const Dot& r) {
-  const Eigen::Vector2d a(q.u - p.u, q.v - p.v), b(r.u - q.u, r.v - q.v);
-  const double lengths = a.norm() * b.norm();
-  return lengths > 0 ? (b - a).squaredNorm() / lengths : kNone;
+  const double a = q.along_mm - p.along_mm, b = r.along_mm - q.along_mm;
+  return a > 0 && b > 0 ? (b - a) * (b - a) / (a * b) : kNone;
 }
 
 }  // namespace

@@ -35,6 +35,9 @@ struct Dot {
   double contrast = 0;   ///< grey levels against the surroundings; sign is the polarity
   double sd_px = 0;
   bool upper = false;  ///< on the side face at small v
+  double along_mm = 0;  ///< length of the face from its base to the dot's column
+  double face_px = 0;   ///< width of the face in that column
+  double off_face = 0;  ///< distance from the face's edge, in parts of face_px
 };
 
 /// Finds dots on the side faces (outside the face's edges) by multi-scale blob response, sub-pixel
