@@ -27,6 +27,12 @@ bool is_picture(const fs::path& file) {
   return is_one_of(ending_of(file), kEndings);
 }
 
+/// Depth maps and the like, which lie beside pictures and are none: NAME.depth.tiff.
+bool is_measurement(const fs::path& file) {
+  static constexpr std::array kEndings{".depth", ".points", ".z"};
+  return is_one_of(ending_of(file.stem()), kEndings);
+}
+
 bool is_video(const fs::path& file) {
   static constexpr std::array kEndings{".mkv", ".avi", ".mp4"};
   return is_one_of(ending_of(file), kEndings);
@@ -154,7 +160,8 @@ Result<std::vector<fs::path>> pictures_in(const fs::path& folder) {
        entry.increment(error)) {
     std::error_code ignored;
     const bool is_hidden = entry->path().filename().string().starts_with('.');
-    if (!is_hidden && entry->is_regular_file(ignored) && is_picture(entry->path()))
+    if (!is_hidden && entry->is_regular_file(ignored) && is_picture(entry->path()) &&
+        !is_measurement(entry->path()))
       files.push_back(entry->path());
   }
   if (error)

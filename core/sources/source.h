@@ -27,7 +27,8 @@ class Source {
   [[nodiscard]] virtual bool is_continuous() const = 0;
 };
 
-/// Opens pictures (png, jpg, bmp, tif, pgm), folders of pictures (in name order) or one video
+/// Opens pictures (png, jpg, bmp, tif, pgm), folders of pictures (in name order; NAME.depth.tiff,
+/// NAME.points.tiff and NAME.z.tiff beside them are results, not pictures) or one video
 /// (mkv, avi, mp4). Errors: nothing given, a path that does not exist, a folder without pictures, a
 /// video that cannot be opened or holds no frame.
 [[nodiscard]] Result<std::unique_ptr<Source>> open_source(
