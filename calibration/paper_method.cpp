@@ -98,6 +98,22 @@ std::optional<double> constant_of(const Cloud& cloud, double x_max) {
   return c[0] - c[1] + c[2] - c[3];
 }
 
+/// The ball's place along z for which the curve's constant is zero. Moving the ball by dz takes dz
+/// off every depth and so off the constant: Newton with slope -1.
+std::optional<Eigen::Vector3d> without_constant(const std::vector<Sample>& samples,
+                                                const Camera& camera,
+                                                Eigen::Vector3d centre,
+                                                double radius_mm,
+                                                double x_max) {
+  for (int round = 0; round < 50; ++round) {
+    const auto constant = constant_of(cloud_of(samples, camera, centre, radius_mm), x_max);
+    if (!constant || !(std::abs(*constant) < 2.0 * radius_mm)) return std::nullopt;
+    centre.z() += *constant;
+    if (std::abs(*constant) < 1e-9) break;
+  }
+  return centre;
+}
+
 struct Solved {
   BallFit ball;
   std::vector<Sample> samples;
@@ -139,13 +155,15 @@ std::optional<Solved> solve_press(const PaperPress& input,
   for (const Sample& sample : solved.samples) x_max = std::max(x_max, sample.x);
   if (!(x_max > 0.0)) return std::nullopt;
 
-  // Moving the ball by dz takes dz off every depth and so off the constant: Newton with slope -1.
-  for (int round = 0; round < 50; ++round) {
-    const auto constant = constant_of(cloud_of(solved.samples, camera, centre, radius_mm), x_max);
-    if (!constant || !(std::abs(*constant) < 2.0 * radius_mm)) return std::nullopt;
-    centre.z() += *constant;
-    if (std::abs(*constant) < 1e-9) break;
+  auto found = without_constant(solved.samples, camera, centre, radius_mm, x_max);
+  if (!found && camera.is_perspective()) {
+    // A dark border that is the contact's rim, not the ball's outline, puts the ball far behind the
+    // finger, where no ray meets it; the search then begins at the face.
+    centre = to_centre->direction * (input.guess.centre_mm.z() / to_centre->direction.z());
+    found = without_constant(solved.samples, camera, centre, radius_mm, x_max);
   }
+  if (!found) return std::nullopt;
+  centre = *found;
   solved.cloud = cloud_of(solved.samples, camera, centre, radius_mm);
   if (solved.cloud.x.size() < 50) return std::nullopt;
   solved.ball.press = press.name;
