@@ -13,7 +13,7 @@ constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is never
 constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
 constexpr double kInclineDeg = 3.0;     // needed to tell thickness along z from along the normal
 constexpr int kMostCoefficients = 6;
-constexpr double kTieMm = 0.001;  // held-out errors closer than this are the same
+constexpr double kTieMm = 0.0005;  // held-out errors closer than this are the same
 
 constexpr double kTiePart = 0.1;     // or than this part of the better one
 constexpr double kSettledMm = 1e-5;  // enough to choose by
