@@ -9,9 +9,9 @@
 namespace alltact {
 namespace {
 
-constexpr int kMaxSide = 128;       // of a window, px
+constexpr int kMaxSide = 128;        // of a window, px
 constexpr double kMaxAspect = 20.0;  // side faces are seen at a grazing angle
-constexpr double kLeastArea = 4.0;  // px at half height
+constexpr double kLeastArea = 4.0;   // px at half height
 
 // The part of the picture around a seed, polarity turned so that the dot is bright.
 struct Window {
@@ -45,17 +45,24 @@ void load(
     float* out = &w.value[w.index(0, y)];
     for (int x = 0; x < w.width; ++x) out[x] = sign * static_cast<float>(row[x]);
   }
+  std::array<int, kMaxSide> first, last;
   for (int x = 0; x < w.width; ++x) {
     const auto rows = edges.rows(w.u0 + x, seed.upper, kFaceMarginPx, grey.rows);
-    for (int y = 0; y < w.height; ++y)
-      w.usable[w.index(x, y)] = w.v0 + y >= rows.first && w.v0 + y <= rows.last;
+    first[static_cast<std::size_t>(x)] = rows.first - w.v0;
+    last[static_cast<std::size_t>(x)] = rows.last - w.v0;
+  }
+  for (int y = 0; y < w.height; ++y) {
+    std::uint8_t* usable = &w.usable[w.index(0, y)];
+    for (int x = 0; x < w.width; ++x) {
+      const auto column = static_cast<std::size_t>(x);
+      usable[x] = static_cast<std::uint8_t>((y >= first[column]) & (y <= last[column]));
+    }
   }
 }
 
 struct Background {
   double level = 0, slope_x = 0, slope_y = 0;  // at window centre of coordinates (x, y)
   double noise = 0;
-  int count = 0;
 
   [[nodiscard]] double at(double x, double y) const { return level + slope_x * x + slope_y * y; }
 };
@@ -64,59 +71,104 @@ struct Ellipse {
   double x = 0, y = 0;            // centre in the window
   double xx = 1, xy = 0, yy = 1;  // inverse of the covariance of a uniform ellipse, times 1/4
 
+  double half_x = 1, half_y = 1;  // of the box around it
+
   // < 1 inside the ellipse itself.
   [[nodiscard]] double square(double dx, double dy) const {
     return dx * dx * xx + 2 * dx * dy * xy + dy * dy * yy;
   }
 };
 
+// Pixels of the window outside the grown ellipse and within a box that reaches a little further.
+class Ring {
+ public:
+  Ring(const Window& w, const Ellipse& inner, double grow_x, double grow_y, int stride) {
+    const double reach_x = 1.4 * grow_x * inner.half_x + 3,
+                 reach_y = 1.4 * grow_y * inner.half_y + 3;
+    const int x0 = std::max(0, static_cast<int>(inner.x - reach_x));
+    const int x1 = std::min(w.width - 1, static_cast<int>(inner.x + reach_x) + 1);
+    const int y0 = std::max(0, static_cast<int>(inner.y - reach_y));
+    const int y1 = std::min(w.height - 1, static_cast<int>(inner.y + reach_y) + 1);
+    for (int y = y0; y <= y1; y += stride)
+      for (int x = x0; x <= x1; x += stride) {
+        const std::size_t i = w.index(x, y);
+        if (!w.usable[i]) continue;
+        if (inner.square((x - inner.x) / grow_x, (y - inner.y) / grow_y) <= 1.0) continue;
+        value[static_cast<std::size_t>(count)] = w.value[i];
+        x_of[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(x);
+        y_of[static_cast<std::size_t>(count++)] = static_cast<std::uint8_t>(y);
+      }
+  }
+
+  [[nodiscard]] float median() const {
+    std::array<float, kMaxSide * kMaxSide> sorted;
+    std::copy_n(value.begin(), count, sorted.begin());
+    std::nth_element(sorted.begin(), sorted.begin() + count / 2, sorted.begin() + count);
+    return sorted[static_cast<std::size_t>(count / 2)];
+  }
+
+  std::array<float, kMaxSide * kMaxSide> value;
+  std::array<std::uint8_t, kMaxSide * kMaxSide> x_of, y_of;
+  int count = 0;
+};
+
+// Level of the surroundings and their noise, coarsely: enough to tell whether there is a dot.
+std::optional<Background> level_around(const Window& w,
+                                       const Ellipse& inner,
+                                       double grow_x,
+                                       double grow_y) {
+  const int stride = 1 + std::max(w.width, w.height) / 24;
+  Ring ring(w, inner, grow_x, grow_y, stride);
+  if (ring.count < 8) return std::nullopt;
+  Background result;
+  const float level = ring.median();
+  for (int k = 0; k < ring.count; ++k) {
+    float& value = ring.value[static_cast<std::size_t>(k)];
+    value = std::abs(value - level);
+  }
+  result.level = level;
+  result.noise = 1.4826 * static_cast<double>(ring.median());
+  return result;
+}
+
 // Plane through the pixels around the ellipse that lie near their median. Only pixels of the ring
 // count, so that a second dot or the side face's far edge has no say unless it fills half of it.
-std::optional<Background> background_around(
-    const Window& w, const Ellipse& inner, double grow_u, double grow_v, double spread) {
-  std::array<float, kMaxSide * kMaxSide> ring_value;
-  std::array<std::uint16_t, kMaxSide * kMaxSide> ring_place;
-  int n = 0;
-  for (int y = 0; y < w.height; ++y)
-    for (int x = 0; x < w.width; ++x) {
-      const std::size_t i = w.index(x, y);
-      if (!w.usable[i]) continue;
-      const double dx = (x - inner.x) / grow_u, dy = (y - inner.y) / grow_v;
-      if (inner.square(dx, dy) <= 1.0) continue;
-      ring_value[static_cast<std::size_t>(n)] = w.value[i];
-      ring_place[static_cast<std::size_t>(n++)] = static_cast<std::uint16_t>(i);
-    }
-  if (n < 8) return std::nullopt;
-  std::array<float, kMaxSide* kMaxSide>& sorted = ring_value;
-  std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.begin() + n);
-  const double median = sorted[static_cast<std::size_t>(n / 2)];
-  // Normal equations of the plane about the ellipse's centre.
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  double square = 0;
-  int used = 0;
-  for (int k = 0; k < n; ++k) {
-    const int i = ring_place[static_cast<std::size_t>(k)];
-    const double value = w.value[static_cast<std::size_t>(i)] - median;
+std::optional<Background> plane_around(const Window& w,
+                                       const Ellipse& inner,
+                                       double grow,
+                                       double spread) {
+  const Ring ring(w, inner, grow, grow, 1);
+  if (ring.count < 8) return std::nullopt;
+  const double median = ring.median();
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0, s = 0, sxv = 0, syv = 0, square = 0;
+  for (int k = 0; k < ring.count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double value = static_cast<double>(ring.value[i]) - median;
     if (std::abs(value) > spread) continue;
-    const Eigen::Vector3d g(1.0, i % w.width - inner.x, i / w.width - inner.y);
-    a.noalias() += g * g.transpose();
-    b += g * value;
+    const double x = ring.x_of[i] - inner.x, y = ring.y_of[i] - inner.y;
+    n += 1;
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
+    syy += y * y;
+    s += value;
+    sxv += x * value;
+    syv += y * value;
     square += value * value;
-    ++used;
   }
-  if (used < 8) return std::nullopt;
+  if (n < 8) return std::nullopt;
   // A little ridge on the slopes: a ring cut down to a line by the view face has no second slope.
-  a(1, 1) += 1e-3 * a(1, 1) + 1.0;
-  a(2, 2) += 1e-3 * a(2, 2) + 1.0;
+  Eigen::Matrix3d a;
+  a << n, sx, sy, sx, 1.001 * sxx + 1.0, sxy, sy, sxy, 1.001 * syy + 1.0;
+  const Eigen::Vector3d b(s, sxv, syv);
   const Eigen::Vector3d p = a.ldlt().solve(b);
   if (!p.allFinite()) return std::nullopt;
   Background result;
   result.slope_x = p[1];
   result.slope_y = p[2];
   result.level = median + p[0] - p[1] * inner.x - p[2] * inner.y;
-  result.noise = std::sqrt(std::max(0.0, square - b.dot(p)) / std::max(1, used - 3));
-  result.count = used;
+  result.noise = std::sqrt(std::max(0.0, square - b.dot(p)) / std::max(1.0, n - 3));
   return result;
 }
 
@@ -205,6 +257,8 @@ Ellipse ellipse_of(const Region& region) {
   e.x = region.x;
   e.y = region.y;
   const double det = region.xx * region.yy - region.xy * region.xy;
+  e.half_x = 2 * std::sqrt(region.xx);
+  e.half_y = 2 * std::sqrt(region.yy);
   e.xx = 0.25 * region.yy / det;
   e.yy = 0.25 * region.xx / det;
   e.xy = -0.25 * region.xy / det;
@@ -215,12 +269,55 @@ struct Centroid {
   double x = 0, y = 0, flux = 0, spread = 0;  // spread: sum of squared distances, one axis
 };
 
-// Signed heights inside the grown ellipse: noise that is not cut off at zero does not pull.
-Centroid centroid(const Window& w, const Background& ground, const Ellipse& e, double reach) {
-  Centroid c;
-  double square = 0;
+// How a dot's own brightness changes across it, in parts of that of its middle. A dot lit from one
+// side has its light's centre on that side; the centre asked for is that of its area.
+struct Shading {
+  double slope_x = 0, slope_y = 0;
+
+  [[nodiscard]] double at(double dx, double dy) const {
+    return std::clamp(1.0 + slope_x * dx + slope_y * dy, 0.5, 2.0);
+  }
+};
+
+// From the pixels wholly inside; none for dots too small to have any.
+Shading shading_of(const Window& w, const Background& ground, const Ellipse& e) {
+  constexpr double kInside = 0.75;
+  constexpr int kLeastPixels = 24;
+  constexpr double kLeastHalfPx = 2.5;  // a thinner dot is all rim
+  const double steepest = 0.5 * (e.xx + e.yy) + std::hypot(0.5 * (e.xx - e.yy), e.xy);
+  if (steepest * kLeastHalfPx * kLeastHalfPx > 1.0) return {};
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  int count = 0;
   for (int y = 0; y < w.height; ++y)
     for (int x = 0; x < w.width; ++x) {
+      const double dx = x - e.x, dy = y - e.y;
+      if (e.square(dx, dy) > kInside * kInside || !w.usable[w.index(x, y)]) continue;
+      const Eigen::Vector3d g(1.0, dx, dy);
+      a.noalias() += g * g.transpose();
+      b += g * (w.value[w.index(x, y)] - ground.at(x, y));
+      ++count;
+    }
+  if (count < kLeastPixels) return {};
+  const Eigen::Vector3d p = a.ldlt().solve(b);
+  if (!p.allFinite() || !(p[0] > 0)) return {};
+  return {p[1] / p[0], p[2] / p[0]};
+}
+
+// Signed heights inside the grown ellipse: noise that is not cut off at zero does not pull.
+Centroid centroid(const Window& w,
+                  const Background& ground,
+                  const Shading& shading,
+                  const Ellipse& e,
+                  double reach) {
+  Centroid c;
+  double square = 0;
+  const int x0 = std::max(0, static_cast<int>(e.x - reach * e.half_x));
+  const int x1 = std::min(w.width - 1, static_cast<int>(e.x + reach * e.half_x) + 1);
+  const int y0 = std::max(0, static_cast<int>(e.y - reach * e.half_y));
+  const int y1 = std::min(w.height - 1, static_cast<int>(e.y + reach * e.half_y) + 1);
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x) {
       const double dx = x - e.x, dy = y - e.y;
       if (e.square(dx, dy) > reach * reach) continue;
       if (!w.usable[w.index(x, y)]) continue;
@@ -228,7 +325,7 @@ Centroid centroid(const Window& w, const Background& ground, const Ellipse& e, d
       const int my = static_cast<int>(std::lround(2 * e.y - y));
       const bool inside = mx >= 0 && my >= 0 && mx < w.width && my < w.height;
       if (!inside || !w.usable[w.index(mx, my)]) continue;
-      const double height = w.value[w.index(x, y)] - ground.at(x, y);
+      const double height = (w.value[w.index(x, y)] - ground.at(x, y)) / shading.at(dx, dy);
       c.x += height * dx;
       c.y += height * dy;
       c.flux += height;
@@ -245,8 +342,8 @@ Centroid centroid(const Window& w, const Background& ground, const Ellipse& e, d
 std::optional<std::pair<int, int>> summit(const Window& w, const DotSeed& seed) {
   const int cx = static_cast<int>(std::lround(seed.u)) - w.u0;
   const int cy = static_cast<int>(std::lround(seed.v)) - w.v0;
-  const int reach_x = std::max(1, static_cast<int>(0.5 * seed.half_u));
-  const int reach_y = std::max(1, static_cast<int>(0.5 * seed.half_v));
+  const int reach_x = std::clamp(static_cast<int>(0.5 * seed.half_u), 1, 6);
+  const int reach_y = std::clamp(static_cast<int>(0.5 * seed.half_v), 1, 6);
   float best = -1e30F;
   std::optional<std::pair<int, int>> place;
   for (int y = std::max(1, cy - reach_y); y <= std::min(w.height - 2, cy + reach_y); ++y)
@@ -275,10 +372,11 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   Ellipse rough;
   rough.x = x;
   rough.y = y;
+  rough.half_x = seed.half_u;
+  rough.half_y = seed.half_v;
   rough.xx = 1 / (seed.half_u * seed.half_u);
   rough.yy = 1 / (seed.half_v * seed.half_v);
-  const auto first =
-      background_around(w, rough, 1.5 + 1.5 / seed.half_u, 1.5 + 1.5 / seed.half_v, 1e9);
+  const auto first = level_around(w, rough, 1.5 + 1.5 / seed.half_u, 1.5 + 1.5 / seed.half_v);
   if (!first) return {};
   float peak = 0;
   for (int dy = -1; dy <= 1; ++dy)
@@ -293,12 +391,12 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   const Ellipse dot = ellipse_of(region);
   const double radius = std::sqrt(region.area / std::numbers::pi);
   const double ring = 1.35 + 1.5 / radius;
-  const auto ground = background_around(w, dot, ring, ring, 0.3 * height + 3);
+  const auto ground = plane_around(w, dot, ring, 0.3 * height + 3);
   if (!ground) return {};
   Centroid c;
   Ellipse moving = dot;
   for (int pass = 0; pass < 2; ++pass) {
-    c = centroid(w, *ground, moving, 1.2 + 1.2 / radius);
+    c = centroid(w, *ground, shading_of(w, *ground, moving), moving, 1.2 + 1.2 / radius);
     if (!(c.flux > 0) || std::hypot(c.x - dot.x, c.y - dot.y) > 0.5 * radius + 0.5) return {};
     moving.x = c.x;
     moving.y = c.y;
