@@ -12,7 +12,8 @@ Verdict verdict(double residual_mm, double held_out_mm, int press_count) {
   result.error_mm = proven ? held_out_mm : residual_mm;
   const std::string measured =
       proven ? fmt::format("{:.3f} mm of depth error on presses it had not seen", result.error_mm)
-             : fmt::format("{:.3f} mm of depth error on its own press", result.error_mm);
+             : fmt::format("{:.3f} mm of depth error on the very presses it was made from",
+                           result.error_mm);
   if (!std::isfinite(result.error_mm) || result.error_mm > kUsableErrorMm) {
     result.grade = Grade::kUnfit;
     result.sentence = "not fit to measure with: " + measured +
@@ -21,7 +22,9 @@ Verdict verdict(double residual_mm, double held_out_mm, int press_count) {
     result.grade = Grade::kUnproven;
     result.sentence =
         "unproven: " + measured +
-        "; one press cannot show what happens on others, add presses of different depth";
+        (press_count > 1 ? "; none was left out to show what happens on others"
+                         : "; one press cannot show what happens on others, add presses of "
+                           "different depth");
   } else if (result.error_mm > kGoodErrorMm) {
     result.grade = Grade::kUsable;
     result.sentence = "usable for contact and its place: " + measured +

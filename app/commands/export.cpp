@@ -31,12 +31,12 @@ Result<std::string> opencv_camera(const Finger& finger, const Path& finger_folde
                           0,
                           0,
                           1);
+  // Pixels are those after orientation, the centre of the top-left one at (0, 0), as in OpenCV.
   cv::FileStorage file(".yaml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
-  file.writeComment("Pixels, after orientation; the centre of the top-left pixel is (0, 0).");
   file << "camera_name" << finger.name;
   file << "image_width" << camera.width_px << "image_height" << camera.height_px;
   file << "camera_matrix" << matrix;
-  file << "distortion_model" << (fisheye ? "fisheye" : "plumb_bob");
+  file << "distortion_model" << std::string(fisheye ? "fisheye" : "plumb_bob");
   file << "distortion_coefficients" << distortion;
   return file.releaseAndGetString();
 }
@@ -100,15 +100,16 @@ Result<std::string> whole_calibration(const Finger& finger) {
   json["name"] = finger.name;
   json["camera"] = camera_json(finger.camera);
   const bool flat = finger.face.kind == FaceKind::kFlat;
-  Json& face = json["face"];
+  Json face;
   face["kind"] = flat ? "flat" : "fin_ray";
   if (flat) {
     face["plane_z_mm"] = finger.face.plane_z_mm;
   } else {
     face["width_mm"] = finger.face.width_mm;
-    json["markers"]["per_row"] = finger.markers.per_row;
   }
   face["layer_mm"] = finger.face.layer_mm;
+  json["face"] = std::move(face);
+  if (!flat) json["markers"]["per_row"] = finger.markers.per_row;
   if (finger.mapping) {
     const auto mapping = Mapping::create(*finger.mapping);
     if (!mapping) return mapping.error();

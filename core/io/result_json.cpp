@@ -40,9 +40,9 @@ Json markers_json(const Markers& markers) {
   return array;
 }
 
-Json reference_json(const Reference& reference, ReferenceMethod method) {
+Json reference_json(const Reference& reference, bool searched, ReferenceMethod method) {
   Json entry = Json::object();
-  if (reference.frame < 0) {  // a flat sensor's one picture: nothing was searched
+  if (!searched) {  // a flat sensor's one picture
     entry["method"] = "single";
     return entry;
   }
@@ -102,7 +102,8 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   line["frame"] = result.frame->name;
   line["index"] = index;
   if (result.markers) line["markers"] = markers_json(*result.markers);
-  if (result.reference) line["reference"] = reference_json(*result.reference, method);
+  if (result.reference)
+    line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);
   if (result.touch) line["contact"] = touch_json(*result.touch);
   if (result.depth) line["regions"] = regions_json(result.regions);
   line["times_ms"] = times_json(result);

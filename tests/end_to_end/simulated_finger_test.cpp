@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string scene(const std::string& name) {
-  return std::string(ALLTACT_SOURCE_DIR) + "/resources/scenes/" + name + ".yaml";
+  return fmt::format("{}/resources/scenes/{}.yaml", ALLTACT_SOURCE_DIR, name);
 }
 
 /// All steps of a day below one folder; the recording is the long one of the demonstration.
@@ -39,7 +40,7 @@ class Day {
       std::string text = text_of(scene("demo_reference"));
       const auto place = text.find("frames: 240");
       ASSERT_NE(place, std::string::npos);
-      text.replace(place, 11, "frames: " + recording_frames);
+      text.replace(place, 11, fmt::format("frames: {}", recording_frames));
       write_text(file("recording.yaml"), text);
       simulate[1] = file("recording.yaml");
     }
@@ -143,7 +144,7 @@ TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {
             "2"});
   for (const auto& [name, content] : contents_of(day.file("first"))) {
     if (name == "results.jsonl") continue;
-    EXPECT_EQ(text_of(day.file("second/" + name)), content) << name;
+    EXPECT_EQ(text_of(day.file(fmt::format("second/{}", name))), content) << name;
   }
   std::istringstream first(text_of(day.file("first/results.jsonl"))),
       second(text_of(day.file("second/results.jsonl")));

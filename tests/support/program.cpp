@@ -15,9 +15,13 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+  std::string text(1, '\'');
+  for (const char c : word) {
+    if (c == '\'') text += "'\\'";  // closes, escapes one; c itself opens anew
+    text.push_back(c);
+  }
+  text.push_back('\'');
+  return text;
 }
 
 }  // namespace
@@ -35,9 +39,9 @@ TemporaryFolder::~TemporaryFolder() {
 
 ProgramRun run_shell(const std::string& command) {
   const TemporaryFolder folder;
-  const std::string redirected = "{ " + command + "\n} </dev/null >" +
-                                 quoted((folder / "out").string()) + " 2>" +
-                                 quoted((folder / "err").string());
+  std::string redirected = "{ ";
+  redirected.append(command).append("\n} </dev/null >").append(quoted((folder / "out").string()));
+  redirected.append(" 2>").append(quoted((folder / "err").string()));
   const int status = std::system(redirected.c_str());
   ProgramRun run;
   run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -48,7 +52,7 @@ ProgramRun run_shell(const std::string& command) {
 
 ProgramRun run_alltact(const std::vector<std::string>& arguments) {
   std::string command = quoted(ALLTACT_PROGRAM);
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
+  for (const std::string& argument : arguments) command.append(1, ' ').append(quoted(argument));
   return run_shell(command);
 }
 
