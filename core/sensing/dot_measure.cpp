@@ -283,7 +283,7 @@ struct Shading {
 Shading shading_of(const Window& w, const Background& ground, const Ellipse& e) {
   constexpr double kInside = 0.75;
   constexpr int kLeastPixels = 24;
-  constexpr double kLeastHalfPx = 2.5;  // a thinner dot is all rim
+  constexpr double kLeastHalfPx = 2.0;  // a thinner dot is all rim
   const double steepest = 0.5 * (e.xx + e.yy) + std::hypot(0.5 * (e.xx - e.yy), e.xy);
   if (steepest * kLeastHalfPx * kLeastHalfPx > 1.0) return {};
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
