@@ -18,6 +18,14 @@ FrameResult empty_result() {
   return result;
 }
 
+ContactRegion region_at_origin() {
+  ContactRegion region;
+  region.place_mm.setZero();
+  region.place_px.setZero();
+  region.deepest_point_mm.setZero();
+  return region;
+}
+
 TEST(ResultLine, WhatCouldNotBeHadIsAbsent) {
   FrameResult result = empty_result();
   result.problems = {"no \"face\" was found"};
@@ -46,7 +54,7 @@ TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
   result.touch->sd_deg = 1.2;
   result.touch->face = TouchedFace::kContact;
   result.depth.emplace();
-  ContactRegion region;
+  ContactRegion region = region_at_origin();
   region.place_mm = {3.1, -0.2, 48.0};
   region.deepest_mm = 0.83;
   region.area_mm2 = 11.9;
@@ -70,7 +78,7 @@ TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
 TEST(ResultLine, NumbersThatAreNoneAreLeftOut) {
   FrameResult result = empty_result();
   result.depth.emplace();
-  ContactRegion region;
+  ContactRegion region = region_at_origin();
   region.place_mm = {0, 0, std::numeric_limits<double>::quiet_NaN()};
   region.deepest_mm = std::numeric_limits<double>::infinity();
   region.area_mm2 = 1;
