@@ -16,7 +16,7 @@ constexpr double kSmoothingPx = 2.0;
 constexpr double kLevel = 0.4;          // of the darkest part: where the contour is drawn
 constexpr double kSecondContact = 0.3;  // weight of the second against the first
 constexpr double kMinimumRimDeg = 60.0;
-constexpr double kRoughRim = 0.10;  // rms distance from the circle / radius
+constexpr double kRoughRim = 0.16;  // rms distance from the circle / radius
 constexpr double kRagged = 0.72;    // least share of the circle's inside that is dark
 constexpr int kMinimumPixels = 60;
 

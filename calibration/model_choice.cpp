@@ -154,7 +154,8 @@ std::vector<CurveFamily> families_for(const CalibrationSettings& settings, std::
     return families;
   }
   if (alone) return {kMoebiusFamily, {MappingKind::kPolynomial, 1}};
-  polynomial(1);
+  // What a layer of scattering stuff does comes first. A straight line is one of its curves; as a
+  // family of its own it would win ties and let the ball centres take up its error in scale.
   families.push_back(kMoebiusFamily);
   for (int n = 2; n <= kMostCoefficients; ++n) polynomial(n);
   return families;

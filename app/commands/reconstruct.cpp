@@ -34,7 +34,7 @@ Status write_files(const FrameResult& result,
     if (!status) return status;
   }
   if (!options.points && !options.ply) return {};
-  const cv::Mat points = contact_face_points_mm(result, finger.face, finger.mapping->along);
+  const cv::Mat points = contact_face_points_mm(result, finger.face);
   if (options.points) {
     const Status status = write_picture(options.folder / (name + ".points.tiff"), points);
     if (!status) return status;

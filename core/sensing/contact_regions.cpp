@@ -42,7 +42,6 @@ std::vector<Sample> samples_of(const DepthMap& depth,
                                const cv::Rect& cells,
                                const FaceShape& shape,
                                const Face& face,
-                               MappingAlong along,
                                double threshold_mm) {
   std::vector<Sample> samples;
   const int row_end = std::min((cells.y + cells.height) * kCell, depth.depth_mm.rows);
@@ -57,7 +56,7 @@ std::vector<Sample> samples_of(const DepthMap& depth,
       Sample sample;
       sample.depth_mm = static_cast<double>(d[u]);
       sample.pixel = {static_cast<double>(u), static_cast<double>(row)};
-      sample.pressed_mm = untouched_point_mm(*local, face.layer_mm, along) -
+      sample.pressed_mm = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ) -
                           Eigen::Vector3d(0.0, 0.0, sample.depth_mm);
       sample.on_face_mm = {shape.length_at(u), local->view_point_mm.y()};
       sample.area_mm2 = local->area_mm2;
@@ -127,7 +126,6 @@ ContactRegion region_of(const std::vector<Sample>& samples, double smoothing_px)
 std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                            const FaceShape& shape,
                                            const Face& face,
-                                           MappingAlong along,
                                            const RegionOptions& options) {
   const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
   const cv::Mat touched = cell_depths(depth.depth_mm) > threshold;
@@ -149,7 +147,7 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                     statistics.at<int>(label, cv::CC_STAT_WIDTH) + 2,
                                     statistics.at<int>(label, cv::CC_STAT_HEIGHT) + 2) &
                            cv::Rect(0, 0, labels.cols, labels.rows);
-    const auto samples = samples_of(depth, wide, label, cells, shape, face, along, threshold);
+    const auto samples = samples_of(depth, wide, label, cells, shape, face, threshold);
     if (samples.empty()) continue;
     ContactRegion region = region_of(samples, options.smoothing_px);
     if (region.area_mm2 >= options.minimum_area_mm2) regions.push_back(region);

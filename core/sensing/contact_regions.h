@@ -35,7 +35,6 @@ struct RegionOptions {
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                                          const FaceShape& shape,
                                                          const Face& face,
-                                                         MappingAlong along,
                                                          const RegionOptions& options);
 
 }  // namespace alltact

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include <opencv2/imgproc.hpp>
@@ -171,19 +172,33 @@ struct Crossing {
   double sd;
 };
 
-/// sign: +1 when brightness rises with v.
-std::optional<Crossing> half_way_crossing(const Profile& profile,
-                                          float sign,
-                                          double noise_sd,
-                                          int columns) {
-  int steepest = -1;
-  float most = 0;
-  for (int i = kFar; i + kFar + 1 < static_cast<int>(profile.size()); ++i) {
+/// Row before the step that is the face's edge: of all steps of the right sign that are steep
+/// enough, the innermost. Beside a narrow side face its outer border and the dots on it are as
+/// steep, but further out.
+std::optional<int> innermost_step(const Profile& profile, float sign, bool face_below) {
+  constexpr float kSteepEnough = 0.4F;  // of the steepest
+  constexpr int kFirst = kFar, kLast = static_cast<int>(std::tuple_size_v<Profile>) - kFar - 2;
+  const auto rise = [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    const float rise = sign * (profile[k + 2] + profile[k + 1] - profile[k] - profile[k - 1]);
-    if (rise > most) most = rise, steepest = i;
+    return sign * (profile[k + 2] + profile[k + 1] - profile[k] - profile[k - 1]);
+  };
+  float most = 0;
+  for (int i = kFirst; i <= kLast; ++i) most = std::max(most, rise(i));
+  if (!(most > 0)) return std::nullopt;
+  for (int n = 0; n <= kLast - kFirst; ++n) {
+    const int i = face_below ? kLast - n : kFirst + n;
+    if (rise(i) >= kSteepEnough * most && rise(i) >= rise(i - 1) && rise(i) >= rise(i + 1))
+      return i;
   }
-  if (steepest < 0) return std::nullopt;
+  return std::nullopt;
+}
+
+/// sign: +1 when brightness rises with v; face_below: the face lies at larger v.
+std::optional<Crossing> half_way_crossing(
+    const Profile& profile, float sign, bool face_below, double noise_sd, int columns) {
+  const auto step = innermost_step(profile, sign, face_below);
+  if (!step) return std::nullopt;
+  const int steepest = *step;
   // the transition lies between `steepest` and the next row
   const auto level = [&](int from, int to) {
     float sum = 0;
@@ -227,6 +242,7 @@ void find_edge(const cv::Mat& grey,
                const Rough& rough,
                const Path& path,
                float sign,
+               bool face_below,
                const FaceEdgeFinder::Options& options,
                double noise_sd,
                const std::vector<double>& columns,
@@ -238,7 +254,7 @@ void find_edge(const cv::Mat& grey,
     if (options.method == EdgeMethod::kInteger) {
       crossing = integer_step(grey, u, v, sign);
     } else if (read_profile(grey, u, v, slope, options.columns, profile)) {
-      crossing = half_way_crossing(profile, sign, noise_sd, options.columns);
+      crossing = half_way_crossing(profile, sign, face_below, noise_sd, options.columns);
     }
     edge.v.push_back(crossing ? v + crossing->offset : v);
     edge.sd.push_back(crossing ? crossing->sd : 1.0);
@@ -264,8 +280,9 @@ Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
   const int step = std::max(options_.columns, 1);
   for (int u = 0; u + step <= grey.cols; u += step) edges.u.push_back(u + 0.5 * (step - 1));
   const float sign = rough->bright_inside ? 1.0F : -1.0F;
-  find_edge(grey, *rough, rough->upper, sign, options_, edges.noise_sd, edges.u, edges.upper);
-  find_edge(grey, *rough, rough->lower, -sign, options_, edges.noise_sd, edges.u, edges.lower);
+  find_edge(grey, *rough, rough->upper, sign, true, options_, edges.noise_sd, edges.u, edges.upper);
+  find_edge(
+      grey, *rough, rough->lower, -sign, false, options_, edges.noise_sd, edges.u, edges.lower);
 
   std::size_t both = 0;
   for (std::size_t i = 0; i < edges.u.size(); ++i)

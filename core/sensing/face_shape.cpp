@@ -60,7 +60,8 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     column.lower_v = lower->value(u);
     column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
   }
-  if (!shape.fit_inverse_depth(first, last, edge_degree)) return no_shape("no smooth shape fits them");
+  if (!shape.fit_inverse_depth(first, last, edge_degree))
+    return no_shape("no smooth shape fits them");
 
   int valid = 0;
   for (int u = 0; u < width; ++u) {

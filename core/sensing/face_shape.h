@@ -39,6 +39,8 @@ class FaceShape {
   /// The plane z = face.plane_z_mm, every pixel on it.
   static FaceShape plane(const Camera& camera, const Face& face);
 
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+  [[nodiscard]] const Face& face() const { return face_; }
   [[nodiscard]] const std::vector<FaceColumn>& columns() const { return columns_; }
   [[nodiscard]] int width_px() const { return static_cast<int>(columns_.size()); }
   /// True when the finger's base (near the camera, wide) lies at small u.

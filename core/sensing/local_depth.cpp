@@ -1,6 +1,7 @@
 #include "core/sensing/local_depth.h"
 
 #include "core/numerics/dispatch.h"
+#include "core/sensing/depth_along_z.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,10 +82,6 @@ ALLTACT_WIDE void flag_row(const float* x, float x_max, int width, std::uint8_t*
   for (int u = 0; u < width; ++u) flags[u] = x[u] > x_max ? std::uint8_t{kExtrapolated} : flags[u];
 }
 
-ALLTACT_WIDE void scale_row(const float* factor, int width, float* depth) {
-  for (int u = 0; u < width; ++u) depth[u] *= factor[u];
-}
-
 }  // namespace
 
 Difference difference(const cv::Mat& grey,
@@ -145,24 +142,15 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
   map.depth_mm = cv::Mat(difference.x.size(), CV_32FC1);
   map.flags = difference.flags.clone();
   const int width = difference.x.cols;
-  const bool normal = mapping.parameters().along == MappingAlong::kNormal;
-  std::vector<float> along_z(static_cast<std::size_t>(width), 1.0F);
-  if (normal) {
-    for (int u = 0; u < width; ++u) {
-      const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
-      if (!column.valid) continue;
-      if (const auto local = shape.at(u, 0.5 * (column.upper_v + column.lower_v)))
-        along_z[static_cast<std::size_t>(u)] = static_cast<float>(1.0 / local->cos_incline);
-    }
-  }
   const float x_max = static_cast<float>(mapping.x_max());
   for (int row = 0; row < difference.x.rows; ++row) {
     const float* x = difference.x.ptr<float>(row);
     float* depth = map.depth_mm.ptr<float>(row);
     mapping.depths_mm(x, depth, width);
-    if (normal) scale_row(along_z.data(), width, depth);
     flag_row(x, x_max, width, map.flags.ptr<std::uint8_t>(row));
   }
+  if (mapping.parameters().along == MappingAlong::kNormal)
+    map.depth_mm = depth_along_z(map.depth_mm, shape);
   return map;
 }
 

@@ -44,7 +44,8 @@ struct DifferenceOptions {
                                     const FaceShape& shape,
                                     const DifferenceOptions& options);
 
-/// Applies the mapping: depth 0 where x <= 0 (bulge), flags beyond the calibrated domain.
+/// Applies the mapping: depth 0 where x <= 0 (bulge), flags beyond the calibrated domain. With a
+/// mapping along the normal the depth is turned into that along z (depth_along_z.h).
 [[nodiscard]] DepthMap depth_map(const Difference& difference,
                                  const Mapping& mapping,
                                  const FaceShape& shape);

@@ -130,8 +130,7 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   RegionOptions options;
   options.threshold_mm = settings.contact_threshold_mm;
   options.smoothing_px = settings.smoothing_px;
-  result.regions = contact_regions(
-      *result.depth, *result.shape, finger.face, mapping->parameters().along, options);
+  result.regions = contact_regions(*result.depth, *result.shape, finger.face, options);
   watch.lap(result.times_ms.contact);
 }
 
@@ -190,7 +189,7 @@ const PipelineSettings& Pipeline::settings() const {
   return state_->settings;
 }
 
-cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face, MappingAlong along) {
+cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face) {
   const cv::Mat& depth = result.depth->depth_mm;
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   cv::Mat points(depth.size(), CV_32FC3, cv::Scalar(kNaN, kNaN, kNaN));
@@ -201,7 +200,7 @@ cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face, Mapp
       if (!std::isfinite(d[u])) continue;
       const auto local = result.shape->at(u, row);
       if (!local) continue;
-      const Eigen::Vector3d p = untouched_point_mm(*local, face.layer_mm, along);
+      const Eigen::Vector3d p = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ);
       point[u] = {
           static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()) - d[u]};
     }

@@ -84,8 +84,6 @@ class Pipeline {
 
 /// 3D points of the pressed face, CV_32FC3 (x, y, z in mm, camera frame), NaN where there is no
 /// depth: p_CF = p_LUF - (0, 0, d).
-[[nodiscard]] cv::Mat contact_face_points_mm(const FrameResult& result,
-                                             const Face& face,
-                                             MappingAlong along);
+[[nodiscard]] cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face);
 
 }  // namespace alltact

@@ -59,7 +59,7 @@ std::vector<ContactRegion> regions_of(const DepthMap& map, double threshold_mm =
   const FlatFace flat;
   RegionOptions options;
   options.threshold_mm = threshold_mm;
-  return contact_regions(map, flat.shape, FlatFace::face(), MappingAlong::kZ, options);
+  return contact_regions(map, flat.shape, FlatFace::face(), options);
 }
 
 TEST(ContactRegions, MeasuresWhatAnEllipticDentIs) {

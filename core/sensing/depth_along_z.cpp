@@ -1,0 +1,140 @@
+#include "core/sensing/depth_along_z.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr int kCell = 8;             // pixels a side of what is touched or not
+constexpr double kTouchedMm = 0.02;  // mean depth below which a cell only needs scaling
+constexpr int kSteps = 6;            // each at least halves the error
+
+/// The finger's length profile in the x-z plane: the face is the same across its width.
+struct Profile {
+  std::vector<double> foot_x_mm;  ///< x of the untouched face seen along the normal, ascending
+  std::vector<double> z_mm, normal_x, normal_z;
+
+  explicit Profile(const FaceShape& shape) {
+    const double layer_mm = shape.face().layer_mm;
+    for (int u = 0; u < shape.width_px(); ++u) {
+      const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
+      const auto local = shape.at(u, 0.5 * (column.upper_v + column.lower_v));
+      if (!local) continue;
+      const double foot = local->view_point_mm.x() + layer_mm * local->normal.x();
+      if (!foot_x_mm.empty() && foot <= foot_x_mm.back()) continue;
+      foot_x_mm.push_back(foot);
+      z_mm.push_back(local->view_point_mm.z());
+      normal_x.push_back(local->normal.x());
+      normal_z.push_back(local->normal.z());
+    }
+  }
+
+  struct Place {
+    double z_mm, normal_x, normal_z;
+  };
+  /// The face whose normal leads to x on the untouched face; clamped to the ends.
+  [[nodiscard]] Place at(double x_mm) const {
+    const auto above = std::lower_bound(foot_x_mm.begin(), foot_x_mm.end(), x_mm);
+    const auto last = static_cast<std::ptrdiff_t>(foot_x_mm.size()) - 1;
+    const auto right = std::clamp<std::ptrdiff_t>(above - foot_x_mm.begin(), 1, last);
+    const auto r = static_cast<std::size_t>(right), l = r - 1;
+    const double part = std::clamp((x_mm - foot_x_mm[l]) / (foot_x_mm[r] - foot_x_mm[l]), 0.0, 1.0);
+    const auto between = [&](const std::vector<double>& values) {
+      return values[l] + part * (values[r] - values[l]);
+    };
+    return {between(z_mm), between(normal_x), between(normal_z)};
+  }
+};
+
+/// Bilinear; NaN when any of the four pixels is, or lies outside.
+double sample(const cv::Mat& picture, const Eigen::Vector2d& pixel) {
+  const auto u = static_cast<int>(std::floor(pixel.x()));
+  const auto v = static_cast<int>(std::floor(pixel.y()));
+  if (u < 0 || v < 0 || u + 1 >= picture.cols || v + 1 >= picture.rows) return NAN;
+  const double a = pixel.x() - u, b = pixel.y() - v;
+  const float* top = picture.ptr<float>(v) + u;
+  const float* bottom = picture.ptr<float>(v + 1) + u;
+  return (1 - b) * ((1 - a) * static_cast<double>(top[0]) + a * static_cast<double>(top[1])) +
+         b * ((1 - a) * static_cast<double>(bottom[0]) + a * static_cast<double>(bottom[1]));
+}
+
+/// Cells near a touched one: where looking elsewhere can make a difference.
+cv::Mat touched_cells(const cv::Mat& depth_mm, const FaceShape& shape) {
+  cv::Mat cells((depth_mm.rows + kCell - 1) / kCell,
+                (depth_mm.cols + kCell - 1) / kCell,
+                CV_32FC1,
+                cv::Scalar(0));
+  for (int row = 0; row < depth_mm.rows; ++row) {
+    const float* depth = depth_mm.ptr<float>(row);
+    float* cell = cells.ptr<float>(row / kCell);
+    for (int u = 0; u < depth_mm.cols; ++u) cell[u / kCell] += depth[u] > 0.0F ? depth[u] : 0.0F;
+  }
+  cv::Mat touched = cells > kTouchedMm * kCell * kCell;
+  double nearest_mm = 1e9;
+  for (const FaceColumn& column : shape.columns())
+    if (column.valid) nearest_mm = std::min(nearest_mm, column.z_mm);
+  const double px_per_mm = 1.0 / shape.camera().mm_per_px_at(nearest_mm);
+  const int reach = 1 + static_cast<int>(std::ceil(shape.face().layer_mm * px_per_mm / kCell));
+  cv::dilate(touched, touched, cv::Mat::ones(3, 2 * reach + 1, CV_8U));
+  return touched;
+}
+
+/// Depth along z over one pixel; NaN where the pixel that sees it has no measurement.
+double look_up(const cv::Mat& depth_normal_mm,
+               const FaceShape& shape,
+               const Profile& profile,
+               const FaceShape::Local& here) {
+  const double layer_mm = shape.face().layer_mm;
+  const Eigen::Vector3d untouched = untouched_point_mm(here, layer_mm, MappingAlong::kZ);
+  double depth = 0, pressed_z = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    // The foot moves back along the normal as the layer thins.
+    Profile::Place place = profile.at(untouched.x());
+    place = profile.at(untouched.x() + place.normal_x * depth);
+    const double thickness = layer_mm - depth;
+    const Eigen::Vector3d seen_at(
+        untouched.x() - place.normal_x * thickness, untouched.y(), place.z_mm);
+    const auto pixel = shape.camera().project(seen_at);
+    if (!pixel) return NAN;
+    const double found = sample(depth_normal_mm, *pixel);
+    if (!std::isfinite(found)) return NAN;
+    depth = step < 2 ? found : 0.5 * (depth + found);
+    pressed_z = place.z_mm + place.normal_z * (layer_mm - depth);
+  }
+  return std::max(0.0, untouched.z() - pressed_z);
+}
+
+}  // namespace
+
+cv::Mat depth_along_z(const cv::Mat& depth_normal_mm, const FaceShape& shape) {
+  CV_Assert(depth_normal_mm.type() == CV_32FC1 && depth_normal_mm.cols == shape.width_px());
+  cv::Mat depth_mm = depth_normal_mm.clone();
+  std::vector<float> along_z(static_cast<std::size_t>(shape.width_px()), 1.0F);
+  for (int u = 0; u < shape.width_px(); ++u) {
+    const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
+    if (const auto local = shape.at(u, 0.5 * (column.upper_v + column.lower_v)))
+      along_z[static_cast<std::size_t>(u)] = static_cast<float>(1.0 / local->cos_incline);
+  }
+  const Profile profile(shape);
+  const cv::Mat touched = touched_cells(depth_normal_mm, shape);
+  for (int row = 0; row < depth_mm.rows; ++row) {
+    const std::uint8_t* cell = touched.ptr<std::uint8_t>(row / kCell);
+    float* depth = depth_mm.ptr<float>(row);
+    for (int u = 0; u < depth_mm.cols; ++u) {
+      // Where the face is even, along the normal or along z is a matter of scale alone.
+      depth[u] *= along_z[static_cast<std::size_t>(u)];
+      if (cell[u / kCell] == 0 || !std::isfinite(depth[u]) || profile.foot_x_mm.size() < 2)
+        continue;
+      const auto here = shape.at(u, row);
+      if (!here) continue;
+      const double found = look_up(depth_normal_mm, shape, profile, *here);
+      if (std::isfinite(found)) depth[u] = static_cast<float>(found);
+    }
+  }
+  return depth_mm;
+}
+
+}  // namespace alltact
