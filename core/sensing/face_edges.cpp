@@ -136,13 +136,15 @@ std::optional<Rough> find_roughly(const cv::Mat& grey, double noise_sd) {
 // ---- exactly: the band around the path
 // ------------------------------------------------------------
 
-constexpr int kReach = 20;  // rows of the band on each side of the path
+constexpr int kReach = 28;  // rows of the band on each side of its middle
+constexpr int kWide = 19;   // rows searched on each side of the rough path
+constexpr int kTight = 7;   // and of where the edge goes on
 constexpr int kNear = 3;    // rows of a transition on each side of its middle
 constexpr int kFar = 8;     // the levels are read from kNear to kFar rows away
 
 using Profile = std::array<float, 2 * kReach + 1>;
 
-/// Mean of `columns` columns along the edge's slope, bilinear across it; nullopt at the border.
+/// Mean of `columns` columns along the edge's slope, bilinear across it; false off the picture.
 bool read_profile(
     const cv::Mat& grey, double u, double v, double slope, int columns, Profile& profile) {
   profile.fill(0.0F);
@@ -153,13 +155,15 @@ bool read_profile(
     const double top = v + slope * (column - u) - kReach;
     const int row = static_cast<int>(std::floor(top));
     const auto part = static_cast<float>(top - row);
-    if (row < 0 || row + 2 * kReach + 1 >= grey.rows) return false;
-    const std::uint8_t* pixel = grey.ptr<std::uint8_t>(row) + column;
-    auto here = static_cast<float>(*pixel);
-    for (float& value : profile) {
-      pixel += grey.step[0];
-      const auto next = static_cast<float>(*pixel);
-      value += here + part * (next - here);
+    if (row + kReach < 0 || row + kReach >= grey.rows) return false;
+    // Beyond the picture's border its last row goes on: no step is seen there.
+    const auto pixel = [&](int r) {
+      return static_cast<float>(grey.at<std::uint8_t>(std::clamp(r, 0, grey.rows - 1), column));
+    };
+    float here = pixel(row);
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+      const float next = pixel(row + static_cast<int>(i) + 1);
+      profile[i] += here + part * (next - here);
       here = next;
     }
   }
@@ -170,23 +174,24 @@ bool read_profile(
 struct Crossing {
   double offset;  // rows from the band's middle
   double sd;
+  double contrast;  // grey levels
 };
 
 /// Row before the step that is the face's edge: of all steps of the right sign that are steep
 /// enough, the innermost. Beside a narrow side face its outer border and the dots on it are as
 /// steep, but further out.
-std::optional<int> innermost_step(const Profile& profile, float sign, bool face_below) {
+std::optional<int> innermost_step(const Profile& profile, float sign, bool face_below, int reach) {
   constexpr float kSteepEnough = 0.4F;  // of the steepest
-  constexpr int kFirst = kFar, kLast = static_cast<int>(std::tuple_size_v<Profile>) - kFar - 2;
+  const int first = kReach - reach, last = kReach + reach - 1;
   const auto rise = [&](int i) {
     const auto k = static_cast<std::size_t>(i);
     return sign * (profile[k + 2] + profile[k + 1] - profile[k] - profile[k - 1]);
   };
   float most = 0;
-  for (int i = kFirst; i <= kLast; ++i) most = std::max(most, rise(i));
+  for (int i = first; i <= last; ++i) most = std::max(most, rise(i));
   if (!(most > 0)) return std::nullopt;
-  for (int n = 0; n <= kLast - kFirst; ++n) {
-    const int i = face_below ? kLast - n : kFirst + n;
+  for (int n = 0; n <= last - first; ++n) {
+    const int i = face_below ? last - n : first + n;
     if (rise(i) >= kSteepEnough * most && rise(i) >= rise(i - 1) && rise(i) >= rise(i + 1))
       return i;
   }
@@ -195,8 +200,8 @@ std::optional<int> innermost_step(const Profile& profile, float sign, bool face_
 
 /// sign: +1 when brightness rises with v; face_below: the face lies at larger v.
 std::optional<Crossing> half_way_crossing(
-    const Profile& profile, float sign, bool face_below, double noise_sd, int columns) {
-  const auto step = innermost_step(profile, sign, face_below);
+    const Profile& profile, float sign, bool face_below, int reach, double noise_sd, int columns) {
+  const auto step = innermost_step(profile, sign, face_below, reach);
   if (!step) return std::nullopt;
   const int steepest = *step;
   // the transition lies between `steepest` and the next row
@@ -217,48 +222,119 @@ std::optional<Crossing> half_way_crossing(
     if (a <= 0.0F && b > 0.0F) {
       const double slope = static_cast<double>(b - a);
       return Crossing{i + static_cast<double>(-a) / slope - kReach,
-                      std::hypot(noise / slope, 0.02)};
+                      std::hypot(noise / slope, 0.02),
+                      static_cast<double>(contrast)};
     }
   }
   return std::nullopt;
 }
 
 /// The steepest whole-pixel step of one column.
-std::optional<Crossing> integer_step(const cv::Mat& grey, double u, double v, float sign) {
+std::optional<Crossing> integer_step(
+    const cv::Mat& grey, double u, double v, float sign, int reach) {
   const int column = static_cast<int>(std::lround(u));
   const int centre = static_cast<int>(std::lround(v));
   int best_row = -1, best = 0;
-  for (int row = std::max(centre - kReach, 1); row <= std::min(centre + kReach, grey.rows - 1);
+  for (int row = std::max(centre - reach, 1); row <= std::min(centre + reach, grey.rows - 1);
        ++row) {
     const int step = static_cast<int>(sign) *
                      (grey.at<std::uint8_t>(row, column) - grey.at<std::uint8_t>(row - 1, column));
     if (step > best) best = step, best_row = row;
   }
   if (best_row < 0 || best < 3) return std::nullopt;
-  return Crossing{best_row - v, 0.29};
+  return Crossing{best_row - v, 0.29, static_cast<double>(best)};
 }
 
-void find_edge(const cv::Mat& grey,
+/// Reads one edge of one picture, sample by sample.
+class EdgeReader {
+ public:
+  EdgeReader(const cv::Mat& grey,
+             const FaceEdgeFinder::Options& options,
+             double noise_sd,
+             float sign,
+             bool face_below)
+      : grey_(grey), options_(options), noise_sd_(noise_sd), sign_(sign), face_below_(face_below) {}
+
+  [[nodiscard]] std::optional<Crossing> at(double u, double v, double slope, int reach) const {
+    if (options_.method == EdgeMethod::kInteger) return integer_step(grey_, u, v, sign_, reach);
+    Profile profile;
+    if (!read_profile(grey_, u, v, slope, options_.columns, profile)) return std::nullopt;
+    return half_way_crossing(profile, sign_, face_below_, reach, noise_sd_, options_.columns);
+  }
+
+ private:
+  const cv::Mat& grey_;
+  const FaceEdgeFinder::Options& options_;
+  double noise_sd_;
+  float sign_;
+  bool face_below_;
+};
+
+/// The straight line through the last few samples of an edge that is being followed.
+class Ahead {
+ public:
+  void add(double u, double v) {
+    if (points_.size() == kMost) points_.erase(points_.begin());
+    points_.emplace_back(u, v);
+  }
+  /// Place and slope at u; `slope` until there are enough points for one.
+  [[nodiscard]] std::pair<double, double> at(double u, double slope) const {
+    double n = 0, su = 0, sv = 0, suu = 0, suv = 0;
+    for (const auto& [pu, pv] : points_) {
+      const double x = pu - u;
+      n += 1, su += x, sv += pv, suu += x * x, suv += x * pv;
+    }
+    const double determinant = n * suu - su * su;
+    if (points_.size() >= 4) slope = (n * suv - su * sv) / determinant;
+    return {(sv - slope * su) / n, slope};
+  }
+
+ private:
+  static constexpr std::size_t kMost = 8;
+  std::vector<std::pair<double, double>> points_;
+};
+
+/// Follows the edge from the sample of most contrast to both sides, each time looking only where it
+/// goes on. The rough path alone may leave the face for a side face's outer border where that has
+/// more contrast.
+void find_edge(const EdgeReader& reader,
                const Rough& rough,
                const Path& path,
-               float sign,
-               bool face_below,
-               const FaceEdgeFinder::Options& options,
-               double noise_sd,
                const std::vector<double>& columns,
                Edge& edge) {
-  Profile profile;
-  for (const double u : columns) {
-    const auto [v, slope] = Rough::place(path, rough.block, u);
-    std::optional<Crossing> crossing;
-    if (options.method == EdgeMethod::kInteger) {
-      crossing = integer_step(grey, u, v, sign);
-    } else if (read_profile(grey, u, v, slope, options.columns, profile)) {
-      crossing = half_way_crossing(profile, sign, face_below, noise_sd, options.columns);
+  const auto count = static_cast<int>(columns.size());
+  edge.v.assign(columns.size(), 0.0);
+  edge.sd.assign(columns.size(), 1.0);
+  edge.valid.assign(columns.size(), 0);
+  int seed = -1;
+  double most = 0;
+  Crossing start{};
+  for (int i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto [v, slope] = Rough::place(path, rough.block, columns[k]);
+    edge.v[k] = v;
+    const auto crossing = reader.at(columns[k], v, slope, kWide);
+    if (!crossing || crossing->contrast <= most) continue;
+    most = crossing->contrast, seed = i, start = *crossing;
+  }
+  if (seed < 0) return;
+  const auto s = static_cast<std::size_t>(seed);
+  const double seed_slope = Rough::place(path, rough.block, columns[s]).second;
+  const double seed_v = edge.v[s] + start.offset;
+  for (const int direction : {-1, 1}) {
+    Ahead ahead;
+    ahead.add(columns[s], seed_v);
+    for (int i = direction < 0 ? seed : seed + 1; i >= 0 && i < count; i += direction) {
+      const auto k = static_cast<std::size_t>(i);
+      const auto [v, slope] = ahead.at(columns[k], seed_slope);
+      edge.v[k] = v;
+      const auto crossing = reader.at(columns[k], v, slope, kTight);
+      if (!crossing) continue;
+      edge.v[k] = v + crossing->offset;
+      edge.sd[k] = crossing->sd;
+      edge.valid[k] = 1;
+      if (i != seed) ahead.add(columns[k], edge.v[k]);
     }
-    edge.v.push_back(crossing ? v + crossing->offset : v);
-    edge.sd.push_back(crossing ? crossing->sd : 1.0);
-    edge.valid.push_back(crossing.has_value());
   }
 }
 
@@ -280,9 +356,16 @@ Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
   const int step = std::max(options_.columns, 1);
   for (int u = 0; u + step <= grey.cols; u += step) edges.u.push_back(u + 0.5 * (step - 1));
   const float sign = rough->bright_inside ? 1.0F : -1.0F;
-  find_edge(grey, *rough, rough->upper, sign, true, options_, edges.noise_sd, edges.u, edges.upper);
-  find_edge(
-      grey, *rough, rough->lower, -sign, false, options_, edges.noise_sd, edges.u, edges.lower);
+  find_edge(EdgeReader(grey, options_, edges.noise_sd, sign, true),
+            *rough,
+            rough->upper,
+            edges.u,
+            edges.upper);
+  find_edge(EdgeReader(grey, options_, edges.noise_sd, -sign, false),
+            *rough,
+            rough->lower,
+            edges.u,
+            edges.lower);
 
   std::size_t both = 0;
   for (std::size_t i = 0; i < edges.u.size(); ++i)

@@ -71,7 +71,7 @@ TEST(FaceEdges, AreFoundToAFewHundredthsOfAPixel) {
       const Errors e = errors(*edges, *edge, *truth);
       EXPECT_GT(e.valid, 0.95 * e.count) << "run " << run;
       EXPECT_LT(e.rms, 0.08) << "run " << run;
-      EXPECT_LT(std::abs(e.bias), 0.015) << "run " << run;
+      EXPECT_LT(std::abs(e.bias), 0.03) << "run " << run;  // 0.02 mm of z at the tip
     }
   }
 }
@@ -97,6 +97,28 @@ TEST(FaceEdges, NothingIsInventedBeyondTheTip) {
       EXPECT_FALSE(edges->upper.valid[i]) << edges->u[i];
       EXPECT_FALSE(edges->lower.valid[i]) << edges->u[i];
     }
+  }
+}
+
+TEST(FaceEdges, TheOuterBorderOfABrightSideFaceIsNotTheEdge) {
+  // towards the tip the side face is half as bright as the face, and black lies close beyond it
+  std::mt19937 engine(21);
+  for (unsigned run = 0; run < 6; ++run) {
+    SyntheticFace face = random_face(engine);
+    face.bright = [](double) { return 48.0; };
+    face.beside = 24.0;
+    cv::Mat picture = face.draw(run);
+    for (int v = 0; v < picture.rows; ++v) {
+      for (int u = 0; u < picture.cols; ++u) {
+        const double side = 14.0 * picture.cols / 960.0;
+        if (v < face.upper(u) - side || v > face.lower(u) + side)
+          picture.at<std::uint8_t>(v, u) /= 16;
+      }
+    }
+    const auto edges = FaceEdgeFinder()(picture);
+    ASSERT_TRUE(edges.ok()) << edges.error().sentence();
+    EXPECT_LT(errors(*edges, edges->upper, face.upper).rms, 0.2) << "run " << run;
+    EXPECT_LT(errors(*edges, edges->lower, face.lower).rms, 0.2) << "run " << run;
   }
 }
 

@@ -30,7 +30,7 @@ FaceEdges edges_of(const Plane& plane, const Camera& camera, double noise_sd, un
     edges.u.push_back(u);
     for (const double side : {-1.0, 1.0}) {
       // bisection for the point of this edge that projects to column u
-      double low = -0.9, high = 0.9;
+      double low = -1.3, high = 1.3;
       Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
       for (int i = 0; i < 80; ++i) {
         const double x = 0.5 * (low + high);

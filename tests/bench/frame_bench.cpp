@@ -1,0 +1,141 @@
+// What one frame costs: the whole pipeline and its parts, each beside a copy of the same bytes.
+#include "calibration/reference_recording.h"
+#include "core/sensing/pipeline.h"
+#include "core/simulation/plan.h"
+#include "core/sources/source.h"
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr int kReferenceFrames = 60;
+
+/// A simulated recording as a source.
+class PlanSource : public Source {
+ public:
+  explicit PlanSource(Plan plan, int count) : plan_(std::move(plan)), count_(count) {}
+  Result<FramePtr> next() override {
+    if (next_ == count_) return FramePtr();
+    auto frame = std::make_shared<Frame>();
+    frame->grey = plan_.render(next_++);
+    frame->name = fmt::format("frame_{:05d}", next_ - 1);
+    frame->origin = frame->name;
+    return FramePtr(frame);
+  }
+  [[nodiscard]] std::optional<std::size_t> count() const override {
+    return static_cast<std::size_t>(count_);
+  }
+  [[nodiscard]] bool is_continuous() const override { return true; }
+
+ private:
+  Plan plan_;
+  int count_;
+  int next_ = 0;
+};
+
+void replace(std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at != std::string::npos) text.replace(at, from.size(), to);
+}
+
+/// The demonstration's finger at a picture scale of 1 (960x540) or 2 (1920x1080), with its library
+/// and frames to measure.
+struct Rig {
+  Finger finger;
+  std::vector<FramePtr> frames;
+  std::filesystem::path folder;
+
+  explicit Rig(int scale) {
+    std::ifstream file(std::string(ALLTACT_SOURCE_DIR) + "/resources/scenes/demo_reference.yaml");
+    std::stringstream text;
+    text << file.rdbuf();
+    std::string scene = text.str();
+    if (scale == 2) {
+      replace(scene, "[960, 540]", "[1920, 1080]");
+      replace(scene, "fx: 523.9", "fx: 1047.8");
+      replace(scene, "fy: 523.9", "fy: 1047.8");
+      replace(scene, "cx: 479.5", "cx: 959.5");
+      replace(scene, "cy: 269.5", "cy: 539.5");
+    }
+    const Plan plan = Plan::compile(Scene::parse(scene, "bench").value(), 5).value();
+    finger = plan.finger();
+    folder = std::filesystem::temp_directory_path() / fmt::format("alltact_bench_{}", scale);
+    std::filesystem::create_directories(folder);
+    PlanSource source(plan, kReferenceFrames);
+    const auto report = install_reference(source, folder, finger, Job());
+    if (!report) throw std::runtime_error(report.error().sentence());
+    MappingParameters mapping;
+    mapping.kind = MappingKind::kMoebius;
+    mapping.x_max = 0.6;
+    mapping.a_mm = 2.4;
+    mapping.b = 0.6;
+    finger.mapping = mapping;
+    PlanSource again(plan, 24);
+    for (auto frame = again.next(); *frame; frame = again.next()) frames.push_back(*frame);
+  }
+  ~Rig() { std::filesystem::remove_all(folder); }
+};
+
+void whole_frame(benchmark::State& state, ReferenceMethod method) {
+  const auto scale = static_cast<int>(state.range(0));
+  const Rig rig(scale);
+  PipelineSettings settings;
+  settings.reference = method;
+  auto pipeline = Pipeline::create(rig.folder, rig.finger, settings, Job());
+  if (!pipeline) {
+    state.SkipWithError(pipeline.error().sentence().c_str());
+    return;
+  }
+  std::size_t next = 0;
+  StepTimes sum;
+  double frames = 0;
+  for (auto _ : state) {
+    const auto result = (*pipeline)(rig.frames[next++ % rig.frames.size()]);
+    if (!result || !result->depth) {
+      state.SkipWithError("a frame gave no depth");
+      return;
+    }
+    const StepTimes& t = result->times_ms;
+    sum.edges += t.edges, sum.global += t.global, sum.markers += t.markers;
+    sum.reference += t.reference, sum.local += t.local, sum.contact += t.contact;
+    ++frames;
+  }
+  state.counters["edges_ms"] = sum.edges / frames;
+  state.counters["global_ms"] = sum.global / frames;
+  state.counters["markers_ms"] = sum.markers / frames;
+  state.counters["reference_ms"] = sum.reference / frames;
+  state.counters["local_ms"] = sum.local / frames;
+  state.counters["contact_ms"] = sum.contact / frames;
+}
+
+void BM_WholeFrame(benchmark::State& state) {
+  whole_frame(state, ReferenceMethod::kLocal);
+}
+void BM_WholeFrameNearest(benchmark::State& state) {
+  whole_frame(state, ReferenceMethod::kNearest);
+}
+
+/// The bytes a frame cannot do without: the picture, its reference, the depth.
+void BM_CopySameBytes(benchmark::State& state) {
+  const auto scale = static_cast<std::size_t>(state.range(0));
+  const std::size_t pixels = 960 * 540 * scale * scale;
+  std::vector<std::uint8_t> from(pixels * (1 + 1 + 4), 7), to(from.size());
+  for (auto _ : state) {
+    std::memcpy(to.data(), from.data(), from.size());
+    benchmark::ClobberMemory();
+  }
+}
+
+BENCHMARK(BM_CopySameBytes)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_WholeFrame)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_WholeFrameNearest)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace alltact
