@@ -1,5 +1,7 @@
 #include "core/sensing/contact_regions.h"
 
+#include "core/numerics/dispatch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,21 +13,26 @@ namespace {
 constexpr int kCell = 4;  // pixels a side of the cells in which regions are connected
 constexpr double kLargestAngleSdDeg = 15.0;
 
+ALLTACT_WIDE void add_row(const float* __restrict depth, int width, float* __restrict sum) {
+  for (int u = 0; u < width; ++u)
+    sum[u] += depth[u] == depth[u] ? depth[u] : 0.0F;  // NaN is not itself
+}
+
 /// Mean depth over each cell of kCell x kCell pixels; unmeasured pixels count as untouched.
 cv::Mat cell_depths(const cv::Mat& depth_mm) {
-  cv::Mat cells((depth_mm.rows + kCell - 1) / kCell,
-                (depth_mm.cols + kCell - 1) / kCell,
-                CV_32FC1,
-                cv::Scalar(0));
-  for (int row = 0; row < depth_mm.rows; ++row) {
-    const float* depth = depth_mm.ptr<float>(row);
-    float* cell = cells.ptr<float>(row / kCell);
-    for (int u = 0; u < depth_mm.cols; ++u) {
-      const float d = depth[u];
-      cell[u / kCell] += d == d ? d : 0.0F;  // NaN is not itself
+  cv::Mat cells((depth_mm.rows + kCell - 1) / kCell, (depth_mm.cols + kCell - 1) / kCell, CV_32FC1);
+  std::vector<float> sum(static_cast<std::size_t>(cells.cols * kCell));
+  for (int c = 0; c < cells.rows; ++c) {
+    std::fill(sum.begin(), sum.end(), 0.0F);
+    for (int row = c * kCell; row < std::min((c + 1) * kCell, depth_mm.rows); ++row)
+      add_row(depth_mm.ptr<float>(row), depth_mm.cols, sum.data());
+    float* cell = cells.ptr<float>(c);
+    for (int x = 0; x < cells.cols; ++x) {
+      const float* four = &sum[static_cast<std::size_t>(x * kCell)];
+      cell[x] = (four[0] + four[1] + four[2] + four[3]) / (kCell * kCell);
     }
   }
-  return cells / (kCell * kCell);
+  return cells;
 }
 
 /// A pressed pixel on the face.

@@ -289,8 +289,12 @@ Shading shading_of(const Window& w, const Background& ground, const Ellipse& e) 
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   int count = 0;
-  for (int y = 0; y < w.height; ++y)
-    for (int x = 0; x < w.width; ++x) {
+  const int x0 = std::max(0, static_cast<int>(e.x - e.half_x));
+  const int x1 = std::min(w.width - 1, static_cast<int>(e.x + e.half_x) + 1);
+  const int y0 = std::max(0, static_cast<int>(e.y - e.half_y));
+  const int y1 = std::min(w.height - 1, static_cast<int>(e.y + e.half_y) + 1);
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x) {
       const double dx = x - e.x, dy = y - e.y;
       if (e.square(dx, dy) > kInside * kInside || !w.usable[w.index(x, y)]) continue;
       const Eigen::Vector3d g(1.0, dx, dy);
@@ -395,8 +399,9 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   if (!ground) return {};
   Centroid c;
   Ellipse moving = dot;
+  const Shading shading = shading_of(w, *ground, dot);
   for (int pass = 0; pass < 2; ++pass) {
-    c = centroid(w, *ground, shading_of(w, *ground, moving), moving, 1.2 + 1.2 / radius);
+    c = centroid(w, *ground, shading, moving, 1.2 + 1.2 / radius);
     if (!(c.flux > 0) || std::hypot(c.x - dot.x, c.y - dot.y) > 0.5 * radius + 0.5) return {};
     moving.x = c.x;
     moving.y = c.y;

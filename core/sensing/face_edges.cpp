@@ -136,11 +136,12 @@ std::optional<Rough> find_roughly(const cv::Mat& grey, double noise_sd) {
 // ---- exactly: the band around the path
 // ------------------------------------------------------------
 
-constexpr int kReach = 28;  // rows of the band on each side of its middle
-constexpr int kWide = 19;   // rows searched on each side of the rough path
-constexpr int kTight = 7;   // and of where the edge goes on
-constexpr int kNear = 3;    // rows of a transition on each side of its middle
-constexpr int kFar = 8;     // the levels are read from kNear to kFar rows away
+constexpr int kReach = 28;    // rows of the band on each side of its middle
+constexpr int kWide = 19;     // rows searched on each side of the rough path
+constexpr int kSeedStep = 6;  // of the samples, these may be where following an edge begins
+constexpr int kTight = 7;     // and of where the edge goes on
+constexpr int kNear = 3;      // rows of a transition on each side of its middle
+constexpr int kFar = 8;       // the levels are read from kNear to kFar rows away
 
 using Profile = std::array<float, 2 * kReach + 1>;
 
@@ -156,15 +157,24 @@ bool read_profile(
     const int row = static_cast<int>(std::floor(top));
     const auto part = static_cast<float>(top - row);
     if (row + kReach < 0 || row + kReach >= grey.rows) return false;
+    if (row >= 0 && row + static_cast<int>(profile.size()) < grey.rows) {
+      const std::uint8_t* pixel = grey.ptr<std::uint8_t>(row) + column;
+      auto here = static_cast<float>(*pixel);
+      for (float& value : profile) {
+        pixel += grey.step[0];
+        const auto next = static_cast<float>(*pixel);
+        value += here + part * (next - here);
+        here = next;
+      }
+      continue;
+    }
     // Beyond the picture's border its last row goes on: no step is seen there.
-    const auto pixel = [&](int r) {
+    const auto clamped = [&](int r) {
       return static_cast<float>(grey.at<std::uint8_t>(std::clamp(r, 0, grey.rows - 1), column));
     };
-    float here = pixel(row);
     for (std::size_t i = 0; i < profile.size(); ++i) {
-      const float next = pixel(row + static_cast<int>(i) + 1);
-      profile[i] += here + part * (next - here);
-      here = next;
+      const int r = row + static_cast<int>(i);
+      profile[i] += clamped(r) + part * (clamped(r + 1) - clamped(r));
     }
   }
   for (float& value : profile) value /= static_cast<float>(columns);
@@ -309,7 +319,7 @@ void find_edge(const EdgeReader& reader,
   int seed = -1;
   double most = 0;
   Crossing start{};
-  for (int i = 0; i < count; ++i) {
+  for (int i = kSeedStep / 2; i < count; i += kSeedStep) {
     const auto k = static_cast<std::size_t>(i);
     const auto [v, slope] = Rough::place(path, rough.block, columns[k]);
     edge.v[k] = v;

@@ -63,6 +63,10 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   if (!shape.fit_inverse_depth(first, last, edge_degree))
     return no_shape("no smooth shape fits them");
 
+  constexpr int kSdStep = 8;  // the error changes slowly along the face
+  std::vector<double> width_sd;
+  for (int u = kSdStep / 2; u < width + kSdStep; u += kSdStep)
+    width_sd.push_back(std::hypot(upper->sd(u), lower->sd(u)));
   int valid = 0;
   for (int u = 0; u < width; ++u) {
     FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
@@ -70,7 +74,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     const double middle = 0.5 * (column.upper_v + column.lower_v);
     const auto ray = camera.unproject({static_cast<double>(u), middle});
     const double inverse_z = ray ? shape.inverse_z_at(ray->direction.x()) : 0.0;
-    const double width_sd_px = std::hypot(upper->sd(u), lower->sd(u));
+    const double width_sd_px = width_sd[static_cast<std::size_t>(u / kSdStep)];
     column.valid = inverse_z > 0.0 && std::isfinite(inverse_z);
     if (!column.valid) continue;
     column.z_mm = 1.0 / inverse_z;

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include <opencv2/imgproc.hpp>
-
 namespace alltact {
 namespace {
 
@@ -40,36 +38,95 @@ Limits face_limits(const FaceShape& shape, double margin_px, int height) {
 }
 
 /// One row: what can be measured, and both brightnesses with 0 where nothing can.
-ALLTACT_WIDE void select_row(const std::uint8_t* grey,
-                             const float* reference,
-                             const std::uint8_t* reference_valid,
-                             const std::int32_t* first,
-                             const std::int32_t* last,
+ALLTACT_WIDE void select_row(const std::uint8_t* __restrict grey,
+                             const float* __restrict reference,
+                             const std::uint8_t* __restrict reference_valid,
+                             const std::int32_t* __restrict first,
+                             const std::int32_t* __restrict last,
                              std::int32_t row,
                              float darkest,
                              int width,
-                             float* live_out,
-                             float* reference_out,
-                             std::uint8_t* flags) {
+                             float* __restrict live_out,
+                             float* __restrict reference_out,
+                             std::uint8_t* __restrict flags) {
   for (int u = 0; u < width; ++u) {
     const float live = grey[u];
     const float ref = reference[u];
-    const bool on_face = first[u] <= row && row <= last[u] && reference_valid[u] != 0;
-    const bool dark = ref < darkest;
-    const bool clipped = live >= kCeiling || ref >= kCeiling;
-    const std::uint8_t flag = !on_face  ? kOffFace
-                              : dark    ? kTooDark
-                              : clipped ? kSaturated
-                                        : kMeasured;
-    const float weight = flag == kMeasured ? 1.0F : 0.0F;
-    flags[u] = flag;
-    live_out[u] = weight * live;
-    reference_out[u] = weight * ref;
+    // Without branches, all in 32 bits, so that the loop runs in vectors.
+    const std::int32_t on_face = (first[u] <= row) & (row <= last[u]) & (reference_valid[u] != 0);
+    const std::int32_t dark = ref < darkest;
+    const std::int32_t clipped = (live >= kCeiling) | (ref >= kCeiling);
+    std::int32_t flag = clipped ? kSaturated : kMeasured;
+    flag = dark ? kTooDark : flag;
+    flag = on_face ? flag : kOffFace;
+    flags[u] = static_cast<std::uint8_t>(flag);
+    live_out[u] = flag == kMeasured ? live : 0.0F;
+    reference_out[u] = flag == kMeasured ? ref : 0.0F;
   }
 }
 
-ALLTACT_WIDE void divide_row(
-    const float* live, const float* reference, const std::uint8_t* flags, int width, float* x) {
+ALLTACT_WIDE void scale_row(const float* __restrict in,
+                            float weight,
+                            int width,
+                            float* __restrict out) {
+  for (int u = 0; u < width; ++u) out[u] = weight * in[u];
+}
+
+ALLTACT_WIDE void add_pair(const float* __restrict a,
+                           const float* __restrict b,
+                           float weight,
+                           int width,
+                           float* __restrict out) {
+  for (int u = 0; u < width; ++u) out[u] += weight * (a[u] + b[u]);
+}
+
+/// Separable smoothing of one row at a time; beyond the picture there is nothing (0).
+class RowSmoother {
+ public:
+  RowSmoother(double sd_px, int width)
+      : radius_(sd_px > 0.0 ? static_cast<int>(std::ceil(2.0 * sd_px)) : 0),
+        width_(width),
+        column_sums_(static_cast<std::size_t>(width + 2 * radius_), 0.0F),
+        row_(static_cast<std::size_t>(width)),
+        nothing_(static_cast<std::size_t>(width), 0.0F) {
+    double sum = 0;
+    for (int k = 0; k <= radius_; ++k) {
+      const double z = radius_ > 0 ? k / sd_px : 0.0;
+      weights_.push_back(static_cast<float>(std::exp(-0.5 * z * z)));
+      sum += (k == 0 ? 1.0 : 2.0) * static_cast<double>(weights_.back());
+    }
+    for (float& weight : weights_) weight = static_cast<float>(static_cast<double>(weight) / sum);
+  }
+
+  /// The smoothed row; valid until the next call.
+  const float* operator()(const cv::Mat& picture, int row) {
+    const auto source = [&](int r) {
+      return r >= 0 && r < picture.rows ? picture.ptr<float>(r) : nothing_.data();
+    };
+    float* middle = column_sums_.data() + radius_;
+    scale_row(source(row), weights_[0], width_, middle);
+    for (int k = 1; k <= radius_; ++k)
+      add_pair(source(row - k), source(row + k), weight(k), width_, middle);
+    scale_row(middle, weights_[0], width_, row_.data());
+    for (int k = 1; k <= radius_; ++k)
+      add_pair(middle - k, middle + k, weight(k), width_, row_.data());
+    return row_.data();
+  }
+
+ private:
+  [[nodiscard]] float weight(int k) const { return weights_[static_cast<std::size_t>(k)]; }
+
+  int radius_, width_;
+  std::vector<float> weights_;      // of the middle and of each distance from it
+  std::vector<float> column_sums_;  // with radius_ zeros on both sides
+  std::vector<float> row_, nothing_;
+};
+
+ALLTACT_WIDE void divide_row(const float* __restrict live,
+                             const float* __restrict reference,
+                             const std::uint8_t* __restrict flags,
+                             int width,
+                             float* __restrict x) {
   for (int u = 0; u < width; ++u) {
     const bool measured = flags[u] == kMeasured;
     const float below = measured ? reference[u] : 1.0F;
@@ -78,7 +135,10 @@ ALLTACT_WIDE void divide_row(
   }
 }
 
-ALLTACT_WIDE void flag_row(const float* x, float x_max, int width, std::uint8_t* flags) {
+ALLTACT_WIDE void flag_row(const float* __restrict x,
+                           float x_max,
+                           int width,
+                           std::uint8_t* __restrict flags) {
   for (int u = 0; u < width; ++u) flags[u] = x[u] > x_max ? std::uint8_t{kExtrapolated} : flags[u];
 }
 
@@ -91,9 +151,14 @@ Difference difference(const cv::Mat& grey,
   CV_Assert(grey.type() == CV_8UC1 && reference.grey.type() == CV_32FC1 &&
             grey.size() == reference.grey.size() && shape.width_px() == grey.cols);
   Difference result;
-  result.x = cv::Mat(grey.size(), CV_32FC1, cv::Scalar(kNaN));
-  result.flags = cv::Mat(grey.size(), CV_8UC1, cv::Scalar(kOffFace));
+  result.x = cv::Mat(grey.size(), CV_32FC1);
+  result.flags = cv::Mat(grey.size(), CV_8UC1);
   const Limits limits = face_limits(shape, options.edge_margin_px, grey.rows);
+  for (int row = 0; row < grey.rows; ++row) {
+    if (limits.rows.start <= row && row < limits.rows.end) continue;
+    std::fill_n(result.x.ptr<float>(row), grey.cols, kNaN);
+    std::fill_n(result.flags.ptr<std::uint8_t>(row), grey.cols, std::uint8_t{kOffFace});
+  }
   if (limits.rows.empty()) return result;
 
   const float darkest = static_cast<float>(std::max(8.0, 6.0 * options.noise_sd));
@@ -115,16 +180,12 @@ Difference difference(const cv::Mat& grey,
   }
   // Both pictures are smoothed alike before the division, with nothing from outside the face: the
   // weights of the missing neighbours cancel in the ratio, and dark pixels are not biased by it.
-  if (options.smoothing_px > 0.0) {
-    const int radius = static_cast<int>(std::ceil(3.0 * options.smoothing_px));
-    const cv::Size kernel(2 * radius + 1, 2 * radius + 1);
-    cv::GaussianBlur(live, live, kernel, options.smoothing_px, 0, cv::BORDER_CONSTANT);
-    cv::GaussianBlur(untouched, untouched, kernel, options.smoothing_px, 0, cv::BORDER_CONSTANT);
-  }
+  RowSmoother smooth_live(options.smoothing_px, grey.cols);
+  RowSmoother smooth_untouched(options.smoothing_px, grey.cols);
   for (int row = limits.rows.start; row < limits.rows.end; ++row) {
     const int local = row - limits.rows.start;
-    divide_row(live.ptr<float>(local),
-               untouched.ptr<float>(local),
+    divide_row(smooth_live(live, local),
+               smooth_untouched(untouched, local),
                result.flags.ptr<std::uint8_t>(row),
                grey.cols,
                result.x.ptr<float>(row));
