@@ -1,38 +1,41 @@
 // A press: one picture of a ball of known radius pushed into the face, compared with its reference.
 #pragma once
 
+#include "core/finger/finger.h"
+#include "core/result.h"
+#include "core/sensing/face_shape.h"
+#include "core/sensing/local_depth.h"
+
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
-#include "core/finger/finger.h"
-#include "core/result.h"
-#include "core/sensing/face_shape.h"
-#include "core/sensing/local_depth.h"
-
 namespace alltact {
 
 /// What calibration needs of a press: the brightness difference on the face, and the face.
 struct Press {
-  std::string name;       ///< picture's file name without its ending
+  std::string name;  ///< picture's file name without its ending
   Difference difference;
   FaceShape shape;
 };
 
 /// A ball found in a press before anything is known of the mapping.
 struct BallGuess {
-  Eigen::Vector3d centre_mm;   ///< camera frame
-  double contact_radius_mm;    ///< of the dark disc on the face
-  double rim_arc_deg;          ///< how much of the disc's rim was seen on the face
-  bool cut_by_edge;            ///< part of the disc lies off the face
+  Eigen::Vector3d centre_mm;  ///< camera frame
+  double contact_radius_mm;   ///< of the dark disc on the face
+  double rim_arc_deg;         ///< how much of the disc's rim was seen on the face
+  bool cut_by_edge;           ///< part of the disc lies off the face
 };
 
 /// Finds the dark disc of one ball by itself: off axis (an ellipse in the picture), with or without
 /// a bright halo, whole or cut by an edge of the face.
 /// Errors, each saying what was found and what to try: nothing dark enough; two contacts; a shape
-/// that is no disc on the face; less than 60 degrees of the rim visible; a disc larger than the ball.
-[[nodiscard]] Result<BallGuess> find_ball(const Press& press, const Face& face, double ball_radius_mm);
+/// that is no disc on the face; less than 60 degrees of the rim visible; a disc larger than the
+/// ball.
+[[nodiscard]] Result<BallGuess> find_ball(const Press& press,
+                                          const Face& face,
+                                          double ball_radius_mm);
 
 }  // namespace alltact

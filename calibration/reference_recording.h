@@ -1,14 +1,14 @@
 // From a recording of the bending, untouched finger to its reference library.
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "core/finger/finger.h"
 #include "core/job.h"
 #include "core/result.h"
 #include "core/sources/source.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
 
 namespace alltact {
 
@@ -17,7 +17,7 @@ struct ReferenceReport {
   int frames_kept = 0;
   std::vector<std::string> rejected;  ///< "frame 17: only 5 of 12 markers found", ...
   std::vector<std::string> remarks;
-  double median_step_px = 0;          ///< mean marker distance from a frame to its nearest other
+  double median_step_px = 0;  ///< mean marker distance from a frame to its nearest other
 };
 
 /// Tracks the markers through the recording (numbering them from the frames where all are seen),

@@ -17,8 +17,9 @@ struct DotRow {
 /// A row above this unevenness is not one: a dot left out or a false one taken in costs more.
 inline constexpr double kMaxUnevenness = 0.25;
 
-/// The most even choice, judged in millimetres along the finger rather than in pixels, of `per_row` dots of one side, in the order of u from base to tip, by
-/// dynamic programming over pairs of neighbours. nullopt where there are fewer dots than that.
+/// The most even choice, judged in millimetres along the finger rather than in pixels, of `per_row`
+/// dots of one side, in the order of u from base to tip, by dynamic programming over pairs of
+/// neighbours. nullopt where there are fewer dots than that.
 [[nodiscard]] std::optional<DotRow> choose_row(const std::vector<Dot>& dots,
                                                bool upper,
                                                int per_row,

@@ -34,7 +34,7 @@ struct Dot {
   double radius_px = 0;  ///< of the disc of the same area
   double contrast = 0;   ///< grey levels against the surroundings; sign is the polarity
   double sd_px = 0;
-  bool upper = false;  ///< on the side face at small v
+  bool upper = false;   ///< on the side face at small v
   double along_mm = 0;  ///< length of the face from its base to the dot's column
   double face_px = 0;   ///< width of the face in that column
   double off_face = 0;  ///< distance from the face's edge, in parts of face_px

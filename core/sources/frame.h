@@ -13,10 +13,10 @@ namespace alltact {
 /// (not yet turned by camera.orientation); nobody may write to it.
 struct Frame {
   cv::Mat grey;
-  std::string name;           ///< file name without its ending, or frame_00000 through a video
-  std::string origin;         ///< where it came from, for messages: a path or a device
-  std::uint64_t sequence = 0; ///< counts from 0 in the order of the source, gaps are lost frames
-  std::int64_t time_ns = 0;   ///< monotonic clock of capture; 0 when the source has none
+  std::string name;            ///< file name without its ending, or frame_00000 through a video
+  std::string origin;          ///< where it came from, for messages: a path or a device
+  std::uint64_t sequence = 0;  ///< counts from 0 in the order of the source, gaps are lost frames
+  std::int64_t time_ns = 0;    ///< monotonic clock of capture; 0 when the source has none
 };
 
 using FramePtr = std::shared_ptr<const Frame>;

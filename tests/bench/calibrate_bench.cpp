@@ -19,8 +19,7 @@ void six_presses(benchmark::State& state) {
   for (int i = 0; i < 6; ++i) {
     scene = finger_scene(40.0, incline * (i - 3) / 3.0);
     const Ball ball{380.0 + 40 * i, 220.0 + 20 * i, 4.0, 0.4 + 0.15 * i};
-    presses.push_back(
-        make_press(*scene, {}, {}, {ball}, 1.0, random, fmt::format("p{}", i)).press);
+    presses.push_back(make_press(*scene, {}, {}, {ball}, 1.0, random, fmt::format("p{}", i)).press);
   }
   for (auto _ : state) {
     auto result = calibrate(presses, scene->camera, scene->face, 4.0, {}, Job{});
