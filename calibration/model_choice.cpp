@@ -161,16 +161,12 @@ std::vector<CurveFamily> families_for(const CalibrationSettings& settings, std::
   return families;
 }
 
-double incline_spread_deg(const ChoiceInput& input) {
-  double low = 1.0, high = 0.0;
-  for (const PressSamples* press : input.presses) {
-    for (const Sample& sample : press->samples) {
-      low = std::min(low, sample.cos_incline);
-      high = std::max(high, sample.cos_incline);
-    }
-  }
-  constexpr double kDegrees = 180.0 / M_PI;
-  return kDegrees * (std::acos(std::clamp(low, 0.0, 1.0)) - std::acos(std::clamp(high, 0.0, 1.0)));
+/// The steepest place of any press: on a face at right angles to z both ways are the same.
+double steepest_deg(const ChoiceInput& input) {
+  double low = 1.0;
+  for (const PressSamples* press : input.presses)
+    for (const Sample& sample : press->samples) low = std::min(low, sample.cos_incline);
+  return 180.0 / M_PI * std::acos(std::clamp(low, 0.0, 1.0));
 }
 
 /// The best family for one way of measuring thickness.
@@ -274,7 +270,7 @@ std::optional<ModelChoice> choose_model(const ChoiceInput& input,
   if (settings.along == AlongChoice::kNormal)
     return choose_family(input, settings, MappingAlong::kNormal, job);
   auto by_z = choose_family(input, settings, MappingAlong::kZ, job);
-  const bool told_apart = input.presses.size() > 1 && incline_spread_deg(input) > kInclineDeg;
+  const bool told_apart = input.presses.size() > 1 && steepest_deg(input) > kInclineDeg;
   if (settings.along == AlongChoice::kZ || !by_z || !told_apart || job.stop_requested())
     return by_z;
   auto by_normal = choose_family(input, settings, MappingAlong::kNormal, job);

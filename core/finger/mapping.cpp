@@ -1,6 +1,6 @@
 #include "core/finger/mapping.h"
 
-#include "core/numerics/vector_clones.h"
+#include "core/numerics/dispatch.h"
 
 namespace alltact {
 namespace {
@@ -77,20 +77,20 @@ template <int N>
   }
 }
 
-ALLTACT_VECTOR_CLONES void polynomial_depths_4(
+ALLTACT_WIDE void polynomial_depths_4(
     const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
   polynomial_loop<4>(powers, loop, x, depth_mm, n);
 }
-ALLTACT_VECTOR_CLONES void polynomial_depths_8(
+ALLTACT_WIDE void polynomial_depths_8(
     const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
   polynomial_loop<8>(powers, loop, x, depth_mm, n);
 }
-ALLTACT_VECTOR_CLONES void polynomial_depths_12(
+ALLTACT_WIDE void polynomial_depths_12(
     const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
   polynomial_loop<kMaxCoefficients>(powers, loop, x, depth_mm, n);
 }
 
-ALLTACT_VECTOR_CLONES void moebius_depths(
+ALLTACT_WIDE void moebius_depths(
     double a_mm, double b, Loop loop, const float* x, float* depth_mm, int n) {
 #pragma GCC ivdep  // also where x and depth_mm are the same array
   for (int i = 0; i < n; ++i) {
