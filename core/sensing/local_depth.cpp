@@ -49,19 +49,21 @@ ALLTACT_WIDE void select_row(const std::uint8_t* __restrict grey,
                              float* __restrict live_out,
                              float* __restrict reference_out,
                              std::uint8_t* __restrict flags) {
+  constexpr float measured = kMeasured, off_face = kOffFace, dark = kTooDark, clipped = kSaturated;
   for (int u = 0; u < width; ++u) {
-    const float live = grey[u];
+    const auto live = static_cast<float>(static_cast<std::int32_t>(grey[u]));
     const float ref = reference[u];
-    // Without branches, all in 32 bits, so that the loop runs in vectors.
-    const std::int32_t on_face = (first[u] <= row) & (row <= last[u]) & (reference_valid[u] != 0);
-    const std::int32_t dark = ref < darkest;
-    const std::int32_t clipped = (live >= kCeiling) | (ref >= kCeiling);
-    std::int32_t flag = clipped ? kSaturated : kMeasured;
-    flag = dark ? kTooDark : flag;
-    flag = on_face ? flag : kOffFace;
-    flags[u] = static_cast<std::uint8_t>(flag);
-    live_out[u] = flag == kMeasured ? live : 0.0F;
-    reference_out[u] = flag == kMeasured ? ref : 0.0F;
+    // The last reason wins. Flags are small whole numbers in float and each pixel takes the same
+    // steps, so that the loop runs in vectors.
+    float flag = live >= kCeiling ? clipped : measured;
+    flag = ref >= kCeiling ? clipped : flag;
+    flag = ref < darkest ? dark : flag;
+    flag = first[u] <= row ? flag : off_face;
+    flag = row <= last[u] ? flag : off_face;
+    flag = static_cast<std::int32_t>(reference_valid[u]) != 0 ? flag : off_face;
+    flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(flag));
+    live_out[u] = flag == measured ? live : 0.0F;
+    reference_out[u] = flag == measured ? ref : 0.0F;
   }
 }
 
