@@ -5,6 +5,7 @@
 #include "calibration/press_samples.h"
 #include "core/geometry/ball.h"
 #include "core/geometry/circle_fit.h"
+#include "core/numerics/bilinear.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,20 +18,6 @@ namespace {
 
 constexpr int kDegree = 3;
 constexpr int kBlockPx = 2;
-
-double bilinear(const cv::Mat& x, const Eigen::Vector2d& pixel) {
-  const auto u = static_cast<int>(std::floor(pixel.x()));
-  const auto v = static_cast<int>(std::floor(pixel.y()));
-  if (u < 0 || v < 0 || u + 1 >= x.cols || v + 1 >= x.rows)
-    return std::numeric_limits<double>::quiet_NaN();
-  const double a = pixel.x() - u;
-  const double b = pixel.y() - v;
-  const auto at = [&](int row, int column) {
-    return static_cast<double>(x.at<float>(row, column));
-  };
-  return (1 - b) * ((1 - a) * at(v, u) + a * at(v, u + 1)) +
-         b * ((1 - a) * at(v + 1, u) + a * at(v + 1, u + 1));
-}
 
 /// Steepest fall of x along rays from the middle of the disc, up to `reach_px` out.
 std::optional<Circle> border_circle(const cv::Mat& x,

@@ -1,5 +1,7 @@
 #include "core/sensing/depth_along_z.h"
 
+#include "core/numerics/bilinear.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,18 +51,6 @@ struct Profile {
   }
 };
 
-/// Bilinear; NaN when any of the four pixels is, or lies outside.
-double sample(const cv::Mat& picture, const Eigen::Vector2d& pixel) {
-  const auto u = static_cast<int>(std::floor(pixel.x()));
-  const auto v = static_cast<int>(std::floor(pixel.y()));
-  if (u < 0 || v < 0 || u + 1 >= picture.cols || v + 1 >= picture.rows) return NAN;
-  const double a = pixel.x() - u, b = pixel.y() - v;
-  const float* top = picture.ptr<float>(v) + u;
-  const float* bottom = picture.ptr<float>(v + 1) + u;
-  return (1 - b) * ((1 - a) * static_cast<double>(top[0]) + a * static_cast<double>(top[1])) +
-         b * ((1 - a) * static_cast<double>(bottom[0]) + a * static_cast<double>(bottom[1]));
-}
-
 /// Cells near a touched one: where looking elsewhere can make a difference.
 cv::Mat touched_cells(const cv::Mat& depth_mm, const FaceShape& shape) {
   cv::Mat cells((depth_mm.rows + kCell - 1) / kCell,
@@ -99,7 +89,7 @@ double look_up(const cv::Mat& depth_normal_mm,
         untouched.x() - place.normal_x * thickness, untouched.y(), place.z_mm);
     const auto pixel = shape.camera().project(seen_at);
     if (!pixel) return NAN;
-    const double found = sample(depth_normal_mm, *pixel);
+    const double found = bilinear(depth_normal_mm, *pixel);
     if (!std::isfinite(found)) return NAN;
     depth = step < 2 ? found : 0.5 * (depth + found);
     pressed_z = place.z_mm + place.normal_z * (layer_mm - depth);
