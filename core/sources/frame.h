@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -13,6 +14,8 @@ namespace alltact {
 /// (not yet turned by camera.orientation); nobody may write to it.
 struct Frame {
   cv::Mat grey;
+  /// The camera's own compressed picture, one whole JPEG, where the camera sends such; else null.
+  std::shared_ptr<const std::vector<std::uint8_t>> jpeg;
   std::string name;            ///< file name without its ending, or frame_00000 through a video
   std::string origin;          ///< where it came from, for messages: a path or a device
   std::uint64_t sequence = 0;  ///< counts from 0 in the order of the source, gaps are lost frames
