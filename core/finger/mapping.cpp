@@ -90,14 +90,21 @@ ALLTACT_WIDE void polynomial_depths_12(
   polynomial_loop<kMaxCoefficients>(powers, loop, x, depth_mm, n);
 }
 
-ALLTACT_WIDE void moebius_depths(
-    double a_mm, double b, Loop loop, const float* x, float* depth_mm, int n) {
+// Single precision throughout: nothing here cancels but 1 + b x near the pole.
+ALLTACT_WIDE void moebius_depths(float a_mm,
+                                 float b,
+                                 float x_max,
+                                 float end_slope,
+                                 float limit,
+                                 const float* x,
+                                 float* depth_mm,
+                                 int n) {
 #pragma GCC ivdep  // also where x and depth_mm are the same array
   for (int i = 0; i < n; ++i) {
-    const double pressed = at_least(0.0, x[i]);
-    const double inside = at_most(loop.x_max, pressed);
-    const double depth = a_mm * inside / (1 + b * inside) + loop.end_slope * (pressed - inside);
-    depth_mm[i] = static_cast<float>(at_most(loop.limit, depth));
+    const float pressed = 0.0F > x[i] ? 0.0F : x[i];  // NaN passes
+    const float inside = x_max < pressed ? x_max : pressed;
+    const float depth = a_mm * inside / (1.0F + b * inside) + end_slope * (pressed - inside);
+    depth_mm[i] = limit < depth ? limit : depth;
   }
 }
 
@@ -251,7 +258,14 @@ double Mapping::difference_at(double depth_mm) const {
 void Mapping::depths_mm(const float* x, float* depth_mm, int n) const {
   const Loop loop{parameters_.x_max, end_slope_mm_, kLimitFactor * end_depth_mm_};
   if (parameters_.kind == MappingKind::kMoebius)
-    return moebius_depths(parameters_.a_mm, parameters_.b, loop, x, depth_mm, n);
+    return moebius_depths(static_cast<float>(parameters_.a_mm),
+                          static_cast<float>(parameters_.b),
+                          static_cast<float>(loop.x_max),
+                          static_cast<float>(loop.end_slope),
+                          static_cast<float>(loop.limit),
+                          x,
+                          depth_mm,
+                          n);
   switch (centred_powers_.size()) {
     case 4:
       return polynomial_depths_4(centred_powers_.data(), loop, x, depth_mm, n);

@@ -7,7 +7,7 @@
 /// is reordered. Left out under sanitizers, whose run-time is not yet up when the choice is made.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
     !defined(__clang__)
-#define ALLTACT_WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
+#define ALLTACT_WIDE __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
 #else
 #define ALLTACT_WIDE
 #endif

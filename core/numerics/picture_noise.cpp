@@ -1,5 +1,6 @@
 #include "core/numerics/picture_noise.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -8,13 +9,14 @@ namespace alltact {
 
 double picture_noise_sd(const cv::Mat& grey) {
   CV_Assert(grey.type() == CV_8UC1);
-  constexpr int kRowStep = 16;
+  constexpr int kRows = 32;  // are enough
   constexpr int kLargest = 64;
   constexpr int kFloor = 6, kCeiling = 250;
   const double quantisation = std::sqrt(1.0 / 12.0);
 
   std::array<std::int64_t, kLargest + 1> histogram{};
-  for (int row = kRowStep / 2; row < grey.rows; row += kRowStep) {
+  const int step = std::max(1, grey.rows / kRows);
+  for (int row = step / 2; row < grey.rows; row += step) {
     const auto* pixel = grey.ptr<std::uint8_t>(row);
     for (int u = 1; u + 1 < grey.cols; ++u) {
       if (pixel[u] < kFloor || pixel[u] > kCeiling) continue;

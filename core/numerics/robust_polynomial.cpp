@@ -15,6 +15,7 @@ constexpr double kTukey = 4.685;
 constexpr double kMadToSd = 1.4826;
 constexpr int kCauchyRounds = 5;
 constexpr int kTukeyRounds = 4;
+constexpr double kSettled = 1e-4;  // change of a weight that no longer matters
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -27,6 +28,15 @@ double spread(const Eigen::VectorXd& residuals) {
   for (Eigen::Index i = 0; i < residuals.size(); ++i)
     sizes[static_cast<std::size_t>(i)] = std::abs(residuals[i]);
   return std::max(kMadToSd * median(std::move(sizes)), 1e-9);
+}
+
+double cauchy_weight(double r) {
+  return 1.0 / (1.0 + r * r);
+}
+
+double tukey_weight(double r) {
+  const double z = r / kTukey;
+  return std::abs(z) < 1.0 ? (1.0 - z * z) * (1.0 - z * z) : 0.0;
 }
 
 }  // namespace
@@ -71,15 +81,14 @@ std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>&
         (root.asDiagonal() * design).householderQr().solve(root.cwiseProduct(target));
     residuals = target - design * fit.coefficients;
     fit.scale = spread(residuals);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const double r = residuals[i] / fit.scale;
-      if (round < kCauchyRounds) {
-        weights[i] = 1.0 / (1.0 + r * r);
-      } else {
-        const double z = r / kTukey;
-        weights[i] = std::abs(z) < 1.0 ? (1.0 - z * z) * (1.0 - z * z) : 0.0;
-      }
-    }
+    const Eigen::VectorXd before = weights;
+    const bool cauchy = round < kCauchyRounds;
+    for (Eigen::Index i = 0; i < count; ++i)
+      weights[i] =
+          cauchy ? cauchy_weight(residuals[i] / fit.scale) : tukey_weight(residuals[i] / fit.scale);
+    if ((weights - before).cwiseAbs().maxCoeff() > kSettled) continue;
+    if (!cauchy) break;
+    round = kCauchyRounds - 1;  // on to Tukey's
   }
 
   fit.first = x[points.back()], fit.last = x[points.front()];

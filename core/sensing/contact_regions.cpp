@@ -136,10 +136,10 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                            const RegionOptions& options) {
   const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
   const cv::Mat touched = cell_depths(depth.depth_mm) > threshold;
+  if (cv::countNonZero(touched) == 0) return {};
   cv::Mat labels, statistics, centres;
   const int count =
       cv::connectedComponentsWithStats(touched, labels, statistics, centres, 8, CV_32S);
-  if (count <= 1) return {};
   // A region's rim reaches into the cells around it.
   cv::Mat wide;
   labels.convertTo(wide, CV_32F);

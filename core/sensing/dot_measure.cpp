@@ -16,6 +16,7 @@ constexpr double kLeastArea = 4.0;   // px at half height
 // The part of the picture around a seed, polarity turned so that the dot is bright.
 struct Window {
   int u0 = 0, v0 = 0, width = 0, height = 0;
+  bool whole = true;  // every pixel is usable
   std::array<float, kMaxSide * kMaxSide> value;
   std::array<std::uint8_t, kMaxSide * kMaxSide> usable;
 
@@ -46,10 +47,12 @@ void load(
     for (int x = 0; x < w.width; ++x) out[x] = sign * static_cast<float>(row[x]);
   }
   std::array<int, kMaxSide> first, last;
+  w.whole = true;
   for (int x = 0; x < w.width; ++x) {
     const auto rows = edges.rows(w.u0 + x, seed.upper, kFaceMarginPx, grey.rows);
     first[static_cast<std::size_t>(x)] = rows.first - w.v0;
     last[static_cast<std::size_t>(x)] = rows.last - w.v0;
+    w.whole = w.whole && rows.first <= w.v0 && rows.last >= w.v0 + w.height - 1;
   }
   for (int y = 0; y < w.height; ++y) {
     std::uint8_t* usable = &w.usable[w.index(0, y)];
@@ -73,11 +76,31 @@ struct Ellipse {
 
   double half_x = 1, half_y = 1;  // of the box around it
 
-  // < 1 inside the ellipse itself.
-  [[nodiscard]] double square(double dx, double dy) const {
-    return dx * dx * xx + 2 * dx * dy * xy + dy * dy * yy;
+  // The columns [first, last] of row y whose centres lie inside the ellipse grown in x and y.
+  struct Columns {
+    int first = 0, last = -1;
+  };
+  [[nodiscard]] Columns columns(int row, double grow_x, double grow_y) const {
+    const double dy = (row - y) / grow_y;
+    const double half = xy * dy / xx;
+    const double square = half * half - (yy * dy * dy - 1.0) / xx;
+    if (!(square >= 0)) return {};
+    const double reach = std::sqrt(square);
+    return {static_cast<int>(std::ceil(x + grow_x * (-half - reach))),
+            static_cast<int>(std::floor(x + grow_x * (-half + reach)))};
   }
 };
+
+// Calls visit(row, first, last) for the columns of each of the window's rows inside the ellipse.
+template <class Visit>
+void for_rows_inside(const Window& w, const Ellipse& e, double grow, Visit visit) {
+  const int y0 = std::max(0, static_cast<int>(e.y - grow * e.half_y));
+  const int y1 = std::min(w.height - 1, static_cast<int>(e.y + grow * e.half_y) + 1);
+  for (int y = y0; y <= y1; ++y) {
+    const auto [first, last] = e.columns(y, grow, grow);
+    visit(y, std::max(0, first), std::min(w.width - 1, last));
+  }
+}
 
 // Pixels of the window outside the grown ellipse and within a box that reaches a little further.
 class Ring {
@@ -89,22 +112,29 @@ class Ring {
     const int x1 = std::min(w.width - 1, static_cast<int>(inner.x + reach_x) + 1);
     const int y0 = std::max(0, static_cast<int>(inner.y - reach_y));
     const int y1 = std::min(w.height - 1, static_cast<int>(inner.y + reach_y) + 1);
-    for (int y = y0; y <= y1; y += stride)
+    for (int y = y0; y <= y1; y += stride) {
+      const auto [first, last] = inner.columns(y, grow_x, grow_y);
       for (int x = x0; x <= x1; x += stride) {
         const std::size_t i = w.index(x, y);
-        if (!w.usable[i]) continue;
-        if (inner.square((x - inner.x) / grow_x, (y - inner.y) / grow_y) <= 1.0) continue;
         value[static_cast<std::size_t>(count)] = w.value[i];
         x_of[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(x);
-        y_of[static_cast<std::size_t>(count++)] = static_cast<std::uint8_t>(y);
+        y_of[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(y);
+        count += (x < first) | (x > last) ? w.usable[i] : 0;
       }
+    }
   }
 
+  // The values are whole grey levels, of either sign.
   [[nodiscard]] float median() const {
-    std::array<float, kMaxSide * kMaxSide> sorted;
-    std::copy_n(value.begin(), count, sorted.begin());
-    std::nth_element(sorted.begin(), sorted.begin() + count / 2, sorted.begin() + count);
-    return sorted[static_cast<std::size_t>(count / 2)];
+    constexpr int kMost = 255;
+    std::array<std::int32_t, 2 * kMost + 1> histogram{};
+    for (int k = 0; k < count; ++k)
+      ++histogram[static_cast<std::size_t>(kMost +
+                                           static_cast<int>(value[static_cast<std::size_t>(k)]))];
+    int level = 0;
+    for (int below = 0; below <= count / 2; ++level)
+      below += histogram[static_cast<std::size_t>(level)];
+    return static_cast<float>(level - 1 - kMost);
   }
 
   std::array<float, kMaxSide * kMaxSide> value;
@@ -137,7 +167,9 @@ std::optional<Background> plane_around(const Window& w,
                                        const Ellipse& inner,
                                        double grow,
                                        double spread) {
-  const Ring ring(w, inner, grow, grow, 1);
+  // Large dots have more surroundings than the plane needs.
+  const int stride = 1 + std::max(w.width, w.height) / 48;
+  const Ring ring(w, inner, grow, grow, stride);
   if (ring.count < 8) return std::nullopt;
   const double median = ring.median();
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0, s = 0, sxv = 0, syv = 0, square = 0;
@@ -179,13 +211,9 @@ struct Region {
   bool at_window_edge = false, at_border = false, at_face = false;
 };
 
-// The pixels connected to (x, y) that stand higher than `height` above the background.
-Region grow(const Window& w,
-            const Background& ground,
-            int x,
-            int y,
-            double height,
-            const cv::Size& picture) {
+// The pixels connected to (x, y) that stand higher than `height` above the level around them.
+Region grow(const Window& w, double level, int x, int y, double height, const cv::Size& picture) {
+  const auto threshold = static_cast<float>(level + height);
   Region region;
   std::array<std::uint8_t, kMaxSide * kMaxSide> seen;
   std::fill_n(seen.begin(), w.width * w.height, std::uint8_t{0});
@@ -207,7 +235,7 @@ Region grow(const Window& w,
       region.at_face = true;
       return;
     }
-    if (w.value[i] - ground.at(px, py) <= height) return;
+    if (w.value[i] <= threshold) return;
     queue[static_cast<std::size_t>(tail++)] = static_cast<std::uint16_t>(i);
   };
   push(x, y);
@@ -220,7 +248,7 @@ Region grow(const Window& w,
     region.xx += dx * dx;
     region.xy += dx * dy;
     region.yy += dy * dy;
-    region.sum += w.value[static_cast<std::size_t>(i)] - ground.at(px, py);
+    region.sum += static_cast<double>(w.value[static_cast<std::size_t>(i)]) - level;
     ++region.area;
     push(px - 1, py);
     push(px + 1, py);
@@ -286,26 +314,31 @@ Shading shading_of(const Window& w, const Background& ground, const Ellipse& e) 
   constexpr double kLeastHalfPx = 2.0;  // a thinner dot is all rim
   const double steepest = 0.5 * (e.xx + e.yy) + std::hypot(0.5 * (e.xx - e.yy), e.xy);
   if (steepest * kLeastHalfPx * kLeastHalfPx > 1.0) return {};
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  int count = 0;
-  const int x0 = std::max(0, static_cast<int>(e.x - e.half_x));
-  const int x1 = std::min(w.width - 1, static_cast<int>(e.x + e.half_x) + 1);
-  const int y0 = std::max(0, static_cast<int>(e.y - e.half_y));
-  const int y1 = std::min(w.height - 1, static_cast<int>(e.y + e.half_y) + 1);
-  for (int y = y0; y <= y1; ++y)
-    for (int x = x0; x <= x1; ++x) {
-      const double dx = x - e.x, dy = y - e.y;
-      if (e.square(dx, dy) > kInside * kInside || !w.usable[w.index(x, y)]) continue;
-      const Eigen::Vector3d g(1.0, dx, dy);
-      a.noalias() += g * g.transpose();
-      b += g * (w.value[w.index(x, y)] - ground.at(x, y));
-      ++count;
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0, s = 0, sxv = 0, syv = 0;
+  for_rows_inside(w, e, kInside, [&](int y, int first, int last) {
+    const double dy = y - e.y;
+    for (int x = first; x <= last; ++x) {
+      const std::size_t i = w.index(x, y);
+      if (!w.usable[i]) continue;
+      const double dx = x - e.x;
+      const double height = static_cast<double>(w.value[i]) - ground.at(x, y);
+      n += 1, sx += dx, sy += dy, sxx += dx * dx, sxy += dx * dy, syy += dy * dy;
+      s += height, sxv += dx * height, syv += dy * height;
     }
-  if (count < kLeastPixels) return {};
-  const Eigen::Vector3d p = a.ldlt().solve(b);
+  });
+  if (n < kLeastPixels) return {};
+  Eigen::Matrix3d a;
+  a << n, sx, sy, sx, sxx, sxy, sy, sxy, syy;
+  const Eigen::Vector3d p = a.ldlt().solve(Eigen::Vector3d(s, sxv, syv));
   if (!p.allFinite() || !(p[0] > 0)) return {};
   return {p[1] / p[0], p[2] / p[0]};
+}
+
+// Whether the pixel on the other side of the ellipse's centre is usable too.
+bool opposite_usable(const Window& w, const Ellipse& e, int x, int y) {
+  const int mx = static_cast<int>(std::floor(2 * e.x - x + 0.5));
+  const int my = static_cast<int>(std::floor(2 * e.y - y + 0.5));
+  return mx >= 0 && my >= 0 && mx < w.width && my < w.height && w.usable[w.index(mx, my)];
 }
 
 // Signed heights inside the grown ellipse: noise that is not cut off at zero does not pull.
@@ -316,25 +349,23 @@ Centroid centroid(const Window& w,
                   double reach) {
   Centroid c;
   double square = 0;
-  const int x0 = std::max(0, static_cast<int>(e.x - reach * e.half_x));
-  const int x1 = std::min(w.width - 1, static_cast<int>(e.x + reach * e.half_x) + 1);
-  const int y0 = std::max(0, static_cast<int>(e.y - reach * e.half_y));
-  const int y1 = std::min(w.height - 1, static_cast<int>(e.y + reach * e.half_y) + 1);
-  for (int y = y0; y <= y1; ++y)
-    for (int x = x0; x <= x1; ++x) {
-      const double dx = x - e.x, dy = y - e.y;
-      if (e.square(dx, dy) > reach * reach) continue;
-      if (!w.usable[w.index(x, y)]) continue;
-      const int mx = static_cast<int>(std::lround(2 * e.x - x));
-      const int my = static_cast<int>(std::lround(2 * e.y - y));
-      const bool inside = mx >= 0 && my >= 0 && mx < w.width && my < w.height;
-      if (!inside || !w.usable[w.index(mx, my)]) continue;
-      const double height = (w.value[w.index(x, y)] - ground.at(x, y)) / shading.at(dx, dy);
+  // Neither the view face nor the window's border is near enough to matter.
+  const bool lone = w.whole && e.x - reach * e.half_x > 1 && e.y - reach * e.half_y > 1 &&
+                    e.x + reach * e.half_x < w.width - 2 && e.y + reach * e.half_y < w.height - 2;
+  for_rows_inside(w, e, reach, [&](int y, int first, int last) {
+    const double dy = y - e.y;
+    for (int x = first; x <= last; ++x) {
+      const std::size_t i = w.index(x, y);
+      if (!lone && !(w.usable[i] && opposite_usable(w, e, x, y))) continue;
+      const double dx = x - e.x;
+      const double height =
+          (static_cast<double>(w.value[i]) - ground.at(x, y)) / shading.at(dx, dy);
       c.x += height * dx;
       c.y += height * dy;
       c.flux += height;
       square += dx * dx + dy * dy;
     }
+  });
   if (!(c.flux > 0)) return {};
   c.x = e.x + c.x / c.flux;
   c.y = e.y + c.y / c.flux;
@@ -385,9 +416,9 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   float peak = 0;
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) peak += w.value[w.index(x + dx, y + dy)] / 9;
-  const double height = peak - first->at(x, y);
+  const double height = peak - first->level;
   if (height < std::max(seed.least_contrast, 2.0 * first->noise / 3)) return {};
-  Region region = grow(w, *first, x, y, 0.5 * height, grey.size());
+  Region region = grow(w, first->level, x, y, 0.5 * height, grey.size());
   if (region.at_border || region.at_face) return {};
   if (region.at_window_edge) return {std::nullopt, true};
   if (!is_compact(region)) return {};

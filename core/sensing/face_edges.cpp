@@ -1,5 +1,6 @@
 #include "core/sensing/face_edges.h"
 
+#include "core/numerics/dispatch.h"
 #include "core/numerics/picture_noise.h"
 
 #include <algorithm>
@@ -8,8 +9,6 @@
 #include <optional>
 #include <tuple>
 #include <utility>
-
-#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
@@ -26,57 +25,101 @@ struct Path {
   std::vector<float> row;  // of the border between two rows
 };
 
-/// Change of brightness downwards across the border below each row, in parts of the column's range.
-cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
-  cv::Mat contrast(small.rows - 1, small.cols, CV_32FC1);
-  for (int c = 0; c < small.cols; ++c) {
-    float low = small.at<float>(0, c), high = low;
-    for (int r = 1; r < small.rows; ++r) {
-      low = std::min(low, small.at<float>(r, c));
-      high = std::max(high, small.at<float>(r, c));
+/// sums += the row.
+ALLTACT_WIDE void add_grey_row(const std::uint8_t* __restrict row,
+                               int width,
+                               std::uint32_t* __restrict sums) {
+  for (int u = 0; u < width; ++u) sums[u] += row[u];
+}
+
+/// Means of whole blocks, a row of the result for each column of blocks: what is left over at the
+/// right and below is left out.
+cv::Mat block_columns(const cv::Mat& grey, int block) {
+  const int width = grey.cols / block, height = grey.rows / block;
+  cv::Mat small(width, height, CV_32FC1);
+  std::vector<std::uint32_t> sums(static_cast<std::size_t>(width * block));
+  for (int r = 0; r < height; ++r) {
+    std::fill(sums.begin(), sums.end(), 0U);
+    for (int k = 0; k < block; ++k)
+      add_grey_row(grey.ptr<std::uint8_t>(r * block + k), width * block, sums.data());
+    for (int c = 0; c < width; ++c) {
+      std::uint32_t sum = 0;
+      for (int k = 0; k < block; ++k) sum += sums[static_cast<std::size_t>(c * block + k)];
+      small.at<float>(c, r) = static_cast<float>(sum) / static_cast<float>(block * block);
     }
-    const float range = std::max(high - low, static_cast<float>(4.0 * noise_sd));
-    for (int r = 0; r + 1 < small.rows; ++r) {
-      const float above = small.at<float>(r, c) + small.at<float>(std::max(r - 1, 0), c);
-      const float below =
-          small.at<float>(r + 1, c) + small.at<float>(std::min(r + 2, small.rows - 1), c);
-      contrast.at<float>(r, c) = (below - above) / (2.0F * range);
+  }
+  return small;
+}
+
+/// Change of brightness downwards across the border below each row, in parts of the column's range.
+/// Columns are rows of both pictures.
+cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
+  const int rows = small.cols;
+  cv::Mat contrast(small.rows, rows - 1, CV_32FC1);
+  for (int c = 0; c < small.rows; ++c) {
+    const float* column = small.ptr<float>(c);
+    float* out = contrast.ptr<float>(c);
+    const auto [low, high] = std::minmax_element(column, column + rows);
+    const float range = std::max(*high - *low, static_cast<float>(4.0 * noise_sd));
+    for (int r = 0; r + 1 < rows; ++r) {
+      const float above = column[r] + column[std::max(r - 1, 0)];
+      const float below = column[r + 1] + column[std::min(r + 2, rows - 1)];
+      out[r] = (below - above) / (2.0F * range);
     }
   }
   return contrast;
 }
 
+/// The best place to come from, for every row of a column: `before` holds the scores of the column
+/// before with kLargestJump values beyond both ends.
+ALLTACT_WIDE void best_jumps(const float* __restrict before,
+                             const float* __restrict contrast,
+                             float sign,
+                             int rows,
+                             float* __restrict score,
+                             float* __restrict jump) {
+  for (int r = 0; r < rows; ++r) {
+    float best = before[r], best_jump = 0.0F;
+    for (int j = 1; j <= kLargestJump; ++j) {
+      const auto step = static_cast<float>(j);
+      const float cost = kJumpPenalty * step * step;
+      const float up = before[r - j] - cost, down = before[r + j] - cost;
+      best_jump = up > best ? -step : best_jump;
+      best = up > best ? up : best;
+      best_jump = down > best ? step : best_jump;
+      best = down > best ? down : best;
+    }
+    const float gain = sign * contrast[r];
+    score[r] = best + (gain > 0.0F ? gain : 0.0F);
+    jump[r] = best_jump;
+  }
+}
+
 /// The path from the first to the last column that collects the most sign * contrast, jumps
 /// costing.
 Path best_path(const cv::Mat& contrast, float sign) {
-  const int rows = contrast.rows, cols = contrast.cols;
-  cv::Mat score(rows, cols, CV_32FC1);
-  cv::Mat from(rows, cols, CV_32SC1, cv::Scalar(0));
-  for (int r = 0; r < rows; ++r)
-    score.at<float>(r, 0) = std::max(0.0F, sign * contrast.at<float>(r, 0));
-  for (int c = 1; c < cols; ++c) {
-    for (int r = 0; r < rows; ++r) {
-      float best = -1.0F;
-      int best_row = r;
-      for (int jump = -kLargestJump; jump <= kLargestJump; ++jump) {
-        const int before = r + jump;
-        if (before < 0 || before >= rows) continue;
-        const float s =
-            score.at<float>(before, c - 1) - kJumpPenalty * static_cast<float>(jump * jump);
-        if (s > best) best = s, best_row = before;
-      }
-      score.at<float>(r, c) = best + std::max(0.0F, sign * contrast.at<float>(r, c));
-      from.at<int>(r, c) = best_row;
-    }
+  const int rows = contrast.cols, cols = contrast.rows;
+  constexpr float kNever = -1e9F;
+  const auto padded = static_cast<std::size_t>(rows + 2 * kLargestJump);
+  std::vector<float> before(padded, kNever), score(padded, kNever);
+  cv::Mat jumps(cols, rows, CV_32FC1);
+  std::fill_n(before.begin() + kLargestJump, rows, 0.0F);
+  for (int c = 0; c < cols; ++c) {
+    best_jumps(before.data() + kLargestJump,
+               contrast.ptr<float>(c),
+               sign,
+               rows,
+               score.data() + kLargestJump,
+               jumps.ptr<float>(c));
+    std::swap(before, score);
   }
   Path path;
   path.row.resize(static_cast<std::size_t>(cols));
-  int r = 0;
-  for (int i = 1; i < rows; ++i)
-    if (score.at<float>(i, cols - 1) > score.at<float>(r, cols - 1)) r = i;
+  auto r = static_cast<int>(std::max_element(before.begin(), before.end()) - before.begin()) -
+           kLargestJump;
   for (int c = cols - 1; c >= 0; --c) {
     path.row[static_cast<std::size_t>(c)] = static_cast<float>(r) + 0.5F;
-    r = from.at<int>(r, c);
+    r += static_cast<int>(jumps.at<float>(c, r));
   }
   return path;
 }
@@ -108,17 +151,8 @@ struct Rough {
 std::optional<Rough> find_roughly(const cv::Mat& grey, double noise_sd) {
   Rough rough;
   rough.block = std::max(1, grey.cols / kSmallWidth);
-  const cv::Size small_size(grey.cols / rough.block, grey.rows / rough.block);
-  if (small_size.width < 8 || small_size.height < 8) return std::nullopt;
-  cv::Mat small;
-  cv::resize(grey(cv::Rect(0, 0, small_size.width * rough.block, small_size.height * rough.block)),
-             small,
-             small_size,
-             0,
-             0,
-             cv::INTER_AREA);
-  small.convertTo(small, CV_32F);
-  const cv::Mat contrast = downward_contrast(small, noise_sd);
+  if (grey.cols / rough.block < 8 || grey.rows / rough.block < 8) return std::nullopt;
+  const cv::Mat contrast = downward_contrast(block_columns(grey, rough.block), noise_sd);
   const Path rising = best_path(contrast, 1.0F), falling = best_path(contrast, -1.0F);
   std::size_t above = 0;  // columns where brightness rises before it falls
   for (std::size_t c = 0; c < rising.row.size(); ++c) above += rising.row[c] < falling.row[c];
@@ -136,34 +170,49 @@ std::optional<Rough> find_roughly(const cv::Mat& grey, double noise_sd) {
 // ---- exactly: the band around the path
 // ------------------------------------------------------------
 
-constexpr int kReach = 28;    // rows of the band on each side of its middle
 constexpr int kWide = 19;     // rows searched on each side of the rough path
 constexpr int kSeedStep = 6;  // of the samples, these may be where following an edge begins
 constexpr int kTight = 7;     // and of where the edge goes on
 constexpr int kNear = 3;      // rows of a transition on each side of its middle
 constexpr int kFar = 8;       // the levels are read from kNear to kFar rows away
 
+constexpr int kReach = kWide + kFar + 1;  // rows of the band on each side of its middle
+
 using Profile = std::array<float, 2 * kReach + 1>;
 
-/// Mean of `columns` columns along the edge's slope, bilinear across it; false off the picture.
-bool read_profile(
-    const cv::Mat& grey, double u, double v, double slope, int columns, Profile& profile) {
-  profile.fill(0.0F);
+/// The part of a profile that a search within `reach` rows of its middle looks at.
+struct Band {
+  int first, last;
+  explicit Band(int reach) : first(kReach - reach - kFar - 1), last(kReach + reach + kFar + 1) {}
+};
+
+/// Mean of `columns` columns along the edge's slope, bilinear across it, within the band; false off
+/// the picture.
+bool read_profile(const cv::Mat& grey,
+                  double u,
+                  double v,
+                  double slope,
+                  int columns,
+                  const Band& band,
+                  Profile& profile) {
   const int first = static_cast<int>(std::lround(u - 0.5 * (columns - 1)));
   if (first < 0 || first + columns > grey.cols) return false;
+  float* const begin = profile.data() + band.first;
+  const int count = band.last - band.first + 1;
+  std::fill_n(begin, count, 0.0F);
   for (int k = 0; k < columns; ++k) {
     const int column = first + k;
-    const double top = v + slope * (column - u) - kReach;
-    const int row = static_cast<int>(std::floor(top));
-    const auto part = static_cast<float>(top - row);
-    if (row + kReach < 0 || row + kReach >= grey.rows) return false;
-    if (row >= 0 && row + static_cast<int>(profile.size()) < grey.rows) {
+    const double middle = v + slope * (column - u);
+    const int row = static_cast<int>(std::floor(middle)) + band.first - kReach;
+    const auto part = static_cast<float>(middle - std::floor(middle));
+    if (middle < 0 || middle >= grey.rows) return false;
+    if (row >= 0 && row + count < grey.rows) {
       const std::uint8_t* pixel = grey.ptr<std::uint8_t>(row) + column;
       auto here = static_cast<float>(*pixel);
-      for (float& value : profile) {
+      for (int i = 0; i < count; ++i) {
         pixel += grey.step[0];
         const auto next = static_cast<float>(*pixel);
-        value += here + part * (next - here);
+        begin[i] += here + part * (next - here);
         here = next;
       }
       continue;
@@ -172,12 +221,10 @@ bool read_profile(
     const auto clamped = [&](int r) {
       return static_cast<float>(grey.at<std::uint8_t>(std::clamp(r, 0, grey.rows - 1), column));
     };
-    for (std::size_t i = 0; i < profile.size(); ++i) {
-      const int r = row + static_cast<int>(i);
-      profile[i] += clamped(r) + part * (clamped(r + 1) - clamped(r));
-    }
+    for (int i = 0; i < count; ++i)
+      begin[i] += clamped(row + i) + part * (clamped(row + i + 1) - clamped(row + i));
   }
-  for (float& value : profile) value /= static_cast<float>(columns);
+  for (int i = 0; i < count; ++i) begin[i] /= static_cast<float>(columns);
   return true;
 }
 
@@ -268,7 +315,8 @@ class EdgeReader {
   [[nodiscard]] std::optional<Crossing> at(double u, double v, double slope, int reach) const {
     if (options_.method == EdgeMethod::kInteger) return integer_step(grey_, u, v, sign_, reach);
     Profile profile;
-    if (!read_profile(grey_, u, v, slope, options_.columns, profile)) return std::nullopt;
+    if (!read_profile(grey_, u, v, slope, options_.columns, Band(reach), profile))
+      return std::nullopt;
     return half_way_crossing(profile, sign_, face_below_, reach, noise_sd_, options_.columns);
   }
 

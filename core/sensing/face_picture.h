@@ -1,7 +1,7 @@
 // The face of one recorded frame, row by row, and nothing else of the picture.
 #pragma once
 
-#include "core/sensing/face_shape.h"
+#include "core/sensing/face_runs.h"
 
 #include <cstdint>
 #include <vector>
@@ -10,32 +10,23 @@
 
 namespace alltact {
 
-/// A run of pixels of one row that show the face.
-struct FaceRun {
-  int row = 0, first = 0, end = 0;  ///< columns [first, end)
-};
-
 struct FacePicture {
-  std::vector<FaceRun> runs;           ///< by row, then by column
-  std::vector<std::size_t> offsets;    ///< where each run's pixels begin in `grey`
-  std::vector<std::size_t> row_begin;  ///< first run of each row; one more than rows
-  std::vector<std::uint8_t> grey;
+  FaceRuns face;
+  std::vector<std::uint8_t> grey;  ///< the runs' pixels one after the other
 
   [[nodiscard]] std::size_t bytes() const {
-    return grey.size() + runs.size() * (sizeof(FaceRun) + sizeof(std::size_t)) +
-           row_begin.size() * sizeof(std::size_t);
+    return grey.size() + face.runs.size() * sizeof(FaceRun) +
+           face.row_begin.size() * sizeof(std::uint32_t);
   }
 };
 
 /// Keeps the pixels at least `margin_px` inside the fitted edges of valid columns.
 [[nodiscard]] FacePicture keep_face(const cv::Mat& grey, const FaceShape& shape, double margin_px);
 
-/// sum of weights[i] * frames[i] where all frames show the face: `grey` CV_32FC1 and `valid`
-/// CV_8UC1 (255) of the given size, 0 elsewhere. Reuses both where nobody else holds them.
-void mix_faces(const std::vector<const FacePicture*>& frames,
-               const std::vector<float>& weights,
-               const cv::Size& size,
-               cv::Mat& grey,
-               cv::Mat& valid);
+/// sum of weights[i] * frames[i] where all frames show the face, NaN elsewhere: CV_32FC1 of the
+/// given size, which is that of the pictures kept.
+[[nodiscard]] cv::Mat mix_faces(const std::vector<const FacePicture*>& frames,
+                                const std::vector<float>& weights,
+                                const cv::Size& size);
 
 }  // namespace alltact

@@ -2,10 +2,14 @@
 
 #include "core/numerics/dispatch.h"
 #include "core/sensing/depth_along_z.h"
+#include "core/sensing/picture_pool.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <span>
 
 namespace alltact {
 namespace {
@@ -13,44 +17,16 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kCeiling = 250.0F;  // grey levels from here on are taken as clipped
 
-/// First and last row of the face for every column, as the row loops need them.
-struct Limits {
-  std::vector<std::int32_t> first, last;
-  cv::Range rows{0, 0};
-};
-
-Limits face_limits(const FaceShape& shape, double margin_px, int height) {
-  Limits limits;
-  const auto width = static_cast<std::size_t>(shape.width_px());
-  limits.first.resize(width);
-  limits.last.resize(width);
-  limits.rows = {height, 0};
-  for (std::size_t u = 0; u < width; ++u) {
-    const auto [first, last] = shape.rows(static_cast<int>(u), margin_px);
-    limits.first[u] = first;
-    limits.last[u] = last;
-    if (first > last) continue;
-    limits.rows.start = std::min(limits.rows.start, first);
-    limits.rows.end = std::max(limits.rows.end, last + 1);
-  }
-  if (limits.rows.end < limits.rows.start) limits.rows = {0, 0};
-  return limits;
-}
-
 /// One row: what can be measured, and both brightnesses with 0 where nothing can.
 ALLTACT_WIDE void select_row(const std::uint8_t* __restrict grey,
                              const float* __restrict reference,
-                             const std::uint8_t* __restrict reference_valid,
-                             const std::int32_t* __restrict first,
-                             const std::int32_t* __restrict last,
-                             std::int32_t row,
                              float darkest,
-                             int width,
+                             int count,
                              float* __restrict live_out,
                              float* __restrict reference_out,
                              std::uint8_t* __restrict flags) {
   constexpr float measured = kMeasured, off_face = kOffFace, dark = kTooDark, clipped = kSaturated;
-  for (int u = 0; u < width; ++u) {
+  for (int u = 0; u < count; ++u) {
     const auto live = static_cast<float>(static_cast<std::int32_t>(grey[u]));
     const float ref = reference[u];
     // The last reason wins. Flags are small whole numbers in float and each pixel takes the same
@@ -58,90 +34,157 @@ ALLTACT_WIDE void select_row(const std::uint8_t* __restrict grey,
     float flag = live >= kCeiling ? clipped : measured;
     flag = ref >= kCeiling ? clipped : flag;
     flag = ref < darkest ? dark : flag;
-    flag = first[u] <= row ? flag : off_face;
-    flag = row <= last[u] ? flag : off_face;
-    flag = static_cast<std::int32_t>(reference_valid[u]) != 0 ? flag : off_face;
+    flag = ref == ref ? flag : off_face;  // NaN is not itself
     flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(flag));
     live_out[u] = flag == measured ? live : 0.0F;
     reference_out[u] = flag == measured ? ref : 0.0F;
   }
 }
 
-ALLTACT_WIDE void scale_row(const float* __restrict in,
-                            float weight,
-                            int width,
-                            float* __restrict out) {
-  for (int u = 0; u < width; ++u) out[u] = weight * in[u];
+/// out = a middle with the pairs of neighbours at the next two distances from it on both sides; and
+/// two distances more.
+ALLTACT_WIDE void weigh_first(const float* __restrict middle,
+                              const float* const* pairs,
+                              const float* weights,
+                              int count,
+                              float* __restrict out) {
+  const float *a = pairs[0], *b = pairs[1], *c = pairs[2], *d = pairs[3];
+  const float w0 = weights[0], w1 = weights[1], w2 = weights[2];
+  for (int i = 0; i < count; ++i) out[i] = w0 * middle[i] + w1 * (a[i] + b[i]) + w2 * (c[i] + d[i]);
+}
+ALLTACT_WIDE void weigh_more(const float* const* pairs,
+                             const float* weights,
+                             int count,
+                             float* __restrict out) {
+  const float *a = pairs[0], *b = pairs[1], *c = pairs[2], *d = pairs[3];
+  const float w1 = weights[0], w2 = weights[1];
+  for (int i = 0; i < count; ++i) out[i] += w1 * (a[i] + b[i]) + w2 * (c[i] + d[i]);
 }
 
-ALLTACT_WIDE void add_pair(const float* __restrict a,
-                           const float* __restrict b,
-                           float weight,
-                           int width,
-                           float* __restrict out) {
-  for (int u = 0; u < width; ++u) out[u] += weight * (a[u] + b[u]);
+/// A Gaussian's weights of the middle and of an even number of distances from it.
+std::vector<float> gaussian_weights(double sd_px) {
+  const int radius = sd_px > 0.0 ? static_cast<int>(std::ceil(2.0 * sd_px)) : 0;
+  std::vector<double> weights;
+  double sum = 0;
+  for (int k = 0; k <= radius; ++k) {
+    const double z = radius > 0 ? k / sd_px : 0.0;
+    weights.push_back(std::exp(-0.5 * z * z));
+    sum += (k == 0 ? 1.0 : 2.0) * weights.back();
+  }
+  std::vector<float> result;
+  for (const double weight : weights) result.push_back(static_cast<float>(weight / sum));
+  while (result.size() < 3 || result.size() % 2 == 0) result.push_back(0.0F);
+  return result;
 }
 
-/// Separable smoothing of one row at a time; beyond the picture there is nothing (0).
+/// Smooths a picture that is given row by row, keeping only the rows that the kernel spans. Beyond
+/// what was given there is nothing (0).
 class RowSmoother {
  public:
-  RowSmoother(double sd_px, int width)
-      : radius_(sd_px > 0.0 ? static_cast<int>(std::ceil(2.0 * sd_px)) : 0),
+  RowSmoother(const std::vector<float>& weights, int width)
+      : weights_(weights),
+        radius_(static_cast<int>(weights.size()) - 1),
         width_(width),
-        column_sums_(static_cast<std::size_t>(width + 2 * radius_), 0.0F),
-        row_(static_cast<std::size_t>(width)),
-        nothing_(static_cast<std::size_t>(width), 0.0F) {
-    double sum = 0;
-    for (int k = 0; k <= radius_; ++k) {
-      const double z = radius_ > 0 ? k / sd_px : 0.0;
-      weights_.push_back(static_cast<float>(std::exp(-0.5 * z * z)));
-      sum += (k == 0 ? 1.0 : 2.0) * static_cast<double>(weights_.back());
-    }
-    for (float& weight : weights_) weight = static_cast<float>(static_cast<double>(weight) / sum);
+        step_(width + 2 * radius_),
+        rows_(static_cast<std::size_t>((2 * radius_ + 1) * step_), 0.0F),
+        filled_(static_cast<std::size_t>(2 * radius_ + 1)),
+        sums_(static_cast<std::size_t>(step_), 0.0F),
+        smooth_(static_cast<std::size_t>(width)) {}
+
+  [[nodiscard]] int radius() const { return radius_; }
+
+  /// The row, all 0, to be filled within the face's runs. Every row is to be asked for in turn.
+  float* fresh_row(int number, std::span<const FaceRun> runs) {
+    std::vector<FaceRun>& old = filled_[slot(number)];
+    float* begin = line(number);
+    for (const FaceRun& run : old) std::fill(begin + run.first, begin + run.end, 0.0F);
+    old.assign(runs.begin(), runs.end());
+    return begin;
   }
 
-  /// The smoothed row; valid until the next call.
-  const float* operator()(const cv::Mat& picture, int row) {
-    const auto source = [&](int r) {
-      return r >= 0 && r < picture.rows ? picture.ptr<float>(r) : nothing_.data();
-    };
-    float* middle = column_sums_.data() + radius_;
-    scale_row(source(row), weights_[0], width_, middle);
-    for (int k = 1; k <= radius_; ++k)
-      add_pair(source(row - k), source(row + k), weight(k), width_, middle);
-    scale_row(middle, weights_[0], width_, row_.data());
-    for (int k = 1; k <= radius_; ++k)
-      add_pair(middle - k, middle + k, weight(k), width_, row_.data());
-    return row_.data();
+  /// A run of row `number` smoothed; valid until the next call. All rows up to `radius` below it
+  /// must have been given.
+  const float* smoothed(int number, const FaceRun& run) {
+    const int from = std::max(run.first - radius_, 0), to = std::min(run.end + radius_, width_);
+    float* sums = sums_.data() + radius_;
+    // Beyond the picture there is nothing.
+    std::fill(sums + run.first - radius_, sums + from, 0.0F);
+    std::fill(sums + to, sums + run.end + radius_, 0.0F);
+    weigh(line(number) + from, to - from, sums + from, [&](int k) {
+      return std::pair(line(number - k) + from, line(number + k) + from);
+    });
+    weigh(sums + run.first, run.size(), smooth_.data() + run.first, [&](int k) {
+      return std::pair(sums + run.first - k, sums + run.first + k);
+    });
+    return smooth_.data() + run.first;
   }
 
  private:
-  [[nodiscard]] float weight(int k) const { return weights_[static_cast<std::size_t>(k)]; }
+  template <class Neighbours>
+  void weigh(const float* middle, int count, float* out, Neighbours neighbours) const {
+    for (int k = 1; k < radius_; k += 2) {
+      const auto [a, b] = neighbours(k);
+      const auto [c, d] = neighbours(k + 1);
+      const std::array<const float*, 4> pairs{a, b, c, d};
+      if (k == 1)
+        weigh_first(middle, pairs.data(), weights_.data(), count, out);
+      else
+        weigh_more(pairs.data(), weights_.data() + k, count, out);
+    }
+  }
+  [[nodiscard]] std::size_t slot(int number) const {
+    const int count = 2 * radius_ + 1;
+    return static_cast<std::size_t>((number % count + count) % count);
+  }
+  float* line(int number) {
+    return rows_.data() + slot(number) * static_cast<std::size_t>(step_) + radius_;
+  }
 
-  int radius_, width_;
-  std::vector<float> weights_;      // of the middle and of each distance from it
-  std::vector<float> column_sums_;  // with radius_ zeros on both sides
-  std::vector<float> row_, nothing_;
+  std::vector<float> weights_;  // of the middle and of each distance from it
+  int radius_, width_, step_;
+  std::vector<float> rows_;  // a ring, each with radius_ zeros on both sides
+  std::vector<std::vector<FaceRun>> filled_;
+  std::vector<float> sums_, smooth_;
 };
 
 ALLTACT_WIDE void divide_row(const float* __restrict live,
                              const float* __restrict reference,
                              const std::uint8_t* __restrict flags,
-                             int width,
+                             int count,
                              float* __restrict x) {
-  for (int u = 0; u < width; ++u) {
-    const bool measured = flags[u] == kMeasured;
-    const float below = measured ? reference[u] : 1.0F;
+  constexpr float measured = kMeasured;
+  for (int u = 0; u < count; ++u) {
+    const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+    const float below = flag == measured ? reference[u] : 1.0F;
     const float value = (below - live[u]) / below;
-    x[u] = measured ? value : kNaN;
+    x[u] = flag == measured ? value : kNaN;
   }
 }
 
 ALLTACT_WIDE void flag_row(const float* __restrict x,
+                           const std::uint8_t* __restrict flags,
                            float x_max,
-                           int width,
-                           std::uint8_t* __restrict flags) {
-  for (int u = 0; u < width; ++u) flags[u] = x[u] > x_max ? std::uint8_t{kExtrapolated} : flags[u];
+                           int count,
+                           std::uint8_t* __restrict out) {
+  constexpr float beyond = kExtrapolated;
+  for (int u = 0; u < count; ++u) {
+    const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+    out[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(x[u] > x_max ? beyond : flag));
+  }
+}
+
+/// What of a row lies outside the face's runs has no measurement.
+void clear_outside(std::span<const FaceRun> runs, int width, float* values, std::uint8_t* flags) {
+  int done = 0;
+  const auto clear_to = [&](int end) {
+    fill_nan(values + done, end - done);
+    std::memset(flags + done, kOffFace, static_cast<std::size_t>(end - done));
+  };
+  for (const FaceRun& run : runs) {
+    clear_to(run.first);
+    done = run.end;
+  }
+  clear_to(width);
 }
 
 }  // namespace
@@ -153,44 +196,41 @@ Difference difference(const cv::Mat& grey,
   CV_Assert(grey.type() == CV_8UC1 && reference.grey.type() == CV_32FC1 &&
             grey.size() == reference.grey.size() && shape.width_px() == grey.cols);
   Difference result;
-  result.x = cv::Mat(grey.size(), CV_32FC1);
-  result.flags = cv::Mat(grey.size(), CV_8UC1);
-  const Limits limits = face_limits(shape, options.edge_margin_px, grey.rows);
-  for (int row = 0; row < grey.rows; ++row) {
-    if (limits.rows.start <= row && row < limits.rows.end) continue;
-    std::fill_n(result.x.ptr<float>(row), grey.cols, kNaN);
-    std::fill_n(result.flags.ptr<std::uint8_t>(row), grey.cols, std::uint8_t{kOffFace});
-  }
-  if (limits.rows.empty()) return result;
+  result.x = pooled_picture(grey.size(), CV_32FC1);
+  result.flags = pooled_picture(grey.size(), CV_8UC1);
+  result.face = face_runs(shape, options.edge_margin_px, grey.size());
 
-  const float darkest = static_cast<float>(std::max(8.0, 6.0 * options.noise_sd));
-  cv::Mat live(limits.rows.size(), grey.cols, CV_32FC1);
-  cv::Mat untouched(limits.rows.size(), grey.cols, CV_32FC1);
-  for (int row = limits.rows.start; row < limits.rows.end; ++row) {
-    const int local = row - limits.rows.start;
-    select_row(grey.ptr<std::uint8_t>(row),
-               reference.grey.ptr<float>(row),
-               reference.valid.ptr<std::uint8_t>(row),
-               limits.first.data(),
-               limits.last.data(),
-               row,
-               darkest,
-               grey.cols,
-               live.ptr<float>(local),
-               untouched.ptr<float>(local),
-               result.flags.ptr<std::uint8_t>(row));
-  }
   // Both pictures are smoothed alike before the division, with nothing from outside the face: the
   // weights of the missing neighbours cancel in the ratio, and dark pixels are not biased by it.
-  RowSmoother smooth_live(options.smoothing_px, grey.cols);
-  RowSmoother smooth_untouched(options.smoothing_px, grey.cols);
-  for (int row = limits.rows.start; row < limits.rows.end; ++row) {
-    const int local = row - limits.rows.start;
-    divide_row(smooth_live(live, local),
-               smooth_untouched(untouched, local),
-               result.flags.ptr<std::uint8_t>(row),
-               grey.cols,
-               result.x.ptr<float>(row));
+  const auto weights = gaussian_weights(options.smoothing_px);
+  RowSmoother live(weights, grey.cols), untouched(weights, grey.cols);
+  const float darkest = static_cast<float>(std::max(8.0, 6.0 * options.noise_sd));
+  const auto select = [&](int row) {
+    const auto runs = row < grey.rows ? result.face.of_row(row) : std::span<const FaceRun>();
+    float* live_row = live.fresh_row(row, runs);
+    float* untouched_row = untouched.fresh_row(row, runs);
+    for (const FaceRun& run : runs)
+      select_row(grey.ptr<std::uint8_t>(row) + run.first,
+                 reference.grey.ptr<float>(row) + run.first,
+                 darkest,
+                 run.size(),
+                 live_row + run.first,
+                 untouched_row + run.first,
+                 result.flags.ptr<std::uint8_t>(row) + run.first);
+  };
+  for (int row = 0; row < live.radius(); ++row) select(row);
+  for (int row = 0; row < grey.rows; ++row) {
+    select(row + live.radius());
+    const auto runs = result.face.of_row(row);
+    float* x = result.x.ptr<float>(row);
+    auto* flags = result.flags.ptr<std::uint8_t>(row);
+    for (const FaceRun& run : runs)
+      divide_row(live.smoothed(row, run),
+                 untouched.smoothed(row, run),
+                 flags + run.first,
+                 run.size(),
+                 x + run.first);
+    clear_outside(runs, grey.cols, x, flags);
   }
   // One frame's noise and the reference's own, averaged over the kernel: sd / (2 sqrt(pi) s).
   const double averaging = options.smoothing_px > 0.0
@@ -202,15 +242,23 @@ Difference difference(const cv::Mat& grey,
 
 DepthMap depth_map(const Difference& difference, const Mapping& mapping, const FaceShape& shape) {
   DepthMap map;
-  map.depth_mm = cv::Mat(difference.x.size(), CV_32FC1);
-  map.flags = difference.flags.clone();
-  const int width = difference.x.cols;
+  map.depth_mm = pooled_picture(difference.x.size(), CV_32FC1);
+  map.flags = pooled_picture(difference.x.size(), CV_8UC1);
   const float x_max = static_cast<float>(mapping.x_max());
   for (int row = 0; row < difference.x.rows; ++row) {
-    const float* x = difference.x.ptr<float>(row);
+    const auto runs = difference.face.of_row(row);
     float* depth = map.depth_mm.ptr<float>(row);
-    mapping.depths_mm(x, depth, width);
-    flag_row(x, x_max, width, map.flags.ptr<std::uint8_t>(row));
+    auto* flags = map.flags.ptr<std::uint8_t>(row);
+    for (const FaceRun& run : runs) {
+      const float* x = difference.x.ptr<float>(row) + run.first;
+      mapping.depths_mm(x, depth + run.first, run.size());
+      flag_row(x,
+               difference.flags.ptr<std::uint8_t>(row) + run.first,
+               x_max,
+               run.size(),
+               flags + run.first);
+    }
+    clear_outside(runs, difference.x.cols, depth, flags);
   }
   if (mapping.parameters().along == MappingAlong::kNormal)
     map.depth_mm = depth_along_z(map.depth_mm, shape);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/finger/mapping.h"
+#include "core/sensing/face_runs.h"
 #include "core/sensing/face_shape.h"
 #include "core/sensing/reference_library.h"
 
@@ -22,6 +23,7 @@ enum PixelFlag : std::uint8_t {
 struct Difference {
   cv::Mat x;
   cv::Mat flags;  ///< CV_8UC1 of PixelFlag
+  FaceRuns face;  ///< every pixel outside is kOffFace
   /// Noise of both pictures after smoothing, grey levels: sd(x) of an untouched pixel is
   /// grey_sd / I_ref.
   double grey_sd = 0;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFaceMarginPx = 1.0;  // inside the fitted edges
 constexpr int kProfileDegree = 7;
-constexpr int kNeighbours = 16;        // of the local regression
+constexpr int kNeighbours = 8;  // of the local regression: more gain little and cost their share
 constexpr double kMismatchPx = 0.2;    // of every marker, that is worth no more noise to avoid
 constexpr double kMostWeight = 3.0;    // sum of |w|: noise and model error grow with it
 constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
@@ -276,20 +276,11 @@ ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers) cons
 
 Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMethod method) const {
   Reference reference;
-  reference_for(markers, method, reference);
-  return reference;
-}
-
-void ReferenceLibrary::reference_for(const Markers& markers,
-                                     ReferenceMethod method,
-                                     Reference& reference) const {
   const Content& content = *content_;
   if (!content.search) {
-    reference = Reference{};
     reference.grey = content.single;
-    reference.valid = cv::Mat(content.size, CV_8UC1, cv::Scalar(255));
     reference.frame = 0;
-    return;
+    return reference;
   }
   const Nearest found = nearest(markers);
   reference.frame = content.frames[static_cast<std::size_t>(found.index)];
@@ -319,7 +310,8 @@ void ReferenceLibrary::reference_for(const Markers& markers,
   double square = 0;
   for (const float w : weights) square += static_cast<double>(w) * w;
   reference.noise_gain = std::sqrt(square);
-  mix_faces(faces, weights, content.size, reference.grey, reference.valid);
+  reference.grey = mix_faces(faces, weights, content.size);
+  return reference;
 }
 
 }  // namespace alltact

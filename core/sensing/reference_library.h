@@ -24,10 +24,9 @@ enum class ReferenceMethod {
   kLocal,        ///< local linear regression over the nearest frames: closer by several times
 };
 
-/// The reference picture of a frame: grey levels in float on the face, 0 elsewhere.
+/// The reference picture of a frame.
 struct Reference {
-  cv::Mat grey;            ///< CV_32FC1, the picture's size
-  cv::Mat valid;           ///< CV_8UC1, 255 where every frame used shows the face
+  cv::Mat grey;            ///< CV_32FC1, the picture's size; NaN where a frame used shows no face
   int frame = -1;          ///< number of the nearest frame in the recording
   double distance_px = 0;  ///< mean distance of the seen markers to that frame's
   bool known_pose = true;  ///< false: further away than the recording's own frames are apart
@@ -82,9 +81,6 @@ class ReferenceLibrary {
   /// known_pose: distance_px is at most three times the median distance of the recording's frames
   /// to their nearest other, and at least 1.5 px is always allowed.
   [[nodiscard]] Reference reference_for(const Markers& markers, ReferenceMethod method) const;
-  /// The same into `reference`, whose pictures are written anew in place where nobody else holds
-  /// them: saves asking the system for memory at every frame.
-  void reference_for(const Markers& markers, ReferenceMethod method, Reference& reference) const;
 
  private:
   struct Content;

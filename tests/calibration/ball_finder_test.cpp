@@ -16,6 +16,7 @@ Press flat_press(const cv::Mat& x, const Scene& scene) {
   Difference difference;
   difference.x = x;
   difference.flags = cv::Mat(x.size(), CV_8UC1, cv::Scalar(kMeasured));
+  difference.face = whole_picture_runs(x.size());
   return {"picture_07", difference, scene.shape};
 }
 

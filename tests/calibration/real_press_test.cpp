@@ -72,7 +72,6 @@ class RealPress : public testing::Test {
         cv::imread((kFolder / "press_rectified_ref.png").string(), cv::IMREAD_GRAYSCALE);
     Reference reference;
     untouched.convertTo(reference.grey, CV_32FC1);
-    reference.valid = cv::Mat(untouched.size(), CV_8UC1, cv::Scalar(255));
     FaceShape shape = FaceShape::plane(*camera_, face_);
     Difference x = difference(sample, reference, shape, {});
     return {"press", std::move(x), std::move(shape)};

@@ -228,6 +228,7 @@ inline Made make_press(const Scene& scene,
   Difference difference;
   difference.x = x;
   difference.flags = cv::Mat(size, CV_8UC1, cv::Scalar(kMeasured));
+  difference.face = whole_picture_runs(size);
   return {{name, difference, scene.shape},
           feet.empty() ? Eigen::Vector3d::Zero().eval()
                        : (feet[0] + (balls[0].radius_mm - balls[0].depth_mm) * n).eval()};

@@ -113,19 +113,23 @@ TEST(Mapping, SlopeIsTheDerivative) {
 }
 
 TEST(Mapping, ManyAtOnceAgreeWithOneByOne) {
-  double worst = 0;
+  double worst = 0;  // in parts of what is promised
   for (const Mapping& mapping : random_mappings(300)) {
+    const MappingParameters& p = mapping.parameters();
+    const double promised =
+        p.kind == MappingKind::kMoebius ? 4e-7 / (1 + std::min(p.b, 0.0) * p.x_max) : 2e-7;
     std::vector<float> x, depth(3017);
     for (int i = 0; i < 3017; ++i) x.push_back(static_cast<float>(-0.5 + i * (2.5 / 3016)));
     mapping.depths_mm(x.data(), depth.data(), 3017);
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double expected = mapping.depth_mm(x[i]);
-      ASSERT_NEAR(depth[i], expected, 2e-7 * expected) << x[i];
-      if (expected > 1e-30) worst = std::max(worst, std::abs(depth[i] - expected) / expected);
+      ASSERT_NEAR(depth[i], expected, promised * expected) << x[i];
+      if (expected > 1e-30)
+        worst = std::max(worst, std::abs(depth[i] - expected) / (promised * expected));
     }
   }
-  RecordProperty("worst_relative", fmt::format("{:.3g}", worst));
-  EXPECT_LE(worst, 2e-7);
+  RecordProperty("worst_part_of_promised", fmt::format("{:.3g}", worst));
+  EXPECT_LE(worst, 1.0);
 }
 
 TEST(Mapping, ManyAtOnceAreTheSameBytesHoweverTheyAreSplit) {

@@ -27,7 +27,6 @@ FaceShape flat_shape(int width, int height) {
 Reference reference_of(const cv::Mat& grey) {
   Reference reference;
   grey.convertTo(reference.grey, CV_32F);
-  reference.valid = cv::Mat(grey.size(), CV_8UC1, cv::Scalar(255));
   return reference;
 }
 
@@ -128,7 +127,7 @@ TEST(LocalDepth, BulgeIsNoContact) {
 TEST(LocalDepth, ReferenceDecidesWhereThereIsAFace) {
   cv::Mat untouched(60, 80, CV_8UC1, cv::Scalar(100)), live(60, 80, CV_8UC1, cv::Scalar(80));
   Reference reference = reference_of(untouched);
-  reference.valid(cv::Rect(0, 0, 20, 60)) = 0;
+  reference.grey(cv::Rect(0, 0, 20, 60)) = std::numeric_limits<float>::quiet_NaN();
   const FaceShape shape = flat_shape(80, 60);
   const DepthMap map = depth_map(difference(live, reference, shape, {}), straight(5.0), shape);
   for (int u = 0; u < 80; ++u) {

@@ -73,8 +73,7 @@ TEST(MixFaces, IsTheWeightedSumWhereEveryFrameShowsTheFace) {
   }
   std::vector<const FacePicture*> pointers;
   for (const auto& face : faces) pointers.push_back(&face);
-  cv::Mat grey, valid;
-  mix_faces(pointers, weights, {finger.width, finger.height}, grey, valid);
+  const cv::Mat grey = mix_faces(pointers, weights, {finger.width, finger.height});
   int shown = 0;
   for (int u = 0; u < finger.width; ++u)
     for (int v = 0; v < finger.height; ++v) {
@@ -85,16 +84,18 @@ TEST(MixFaces, IsTheWeightedSumWhereEveryFrameShowsTheFace) {
         everywhere = everywhere && v >= rows.first && v <= rows.last;
         sum += static_cast<double>(weights[i]) * pictures[i].at<std::uint8_t>(v, u);
       }
-      ASSERT_EQ(valid.at<std::uint8_t>(v, u), everywhere ? 255 : 0) << u << ' ' << v;
-      ASSERT_NEAR(grey.at<float>(v, u), everywhere ? sum : 0.0, 1e-3);
+      ASSERT_EQ(std::isfinite(grey.at<float>(v, u)), everywhere) << u << ' ' << v;
+      if (everywhere) {
+        ASSERT_NEAR(grey.at<float>(v, u), sum, 1e-3);
+      }
       shown += everywhere;
     }
   EXPECT_GT(shown, 20000);
   // A picture somebody holds is not written over.
   const cv::Mat held = grey, copy = grey.clone();
-  mix_faces({pointers[0]}, {1.0F}, {finger.width, finger.height}, grey, valid);
-  EXPECT_NE(held.data, grey.data);
-  EXPECT_EQ(cv::norm(held, copy, cv::NORM_INF), 0.0);
+  const cv::Mat other = mix_faces({pointers[0]}, {1.0F}, {finger.width, finger.height});
+  EXPECT_NE(held.data, other.data);
+  EXPECT_EQ(std::memcmp(held.data, copy.data, held.total() * held.elemSize()), 0);
 }
 
 MarkerTable random_table(int frames, int per_row, std::mt19937& random) {
@@ -172,7 +173,7 @@ TEST(ReferenceLibrary, ASinglePictureIsItsOwnReference) {
   cv::Mat as_float;
   grey.convertTo(as_float, CV_32F);
   EXPECT_EQ(cv::norm(reference.grey, as_float, cv::NORM_INF), 0.0);
-  EXPECT_EQ(cv::countNonZero(reference.valid), 2400);
+  EXPECT_EQ(cv::countNonZero(reference.grey == reference.grey), 2400);
   EXPECT_TRUE(reference.known_pose);
   EXPECT_FALSE(ReferenceLibrary::single(cv::Mat()).ok());
 }
