@@ -23,10 +23,4 @@ struct FacePicture {
 /// Keeps the pixels at least `margin_px` inside the fitted edges of valid columns.
 [[nodiscard]] FacePicture keep_face(const cv::Mat& grey, const FaceShape& shape, double margin_px);
 
-/// sum of weights[i] * frames[i] where all frames show the face, NaN elsewhere: CV_32FC1 of the
-/// given size, which is that of the pictures kept.
-[[nodiscard]] cv::Mat mix_faces(const std::vector<const FacePicture*>& frames,
-                                const std::vector<float>& weights,
-                                const cv::Size& size);
-
 }  // namespace alltact

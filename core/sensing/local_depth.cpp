@@ -187,31 +187,68 @@ void clear_outside(std::span<const FaceRun> runs, int width, float* values, std:
   clear_to(width);
 }
 
-}  // namespace
+/// One row of depth from one row of differences.
+void map_row(const Difference& difference, int row, const Mapping& mapping, DepthMap& map) {
+  const auto runs = difference.face.of_row(row);
+  float* depth = map.depth_mm.ptr<float>(row);
+  auto* flags = map.flags.ptr<std::uint8_t>(row);
+  const auto x_max = static_cast<float>(mapping.x_max());
+  for (const FaceRun& run : runs) {
+    const float* x = difference.x.ptr<float>(row) + run.first;
+    mapping.depths_mm(x, depth + run.first, run.size());
+    flag_row(x,
+             difference.flags.ptr<std::uint8_t>(row) + run.first,
+             x_max,
+             run.size(),
+             flags + run.first);
+  }
+  clear_outside(runs, difference.x.cols, depth, flags);
+}
 
-Difference difference(const cv::Mat& grey,
-                      const Reference& reference,
-                      const FaceShape& shape,
-                      const DifferenceOptions& options) {
-  CV_Assert(grey.type() == CV_8UC1 && reference.grey.type() == CV_32FC1 &&
-            grey.size() == reference.grey.size() && shape.width_px() == grey.cols);
+DepthMap empty_map(const cv::Size& size) {
+  return {pooled_picture(size, CV_32FC1), pooled_picture(size, CV_8UC1)};
+}
+
+void turn_along_z(const Mapping& mapping, const FaceShape& shape, DepthMap& map) {
+  if (mapping.parameters().along == MappingAlong::kNormal)
+    map.depth_mm = depth_along_z(map.depth_mm, shape);
+}
+
+/// Compares row by row: each row is selected, smoothed with those around it and divided while it is
+/// still near the processor, then handed to `done`.
+template <class Done>
+Difference compare(const cv::Mat& grey,
+                   const Reference& reference,
+                   const FaceShape& shape,
+                   const DifferenceOptions& options,
+                   Done done) {
+  CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.picture.size() &&
+            shape.width_px() == grey.cols);
   Difference result;
   result.x = pooled_picture(grey.size(), CV_32FC1);
   result.flags = pooled_picture(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size());
+  // One frame's noise and the reference's own, averaged over the kernel: sd / (2 sqrt(pi) s).
+  const double averaging = options.smoothing_px > 0.0
+                               ? std::min(1.0, 1.0 / (2.0 * std::sqrt(M_PI) * options.smoothing_px))
+                               : 1.0;
+  result.grey_sd = averaging * options.noise_sd * std::hypot(1.0, reference.noise_gain);
 
   // Both pictures are smoothed alike before the division, with nothing from outside the face: the
   // weights of the missing neighbours cancel in the ratio, and dark pixels are not biased by it.
   const auto weights = gaussian_weights(options.smoothing_px);
   RowSmoother live(weights, grey.cols), untouched(weights, grey.cols);
+  ReferencePicture::Reader reader(reference.picture);
   const float darkest = static_cast<float>(std::max(8.0, 6.0 * options.noise_sd));
   const auto select = [&](int row) {
     const auto runs = row < grey.rows ? result.face.of_row(row) : std::span<const FaceRun>();
     float* live_row = live.fresh_row(row, runs);
     float* untouched_row = untouched.fresh_row(row, runs);
+    if (runs.empty()) return;
+    const float* reference_row = reader.row(row);
     for (const FaceRun& run : runs)
       select_row(grey.ptr<std::uint8_t>(row) + run.first,
-                 reference.grey.ptr<float>(row) + run.first,
+                 reference_row + run.first,
                  darkest,
                  run.size(),
                  live_row + run.first,
@@ -231,38 +268,39 @@ Difference difference(const cv::Mat& grey,
                  run.size(),
                  x + run.first);
     clear_outside(runs, grey.cols, x, flags);
+    done(result, row);
   }
-  // One frame's noise and the reference's own, averaged over the kernel: sd / (2 sqrt(pi) s).
-  const double averaging = options.smoothing_px > 0.0
-                               ? std::min(1.0, 1.0 / (2.0 * std::sqrt(M_PI) * options.smoothing_px))
-                               : 1.0;
-  result.grey_sd = averaging * options.noise_sd * std::hypot(1.0, reference.noise_gain);
   return result;
 }
 
+}  // namespace
+
+Difference difference(const cv::Mat& grey,
+                      const Reference& reference,
+                      const FaceShape& shape,
+                      const DifferenceOptions& options) {
+  return compare(grey, reference, shape, options, [](const Difference&, int) {});
+}
+
 DepthMap depth_map(const Difference& difference, const Mapping& mapping, const FaceShape& shape) {
-  DepthMap map;
-  map.depth_mm = pooled_picture(difference.x.size(), CV_32FC1);
-  map.flags = pooled_picture(difference.x.size(), CV_8UC1);
-  const float x_max = static_cast<float>(mapping.x_max());
-  for (int row = 0; row < difference.x.rows; ++row) {
-    const auto runs = difference.face.of_row(row);
-    float* depth = map.depth_mm.ptr<float>(row);
-    auto* flags = map.flags.ptr<std::uint8_t>(row);
-    for (const FaceRun& run : runs) {
-      const float* x = difference.x.ptr<float>(row) + run.first;
-      mapping.depths_mm(x, depth + run.first, run.size());
-      flag_row(x,
-               difference.flags.ptr<std::uint8_t>(row) + run.first,
-               x_max,
-               run.size(),
-               flags + run.first);
-    }
-    clear_outside(runs, difference.x.cols, depth, flags);
-  }
-  if (mapping.parameters().along == MappingAlong::kNormal)
-    map.depth_mm = depth_along_z(map.depth_mm, shape);
+  DepthMap map = empty_map(difference.x.size());
+  for (int row = 0; row < difference.x.rows; ++row) map_row(difference, row, mapping, map);
+  turn_along_z(mapping, shape, map);
   return map;
+}
+
+std::pair<Difference, DepthMap> difference_and_depth(const cv::Mat& grey,
+                                                     const Reference& reference,
+                                                     const FaceShape& shape,
+                                                     const DifferenceOptions& options,
+                                                     const Mapping& mapping) {
+  DepthMap map = empty_map(grey.size());
+  Difference result =
+      compare(grey, reference, shape, options, [&](const Difference& so_far, int row) {
+        map_row(so_far, row, mapping, map);
+      });
+  turn_along_z(mapping, shape, map);
+  return {std::move(result), std::move(map)};
 }
 
 }  // namespace alltact

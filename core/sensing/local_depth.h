@@ -6,6 +6,8 @@
 #include "core/sensing/face_shape.h"
 #include "core/sensing/reference_library.h"
 
+#include <utility>
+
 #include <opencv2/core.hpp>
 
 namespace alltact {
@@ -51,5 +53,12 @@ struct DifferenceOptions {
 [[nodiscard]] DepthMap depth_map(const Difference& difference,
                                  const Mapping& mapping,
                                  const FaceShape& shape);
+
+/// Both in one pass over memory: the same bytes as one after the other.
+[[nodiscard]] std::pair<Difference, DepthMap> difference_and_depth(const cv::Mat& grey,
+                                                                   const Reference& reference,
+                                                                   const FaceShape& shape,
+                                                                   const DifferenceOptions& options,
+                                                                   const Mapping& mapping);
 
 }  // namespace alltact

@@ -117,10 +117,13 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   DifferenceOptions options;
   options.smoothing_px = settings.smoothing_px;
   options.noise_sd = result.edges ? result.edges->noise_sd : plane_noise_sd;
-  result.difference = difference(result.grey, *result.reference, *result.shape, options);
   if (mapping) {
-    result.depth = depth_map(*result.difference, *mapping, *result.shape);
+    auto [x, depth] =
+        difference_and_depth(result.grey, *result.reference, *result.shape, options, *mapping);
+    result.difference = std::move(x);
+    result.depth = std::move(depth);
   } else {
+    result.difference = difference(result.grey, *result.reference, *result.shape, options);
     result.problems.emplace_back("the finger is not calibrated: calibrate it with ball presses");
   }
   watch.lap(result.times_ms.local);

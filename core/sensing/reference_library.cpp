@@ -278,7 +278,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMetho
   Reference reference;
   const Content& content = *content_;
   if (!content.search) {
-    reference.grey = content.single;
+    reference.picture = ReferencePicture(content.single);
     reference.frame = 0;
     return reference;
   }
@@ -310,7 +310,8 @@ Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMetho
   double square = 0;
   for (const float w : weights) square += static_cast<double>(w) * w;
   reference.noise_gain = std::sqrt(square);
-  reference.grey = mix_faces(faces, weights, content.size);
+  reference.picture =
+      ReferencePicture(content_, std::move(faces), std::move(weights), content.size);
   return reference;
 }
 

@@ -6,6 +6,7 @@
 #include "core/result.h"
 #include "core/sensing/face_shape.h"
 #include "core/sensing/markers.h"
+#include "core/sensing/reference_picture.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -26,7 +27,7 @@ enum class ReferenceMethod {
 
 /// The reference picture of a frame.
 struct Reference {
-  cv::Mat grey;            ///< CV_32FC1, the picture's size; NaN where a frame used shows no face
+  ReferencePicture picture;  ///< grey levels; NaN where a frame used shows no face
   int frame = -1;          ///< number of the nearest frame in the recording
   double distance_px = 0;  ///< mean distance of the seen markers to that frame's
   bool known_pose = true;  ///< false: further away than the recording's own frames are apart

@@ -71,7 +71,9 @@ class RealPress : public testing::Test {
     const cv::Mat untouched =
         cv::imread((kFolder / "press_rectified_ref.png").string(), cv::IMREAD_GRAYSCALE);
     Reference reference;
-    untouched.convertTo(reference.grey, CV_32FC1);
+    cv::Mat levels;
+    untouched.convertTo(levels, CV_32FC1);
+    reference.picture = ReferencePicture(levels);
     FaceShape shape = FaceShape::plane(*camera_, face_);
     Difference x = difference(sample, reference, shape, {});
     return {"press", std::move(x), std::move(shape)};

@@ -163,8 +163,9 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
     const auto error = [&](const Reference& r) {
       // 3 px inside the edge, whose own blur no mixture can follow.
       cv::Mat inner, difference;
-      cv::erode(r.grey == r.grey, inner, cv::Mat(), cv::Point(-1, -1), 3);
-      cv::absdiff(r.grey, truth, difference);
+      const cv::Mat grey = r.picture.grey();
+      cv::erode(grey == grey, inner, cv::Mat(), cv::Point(-1, -1), 3);
+      cv::absdiff(grey, truth, difference);
       return cv::mean(difference, inner)[0];
     };
     const Reference nearest = library->reference_for(markers, ReferenceMethod::kNearest);

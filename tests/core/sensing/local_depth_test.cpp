@@ -25,8 +25,10 @@ FaceShape flat_shape(int width, int height) {
 }
 
 Reference reference_of(const cv::Mat& grey) {
+  cv::Mat levels;
+  grey.convertTo(levels, CV_32F);
   Reference reference;
-  grey.convertTo(reference.grey, CV_32F);
+  reference.picture = ReferencePicture(levels);
   return reference;
 }
 
@@ -125,9 +127,11 @@ TEST(LocalDepth, BulgeIsNoContact) {
 }
 
 TEST(LocalDepth, ReferenceDecidesWhereThereIsAFace) {
-  cv::Mat untouched(60, 80, CV_8UC1, cv::Scalar(100)), live(60, 80, CV_8UC1, cv::Scalar(80));
-  Reference reference = reference_of(untouched);
-  reference.grey(cv::Rect(0, 0, 20, 60)) = std::numeric_limits<float>::quiet_NaN();
+  const cv::Mat live(60, 80, CV_8UC1, cv::Scalar(80));
+  cv::Mat levels(60, 80, CV_32FC1, cv::Scalar(100));
+  levels(cv::Rect(0, 0, 20, 60)) = std::numeric_limits<float>::quiet_NaN();
+  Reference reference;
+  reference.picture = ReferencePicture(levels);
   const FaceShape shape = flat_shape(80, 60);
   const DepthMap map = depth_map(difference(live, reference, shape, {}), straight(5.0), shape);
   for (int u = 0; u < 80; ++u) {

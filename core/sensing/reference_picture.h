@@ -1,0 +1,66 @@
+// How the face would look untouched: one picture, or a weighted sum of recorded faces.
+#pragma once
+
+#include "core/sensing/face_picture.h"
+
+#include <memory>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+/// Made row by row where it is needed: a whole picture of it would go through memory twice. Copies
+/// share what they are made from; safe to read from any thread.
+class ReferencePicture {
+ public:
+  ReferencePicture() = default;
+  /// One picture, CV_32FC1; NaN where it tells nothing.
+  explicit ReferencePicture(cv::Mat grey);
+  /// sum of weights[i] * faces[i] where all of them show the face; all kept from pictures of `size`.
+  /// `owner` keeps the faces alive. At least one face, as many weights.
+  ReferencePicture(std::shared_ptr<const void> owner,
+                   std::vector<const FacePicture*> faces,
+                   std::vector<float> weights,
+                   const cv::Size& size);
+
+  [[nodiscard]] const cv::Size& size() const { return size_; }
+  /// The whole of it: CV_32FC1, NaN where it tells nothing.
+  [[nodiscard]] cv::Mat grey() const;
+
+  /// Gives rows in any order.
+  class Reader {
+   public:
+    /// The picture must live as long.
+    explicit Reader(const ReferencePicture& picture);
+    /// size().width grey levels, NaN where there is none; valid until the next call.
+    const float* row(int v);
+
+   private:
+    // Where one row's pixels of a face are, walked along run by run.
+    struct Cursor {
+      const FaceRun* run = nullptr;
+      const FaceRun* end = nullptr;  // of the row
+      const std::uint8_t* grey = nullptr;
+
+      [[nodiscard]] const std::uint8_t* at(int column) const {
+        return grey + run->before + (column - run->first);
+      }
+    };
+    void mix(int first, int end);
+
+    const ReferencePicture& picture_;
+    std::vector<Cursor> cursors_;
+    std::vector<const std::uint8_t*> rows_;
+    std::vector<float> buffer_;
+  };
+
+ private:
+  cv::Mat single_;  // empty for a sum
+  std::shared_ptr<const void> owner_;
+  std::vector<const FacePicture*> faces_;
+  std::vector<float> weights_;  // filled up with 0 to a multiple of four
+  cv::Size size_;
+};
+
+}  // namespace alltact
