@@ -71,9 +71,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   for (int u = 0; u < width; ++u) {
     FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
     if (!column.valid) continue;
-    const double middle = 0.5 * (column.upper_v + column.lower_v);
-    const auto ray = camera.unproject({static_cast<double>(u), middle});
-    const double inverse_z = ray ? shape.inverse_z_at(ray->direction.x()) : 0.0;
+    const double inverse_z = shape.inverse_z_of_column(u);
     const double width_sd_px = width_sd[static_cast<std::size_t>(u / kSdStep)];
     column.valid = inverse_z > 0.0 && std::isfinite(inverse_z);
     if (!column.valid) continue;
@@ -120,7 +118,28 @@ bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
     return design.householderQr().solve(y.head(used));
   };
   inverse_z_ = (curve(lower_x, lower_y) - curve(upper_x, upper_y)) / face_.width_mm;
+  know_across();
   return inverse_z_.allFinite();
+}
+
+void FaceShape::know_across() {
+  inverse_z_slope_ = chebyshev_derivative(inverse_z_) / x_half_;
+  if (!camera_.is_linear() || !camera_.is_perspective()) return;
+  across_.assign(columns_.size(), Across{0.0, 0.0, 0.0, 0.0, 0.0});
+  for (std::size_t u = 0; u < columns_.size(); ++u) {
+    if (!columns_[u].valid) continue;
+    const auto ray = camera_.unproject({static_cast<double>(u), 0.0});
+    if (!ray) continue;
+    if (const auto here = across(ray->direction.x())) across_[u] = *here;
+  }
+}
+
+double FaceShape::inverse_z_of_column(int u) const {
+  const auto k = static_cast<std::size_t>(u);
+  if (!across_.empty()) return across_[k].inverse_z;
+  const double middle = 0.5 * (columns_[k].upper_v + columns_[k].lower_v);
+  const auto ray = camera_.unproject({static_cast<double>(u), middle});
+  return ray ? inverse_z_at(ray->direction.x()) : 0.0;
 }
 
 double FaceShape::inverse_z_at(double x) const {
@@ -137,6 +156,7 @@ FaceShape FaceShape::plane(const Camera& camera, const Face& face) {
   shape.columns_.assign(static_cast<std::size_t>(camera.size().width), column);
   if (camera.is_perspective()) {
     shape.inverse_z_ = Eigen::VectorXd::Constant(1, 1.0 / face.plane_z_mm);
+    shape.know_across();
   }
   shape.whole_picture_ = true;
   shape.finish();
@@ -148,7 +168,6 @@ void FaceShape::finish() {
   const auto first = std::find_if(columns_.begin(), columns_.end(), valid);
   const auto last = std::find_if(columns_.rbegin(), columns_.rend(), valid);
   base_at_low_u_ = first->z_mm <= last->z_mm;
-  inverse_z_slope_ = chebyshev_derivative(inverse_z_) / x_half_;
 
   length_mm_.assign(columns_.size(), 0.0);
   std::optional<Eigen::Vector3d> before;
@@ -195,22 +214,32 @@ std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
     local.area_mm2 = local.flat_area_mm2 = lens.mm_per_px * lens.mm_per_px;
     return local;
   }
-  // With q = 1/z a function of x: p = (x, y, 1) / q, so dp/dx is along (q - x q', -y q', -q') and
-  // the normal across y is along (q', 0, q - x q'): no division by a slope, no cosine.
-  const double x = ray->direction.x();
+  // Whole columns of a lens without distortion are known already.
+  const auto column = static_cast<std::size_t>(nearest);
+  const auto found = !across_.empty() && u == static_cast<double>(nearest)
+                         ? std::optional<Across>(across_[column])
+                         : across(ray->direction.x());
+  if (!found || !(found->inverse_z > 0.0)) return std::nullopt;
+  local.view_point_mm = ray->direction / found->inverse_z;
+  local.normal = {found->normal_x, 0.0, found->normal_z};
+  local.cos_incline = found->normal_z;
+  const double pixel =
+      ray_area(*ray, u, v) / (found->inverse_z * found->inverse_z * found->inverse_z);
+  local.area_mm2 = pixel * found->length;
+  local.flat_area_mm2 = pixel * found->along;
+  return local;
+}
+
+// With q = 1/z a function of x: p = (x, y, 1) / q, so dp/dx is along (q - x q', -y q', -q') and the
+// normal across y is along (q', 0, q - x q'): no division by a slope, no cosine.
+std::optional<FaceShape::Across> FaceShape::across(double x) const {
   const double q = inverse_z_at(x);
   const double q_slope = chebyshev_value(inverse_z_slope_, (x - x_mid_) / x_half_);
   if (!(q > 0.0)) return std::nullopt;
   const double along = q - x * q_slope;
   const double length = std::hypot(q_slope, along);
   if (!(length > 0.0) || !(along > 0.0)) return std::nullopt;
-  local.view_point_mm = ray->direction / q;
-  local.normal = {q_slope / length, 0.0, along / length};
-  local.cos_incline = along / length;
-  const double pixel = ray_area(*ray, u, v) / (q * q * q);
-  local.area_mm2 = pixel * length;
-  local.flat_area_mm2 = pixel * along;
-  return local;
+  return Across{q, along, length, q_slope / length, along / length};
 }
 
 double FaceShape::ray_area(const Ray& ray, double u, double v) const {
