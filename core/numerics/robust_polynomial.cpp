@@ -45,6 +45,12 @@ double RobustPolynomial::value(double x) const {
   return chebyshev_value(coefficients, (x - middle) / half);
 }
 
+std::vector<double> RobustPolynomial::values(int n) const {
+  std::vector<double> result(static_cast<std::size_t>(n));
+  chebyshev_values(coefficients, -middle / half, 1.0 / half, n, result.data());
+  return result;
+}
+
 double RobustPolynomial::sd(double x) const {
   const Eigen::RowVectorXd row = chebyshev_row((x - middle) / half, coefficients.size());
   return std::sqrt(std::max(0.0, (row * covariance * row.transpose()).value()));

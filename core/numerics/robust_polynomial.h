@@ -18,6 +18,8 @@ struct RobustPolynomial {
   int believed = 0;
 
   [[nodiscard]] double value(double x) const;
+  /// value(0), value(1), .. value(n - 1).
+  [[nodiscard]] std::vector<double> values(int n) const;
   /// Standard deviation of value(x).
   [[nodiscard]] double sd(double x) const;
 };

@@ -54,10 +54,11 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
 
   FaceShape shape(camera, face);
   shape.columns_.resize(static_cast<std::size_t>(width));
+  const std::vector<double> upper_v = upper->values(width), lower_v = lower->values(width);
   for (int u = 0; u < width; ++u) {
     FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
-    column.upper_v = upper->value(u);
-    column.lower_v = lower->value(u);
+    column.upper_v = upper_v[static_cast<std::size_t>(u)];
+    column.lower_v = lower_v[static_cast<std::size_t>(u)];
     column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
   }
   if (!shape.fit_inverse_depth(first, last, edge_degree))
@@ -126,11 +127,18 @@ void FaceShape::know_across() {
   inverse_z_slope_ = chebyshev_derivative(inverse_z_) / x_half_;
   if (!camera_.is_linear() || !camera_.is_perspective()) return;
   across_.assign(columns_.size(), Across{0.0, 0.0, 0.0, 0.0, 0.0});
+  // x is linear in u.
+  const CameraParameters& lens = camera_.parameters();
+  const double x_first = -lens.cx_px / lens.fx_px, x_step = 1.0 / lens.fx_px;
+  const double t_first = (x_first - x_mid_) / x_half_, t_step = x_step / x_half_;
+  const auto n = static_cast<int>(columns_.size());
+  std::vector<double> q(columns_.size()), q_slope(columns_.size());
+  chebyshev_values(inverse_z_, t_first, t_step, n, q.data());
+  chebyshev_values(inverse_z_slope_, t_first, t_step, n, q_slope.data());
   for (std::size_t u = 0; u < columns_.size(); ++u) {
+    const double x = x_first + static_cast<double>(u) * x_step;
     if (!columns_[u].valid) continue;
-    const auto ray = camera_.unproject({static_cast<double>(u), 0.0});
-    if (!ray) continue;
-    if (const auto here = across(ray->direction.x())) across_[u] = *here;
+    if (const auto here = across_from(x, q[u], q_slope[u])) across_[u] = *here;
   }
 }
 
@@ -144,6 +152,10 @@ double FaceShape::inverse_z_of_column(int u) const {
 
 double FaceShape::inverse_z_at(double x) const {
   return chebyshev_value(inverse_z_, (x - x_mid_) / x_half_);
+}
+
+double FaceShape::inverse_z_slope_at(double x) const {
+  return chebyshev_value(inverse_z_slope_, (x - x_mid_) / x_half_);
 }
 
 FaceShape FaceShape::plane(const Camera& camera, const Face& face) {
@@ -218,7 +230,9 @@ std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
   const auto column = static_cast<std::size_t>(nearest);
   const auto found = !across_.empty() && u == static_cast<double>(nearest)
                          ? std::optional<Across>(across_[column])
-                         : across(ray->direction.x());
+                         : across_from(ray->direction.x(),
+                                       inverse_z_at(ray->direction.x()),
+                                       inverse_z_slope_at(ray->direction.x()));
   if (!found || !(found->inverse_z > 0.0)) return std::nullopt;
   local.view_point_mm = ray->direction / found->inverse_z;
   local.normal = {found->normal_x, 0.0, found->normal_z};
@@ -232,9 +246,7 @@ std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
 
 // With q = 1/z a function of x: p = (x, y, 1) / q, so dp/dx is along (q - x q', -y q', -q') and the
 // normal across y is along (q', 0, q - x q'): no division by a slope, no cosine.
-std::optional<FaceShape::Across> FaceShape::across(double x) const {
-  const double q = inverse_z_at(x);
-  const double q_slope = chebyshev_value(inverse_z_slope_, (x - x_mid_) / x_half_);
+std::optional<FaceShape::Across> FaceShape::across_from(double x, double q, double q_slope) {
   if (!(q > 0.0)) return std::nullopt;
   const double along = q - x * q_slope;
   const double length = std::hypot(q_slope, along);

@@ -75,11 +75,12 @@ class FaceShape {
   double inverse_z_of_column(int u) const;  // on the middle of the face; 0 where there is none
   void finish();
   double inverse_z_at(double x) const;
+  double inverse_z_slope_at(double x) const;
   /// What `at` tells of a ray but for y, which only scales it.
   struct Across {
     double inverse_z, along, length, normal_x, normal_z;
   };
-  [[nodiscard]] std::optional<Across> across(double x) const;
+  static std::optional<Across> across_from(double x, double inverse_z, double inverse_z_slope);
   double ray_area(const Ray& ray, double u, double v) const;
 
   Camera camera_;
@@ -91,7 +92,7 @@ class FaceShape {
   // 1/z over t = (x - x_mid_) / x_half_, x the normalised image coordinate; and its d/dx
   Eigen::VectorXd inverse_z_, inverse_z_slope_;
   double x_mid_ = 0, x_half_ = 1;
-  /// across() of every column, where a column's rays share their x (no lens distortion).
+  /// Of every column, where a column's rays share their x (no lens distortion).
   std::vector<Across> across_;
 };
 
