@@ -35,97 +35,95 @@ cv::Mat cell_depths(const cv::Mat& depth_mm) {
   return cells;
 }
 
-/// A pressed pixel on the face.
-struct Sample {
-  Eigen::Vector2d pixel;
-  Eigen::Vector3d pressed_mm;  // on the pressed face
-  Eigen::Vector2d on_face_mm;  // (length from the base, y)
-  double depth_mm, area_mm2, flat_area_mm2;
+/// What a region is told from, gathered pixel by pixel.
+class RegionSums {
+ public:
+  RegionSums(const FaceShape& shape, const Face& face) : shape_(shape), face_(face) {
+    region_.place_mm.setZero();
+    region_.place_px.setZero();
+  }
+
+  void add(int u, int row, double depth_mm) {
+    const auto local = shape_.at(u, row);
+    if (!local) return;
+    const Eigen::Vector3d pressed_mm =
+        untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ) -
+        Eigen::Vector3d(0.0, 0.0, depth_mm);
+    const Eigen::Vector2d on_face_mm(shape_.length_at(u), local->view_point_mm.y());
+    const double volume = depth_mm * local->flat_area_mm2;
+    region_.pixels += 1;
+    region_.volume_mm3 += volume;
+    region_.place_mm += volume * pressed_mm;
+    region_.place_px += volume * Eigen::Vector2d(u, row);
+    region_.area_mm2 += local->area_mm2;
+    if (depth_mm > region_.deepest_mm) {
+      region_.deepest_mm = depth_mm;
+      region_.deepest_point_mm = pressed_mm;
+    }
+    // Moments about a point of the region itself, so that little cancels.
+    if (region_.pixels == 1) origin_mm_ = on_face_mm;
+    const double weight = depth_mm * local->area_mm2;
+    const Eigen::Vector2d off = on_face_mm - origin_mm_;
+    weight_ += weight;
+    first_ += weight * off;
+    second_ += weight * off * off.transpose();
+  }
+
+  [[nodiscard]] bool empty() const { return region_.pixels == 0; }
+  [[nodiscard]] ContactRegion region(double smoothing_px) const {
+    ContactRegion region = region_;
+    region.place_mm /= region.volume_mm3;
+    region.place_px /= region.volume_mm3;
+    find_angle(smoothing_px, region);
+    return region;
+  }
+
+ private:
+  /// Principal axis; its sd from the eigenvalues and the number of independent pixels:
+  /// sqrt(l1 l2 / n) / (l1 - l2).
+  void find_angle(double smoothing_px, ContactRegion& region) const {
+    const Eigen::Vector2d mean = first_ / weight_;
+    const Eigen::Matrix2d covariance = second_ / weight_ - mean * mean.transpose();
+    const double xx = covariance(0, 0), xy = covariance(0, 1), yy = covariance(1, 1);
+    const double difference = std::hypot(xx - yy, 2.0 * xy);  // l1 - l2
+    const double product = std::max(0.0, xx * yy - xy * xy);  // l1 l2
+    const double correlated = std::max(1.0, 4.0 * M_PI * smoothing_px * smoothing_px);
+    const double independent = std::max(1.0, region.pixels / correlated);
+    if (!(difference > 0.0)) return;
+    const double sd_deg = std::sqrt(product / independent) / difference * 180.0 / M_PI;
+    if (sd_deg > kLargestAngleSdDeg) return;
+    region.angle_deg = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / M_PI;
+    if (*region.angle_deg <= -90.0) *region.angle_deg += 180.0;
+    region.angle_sd_deg = sd_deg;
+  }
+
+  const FaceShape& shape_;
+  const Face& face_;
+  ContactRegion region_;  // places not yet divided by the volume
+  Eigen::Vector2d origin_mm_ = Eigen::Vector2d::Zero(), first_ = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d second_ = Eigen::Matrix2d::Zero();
+  double weight_ = 0;
 };
 
-std::vector<Sample> samples_of(const DepthMap& depth,
-                               const cv::Mat& labels,
-                               int label,
-                               const cv::Rect& cells,
-                               const FaceShape& shape,
-                               const Face& face,
-                               double threshold_mm) {
-  std::vector<Sample> samples;
+/// The pressed pixels of the cells with a label.
+RegionSums sums_of(const DepthMap& depth,
+                   const cv::Mat& labels,
+                   int label,
+                   const cv::Rect& cells,
+                   const FaceShape& shape,
+                   const Face& face,
+                   double threshold_mm) {
+  RegionSums sums(shape, face);
   const int row_end = std::min((cells.y + cells.height) * kCell, depth.depth_mm.rows);
   const int column_end = std::min((cells.x + cells.width) * kCell, depth.depth_mm.cols);
   for (int row = cells.y * kCell; row < row_end; ++row) {
     const float* d = depth.depth_mm.ptr<float>(row);
     const int* cell = labels.ptr<int>(row / kCell);
-    for (int u = cells.x * kCell; u < column_end; ++u) {
-      if (cell[u / kCell] != label || !(static_cast<double>(d[u]) > threshold_mm)) continue;
-      const auto local = shape.at(u, row);
-      if (!local) continue;
-      Sample sample;
-      sample.depth_mm = static_cast<double>(d[u]);
-      sample.pixel = {static_cast<double>(u), static_cast<double>(row)};
-      sample.pressed_mm = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ) -
-                          Eigen::Vector3d(0.0, 0.0, sample.depth_mm);
-      sample.on_face_mm = {shape.length_at(u), local->view_point_mm.y()};
-      sample.area_mm2 = local->area_mm2;
-      sample.flat_area_mm2 = local->flat_area_mm2;
-      samples.push_back(sample);
-    }
+    for (int u = cells.x * kCell; u < column_end; ++u)
+      if (cell[u / kCell] == label && static_cast<double>(d[u]) > threshold_mm)
+        sums.add(u, row, static_cast<double>(d[u]));
   }
-  return samples;
-}
-
-/// Principal axis by the two-pass covariance; its sd from the eigenvalues and the number of
-/// independent pixels: sqrt(l1 l2 / n) / (l1 - l2).
-void find_angle(const std::vector<Sample>& samples, double smoothing_px, ContactRegion& region) {
-  double weight = 0;
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Sample& s : samples) {
-    const double w = s.depth_mm * s.area_mm2;
-    weight += w;
-    mean += w * s.on_face_mm;
-  }
-  mean /= weight;
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  for (const Sample& s : samples) {
-    const Eigen::Vector2d e = s.on_face_mm - mean;
-    covariance += s.depth_mm * s.area_mm2 * e * e.transpose();
-  }
-  covariance /= weight;
-  const double xx = covariance(0, 0), xy = covariance(0, 1), yy = covariance(1, 1);
-  const double difference = std::hypot(xx - yy, 2.0 * xy);  // l1 - l2
-  const double product = std::max(0.0, xx * yy - xy * xy);  // l1 l2
-  const double correlated = std::max(1.0, 4.0 * M_PI * smoothing_px * smoothing_px);
-  const double independent = std::max(1.0, static_cast<double>(samples.size()) / correlated);
-  if (!(difference > 0.0)) return;
-  const double sd_deg = std::sqrt(product / independent) / difference * 180.0 / M_PI;
-  if (sd_deg > kLargestAngleSdDeg) return;
-  region.angle_deg = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / M_PI;
-  if (*region.angle_deg <= -90.0) *region.angle_deg += 180.0;
-  region.angle_sd_deg = sd_deg;
-}
-
-ContactRegion region_of(const std::vector<Sample>& samples, double smoothing_px) {
-  ContactRegion region;
-  region.pixels = static_cast<int>(samples.size());
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  double weight = 0;
-  for (const Sample& s : samples) {
-    const double w = s.depth_mm * s.flat_area_mm2;
-    weight += w;
-    place += w * s.pressed_mm;
-    pixel += w * s.pixel;
-    region.area_mm2 += s.area_mm2;
-    if (s.depth_mm > region.deepest_mm) {
-      region.deepest_mm = s.depth_mm;
-      region.deepest_point_mm = s.pressed_mm;
-    }
-  }
-  region.volume_mm3 = weight;
-  region.place_mm = place / weight;
-  region.place_px = pixel / weight;
-  find_angle(samples, smoothing_px, region);
-  return region;
+  return sums;
 }
 
 }  // namespace
@@ -154,9 +152,9 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                     statistics.at<int>(label, cv::CC_STAT_WIDTH) + 2,
                                     statistics.at<int>(label, cv::CC_STAT_HEIGHT) + 2) &
                            cv::Rect(0, 0, labels.cols, labels.rows);
-    const auto samples = samples_of(depth, wide, label, cells, shape, face, threshold);
-    if (samples.empty()) continue;
-    ContactRegion region = region_of(samples, options.smoothing_px);
+    const RegionSums sums = sums_of(depth, wide, label, cells, shape, face, threshold);
+    if (sums.empty()) continue;
+    const ContactRegion region = sums.region(options.smoothing_px);
     if (region.area_mm2 >= options.minimum_area_mm2) regions.push_back(region);
   }
   std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) {

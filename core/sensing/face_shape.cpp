@@ -72,11 +72,11 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   for (int u = 0; u < width; ++u) {
     FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
     if (!column.valid) continue;
-    const double inverse_z = shape.inverse_z_of_column(u);
+    const double z_mm = shape.z_of_column(u);
     const double width_sd_px = width_sd[static_cast<std::size_t>(u / kSdStep)];
-    column.valid = inverse_z > 0.0 && std::isfinite(inverse_z);
+    column.valid = z_mm > 0.0 && std::isfinite(z_mm);
     if (!column.valid) continue;
-    column.z_mm = 1.0 / inverse_z;
+    column.z_mm = z_mm;
     column.z_sd_mm = column.z_mm * width_sd_px / (column.lower_v - column.upper_v);
     column.valid = column.z_sd_mm <= z_sd_limit_mm;
     valid += column.valid;
@@ -142,12 +142,13 @@ void FaceShape::know_across() {
   }
 }
 
-double FaceShape::inverse_z_of_column(int u) const {
+double FaceShape::z_of_column(int u) const {
   const auto k = static_cast<std::size_t>(u);
-  if (!across_.empty()) return across_[k].inverse_z;
+  if (!across_.empty()) return across_[k].z_mm;
   const double middle = 0.5 * (columns_[k].upper_v + columns_[k].lower_v);
   const auto ray = camera_.unproject({static_cast<double>(u), middle});
-  return ray ? inverse_z_at(ray->direction.x()) : 0.0;
+  const double inverse_z = ray ? inverse_z_at(ray->direction.x()) : 0.0;
+  return inverse_z > 0.0 ? 1.0 / inverse_z : 0.0;
 }
 
 double FaceShape::inverse_z_at(double x) const {
@@ -233,12 +234,12 @@ std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
                          : across_from(ray->direction.x(),
                                        inverse_z_at(ray->direction.x()),
                                        inverse_z_slope_at(ray->direction.x()));
-  if (!found || !(found->inverse_z > 0.0)) return std::nullopt;
-  local.view_point_mm = ray->direction / found->inverse_z;
+  if (!found || !(found->z_mm > 0.0)) return std::nullopt;
+  const double z = found->z_mm;
+  local.view_point_mm = ray->direction * z;
   local.normal = {found->normal_x, 0.0, found->normal_z};
   local.cos_incline = found->normal_z;
-  const double pixel =
-      ray_area(*ray, u, v) / (found->inverse_z * found->inverse_z * found->inverse_z);
+  const double pixel = ray_area(*ray, u, v) * z * z * z;
   local.area_mm2 = pixel * found->length;
   local.flat_area_mm2 = pixel * found->along;
   return local;
@@ -251,7 +252,7 @@ std::optional<FaceShape::Across> FaceShape::across_from(double x, double q, doub
   const double along = q - x * q_slope;
   const double length = std::hypot(q_slope, along);
   if (!(length > 0.0) || !(along > 0.0)) return std::nullopt;
-  return Across{q, along, length, q_slope / length, along / length};
+  return Across{1.0 / q, along, length, q_slope / length, along / length};
 }
 
 double FaceShape::ray_area(const Ray& ray, double u, double v) const {

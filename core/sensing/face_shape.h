@@ -72,13 +72,13 @@ class FaceShape {
   FaceShape(const Camera& camera, const Face& face) : camera_(camera), face_(face) {}
   bool fit_inverse_depth(double first, double last, int degree);
   void know_across();
-  double inverse_z_of_column(int u) const;  // on the middle of the face; 0 where there is none
+  double z_of_column(int u) const;  // on the middle of the face; 0 where there is none
   void finish();
   double inverse_z_at(double x) const;
   double inverse_z_slope_at(double x) const;
   /// What `at` tells of a ray but for y, which only scales it.
   struct Across {
-    double inverse_z, along, length, normal_x, normal_z;
+    double z_mm, along, length, normal_x, normal_z;
   };
   static std::optional<Across> across_from(double x, double inverse_z, double inverse_z_slope);
   double ray_area(const Ray& ray, double u, double v) const;
