@@ -1,0 +1,73 @@
+// A camera's controls: what there is, reading and writing, holding those still that change
+// brightness.
+#pragma once
+
+#include "core/result.h"
+#include "core/sources/v4l2/v4l2_device.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+enum class ControlType { kInteger = 1, kBoolean, kMenu, kIntegerMenu, kButton, kBitmask, kOther };
+[[nodiscard]] std::string_view to_string(ControlType type);
+
+struct MenuItem {
+  std::int64_t value = 0;
+  std::string name;
+};
+
+struct CameraControl {
+  std::uint32_t id = 0;
+  std::string name;
+  ControlType type = ControlType::kOther;
+  std::int64_t low = 0, high = 0, step = 1, default_value = 0;
+  std::int64_t value = 0;      ///< when it was listed; 0 where it cannot be read
+  std::vector<MenuItem> menu;  ///< kMenu, kIntegerMenu: what can be chosen
+  bool is_read_only = false;
+  bool is_inactive = false;  ///< an automatic mode has it in hand
+
+  /// A value that can be stored and put back.
+  [[nodiscard]] bool is_setting() const {
+    return !is_read_only && type != ControlType::kButton && type != ControlType::kOther;
+  }
+};
+
+/// One control as it is stored with a finger.
+struct ControlValue {
+  std::uint32_t id = 0;
+  std::string name;
+  std::int64_t value = 0;
+  bool operator==(const ControlValue&) const = default;
+};
+
+[[nodiscard]] std::vector<CameraControl> list_controls(const V4l2Device& device);
+[[nodiscard]] Result<std::int64_t> read_control(const V4l2Device& device,
+                                                const ControlValue& control);
+/// Error: refused, out of range, or the camera kept another value.
+[[nodiscard]] Status write_control(const V4l2Device& device, const ControlValue& control);
+
+/// All settings of a camera as they are. Those that an automatic mode has in hand are left out.
+[[nodiscard]] std::vector<ControlValue> settings_of(const std::vector<CameraControl>& controls);
+
+/// Writes them back, automatic modes first, because they decide what else can be written. Returns a
+/// sentence for each that could not be.
+[[nodiscard]] std::vector<std::string> put_back(const V4l2Device& device,
+                                                const std::vector<ControlValue>& wanted);
+
+/// Switches off every automatic mode of exposure, gain, white balance and focus, and gives what has
+/// to stay as it is from now on: these modes and their values. `problems` gets a sentence for each
+/// automatic mode that cannot be switched off.
+[[nodiscard]] std::vector<ControlValue> lock_brightness(const V4l2Device& device,
+                                                        std::vector<std::string>& problems);
+
+/// Asks to be told of changes that other programs and the camera itself make (POLLPRI, then
+/// next_change()). Drivers without events are read in turn instead.
+void watch_controls(const V4l2Device& device, const std::vector<CameraControl>& controls);
+/// The next change that was told; empty when there is none. Its name is empty.
+[[nodiscard]] std::optional<ControlValue> next_change(const V4l2Device& device);
+
+}  // namespace alltact

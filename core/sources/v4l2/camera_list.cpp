@@ -1,0 +1,195 @@
+#include "core/sources/v4l2/camera_list.h"
+
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+
+#include <libudev.h>
+#include <linux/videodev2.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct UdevDeleter {
+  void operator()(udev* it) const { udev_unref(it); }
+  void operator()(udev_enumerate* it) const { udev_enumerate_unref(it); }
+  void operator()(udev_device* it) const { udev_device_unref(it); }
+};
+template <class T>
+using UdevPtr = std::unique_ptr<T, UdevDeleter>;
+
+std::string text_or_empty(const char* text) {
+  return text == nullptr ? std::string() : std::string(text);
+}
+
+CameraIdentity identity_of(udev_device* device) {
+  CameraIdentity identity;
+  identity.node = text_or_empty(udev_device_get_devnode(device));
+  identity.name = text_or_empty(udev_device_get_sysattr_value(device, "name"));
+  identity.serial = text_or_empty(udev_device_get_property_value(device, "ID_SERIAL_SHORT"));
+  for (udev_list_entry* link = udev_device_get_devlinks_list_entry(device); link != nullptr;
+       link = udev_list_entry_get_next(link)) {
+    const fs::path path = text_or_empty(udev_list_entry_get_name(link));
+    if (path.parent_path() == "/dev/v4l/by-id") identity.by_id = path.filename().string();
+    if (path.parent_path() == "/dev/v4l/by-path") identity.by_path = path.filename().string();
+  }
+  return identity;
+}
+
+std::vector<CameraIdentity> video_nodes() {
+  std::vector<CameraIdentity> nodes;
+  const UdevPtr<udev> context(udev_new());
+  if (context == nullptr) return nodes;
+  const UdevPtr<udev_enumerate> search(udev_enumerate_new(context.get()));
+  udev_enumerate_add_match_subsystem(search.get(), "video4linux");
+  udev_enumerate_scan_devices(search.get());
+  for (udev_list_entry* entry = udev_enumerate_get_list_entry(search.get()); entry != nullptr;
+       entry = udev_list_entry_get_next(entry)) {
+    const UdevPtr<udev_device> device(
+        udev_device_new_from_syspath(context.get(), udev_list_entry_get_name(entry)));
+    if (device == nullptr) continue;
+    CameraIdentity identity = identity_of(device.get());
+    if (fs::path(identity.node).filename().string().starts_with("video"))
+      nodes.push_back(std::move(identity));
+  }
+  // By number: video10 stands behind video9.
+  std::sort(nodes.begin(), nodes.end(), [](const CameraIdentity& a, const CameraIdentity& b) {
+    return std::pair(a.node.size(), a.node) < std::pair(b.node.size(), b.node);
+  });
+  return nodes;
+}
+
+/// 0, or EBUSY where another program has the stream.
+int take_and_leave(const V4l2Device& device) {
+  v4l2_format format;
+  std::memset(&format, 0, sizeof format);
+  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (device.ioctl(VIDIOC_G_FMT, &format) != 0) return 0;
+  return device.ioctl(VIDIOC_S_FMT, &format) == EBUSY ? EBUSY : 0;
+}
+
+std::optional<Error> problem_of(const FoundCamera& camera,
+                                const V4l2Device::Capability& capability) {
+  const std::string& node = camera.identity.node;
+  if (capability.is_multi_planar)
+    return Error{
+        "it sends its pictures in several planes, which cannot be read here", node, "a USB camera"};
+  if (!capability.can_stream) return Error{"it cannot stream", node, "a USB camera"};
+  const bool is_readable =
+      std::any_of(camera.formats.begin(), camera.formats.end(), [](const CameraFormat& format) {
+        return can_decode(format.fourcc);
+      });
+  if (!is_readable)
+    return Error{"it has no format that can be read here", node, "a camera with MJPG or YUYV"};
+  return std::nullopt;
+}
+
+/// Empty for a node that is no camera.
+std::optional<FoundCamera> look_at(V4l2Calls& calls, CameraIdentity identity, bool is_busy_told) {
+  FoundCamera camera;
+  camera.identity = std::move(identity);
+  const auto device = V4l2Device::open(calls, camera.identity.node);
+  if (!device) {
+    camera.problem = device.error();
+    return camera;
+  }
+  const auto capability = device->capability();
+  if (!capability) {
+    camera.problem = capability.error();
+    return camera;
+  }
+  if (!capability->is_capture) return std::nullopt;
+  camera.identity.bus = capability->bus;
+  camera.identity.driver = capability->driver;
+  if (camera.identity.name.empty()) camera.identity.name = capability->card;
+  camera.formats = device->formats();
+  camera.controls = list_controls(*device);
+  camera.problem = problem_of(camera, *capability);
+  if (!camera.problem && is_busy_told && take_and_leave(*device) == EBUSY)
+    camera.problem = camera_error("it cannot be used now", camera.identity.node, EBUSY);
+  return camera;
+}
+
+bool answers_to(const CameraIdentity& identity, const std::string& wanted) {
+  return wanted == identity.node || wanted == identity.by_id || wanted == identity.by_path ||
+         wanted == identity.serial;
+}
+
+std::string names_of(const std::vector<const CameraIdentity*>& identities) {
+  std::string text;
+  for (const CameraIdentity* identity : identities)
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", identity->lasting(), identity->node);
+  return text;
+}
+
+/// What a path below /dev/v4l stands for; other words as they are.
+std::string name_in(const std::string& wanted) {
+  const fs::path path = wanted;
+  const fs::path folder = path.parent_path();
+  if (folder == "/dev/v4l/by-id" || folder == "/dev/v4l/by-path") return path.filename().string();
+  return wanted;
+}
+
+CameraPlace place_of(V4l2Calls& calls, const CameraIdentity& identity) {
+  const std::string lasting = identity.lasting();
+  return {&calls, lasting, [lasting]() -> Result<std::string> {
+            // Without opening anything: this is asked again and again while a camera is away.
+            for (const CameraIdentity& now : video_nodes())
+              if (answers_to(now, lasting)) return now.node;
+            if (lasting.starts_with("/dev/")) return lasting;
+            return Error{"the camera is not there", lasting, "plug it in"};
+          }};
+}
+
+}  // namespace
+
+const std::string& CameraIdentity::lasting() const {
+  if (!by_id.empty()) return by_id;
+  return by_path.empty() ? node : by_path;
+}
+
+std::vector<FoundCamera> list_cameras(V4l2Calls& calls, bool is_busy_told) {
+  std::vector<FoundCamera> cameras;
+  for (CameraIdentity& identity : video_nodes())
+    if (auto camera = look_at(calls, std::move(identity), is_busy_told))
+      cameras.push_back(std::move(*camera));
+  return cameras;
+}
+
+Result<CameraIdentity> find_camera(const std::string& wanted,
+                                   const std::vector<FoundCamera>& cameras) {
+  const std::string name = name_in(wanted);
+  std::vector<const CameraIdentity*> all, fitting;
+  for (const FoundCamera& camera : cameras) {
+    all.push_back(&camera.identity);
+    if (!name.empty() && answers_to(camera.identity, name)) fitting.push_back(&camera.identity);
+  }
+  if (fitting.size() == 1) return *fitting.front();
+  if (!fitting.empty())
+    return Error{"several cameras have this name: " + names_of(fitting),
+                 wanted,
+                 "the name before the brackets"};
+  // A node of a system that tells nothing of its devices is taken at its word.
+  if (cameras.empty() && wanted.starts_with("/dev/")) {
+    CameraIdentity identity;
+    identity.node = wanted;
+    return identity;
+  }
+  return Error{
+      all.empty() ? "no camera was found" : "there is no such camera; there is " + names_of(all),
+      wanted,
+      all.empty() ? "plug one in; 'alltact devices' lists what is found" : "one of these names"};
+}
+
+Result<std::unique_ptr<V4l2Camera>> open_camera(const std::string& wanted,
+                                                const FormatWish& wish,
+                                                const std::vector<ControlValue>& controls,
+                                                V4l2Calls& calls) {
+  const auto identity = find_camera(wanted, list_cameras(calls));
+  if (!identity) return identity.error();
+  return V4l2Camera::open(place_of(calls, *identity), wish, controls);
+}
+
+}  // namespace alltact

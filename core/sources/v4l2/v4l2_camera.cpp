@@ -1,0 +1,403 @@
+#include "core/sources/v4l2/v4l2_camera.h"
+
+#include "core/sources/hot_plug.h"
+
+#include <cerrno>
+
+#include <linux/videodev2.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+namespace alltact {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr std::size_t kMostRemarks = 20;
+constexpr milliseconds kBetweenChecks{100};  // of held controls, one at a time: each costs USB time
+constexpr int kBetweenTries_ms = 100;        // to open or start again
+constexpr int kFirstFrame_ms = 3000;         // some cameras take seconds to begin
+constexpr int kLeastPatience_ms = 500;
+constexpr std::uint32_t kMostPlausibleGap = 100'000;  // more: the driver began to count anew
+
+Error unplugged(const std::string& identity) {
+  return {"the camera was unplugged",
+          identity,
+          "plug it in again; it goes on by itself with the same settings"};
+}
+
+ControlValue* find(std::vector<ControlValue>& values, std::uint32_t id) {
+  for (ControlValue& value : values)
+    if (value.id == id) return &value;
+  return nullptr;
+}
+
+/// Ordered by id, as drivers list them.
+void merge(std::vector<ControlValue>& values, const std::vector<ControlValue>& news) {
+  for (const ControlValue& value : news) {
+    if (ControlValue* old = find(values, value.id)) {
+      old->value = value.value;
+      continue;
+    }
+    const auto behind = std::find_if(values.begin(), values.end(), [&](const ControlValue& other) {
+      return other.id > value.id;
+    });
+    values.insert(behind, value);
+  }
+}
+
+/// Waits for one descriptor (or none, -1) and for the eventfd that ends waits.
+short wait_for(V4l2Calls& calls, int descriptor, short events, int wake, int timeout_ms) {
+  pollfd descriptors[2] = {{wake, POLLIN, 0}, {descriptor, events, 0}};
+  const int ready = calls.poll(descriptors, descriptor < 0 ? 1 : 2, timeout_ms);
+  return ready > 0 ? descriptors[1].revents : short{0};
+}
+
+}  // namespace
+
+V4l2Camera::V4l2Camera(const CameraPlace& place, CameraFormat format)
+    : place_(place),
+      format_(format),
+      plug_(HotPlug::watch()),
+      wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+      next_check_(Clock::now()),
+      last_frame_(Clock::now()) {}
+
+Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const CameraPlace& place,
+                                                     const FormatWish& wish,
+                                                     const std::vector<ControlValue>& controls) {
+  const auto node = place.find_node();
+  if (!node) return node.error();
+  auto device = V4l2Device::open(*place.calls, *node);
+  if (!device) return device.error();
+  const auto capability = device->capability();
+  if (!capability) return capability.error();
+  if (!capability->is_capture || capability->is_multi_planar || !capability->can_stream)
+    return Error{"this node gives no pictures that can be read",
+                 *node,
+                 "a camera that 'alltact devices' lists as usable"};
+  const auto format = choose_format(device->formats(), wish, *node);
+  if (!format) return format.error();
+  std::unique_ptr<V4l2Camera> camera(new V4l2Camera(place, *format));
+  camera->wanted_ = controls;
+  if (const Status status = camera->start(std::move(*device)); !status) return status.error();
+  camera->thread_ = std::thread([camera = camera.get()] { camera->run(); });
+  return camera;
+}
+
+V4l2Camera::~V4l2Camera() {
+  stop();
+  if (wake_ >= 0) ::close(wake_);
+}
+
+void V4l2Camera::stop() {
+  stopping_ = true;
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto written = ::write(wake_, &one, sizeof one);
+  if (thread_.joinable()) thread_.join();
+  hub_.close();
+}
+
+Status V4l2Camera::start(V4l2Device device) {
+  CameraFormat format = format_;
+  const auto stride = device.configure(format);
+  if (!stride) return stride.error();
+  const std::lock_guard lock(device_mutex_);
+  for (std::string& problem : put_back(device, wanted_)) remark(std::move(problem));
+  const auto controls = list_controls(device);
+  watch_controls(device, controls);
+  auto kept = std::make_unique<V4l2Device>(std::move(device));
+  auto stream = V4l2Stream::start(*kept);
+  if (!stream) return stream.error();
+  // What is put back later: first of all what was asked for, besides it what was found.
+  std::vector<ControlValue> all = settings_of(controls);
+  merge(all, wanted_);
+  wanted_ = std::move(all);
+  stride_bytes_ = *stride;
+  format_ = format;
+  device_ = std::move(kept);
+  stream_ = std::move(*stream);
+  has_frame_ = false;
+  last_frame_ = Clock::now();
+  return {};
+}
+
+void V4l2Camera::run() {
+  while (!stopping_) {
+    if (device_ == nullptr) {
+      wait_for_plug();
+      if (!stopping_) reconnect();
+    } else if (stream_ == nullptr) {
+      wait_for(*place_.calls, -1, 0, wake_, kBetweenTries_ms);
+      if (!stopping_) restart(*status().trouble);
+    } else {
+      capture();
+    }
+  }
+}
+
+int V4l2Camera::patience_ms() const {
+  if (!has_frame_) return kFirstFrame_ms;
+  const double rate = format_.frames_per_second();
+  return std::max(kLeastPatience_ms, rate > 0 ? static_cast<int>(5000.0 / rate) : 0);
+}
+
+void V4l2Camera::capture() {
+  const bool is_locked = !locked().empty();
+  const int wait_ms = is_locked ? static_cast<int>(kBetweenChecks.count()) : patience_ms();
+  const short ready =
+      wait_for(*place_.calls, device_->descriptor(), POLLIN | POLLPRI, wake_, wait_ms);
+  if (stopping_) return;
+  if ((ready & POLLPRI) != 0) follow_changes();
+  if ((ready & (POLLIN | POLLERR | POLLHUP | POLLNVAL)) != 0) {
+    const bool taken = take_frame();
+    if (stream_ == nullptr) return;
+    // An error state without a buffer behind it would end every later wait at once.
+    if (!taken && (ready & (POLLERR | POLLHUP | POLLNVAL)) != 0)
+      return restart(camera_error("the camera stopped sending pictures", device_->node(), EIO));
+  }
+  if (is_locked && Clock::now() >= next_check_) check_next_held();
+  const auto silence = std::chrono::duration_cast<milliseconds>(Clock::now() - last_frame_).count();
+  if (silence >= patience_ms())
+    restart({fmt::format("no picture came for {:.1f} seconds", static_cast<double>(silence) / 1e3),
+             place_.identity,
+             "look after the cable and the USB port; the stream is being started again"});
+}
+
+bool V4l2Camera::take_frame() {
+  const V4l2Stream::Taken taken = stream_->take();
+  if (means_gone(taken.error_number)) {
+    drop_device(unplugged(place_.identity));
+    return false;
+  }
+  if (taken.error_number != 0) {
+    restart(camera_error("a picture cannot be taken", device_->node(), taken.error_number));
+    return false;
+  }
+  if (!taken.filled) return false;
+  last_frame_ = Clock::now();
+  publish(*taken.filled);
+  return true;
+}
+
+std::uint64_t V4l2Camera::number_of(std::uint32_t driver_sequence) {
+  std::uint32_t step = driver_sequence - last_driver_sequence_;
+  if (!has_frame_ || step == 0 || step > kMostPlausibleGap) step = 1;
+  has_frame_ = true;
+  last_driver_sequence_ = driver_sequence;
+  if (step > 1) {
+    const std::lock_guard lock(status_mutex_);
+    status_.counts.lost += step - 1;
+  }
+  const std::uint64_t number = next_number_ + step - 1;
+  next_number_ = number + 1;
+  return number;
+}
+
+void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
+  auto frame = std::make_shared<Frame>();
+  frame->sequence = number_of(filled.sequence);
+  frame->time_ns = filled.time_ns;
+  frame->name = fmt::format("frame_{:05}", frame->sequence);
+  frame->origin = place_.identity;
+  const auto format = static_cast<PixelFormat>(format_.fourcc);
+  const auto decode = [&](std::span<const std::uint8_t> bytes) {
+    return decoder_(format, format_.width_px, format_.height_px, stride_bytes_, bytes);
+  };
+  bool is_good = !filled.is_damaged && !filled.bytes.empty();
+  if (is_good && format == PixelFormat::kMjpeg) {
+    // The one copy: the packet itself, so that the camera has its buffer back before decoding.
+    frame->jpeg =
+        std::make_shared<const std::vector<std::uint8_t>>(filled.bytes.begin(), filled.bytes.end());
+  } else if (is_good) {
+    auto grey = decode(filled.bytes);
+    is_good = grey.ok();
+    if (is_good) frame->grey = std::move(*grey);
+  }
+  static_cast<void>(stream_->give_back(filled));  // a failure shows at the next wait
+  if (is_good && frame->jpeg != nullptr) {
+    auto grey = decode(*frame->jpeg);
+    is_good = grey.ok();
+    if (is_good) frame->grey = std::move(*grey);
+  }
+  bool is_back = false;
+  {
+    const std::lock_guard lock(status_mutex_);
+    ++(is_good ? status_.counts.delivered : status_.counts.damaged);
+    is_back = is_good && status_.trouble.has_value();
+    if (is_back) {
+      status_.state = CameraState::kStreaming;
+      status_.trouble.reset();
+    }
+  }
+  if (is_back) remark("Pictures come again.");
+  if (is_good) hub_.publish(std::move(frame));
+}
+
+void V4l2Camera::restart(const Error& why) {
+  auto capability = device_->capability();
+  stream_.reset();
+  if (!capability) return drop_device(unplugged(place_.identity));
+  trouble(CameraState::kStalled, why);
+  {
+    const std::lock_guard lock(status_mutex_);
+    ++status_.counts.restarts;
+  }
+  auto stream = V4l2Stream::start(*device_);
+  last_frame_ = Clock::now();
+  if (!stream) return trouble(CameraState::kStalled, stream.error());
+  stream_ = std::move(*stream);
+  const bool had_frame = std::exchange(has_frame_, false);
+  // A stream that broke at once must not be started again at once.
+  if (!had_frame) wait_for(*place_.calls, -1, 0, wake_, kBetweenTries_ms);
+}
+
+void V4l2Camera::drop_device(const Error& why) {
+  {
+    const std::lock_guard lock(device_mutex_);
+    stream_.reset();
+    device_.reset();
+  }
+  {
+    const std::lock_guard lock(status_mutex_);
+    ++status_.counts.unplugged;
+  }
+  trouble(CameraState::kGone, why);
+}
+
+void V4l2Camera::wait_for_plug() {
+  const int descriptor = plug_ == nullptr ? -1 : plug_->descriptor();
+  // Also looks without news: a container may hear none.
+  if (wait_for(*place_.calls, descriptor, POLLIN, wake_, kBetweenTries_ms) != 0)
+    static_cast<void>(plug_->read());
+}
+
+void V4l2Camera::reconnect() {
+  const auto node = place_.find_node();
+  if (!node) return;
+  auto device = V4l2Device::open(*place_.calls, *node);
+  const Status status = device.ok() ? start(std::move(*device)) : Status(device.error());
+  if (!status) return trouble(CameraState::kGone, status.error());
+  {
+    const std::lock_guard lock(status_mutex_);
+    status_.state = CameraState::kStalled;
+    status_.trouble =
+        Error{"the camera is back and has not sent a picture yet", place_.identity, ""};
+  }
+  remark(fmt::format("The camera was plugged in again at {}.", *node));
+}
+
+void V4l2Camera::follow_changes() {
+  while (const auto change = next_change(*device_)) on_change(*change);
+}
+
+void V4l2Camera::check_next_held() {
+  next_check_ = Clock::now() + kBetweenChecks;
+  const auto held = locked();
+  if (held.empty()) return;
+  const ControlValue& control = held[next_held_++ % held.size()];
+  const auto now = read_control(*device_, control);
+  if (now.ok()) on_change({control.id, {}, *now});  // a failed read shows as a fault of the stream
+}
+
+void V4l2Camera::on_change(const ControlValue& change) {
+  const std::lock_guard lock(device_mutex_);
+  ControlValue* held = find(held_, change.id);
+  ControlValue* wanted = find(wanted_, change.id);
+  if (held == nullptr) {
+    if (wanted != nullptr) wanted->value = change.value;
+    return;
+  }
+  if (change.value == held->value) return;
+  const Status status = write_control(*device_, *held);
+  if (status.ok()) {
+    const std::lock_guard status_lock(status_mutex_);
+    ++status_.counts.put_back;
+  }
+  remark(fmt::format("'{}' was changed from {} to {} by something else; {}",
+                     held->name,
+                     held->value,
+                     change.value,
+                     status.ok() ? "it was put back." : status.error().sentence()));
+}
+
+void V4l2Camera::trouble(CameraState state, const Error& error) {
+  bool is_news = false;
+  {
+    const std::lock_guard lock(status_mutex_);
+    is_news = !status_.trouble || status_.trouble->what != error.what;
+    status_.state = state;
+    status_.trouble = error;
+  }
+  if (is_news) hub_.fault(error);
+}
+
+void V4l2Camera::remark(std::string text) {
+  const std::lock_guard lock(status_mutex_);
+  remarks_.push_back(std::move(text));
+  if (remarks_.size() > kMostRemarks) remarks_.pop_front();
+}
+
+CameraStatus V4l2Camera::status() const {
+  const std::lock_guard lock(status_mutex_);
+  CameraStatus status = status_;
+  status.remarks.assign(remarks_.begin(), remarks_.end());
+  return status;
+}
+
+CameraSettings V4l2Camera::settings() const {
+  const std::lock_guard lock(device_mutex_);
+  return {place_.identity,
+          format_,
+          device_ == nullptr ? wanted_ : settings_of(list_controls(*device_))};
+}
+
+Result<std::vector<CameraControl>> V4l2Camera::controls() const {
+  const std::lock_guard lock(device_mutex_);
+  if (device_ == nullptr) return unplugged(place_.identity);
+  return list_controls(*device_);
+}
+
+Status V4l2Camera::set_control(const ControlValue& control) {
+  const std::lock_guard lock(device_mutex_);
+  if (device_ == nullptr) return unplugged(place_.identity);
+  if (const Status status = write_control(*device_, control); !status) return status;
+  merge(wanted_, {control});
+  if (ControlValue* held = find(held_, control.id)) held->value = control.value;
+  return {};
+}
+
+Status V4l2Camera::lock() {
+  const std::lock_guard lock(device_mutex_);
+  if (device_ == nullptr) return unplugged(place_.identity);
+  std::vector<std::string> problems;
+  held_ = lock_brightness(*device_, problems);
+  merge(wanted_, held_);
+  for (std::string& problem : problems) remark(std::move(problem));
+  return {};
+}
+
+void V4l2Camera::unlock() {
+  const std::lock_guard lock(device_mutex_);
+  held_.clear();
+}
+
+std::vector<ControlValue> V4l2Camera::locked() const {
+  const std::lock_guard lock(device_mutex_);
+  return held_;
+}
+
+CameraSource::CameraSource(std::shared_ptr<V4l2Camera> camera, std::size_t capacity)
+    : camera_(std::move(camera)), queue_(camera_->frames().subscribe(capacity)) {}
+
+Result<FramePtr> CameraSource::next() {
+  if (auto item = queue_->next(std::chrono::seconds(1))) return std::move(*item);
+  const auto status = camera_->status();
+  if (status.trouble) return *status.trouble;
+  return Error{"the camera has sent no picture for a second",
+               camera_->settings().identity,
+               "look after the cable and the USB port"};
+}
+
+}  // namespace alltact

@@ -1,0 +1,293 @@
+#include "core/sources/v4l2/v4l2_device.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <linux/videodev2.h>
+
+namespace alltact {
+namespace {
+
+struct Words {
+  std::string_view reason, advice;
+};
+
+Words words_for(int error_number) {
+  switch (error_number) {
+    case EACCES:
+    case EPERM:
+      return {"access is not allowed",
+              "sudo usermod -aG video $USER, then log in again; or install "
+              "packaging/70-alltact.rules in /etc/udev/rules.d and plug the camera in again"};
+    case EBUSY:
+      return {"another program is using it", "close that program (fuser -v /dev/video* names it)"};
+    case ENODEV:
+    case ENXIO:
+    case ENOENT:
+      return {"it is not there", "plug the camera in; 'alltact devices' lists what is found"};
+    case ENOSPC:
+      return {"the USB port has no bandwidth left",
+              "another USB port, MJPG instead of YUYV, or smaller pictures"};
+    case EIO:
+    case EPROTO:
+    case EPIPE:
+    case ETIMEDOUT:
+      return {"the USB connection is disturbed", "a shorter cable or another port"};
+    case EINVAL:
+    case ENOTTY:
+      return {"the camera refuses",
+              "another format or value; 'alltact devices --details' lists them"};
+    case EMFILE:
+    case ENFILE:
+      return {"too many files are open", "close other programs"};
+    case ENOMEM:
+      return {"there is not enough memory", "close other programs"};
+    default:
+      return {{}, "unplug the camera and plug it in again"};
+  }
+}
+
+template <std::size_t N>
+std::string text_of(const std::uint8_t (&field)[N]) {
+  return {reinterpret_cast<const char*>(field), strnlen(reinterpret_cast<const char*>(field), N)};
+}
+
+template <class Request>
+Request cleared() {
+  Request request;
+  std::memset(&request, 0, sizeof request);
+  return request;
+}
+
+constexpr std::uint32_t kMostEntries = 1000;  // of any list: a driver without end is a fault
+
+void add_rates(const V4l2Device& device, CameraFormat format, std::vector<CameraFormat>& formats) {
+  const std::size_t before = formats.size();
+  const auto add = [&](const v4l2_fract& seconds) {
+    format.seconds_numerator = seconds.numerator;
+    format.seconds_denominator = seconds.denominator;
+    formats.push_back(format);
+  };
+  for (std::uint32_t i = 0; i < kMostEntries; ++i) {
+    auto rate = cleared<v4l2_frmivalenum>();
+    rate.index = i;
+    rate.pixel_format = format.fourcc;
+    rate.width = static_cast<std::uint32_t>(format.width_px);
+    rate.height = static_cast<std::uint32_t>(format.height_px);
+    if (device.ioctl(VIDIOC_ENUM_FRAMEINTERVALS, &rate) != 0) break;
+    if (rate.type == V4L2_FRMIVAL_TYPE_DISCRETE) {
+      add(rate.discrete);
+      continue;
+    }
+    add(rate.stepwise.min);
+    add(rate.stepwise.max);
+    break;
+  }
+  if (formats.size() == before) formats.push_back(format);
+}
+
+void add_size(const V4l2Device& device,
+              std::uint32_t fourcc,
+              std::uint32_t width,
+              std::uint32_t height,
+              std::vector<CameraFormat>& formats) {
+  if (width == 0 || height == 0 || width > 32768 || height > 32768) return;
+  add_rates(device, {fourcc, static_cast<int>(width), static_cast<int>(height), 0, 0}, formats);
+}
+
+void add_stepwise(const V4l2Device& device,
+                  std::uint32_t fourcc,
+                  const v4l2_frmsize_stepwise& range,
+                  std::vector<CameraFormat>& formats) {
+  const auto fits =
+      [](std::uint32_t value, std::uint32_t low, std::uint32_t high, std::uint32_t step) {
+        return value >= low && value <= high && (value - low) % std::max(step, 1U) == 0;
+      };
+  add_size(device, fourcc, range.min_width, range.min_height, formats);
+  for (const auto& [width, height] : {std::pair{640U, 480U}, {1280U, 720U}, {1920U, 1080U}})
+    if (fits(width, range.min_width, range.max_width, range.step_width) &&
+        fits(height, range.min_height, range.max_height, range.step_height))
+      add_size(device, fourcc, width, height, formats);
+  add_size(device, fourcc, range.max_width, range.max_height, formats);
+}
+
+void add_sizes(const V4l2Device& device, std::uint32_t fourcc, std::vector<CameraFormat>& formats) {
+  for (std::uint32_t i = 0; i < kMostEntries; ++i) {
+    auto size = cleared<v4l2_frmsizeenum>();
+    size.index = i;
+    size.pixel_format = fourcc;
+    if (device.ioctl(VIDIOC_ENUM_FRAMESIZES, &size) != 0) return;
+    if (size.type != V4L2_FRMSIZE_TYPE_DISCRETE)
+      return add_stepwise(device, fourcc, size.stepwise, formats);
+    add_size(device, fourcc, size.discrete.width, size.discrete.height, formats);
+  }
+}
+
+bool meets(const CameraFormat& format, const FormatWish& wish) {
+  return can_decode(format.fourcc) &&
+         (wish.fourcc.empty() || fourcc_text(format.fourcc) == wish.fourcc) &&
+         (wish.width_px == 0 || format.width_px == wish.width_px) &&
+         (wish.height_px == 0 || format.height_px == wish.height_px) &&
+         (wish.frames_per_second <= 0 ||
+          std::abs(format.frames_per_second() - wish.frames_per_second) < 0.05);
+}
+
+/// Whole brightness for every pixel before half-rate colours before compression.
+int rank_of(std::uint32_t fourcc) {
+  switch (static_cast<PixelFormat>(fourcc)) {
+    case PixelFormat::kGrey:
+      return 3;
+    case PixelFormat::kY16:
+      return 2;
+    case PixelFormat::kYuyv:
+      return 1;
+    case PixelFormat::kMjpeg:
+      break;
+  }
+  return 0;
+}
+
+std::string listed(const std::vector<CameraFormat>& offered) {
+  std::string text;
+  std::size_t count = 0;
+  for (const CameraFormat& format : offered) {
+    if (++count > 12) return text + " and more";
+    text += (text.empty() ? "" : ", ") + format.text();
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+}  // namespace
+
+std::string CameraFormat::text() const {
+  std::string text = fmt::format("{}x{} {}", width_px, height_px, fourcc_text(fourcc));
+  if (frames_per_second() > 0)
+    text += fmt::format(" at {:g} frames per second", std::round(frames_per_second() * 100) / 100);
+  return text;
+}
+
+Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
+                                   const FormatWish& wish,
+                                   const std::string& node) {
+  const auto worth = [](const CameraFormat& format) {
+    const double rate = format.frames_per_second();
+    return std::tuple(rate == 0 || rate > 24.5,
+                      static_cast<std::int64_t>(format.width_px) * format.height_px,
+                      rate,
+                      rank_of(format.fourcc));
+  };
+  const CameraFormat* best = nullptr;
+  for (const CameraFormat& format : offered)
+    if (meets(format, wish) && (best == nullptr || worth(format) > worth(*best))) best = &format;
+  if (best == nullptr)
+    return Error{fmt::format("the camera has no such format that can be read; it offers {}",
+                             listed(offered)),
+                 node,
+                 "one of these in GREY, Y16, YUYV or MJPG"};
+  return *best;
+}
+
+Error camera_error(std::string_view doing, const std::string& node, int error_number) {
+  const Words words = words_for(error_number);
+  const std::string reason =
+      words.reason.empty() ? std::string(std::strerror(error_number)) : std::string(words.reason);
+  return {fmt::format("{}: {}", doing, reason), node, std::string(words.advice)};
+}
+
+bool means_gone(int error_number) {
+  return error_number == ENODEV || error_number == ENXIO || error_number == ENOENT;
+}
+
+Result<V4l2Device> V4l2Device::open(V4l2Calls& calls, const std::string& node) {
+  int descriptor = -1;
+  do {
+    descriptor = calls.open(node.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+  } while (descriptor < 0 && errno == EINTR);
+  if (descriptor < 0) return camera_error("the camera cannot be opened", node, errno);
+  return V4l2Device(calls, descriptor, node);
+}
+
+V4l2Device::~V4l2Device() {
+  if (descriptor_ >= 0) calls_->close(descriptor_);
+}
+
+V4l2Device::V4l2Device(V4l2Device&& other) noexcept
+    : calls_(other.calls_),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      node_(std::move(other.node_)) {}
+
+int V4l2Device::ioctl(unsigned long request, void* argument) const {
+  while (calls_->ioctl(descriptor_, request, argument) != 0)
+    if (errno != EINTR) return errno;
+  return 0;
+}
+
+Result<V4l2Device::Capability> V4l2Device::capability() const {
+  auto answer = cleared<v4l2_capability>();
+  if (const int error = ioctl(VIDIOC_QUERYCAP, &answer); error != 0)
+    return camera_error("this does not answer as a camera", node_, error);
+  const std::uint32_t can =
+      (answer.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? answer.device_caps : answer.capabilities;
+  Capability capability{
+      text_of(answer.driver), text_of(answer.card), text_of(answer.bus_info), false, false, false};
+  const bool is_single = (can & V4L2_CAP_VIDEO_CAPTURE) != 0;
+  capability.is_multi_planar = !is_single && (can & V4L2_CAP_VIDEO_CAPTURE_MPLANE) != 0;
+  capability.is_capture = is_single || capability.is_multi_planar;
+  capability.can_stream = (can & V4L2_CAP_STREAMING) != 0;
+  return capability;
+}
+
+std::vector<CameraFormat> V4l2Device::formats() const {
+  std::vector<CameraFormat> formats;
+  for (std::uint32_t i = 0; i < kMostEntries; ++i) {
+    auto description = cleared<v4l2_fmtdesc>();
+    description.index = i;
+    description.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    if (ioctl(VIDIOC_ENUM_FMT, &description) != 0) break;
+    add_sizes(*this, description.pixelformat, formats);
+  }
+  if (!formats.empty()) return formats;
+  auto set = cleared<v4l2_format>();
+  set.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (ioctl(VIDIOC_G_FMT, &set) == 0)
+    add_size(*this, set.fmt.pix.pixelformat, set.fmt.pix.width, set.fmt.pix.height, formats);
+  return formats;
+}
+
+Result<std::size_t> V4l2Device::configure(CameraFormat& format) const {
+  auto request = cleared<v4l2_format>();
+  request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  v4l2_pix_format& picture = request.fmt.pix;
+  picture.width = static_cast<std::uint32_t>(format.width_px);
+  picture.height = static_cast<std::uint32_t>(format.height_px);
+  picture.pixelformat = format.fourcc;
+  picture.field = V4L2_FIELD_NONE;
+  if (const int error = ioctl(VIDIOC_S_FMT, &request); error != 0)
+    return camera_error("the camera's format cannot be set to " + format.text(), node_, error);
+  const CameraFormat got{picture.pixelformat,
+                         static_cast<int>(picture.width),
+                         static_cast<int>(picture.height),
+                         format.seconds_numerator,
+                         format.seconds_denominator};
+  if (got != format)
+    return Error{fmt::format("the camera was asked for {} and chose {}", format.text(), got.text()),
+                 node_,
+                 "a format that 'alltact devices --details' lists for it"};
+  if (format.seconds_numerator == 0) return picture.bytesperline;
+
+  auto rate = cleared<v4l2_streamparm>();
+  rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  v4l2_fract& seconds = rate.parm.capture.timeperframe;
+  seconds = {format.seconds_numerator, format.seconds_denominator};
+  const int error = ioctl(VIDIOC_S_PARM, &rate);
+  if (error != 0 && error != ENOTTY && error != EINVAL)  // some drivers know no rates
+    return camera_error("the camera's rate cannot be set", node_, error);
+  if (error == 0 && seconds.numerator != 0 && seconds.denominator != 0) {
+    format.seconds_numerator = seconds.numerator;
+    format.seconds_denominator = seconds.denominator;
+  }
+  return picture.bytesperline;
+}
+
+}  // namespace alltact

@@ -1,0 +1,49 @@
+// A running stream: buffers shared with the kernel, one frame taken and given back at a time.
+#pragma once
+
+#include "core/result.h"
+#include "core/sources/v4l2/v4l2_device.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace alltact {
+
+/// Stops streaming and unmaps when it goes away. One thread. The device must outlive it.
+class V4l2Stream {
+ public:
+  /// The device must have been configured. Error: no buffers, no bandwidth, in use, gone.
+  static Result<std::unique_ptr<V4l2Stream>> start(const V4l2Device& device);
+  ~V4l2Stream();
+  V4l2Stream(const V4l2Stream&) = delete;
+  V4l2Stream& operator=(const V4l2Stream&) = delete;
+
+  /// A filled buffer; its bytes are valid until give_back().
+  struct Filled {
+    std::uint32_t index = 0;
+    std::span<const std::uint8_t> bytes;
+    std::uint32_t sequence = 0;
+    std::int64_t time_ns = 0;  ///< monotonic; when it was taken, if the driver's clock is another
+    bool is_damaged = false;   ///< the driver says that data was lost
+  };
+  /// error 0 and no buffer: none is filled yet.
+  struct Taken {
+    int error_number = 0;
+    std::optional<Filled> filled;
+  };
+  [[nodiscard]] Taken take();
+  /// Returns 0 or the error number.
+  [[nodiscard]] int give_back(const Filled& filled);
+
+ private:
+  explicit V4l2Stream(const V4l2Device& device) : device_(&device) {}
+  [[nodiscard]] Status map_buffers();
+  [[nodiscard]] int queue(std::uint32_t index);
+
+  const V4l2Device* device_;
+  std::vector<std::span<std::uint8_t>> buffers_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,430 @@
+// What the fake camera answers: formats, rates, input, controls, buffers, pictures.
+#include "tests/rigs/fake_camera.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+
+#include <linux/version.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <turbojpeg.h>
+#include <unistd.h>
+
+namespace alltact::test {
+namespace {
+
+constexpr std::uint32_t kPage = 4096;
+constexpr std::uint32_t kBufferMemory = V4L2_MEMORY_MMAP;
+
+void* raw_map(std::size_t length, int descriptor) {
+  return reinterpret_cast<void*>(
+      syscall(SYS_mmap, nullptr, length, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0));
+}
+
+template <std::size_t N>
+void write_text(std::uint8_t (&field)[N], const std::string& text) {
+  std::memset(field, 0, N);
+  std::memcpy(field, text.data(), std::min(text.size(), N - 1));
+}
+
+std::uint32_t bytes_per_pixel(std::uint32_t fourcc) {
+  return fourcc == V4L2_PIX_FMT_GREY ? 1 : 2;
+}
+
+std::vector<std::uint8_t> jpeg_of(const std::vector<std::uint8_t>& rgb,
+                                  std::uint32_t width,
+                                  std::uint32_t height,
+                                  std::uint32_t quality) {
+  tjhandle handle = tjInitCompress();
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;  // NOLINT: TurboJPEG's type
+  tjCompress2(handle,
+              rgb.data(),
+              static_cast<int>(width),
+              0,
+              static_cast<int>(height),
+              TJPF_RGB,
+              &bytes,
+              &size,
+              TJSAMP_422,
+              static_cast<int>(quality),
+              0);
+  std::vector<std::uint8_t> jpeg(bytes, bytes + size);
+  tjFree(bytes);
+  tjDestroy(handle);
+  return jpeg;
+}
+
+}  // namespace
+
+int FakeCamera::dispatch(Handle& handle, unsigned long request, void* argument) {
+  switch (request) {
+    case VIDIOC_QUERYCAP:
+    case VIDIOC_ENUM_FMT:
+    case VIDIOC_ENUM_FRAMESIZES:
+    case VIDIOC_ENUM_FRAMEINTERVALS:
+      return enumerate(request, argument);
+    case VIDIOC_G_FMT:
+    case VIDIOC_S_FMT:
+    case VIDIOC_TRY_FMT:
+      return format(request, argument, handle);
+    case VIDIOC_G_PARM:
+    case VIDIOC_S_PARM:
+      return rate(request, argument);
+    case VIDIOC_ENUMINPUT:
+    case VIDIOC_G_INPUT:
+    case VIDIOC_S_INPUT:
+      return input(request, argument);
+    case VIDIOC_G_PRIORITY: {
+      std::uint32_t highest = V4L2_PRIORITY_UNSET;
+      for (const auto& [descriptor, other] : handles_) highest = std::max(highest, other.priority);
+      *static_cast<std::uint32_t*>(argument) = highest;
+      return 0;
+    }
+    case VIDIOC_S_PRIORITY:
+      handle.priority = *static_cast<std::uint32_t*>(argument);
+      return 0;
+    case VIDIOC_DQEVENT:
+      return next_event(handle, *static_cast<v4l2_event*>(argument));
+    case VIDIOC_SUBSCRIBE_EVENT:
+    case VIDIOC_UNSUBSCRIBE_EVENT:
+      return subscribe(handle, request, *static_cast<v4l2_event_subscription*>(argument));
+    case VIDIOC_REQBUFS:
+      return request_buffers(handle, *static_cast<v4l2_requestbuffers*>(argument));
+    case VIDIOC_QUERYBUF:
+      return query_buffer(handle, *static_cast<v4l2_buffer*>(argument));
+    case VIDIOC_QBUF:
+      return queue_buffer(handle, *static_cast<v4l2_buffer*>(argument));
+    case VIDIOC_DQBUF:
+      return take_buffer(handle, *static_cast<v4l2_buffer*>(argument));
+    case VIDIOC_STREAMON:
+    case VIDIOC_STREAMOFF:
+      return stream(handle, request == VIDIOC_STREAMON, *static_cast<int*>(argument));
+    default:
+      return controls(handle, request, argument);
+  }
+}
+
+int FakeCamera::controls(Handle& handle, unsigned long request, void* argument) {
+  auto& all = *static_cast<v4l2_ext_controls*>(argument);
+  std::vector<std::uint32_t> changed;
+  int error = ENOTTY;
+  switch (request) {
+    case VIDIOC_QUERY_EXT_CTRL:
+      return controls_.query(*static_cast<v4l2_query_ext_ctrl*>(argument));
+    case VIDIOC_QUERYCTRL:
+      return controls_.query(*static_cast<v4l2_queryctrl*>(argument));
+    case VIDIOC_QUERYMENU:
+      return controls_.query(*static_cast<v4l2_querymenu*>(argument));
+    case VIDIOC_G_EXT_CTRLS:
+      return controls_.get(all);
+    case VIDIOC_TRY_EXT_CTRLS:
+    case VIDIOC_S_EXT_CTRLS:
+      error = controls_.set(all, request == VIDIOC_TRY_EXT_CTRLS, changed);
+      break;
+    case VIDIOC_G_CTRL:
+    case VIDIOC_S_CTRL: {
+      auto& old = *static_cast<v4l2_control*>(argument);
+      v4l2_ext_control one{};
+      one.id = old.id;
+      one.value = old.value;
+      v4l2_ext_controls wrapped{};
+      wrapped.count = 1;
+      wrapped.controls = &one;
+      error = request == VIDIOC_G_CTRL ? controls_.get(wrapped)
+                                       : controls_.set(wrapped, false, changed);
+      if (error == 0) old.value = one.value;
+      break;
+    }
+    default:
+      return ENOTTY;
+  }
+  for (const std::uint32_t id : changed) tell(id, &handle);
+  return error;
+}
+
+int FakeCamera::enumerate(unsigned long request, void* argument) {
+  if (request == VIDIOC_QUERYCAP) {
+    auto& answer = *static_cast<v4l2_capability*>(argument);
+    std::memset(&answer, 0, sizeof answer);
+    write_text(answer.driver, "fake");
+    write_text(answer.card, "Fake Camera");
+    write_text(answer.bus_info, "usb-0000:00:14.0-2");
+    answer.version = LINUX_VERSION_CODE;
+    answer.device_caps = V4L2_CAP_STREAMING | V4L2_CAP_EXT_PIX_FORMAT |
+                         (options_.is_metadata ? V4L2_CAP_META_CAPTURE : V4L2_CAP_VIDEO_CAPTURE);
+    // As a UVC camera: what all its nodes can do together.
+    answer.capabilities = answer.device_caps | V4L2_CAP_DEVICE_CAPS | V4L2_CAP_VIDEO_CAPTURE;
+    if (options_.is_metadata) answer.capabilities |= V4L2_CAP_META_CAPTURE;
+    return 0;
+  }
+  if (request == VIDIOC_ENUM_FMT) {
+    auto& answer = *static_cast<v4l2_fmtdesc*>(argument);
+    if (answer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || answer.index >= options_.fourccs.size())
+      return EINVAL;
+    const std::uint32_t index = answer.index;
+    std::memset(&answer, 0, sizeof answer);
+    answer.index = index;
+    answer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    answer.pixelformat = options_.fourccs[index];
+    const bool is_jpeg = answer.pixelformat == V4L2_PIX_FMT_MJPEG;
+    if (is_jpeg) answer.flags = V4L2_FMT_FLAG_COMPRESSED;
+    write_text(answer.description, is_jpeg ? "Motion-JPEG" : "Uncompressed");
+    return 0;
+  }
+  const auto knows = [&](std::uint32_t fourcc) {
+    return std::find(options_.fourccs.begin(), options_.fourccs.end(), fourcc) !=
+           options_.fourccs.end();
+  };
+  if (request == VIDIOC_ENUM_FRAMESIZES) {
+    auto& answer = *static_cast<v4l2_frmsizeenum*>(argument);
+    if (!knows(answer.pixel_format) || answer.index >= options_.sizes.size()) return EINVAL;
+    answer.type = V4L2_FRMSIZE_TYPE_DISCRETE;
+    std::tie(answer.discrete.width, answer.discrete.height) = options_.sizes[answer.index];
+    std::memset(answer.reserved, 0, sizeof answer.reserved);
+    return 0;
+  }
+  auto& answer = *static_cast<v4l2_frmivalenum*>(argument);
+  const auto size = std::find(
+      options_.sizes.begin(), options_.sizes.end(), std::pair(answer.width, answer.height));
+  if (!knows(answer.pixel_format) || size == options_.sizes.end() ||
+      answer.index >= options_.rates.size())
+    return EINVAL;
+  answer.type = V4L2_FRMIVAL_TYPE_DISCRETE;
+  answer.discrete = {1, options_.rates[answer.index]};
+  std::memset(answer.reserved, 0, sizeof answer.reserved);
+  return 0;
+}
+
+/// The nearest that the camera has.
+void FakeCamera::adjust(v4l2_pix_format& picture) const {
+  const auto wish = std::pair(picture.width, picture.height);
+  const auto& fourccs = options_.fourccs;
+  if (std::find(fourccs.begin(), fourccs.end(), picture.pixelformat) == fourccs.end())
+    picture.pixelformat = fourccs.front();
+  const auto distance = [&](const std::pair<std::uint32_t, std::uint32_t>& size) {
+    return std::abs(std::int64_t{size.first} - std::int64_t{wish.first}) +
+           std::abs(std::int64_t{size.second} - std::int64_t{wish.second});
+  };
+  const auto nearest = std::min_element(
+      options_.sizes.begin(), options_.sizes.end(), [&](const auto& a, const auto& b) {
+        return distance(a) < distance(b);
+      });
+  std::tie(picture.width, picture.height) = *nearest;
+  if (is_refusing_size_) picture.width = 160, picture.height = 120;
+  const bool is_jpeg = picture.pixelformat == V4L2_PIX_FMT_MJPEG;
+  picture.field = V4L2_FIELD_NONE;
+  picture.bytesperline = is_jpeg ? 0 : picture.width * bytes_per_pixel(picture.pixelformat);
+  picture.sizeimage = picture.width * picture.height * 2;
+  picture.colorspace = is_jpeg ? V4L2_COLORSPACE_JPEG : V4L2_COLORSPACE_SRGB;
+  picture.priv = V4L2_PIX_FMT_PRIV_MAGIC;
+  picture.flags = 0;
+  picture.ycbcr_enc = V4L2_YCBCR_ENC_DEFAULT;
+  picture.quantization = V4L2_QUANTIZATION_DEFAULT;
+  picture.xfer_func = V4L2_XFER_FUNC_DEFAULT;
+}
+
+int FakeCamera::format(unsigned long request, void* argument, const Handle& handle) {
+  auto& answer = *static_cast<v4l2_format*>(argument);
+  if (answer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || options_.is_metadata) return EINVAL;
+  if (request == VIDIOC_G_FMT) {
+    std::memset(&answer.fmt, 0, sizeof answer.fmt);
+    answer.fmt.pix = picture_;
+    return 0;
+  }
+  adjust(answer.fmt.pix);
+  if (request == VIDIOC_TRY_FMT) return 0;
+  if (owner_ != nullptr && (owner_ != &handle || !buffers_.empty())) return EBUSY;
+  picture_ = answer.fmt.pix;
+  return 0;
+}
+
+int FakeCamera::rate(unsigned long request, void* argument) {
+  auto& answer = *static_cast<v4l2_streamparm*>(argument);
+  if (answer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE) return EINVAL;
+  if (request == VIDIOC_S_PARM) {
+    const v4l2_fract wish = answer.parm.capture.timeperframe;
+    const double per_second =
+        wish.numerator == 0 ? 0 : static_cast<double>(wish.denominator) / wish.numerator;
+    const auto nearest = std::min_element(
+        options_.rates.begin(), options_.rates.end(), [&](std::uint32_t a, std::uint32_t b) {
+          return std::abs(a - per_second) < std::abs(b - per_second);
+        });
+    seconds_ = {1, per_second > 0 ? *nearest : options_.rates.front()};
+  }
+  std::memset(&answer.parm, 0, sizeof answer.parm);
+  answer.parm.capture.capability = V4L2_CAP_TIMEPERFRAME;
+  answer.parm.capture.timeperframe = seconds_;
+  answer.parm.capture.readbuffers = 4;
+  return 0;
+}
+
+int FakeCamera::input(unsigned long request, void* argument) {
+  if (request == VIDIOC_G_INPUT) return *static_cast<int*>(argument) = 0;
+  if (request == VIDIOC_S_INPUT) return *static_cast<int*>(argument) == 0 ? 0 : EINVAL;
+  auto& answer = *static_cast<v4l2_input*>(argument);
+  if (answer.index != 0) return EINVAL;
+  std::memset(&answer, 0, sizeof answer);
+  write_text(answer.name, "Camera 1");
+  answer.type = V4L2_INPUT_TYPE_CAMERA;
+  return 0;
+}
+
+int FakeCamera::request_buffers(Handle& handle, v4l2_requestbuffers& request) {
+  if (request.type != V4L2_BUF_TYPE_VIDEO_CAPTURE) return EINVAL;
+  request.capabilities = V4L2_BUF_CAP_SUPPORTS_MMAP | V4L2_BUF_CAP_SUPPORTS_ORPHANED_BUFS;
+  request.flags = 0;
+  if (request.memory != kBufferMemory) return EINVAL;
+  if (owner_ != nullptr && owner_ != &handle) return EBUSY;
+  if (request.count == 0) stop_stream();
+  if (is_streaming_) return EBUSY;
+  free_buffers();
+  if (request.count == 0) return 0;
+  request.count = std::clamp(request.count, 2U, 32U);
+  const std::uint32_t stride = (picture_.sizeimage + kPage - 1) / kPage * kPage;
+  memory_ = memfd_create("fake_camera", MFD_CLOEXEC);
+  const std::size_t size = std::size_t{stride} * request.count;
+  if (ftruncate(memory_, static_cast<off_t>(size)) != 0) return ENOMEM;
+  mapped_ = {static_cast<std::uint8_t*>(raw_map(size, memory_)), size};
+  for (std::uint32_t i = 0; i < request.count; ++i) {
+    Buffer buffer{};
+    buffer.state.index = i;
+    buffer.state.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    buffer.state.memory = kBufferMemory;
+    buffer.state.length = picture_.sizeimage;
+    buffer.state.m.offset = i * stride;
+    buffer.state.flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
+    buffers_.push_back(buffer);
+  }
+  owner_ = &handle;
+  return 0;
+}
+
+void FakeCamera::free_buffers() {
+  if (!mapped_.empty()) syscall(SYS_munmap, mapped_.data(), mapped_.size());
+  if (memory_ >= 0) syscall(SYS_close, memory_);
+  mapped_ = {};
+  memory_ = -1;
+  buffers_.clear();
+  owner_ = nullptr;
+}
+
+int FakeCamera::query_buffer(const Handle&, v4l2_buffer& buffer) const {
+  if (buffer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || buffer.index >= buffers_.size()) return EINVAL;
+  const Buffer& kept = buffers_[buffer.index];
+  buffer = kept.state;
+  if (kept.is_queued) buffer.flags |= V4L2_BUF_FLAG_QUEUED;
+  if (kept.is_done) buffer.flags |= V4L2_BUF_FLAG_DONE;
+  return 0;
+}
+
+int FakeCamera::queue_buffer(Handle& handle, v4l2_buffer& buffer) {
+  if (buffer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || buffer.memory != kBufferMemory ||
+      buffer.index >= buffers_.size())
+    return EINVAL;
+  if (owner_ != &handle) return EBUSY;
+  Buffer& kept = buffers_[buffer.index];
+  if (kept.is_queued || kept.is_done) return EINVAL;
+  kept.is_queued = true;
+  kept.state.flags &= ~static_cast<std::uint32_t>(V4L2_BUF_FLAG_ERROR);
+  kept.state.bytesused = 0;
+  queued_.push_back(buffer.index);
+  return query_buffer(handle, buffer);
+}
+
+int FakeCamera::take_buffer(Handle& handle, v4l2_buffer& buffer) {
+  if (buffer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || buffer.memory != kBufferMemory) return EINVAL;
+  if (owner_ != nullptr && owner_ != &handle) return EBUSY;
+  if (!is_streaming_) return EINVAL;
+  if (done_.empty()) return EAGAIN;
+  char byte = 0;
+  syscall(SYS_recvfrom, handle.descriptor, &byte, 1, MSG_DONTWAIT, nullptr, nullptr);
+  Buffer& kept = buffers_[done_.front()];
+  done_.pop_front();
+  kept.is_done = false;
+  buffer = kept.state;
+  return 0;
+}
+
+int FakeCamera::stream(Handle& handle, bool is_on, int type) {
+  if (type != V4L2_BUF_TYPE_VIDEO_CAPTURE) return EINVAL;
+  if (owner_ != nullptr && owner_ != &handle) return EBUSY;
+  if (!is_on) {
+    stop_stream();
+    return 0;
+  }
+  if (buffers_.empty()) return EINVAL;
+  if (!is_streaming_) sequence_ = 0;
+  is_streaming_ = true;
+  return 0;
+}
+
+void FakeCamera::stop_stream() {
+  is_streaming_ = false;
+  queued_.clear();
+  done_.clear();
+  for (Buffer& buffer : buffers_) buffer.is_queued = buffer.is_done = false;
+  char byte = 0;
+  while (owner_ != nullptr &&
+         syscall(SYS_recvfrom, owner_->descriptor, &byte, 1, MSG_DONTWAIT, nullptr, nullptr) > 0) {
+  }
+}
+
+void FakeCamera::deliver() {
+  if (!is_streaming_ || is_stalled_ || !is_plugged_) return;
+  const std::uint32_t sequence = sequence_++;
+  if (queued_.empty()) return;  // nobody gave a buffer in time: this frame is lost
+  const std::uint32_t index = queued_.front();
+  queued_.pop_front();
+  Buffer& buffer = buffers_[index];
+  buffer.is_queued = false;
+  buffer.is_done = true;
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  buffer.state.timestamp = {now.tv_sec, now.tv_nsec / 1000};
+  buffer.state.sequence = sequence;
+  buffer.state.field = V4L2_FIELD_NONE;
+  buffer.state.bytesused = fill(mapped_.subspan(buffer.state.m.offset, buffer.state.length));
+  if (truncated_ > 0) --truncated_, buffer.state.bytesused /= 2;
+  if (damaged_ > 0) --damaged_, buffer.state.flags |= V4L2_BUF_FLAG_ERROR;
+  done_.push_back(index);
+  ++filled_;
+  const char byte = 0;
+  syscall(SYS_sendto, owner_->peer, &byte, 1, MSG_NOSIGNAL | MSG_DONTWAIT, nullptr, 0);
+}
+
+std::uint32_t FakeCamera::fill(std::span<std::uint8_t> memory) {
+  const std::uint64_t sequence = sequence_ - 1;
+  const std::uint32_t width = picture_.width, height = picture_.height;
+  if (picture_.pixelformat == V4L2_PIX_FMT_MJPEG) {
+    const auto& jpeg = [&]() -> const std::vector<std::uint8_t>& {
+      if (!options_.packets.empty()) return options_.packets[sequence % options_.packets.size()];
+      auto& made = jpegs_[{width, sequence % 128}];
+      if (!made.empty()) return made;
+      std::vector<std::uint8_t> rgb;
+      rgb.reserve(std::size_t{3} * width * height);
+      for (std::uint32_t v = 0; v < height; ++v)
+        for (std::uint32_t u = 0; u < width; ++u)
+          rgb.insert(rgb.end(), 3, truth(sequence % 128, u, v));
+      return made = jpeg_of(rgb, width, height, options_.jpeg_quality);
+    }();
+    std::memcpy(memory.data(), jpeg.data(), jpeg.size());
+    return static_cast<std::uint32_t>(jpeg.size());
+  }
+  std::size_t at = 0;
+  for (std::uint32_t v = 0; v < height; ++v) {
+    for (std::uint32_t u = 0; u < width; ++u) {
+      const std::uint8_t grey = truth(sequence, u, v);
+      if (picture_.pixelformat == V4L2_PIX_FMT_Y16)
+        memory[at++] = 0x5A;  // the low byte, which must not show
+      memory[at++] = grey;
+      if (picture_.pixelformat == V4L2_PIX_FMT_YUYV) memory[at++] = 0x80;
+    }
+  }
+  return static_cast<std::uint32_t>(at);
+}
+
+}  // namespace alltact::test
