@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   add_reconstruct(program, chosen);
   add_check(program, chosen);
   add_export(program, chosen);
+  add_devices(program, chosen);
   add_demo(program, chosen);
   bool json = false;
   for (CLI::App* command : program.get_subcommands({}))

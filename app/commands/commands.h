@@ -94,6 +94,13 @@ struct DemoOptions {
 /// A whole day of a simulated finger, and what was measured against the truth.
 Status run_demo(const DemoOptions& options, Console& console);
 
+struct DevicesOptions {
+  bool details = false;       ///< every format and control, too
+  bool learn_button = false;  ///< waits for a button and says how to recognise it
+};
+/// Lists cameras and HID devices, with what is wrong with those that cannot be used.
+Status run_devices(const DevicesOptions& options, Console& console);
+
 /// Set by the command that was chosen on the command line.
 using Chosen = std::function<Status(Console&)>;
 
@@ -105,6 +112,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);
 void add_export(CLI::App& program, Chosen& chosen);
 void add_demo(CLI::App& program, Chosen& chosen);
+void add_devices(CLI::App& program, Chosen& chosen);
 
 /// Warns of what Finger::load found strange.
 [[nodiscard]] Result<Finger> load_finger(const Path& folder, Console& console);

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <sstream>
 #include <string_view>
 
 #include <libudev.h>
@@ -29,11 +30,11 @@ CameraIdentity identity_of(udev_device* device) {
   identity.node = text_or_empty(udev_device_get_devnode(device));
   identity.name = text_or_empty(udev_device_get_sysattr_value(device, "name"));
   identity.serial = text_or_empty(udev_device_get_property_value(device, "ID_SERIAL_SHORT"));
-  for (udev_list_entry* link = udev_device_get_devlinks_list_entry(device); link != nullptr;
-       link = udev_list_entry_get_next(link)) {
-    const fs::path path = text_or_empty(udev_list_entry_get_name(link));
-    if (path.parent_path() == "/dev/v4l/by-id") identity.by_id = path.filename().string();
-    if (path.parent_path() == "/dev/v4l/by-path") identity.by_path = path.filename().string();
+  std::istringstream links(text_or_empty(udev_device_get_property_value(device, "DEVLINKS")));
+  for (std::string word; links >> word;) {
+    const fs::path link = word;
+    if (link.parent_path() == "/dev/v4l/by-id") identity.by_id = link.filename().string();
+    if (link.parent_path() == "/dev/v4l/by-path") identity.by_path = link.filename().string();
   }
   return identity;
 }

@@ -1,0 +1,162 @@
+#include "app/commands/commands.h"
+#include "core/sources/hid/hid_button.h"
+#include "core/sources/v4l2/camera_list.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+using Json = Console::Json;
+
+constexpr int kPatience_ms = 20'000;
+
+Json format_json(const CameraFormat& format) {
+  Json json;
+  json["pixels"] = fourcc_text(format.fourcc);
+  json["width_px"] = format.width_px;
+  json["height_px"] = format.height_px;
+  if (format.frames_per_second() > 0) json["frames_per_second"] = format.frames_per_second();
+  json["readable"] = can_decode(format.fourcc);
+  return json;
+}
+
+Json control_json(const CameraControl& control) {
+  Json json;
+  json["id"] = control.id;
+  json["name"] = control.name;
+  json["type"] = to_string(control.type);
+  json["low"] = control.low;
+  json["high"] = control.high;
+  json["step"] = control.step;
+  json["default"] = control.default_value;
+  json["value"] = control.value;
+  for (const MenuItem& item : control.menu)
+    json["menu"].push_back({{"value", item.value}, {"name", item.name}});
+  json["read_only"] = control.is_read_only;
+  json["automatic_has_it"] = control.is_inactive;
+  return json;
+}
+
+Json camera_json(const FoundCamera& camera) {
+  const CameraIdentity& identity = camera.identity;
+  Json json;
+  json["node"] = identity.node;
+  json["name"] = identity.name;
+  for (const auto& [key, text] : {std::pair{"by_id", &identity.by_id},
+                                  {"by_path", &identity.by_path},
+                                  {"serial", &identity.serial},
+                                  {"bus", &identity.bus},
+                                  {"driver", &identity.driver}})
+    if (!text->empty()) json[key] = *text;
+  json["usable"] = !camera.problem.has_value();
+  if (camera.problem) json["problem"] = camera.problem->sentence();
+  json["formats"] = Json::array();
+  for (const CameraFormat& format : camera.formats) json["formats"].push_back(format_json(format));
+  json["controls"] = Json::array();
+  for (const CameraControl& control : camera.controls)
+    json["controls"].push_back(control_json(control));
+  return json;
+}
+
+std::string control_line(const CameraControl& control) {
+  std::string line = fmt::format("    {}: {} ({} to {} in steps of {}, default {})",
+                                 control.name,
+                                 control.value,
+                                 control.low,
+                                 control.high,
+                                 control.step,
+                                 control.default_value);
+  for (const MenuItem& item : control.menu) line += fmt::format(", {} = {}", item.value, item.name);
+  if (control.is_inactive) line += ", set by an automatic mode now";
+  return line;
+}
+
+void say_camera(const FoundCamera& camera, bool details, Console& console) {
+  const CameraIdentity& identity = camera.identity;
+  const auto best = choose_format(camera.formats, {}, identity.node);
+  const std::string state = camera.problem ? "cannot be used: " + camera.problem->sentence()
+                            : best.ok()    ? best->text()
+                                           : best.error().sentence();
+  console.say(fmt::format(
+      "camera  {} ({}, {}): {}", identity.lasting(), identity.node, identity.name, state));
+  if (!details) return;
+  for (const CameraFormat& format : camera.formats)
+    console.say(fmt::format(
+        "    {}{}", format.text(), can_decode(format.fourcc) ? "" : " (cannot be read here)"));
+  for (const CameraControl& control : camera.controls) console.say(control_line(control));
+}
+
+void say_hid(const FoundHid& hid, Console& console) {
+  const HidIdentity& identity = hid.identity;
+  console.say(fmt::format(
+      "hid     {} ({}, {}): {}",
+      identity.lasting(),
+      identity.node,
+      identity.name,
+      hid.problem ? "cannot be used: " + hid.problem->sentence() : std::string("can be used")));
+}
+
+/// Also a terminal that shows no progress must hear what to do.
+Status learn(const std::vector<FoundHid>& hids, Console& console) {
+  std::vector<std::unique_ptr<HidPort>> ports;
+  std::vector<std::string> names;
+  for (const FoundHid& hid : hids) {
+    auto port = hid.problem ? *hid.problem : open_hid(hid.identity.node);
+    if (!port) continue;
+    ports.push_back(std::move(*port));
+    names.push_back(hid.identity.lasting());
+  }
+  if (ports.empty())
+    return Error{"there is no HID device that can be read", "", "plug in a pedal, or see above"};
+  std::vector<HidPort*> listening;
+  for (const auto& port : ports) listening.push_back(port.get());
+  console.warn("Leave the button alone for a second, then press and release it twice.");
+  const auto found = learn_button(listening, kPatience_ms, console.job());
+  if (!found) return found.error();
+  const std::string& device = names[found->first];
+  const std::string pattern = found->second.text();
+  console.say(fmt::format("button  {} {}", device, pattern));
+  console.answer()["button"] = {{"device", device}, {"pattern", pattern}};
+  return {};
+}
+
+}  // namespace
+
+Status run_devices(const DevicesOptions& options, Console& console) {
+  const auto cameras = list_cameras(kernel_calls(), true);
+  const auto hids = list_hids();
+  Json& answer = console.answer();
+  answer["cameras"] = answer["hid"] = Json::array();
+  for (const FoundCamera& camera : cameras) {
+    say_camera(camera, options.details, console);
+    answer["cameras"].push_back(camera_json(camera));
+  }
+  if (cameras.empty()) console.say("No camera was found.");
+  for (const FoundHid& hid : hids) {
+    say_hid(hid, console);
+    Json json = {{"node", hid.identity.node},
+                 {"device", hid.identity.lasting()},
+                 {"name", hid.identity.name},
+                 {"usable", !hid.problem.has_value()}};
+    if (hid.problem) json["problem"] = hid.problem->sentence();
+    answer["hid"].push_back(std::move(json));
+  }
+  if (hids.empty()) console.say("No HID device (pedal, dimmer) was found.");
+  return options.learn_button ? learn(hids, console) : Status();
+}
+
+void add_devices(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<DevicesOptions>();
+  CLI::App* command = program.add_subcommand(
+      "devices", "Cameras and HID devices found, with what is wrong with those that can't be used");
+  command->add_flag("--details", options->details, "Every format and control of each camera");
+  command->add_flag(
+      "--learn-button",
+      options->learn_button,
+      "Waits for a pedal or button to be pressed twice and says how to know it again");
+  command->callback(
+      [=, &chosen] { chosen = [=](Console& console) { return run_devices(*options, console); }; });
+}
+
+}  // namespace alltact

@@ -1,0 +1,91 @@
+// A foot pedal or any other button: learnt by pressing it, then recognised.
+#pragma once
+
+#include "core/job.h"
+#include "core/result.h"
+#include "core/sources/hid/hid_port.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace alltact {
+
+/// What a device's reports have in common while the button is held.
+struct ButtonPattern {
+  struct Byte {
+    std::size_t at = 0;
+    std::uint8_t mask = 0;   ///< the bits that change
+    std::uint8_t value = 0;  ///< these bits while pressed
+    bool operator==(const Byte&) const = default;
+  };
+  std::size_t report_bytes = 0;
+  std::vector<Byte> bytes;
+
+  [[nodiscard]] bool is_pressed(const std::vector<std::uint8_t>& report) const;
+  /// "8 2:ff=05,3:01=01": bytes of a report, then place:mask=value of each that matters.
+  [[nodiscard]] std::string text() const;
+  /// Error: not of that form.
+  static Result<ButtonPattern> parse(const std::string& text);
+  bool operator==(const ButtonPattern&) const = default;
+};
+
+/// Learns from reports alone. Feed it what comes while nothing is pressed (may be nothing, for a
+/// device that only reports changes), then call begin(), then feed it two presses.
+class ButtonLearner {
+ public:
+  void begin() { is_begun_ = true; }
+  void feed(const std::vector<std::uint8_t>& report);
+  /// Two presses that agree were seen.
+  [[nodiscard]] const std::optional<ButtonPattern>& pattern() const { return pattern_; }
+  [[nodiscard]] int presses() const { return presses_; }
+
+ private:
+  void feed_rest(const std::vector<std::uint8_t>& report);
+  void finish_press(const std::vector<std::uint8_t>& released);
+
+  bool is_begun_ = false;
+  std::vector<std::uint8_t> rest_, noise_, pressed_;
+  std::optional<ButtonPattern> candidate_, pattern_;
+  int presses_ = 0;
+};
+
+/// Listens to all ports for `patience_ms` and gives the index of the one whose button was pressed
+/// twice, with its pattern. Reports "press it now" to the job once the devices' rest is known.
+/// Errors: nothing was pressed, or the job was stopped.
+[[nodiscard]] Result<std::pair<std::size_t, ButtonPattern>> learn_button(
+    const std::vector<HidPort*>& ports, int patience_ms, const Job& job);
+
+/// Calls `on_press` once for each press, from a thread of its own. When the device is unplugged it
+/// waits for it to come back.
+class HidButton {
+ public:
+  using Opener = std::function<Result<std::unique_ptr<HidPort>>()>;
+  HidButton(Opener open, ButtonPattern pattern, std::function<void()> on_press);
+  ~HidButton();
+  HidButton(const HidButton&) = delete;
+  HidButton& operator=(const HidButton&) = delete;
+
+  /// Why presses are not heard now. Any thread.
+  [[nodiscard]] Status status() const;
+
+ private:
+  void run();
+  void listen(HidPort& port);
+  void set_status(Status status);
+
+  Opener open_;
+  ButtonPattern pattern_;
+  std::function<void()> on_press_;
+  mutable std::mutex mutex_;
+  Status status_;
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,143 @@
+#include "core/sources/hid/hid_port.h"
+
+#include <cerrno>
+#include <cstring>
+#include <mutex>
+
+#include <hidapi/hidapi.h>
+#include <unistd.h>
+
+namespace alltact {
+namespace {
+
+constexpr std::size_t kLongestReport = 4096;
+
+/// hidapi's listing and opening share state.
+std::mutex& hidapi_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::string narrow(const wchar_t* text) {
+  std::string narrow;
+  for (; text != nullptr && *text != 0; ++text)
+    narrow += *text > 31 && *text < 127 ? static_cast<char>(*text) : '?';
+  return narrow;
+}
+
+Error no_access(const HidIdentity& identity, int error_number) {
+  if (error_number != EACCES && error_number != EPERM)
+    return {fmt::format("the device cannot be opened: {}", std::strerror(error_number)),
+            identity.node,
+            "unplug it and plug it in again"};
+  return {
+      "access to the device is not allowed",
+      fmt::format("{} ({})", identity.node, identity.lasting()),
+      fmt::format("install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in "
+                  "again; a device it does not name needs this line in it: KERNEL==\"hidraw*\", "
+                  "ATTRS{{idVendor}}==\"{:04x}\", ATTRS{{idProduct}}==\"{:04x}\", "
+                  "TAG+=\"uaccess\"",
+                  identity.vendor,
+                  identity.product)};
+}
+
+Error unplugged(const std::string& name) {
+  return {"the device was unplugged", name, "plug it in again"};
+}
+
+class HidapiPort : public HidPort {
+ public:
+  HidapiPort(hid_device* device, std::string name) : device_(device), name_(std::move(name)) {}
+  ~HidapiPort() override { hid_close(device_); }
+  HidapiPort(const HidapiPort&) = delete;
+  HidapiPort& operator=(const HidapiPort&) = delete;
+
+  Result<std::vector<std::uint8_t>> read(int timeout_ms) override {
+    std::vector<std::uint8_t> report(kLongestReport);
+    const int size = hid_read_timeout(device_, report.data(), report.size(), timeout_ms);
+    if (size < 0) return unplugged(name_);
+    report.resize(static_cast<std::size_t>(size));
+    return report;
+  }
+  Status write(std::span<const std::uint8_t> report) override {
+    return sent(hid_write(device_, report.data(), report.size()));
+  }
+  Status send_feature(std::span<const std::uint8_t> report) override {
+    return sent(hid_send_feature_report(device_, report.data(), report.size()));
+  }
+
+ private:
+  [[nodiscard]] Status sent(int size) const {
+    if (size >= 0) return {};
+    return Error{"the device took no report", name_, "plug it in again, and check its description"};
+  }
+
+  hid_device* device_;
+  std::string name_;
+};
+
+bool answers_to(const HidIdentity& identity, const std::string& wanted) {
+  const std::string lasting = identity.lasting();
+  const std::string pair = fmt::format("{:04x}:{:04x}", identity.vendor, identity.product);
+  const std::string without_interface = lasting.substr(0, lasting.rfind('/'));
+  return !wanted.empty() && (wanted == identity.node || wanted == identity.serial ||
+                             wanted == lasting || wanted == pair || wanted == without_interface);
+}
+
+}  // namespace
+
+std::string HidIdentity::lasting() const {
+  std::string text = fmt::format("{:04x}:{:04x}", vendor, product);
+  if (!serial.empty()) text += ":" + serial;
+  if (interface >= 0) text += fmt::format("/{}", interface);
+  return text;
+}
+
+std::vector<FoundHid> list_hids() {
+  std::vector<FoundHid> found;
+  const std::lock_guard lock(hidapi_mutex());
+  hid_device_info* all = hid_enumerate(0, 0);
+  for (const hid_device_info* info = all; info != nullptr; info = info->next) {
+    FoundHid hid;
+    hid.identity.node = info->path;
+    hid.identity.vendor = info->vendor_id;
+    hid.identity.product = info->product_id;
+    hid.identity.serial = narrow(info->serial_number);
+    hid.identity.name = narrow(info->product_string);
+    hid.identity.interface = info->interface_number;
+    // A device with several uses is listed once for each.
+    if (!found.empty() && found.back().identity.node == hid.identity.node) continue;
+    if (access(info->path, R_OK | W_OK) != 0) hid.problem = no_access(hid.identity, errno);
+    found.push_back(std::move(hid));
+  }
+  hid_free_enumeration(all);
+  std::sort(found.begin(), found.end(), [](const FoundHid& a, const FoundHid& b) {
+    return std::pair(a.identity.node.size(), a.identity.node) <
+           std::pair(b.identity.node.size(), b.identity.node);
+  });
+  return found;
+}
+
+Result<std::unique_ptr<HidPort>> open_hid(const std::string& wanted) {
+  const auto hids = list_hids();
+  std::string names;
+  for (const FoundHid& hid : hids) {
+    const HidIdentity& identity = hid.identity;
+    if (!answers_to(identity, wanted)) {
+      names +=
+          fmt::format("{}{} ({})", names.empty() ? "" : ", ", identity.lasting(), identity.name);
+      continue;
+    }
+    if (hid.problem) return *hid.problem;
+    const std::lock_guard lock(hidapi_mutex());
+    hid_device* device = hid_open_path(identity.node.c_str());
+    if (device == nullptr) return no_access(identity, errno == 0 ? EIO : errno);
+    return std::unique_ptr<HidPort>(std::make_unique<HidapiPort>(device, identity.lasting()));
+  }
+  return Error{
+      names.empty() ? "no HID device was found" : "there is no such HID device; there is " + names,
+      wanted,
+      "plug it in; 'alltact devices' lists what is found"};
+}
+
+}  // namespace alltact

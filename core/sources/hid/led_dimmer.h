@@ -1,0 +1,61 @@
+// The brightness of the finger's LEDs, through a USB HID device.
+#pragma once
+
+#include "core/result.h"
+#include "core/sources/hid/hid_port.h"
+
+#include <memory>
+#include <string>
+
+namespace alltact {
+
+/// How a device wants to be told the brightness, for devices that the program does not know.
+struct DimmerReport {
+  bool is_feature = false;  ///< else an output report
+  std::uint8_t id = 0;      ///< 0 where the device has no ids
+  std::size_t bytes = 1;    ///< of the report without its id, 1..4095
+  std::size_t at = 0;       ///< which byte of these; a high above 255 takes two, low byte first
+  unsigned low = 0, high = 255;  ///< dark and bright, up to 65535; low > high turns it round
+
+  /// "output id=0 bytes=8 at=1 range=0..255" (or feature). Error: not of that form or impossible.
+  static Result<DimmerReport> parse(const std::string& text);
+  [[nodiscard]] std::string text() const;
+  bool operator==(const DimmerReport&) const = default;
+};
+
+/// What a calibration stores of the light.
+struct DimmerSetting {
+  std::string device;   ///< HidIdentity::lasting()
+  std::string control;  ///< "mcp2221a gp2", "mcp2221a gp3", or a DimmerReport
+  double level = 0;     ///< 0 dark, 1 full, as set: rounded to the device's steps
+};
+
+/// One thread.
+class LedDimmer {
+ public:
+  /// control as in DimmerSetting. The MCP2221A's converter has 32 steps between 0 V and its supply;
+  /// the other pins and the analogue inputs keep their settings. Error: `control` is not
+  /// understood, or the chip does not answer.
+  static Result<LedDimmer> create(std::unique_ptr<HidPort> port,
+                                  const std::string& device,
+                                  const std::string& control);
+
+  /// level in [0, 1]. Error: outside, or the device did not take it.
+  [[nodiscard]] Status set(double level);
+  [[nodiscard]] const DimmerSetting& setting() const { return setting_; }
+
+ private:
+  LedDimmer() = default;
+  [[nodiscard]] Status set_pin_up();
+  [[nodiscard]] Status set_converter(unsigned step);
+  [[nodiscard]] Status set_report(unsigned step);
+  [[nodiscard]] Result<std::vector<std::uint8_t>> ask_chip(
+      const std::vector<std::uint8_t>& command);
+
+  std::unique_ptr<HidPort> port_;
+  DimmerSetting setting_;
+  int pin_ = 0;  // of the MCP2221A; 0: described by report_
+  DimmerReport report_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,208 @@
+#include "core/sources/hid/hid_button.h"
+#include "core/sources/hid/led_dimmer.h"
+#include "tests/rigs/test_bed.h"
+
+#include <atomic>
+#include <cstring>
+#include <mutex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <linux/hidraw.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace alltact {
+namespace {
+
+using test::TestBed;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Report = std::vector<std::uint8_t>;
+
+/// The kernel's half of a made-up /dev/hidraw0: its ioctls, and reports both ways.
+class Device {
+ public:
+  explicit Device(TestBed& bed) : bed_(bed), handler_(umockdev_ioctl_base_new()) {
+    g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(&Device::on_ioctl), this);
+    GError* error = nullptr;
+    if (umockdev_testbed_attach_ioctl(bed_.get(), "/dev/hidraw0", handler_, &error) == 0)
+      throw std::runtime_error(error->message);
+    descriptor_ = umockdev_testbed_get_dev_fd(bed_.get(), "/dev/hidraw0");
+    termios raw{};
+    tcgetattr(descriptor_, &raw);
+    cfmakeraw(&raw);
+    tcsetattr(descriptor_, TCSANOW, &raw);
+  }
+  ~Device() {
+    umockdev_testbed_detach_ioctl(bed_.get(), "/dev/hidraw0", nullptr);
+    g_object_unref(handler_);
+  }
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  void say(const Report& report) const {
+    ASSERT_EQ(::write(descriptor_, report.data(), report.size()),
+              static_cast<ssize_t>(report.size()));
+    // Two reports at once would merge into one on this kind of node.
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  }
+  [[nodiscard]] Report hear() const {
+    Report report(4096);
+    const auto size = ::read(descriptor_, report.data(), report.size());
+    report.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+    return report;
+  }
+  [[nodiscard]] Report feature() {
+    const std::lock_guard lock(mutex_);
+    return feature_;
+  }
+
+ private:
+  static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
+    return static_cast<Device*>(self)->answer(client);
+  }
+  gboolean answer(UMockdevIoctlClient* client) {
+    static constexpr std::uint8_t kDescriptor[] = {0x06, 0x00, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0xC0};
+    const gulong request = umockdev_ioctl_client_get_request(client);
+    UMockdevIoctlData* argument = umockdev_ioctl_client_get_arg(client);
+    const std::size_t bytes = _IOC_SIZE(request);
+    UMockdevIoctlData* data = umockdev_ioctl_data_resolve(argument, 0, bytes, nullptr);
+    glong result = 0;
+    if (request == HIDIOCGRDESCSIZE) {
+      int size = sizeof kDescriptor;
+      umockdev_ioctl_data_update(data, 0, reinterpret_cast<guint8*>(&size), sizeof size);
+    } else if (request == HIDIOCGRDESC) {
+      hidraw_report_descriptor descriptor{};
+      descriptor.size = sizeof kDescriptor;
+      std::memcpy(descriptor.value, kDescriptor, sizeof kDescriptor);
+      umockdev_ioctl_data_update(
+          data, 0, reinterpret_cast<guint8*>(&descriptor), sizeof descriptor);
+    } else if (_IOC_TYPE(request) == 'H' && _IOC_NR(request) == 0x06) {  // HIDIOCSFEATURE
+      const std::lock_guard lock(mutex_);
+      feature_.assign(data->data, data->data + data->data_len);
+      result = static_cast<glong>(bytes);
+    } else {
+      umockdev_ioctl_client_complete(client, -1, ENOTTY);
+      return TRUE;
+    }
+    umockdev_ioctl_client_complete(client, result, 0);
+    return TRUE;
+  }
+
+  TestBed& bed_;
+  UMockdevIoctlBase* handler_;
+  int descriptor_ = -1;
+  std::mutex mutex_;
+  Report feature_;
+};
+
+TEST(HidPort, APedalIsFoundLearntHeardAndMissed) {
+  TestBed bed;
+  bed.add(TestBed::hid(0, "0C45", "7403", "FootSwitch"));
+  const Device pedal(bed);
+  const auto hids = list_hids();
+  ASSERT_EQ(hids.size(), 1U);
+  EXPECT_EQ(hids[0].identity.lasting(), "0c45:7403/0");
+  EXPECT_EQ(hids[0].identity.name, "FootSwitch");
+  EXPECT_FALSE(hids[0].problem.has_value());
+
+  const Report down = {1, 0, 5, 0}, up = {1, 0, 0, 0};
+  ButtonPattern pattern;
+  {
+    const auto port = open_hid("0c45:7403");
+    ASSERT_TRUE(port.ok()) << port.error().sentence();
+    std::thread foot([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(700));
+      for (int i = 0; i < 2; ++i) {
+        pedal.say(down);
+        pedal.say(up);
+      }
+    });
+    const auto found = learn_button({port->get()}, 5000, Job());
+    foot.join();
+    ASSERT_TRUE(found.ok()) << found.error().sentence();
+    pattern = found->second;
+    EXPECT_EQ(pattern.text(), "4 2:05=05");
+  }
+  std::atomic<int> presses{0};
+  const HidButton button([] { return open_hid("0c45:7403/0"); }, pattern, [&] { ++presses; });
+  while (!open_hid("0c45:7403/0").ok()) {
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  for (int i = 0; i < 3; ++i) {
+    pedal.say(down);
+    pedal.say(up);
+  }
+  EXPECT_EQ(presses, 3);
+}
+
+TEST(HidPort, WhatIsNotThereIsNamedWithWhatIs) {
+  TestBed bed;
+  EXPECT_THAT(open_hid("0c45:7403").error().sentence(), HasSubstr("no HID device was found"));
+  bed.add(TestBed::hid(0, "04D8", "00DD", "MCP2221"));
+  EXPECT_THAT(open_hid("0c45:7403").error().sentence(),
+              AllOf(HasSubstr("no such HID device"), HasSubstr("04d8:00dd/0 (MCP2221)")));
+}
+
+TEST(HidPort, WithoutAccessTheRuleToInstallIsNamed) {
+  TestBed bed;
+  bed.add(TestBed::hid(0, "ABCD", "0123", "Pedal"));
+  const std::string root = umockdev_testbed_get_root_dir(bed.get());
+  chmod(root.c_str(), 0755);
+  chmod((root + "/dev/hidraw0").c_str(), 0600);
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const pid_t child = fork();
+  if (child == 0) {  // root may do all; someone else may not
+    if (getuid() != 0 || setuid(65534) == 0) {
+      const auto hids = list_hids();
+      const auto port = open_hid("abcd:0123");
+      const std::string said = hids.size() == 1 && hids[0].problem && !port.ok()
+                                   ? hids[0].problem->sentence() + port.error().sentence()
+                                   : "no problem";
+      [[maybe_unused]] const auto written = ::write(ends[1], said.data(), said.size());
+    }
+    _exit(0);
+  }
+  close(ends[1]);
+  std::string said(4096, ' ');
+  const auto size = ::read(ends[0], said.data(), said.size());
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  said.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  const std::string rule = "ATTRS{idVendor}==\"abcd\", ATTRS{idProduct}==\"0123\"";
+  EXPECT_THAT(
+      said,
+      AllOf(HasSubstr("not allowed"), HasSubstr("packaging/70-alltact.rules"), HasSubstr(rule)));
+  EXPECT_NE(said.find(rule), said.rfind(rule)) << "in the list and on opening: " << said;
+}
+
+TEST(HidPort, ADimmerTakesOutputAndFeatureReports) {
+  TestBed bed;
+  bed.add(TestBed::hid(0, "1209", "0001", "Dimmer"));
+  Device device(bed);
+  {
+    auto port = open_hid("1209:0001");
+    ASSERT_TRUE(port.ok()) << port.error().sentence();
+    auto dimmer =
+        LedDimmer::create(std::move(*port), "1209:0001", "output id=2 bytes=3 at=1 range=0..255");
+    ASSERT_TRUE(dimmer.ok());
+    ASSERT_TRUE(dimmer->set(1).ok());
+    EXPECT_THAT(device.hear(), ElementsAre(2, 0, 255, 0));
+  }
+  auto port = open_hid("1209:0001");
+  ASSERT_TRUE(port.ok()) << port.error().sentence();
+  auto dimmer =
+      LedDimmer::create(std::move(*port), "1209:0001", "feature id=7 bytes=2 at=0 range=0..100");
+  ASSERT_TRUE(dimmer.ok());
+  const Status status = dimmer->set(0.42);
+  ASSERT_TRUE(status.ok()) << status.error().sentence();
+  EXPECT_THAT(device.feature(), ElementsAre(7, 42, 0));
+}
+
+}  // namespace
+}  // namespace alltact
