@@ -11,6 +11,7 @@
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 namespace alltact::test {
@@ -38,6 +39,13 @@ void signal_one(int descriptor) {
 void clear_signal(int descriptor) {
   std::uint64_t count = 0;
   syscall(SYS_read, descriptor, &count, sizeof count);
+}
+
+/// False where the kernel would answer EFAULT.
+bool is_readable(const void* memory, std::size_t bytes) {
+  std::vector<std::uint8_t> copy(bytes);
+  const iovec to{copy.data(), bytes}, from{const_cast<void*>(memory), bytes};
+  return process_vm_readv(getpid(), &to, 1, &from, 1, 0) >= 0 || errno != EFAULT;
 }
 
 int failed(int error_number) {
@@ -172,8 +180,8 @@ int FakeCamera::injected(std::map<unsigned long, Failure>& failures, unsigned lo
 
 int FakeCamera::open(const char* node, int flags) {
   const std::lock_guard lock(mutex_);
-  if (const int error = injected(call_failures_, SYS_open); error != 0) return failed(error);
   if (!is_plugged_ || options_.node != node) return failed(ENOENT);
+  if (const int error = injected(call_failures_, SYS_open); error != 0) return failed(error);
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends) != 0) return -1;
   Handle& handle = handles_[ends[0]];
@@ -202,6 +210,8 @@ int FakeCamera::close(int descriptor) {
 int FakeCamera::ioctl(int descriptor, unsigned long request, void* argument) {
   request &= 0xFFFFFFFFUL;  // some programs pass it sign-extended
   std::unique_lock lock(mutex_);
+  if (_IOC_SIZE(request) > 0 && !is_readable(argument, _IOC_SIZE(request)))
+    return failed(request == VIDIOC_QUERYCAP ? EFAULT : ENOTTY);
   while (true) {
     const auto found = handles_.find(descriptor);
     if (found == handles_.end()) return failed(EBADF);

@@ -34,6 +34,39 @@ std::uint32_t bytes_per_pixel(std::uint32_t fourcc) {
   return fourcc == V4L2_PIX_FMT_GREY ? 1 : 2;
 }
 
+/// What a handle of lower priority may not do.
+bool is_a_change(unsigned long request) {
+  switch (request) {
+    case VIDIOC_S_FMT:
+    case VIDIOC_S_PARM:
+    case VIDIOC_S_INPUT:
+    case VIDIOC_S_CTRL:
+    case VIDIOC_S_EXT_CTRLS:
+    case VIDIOC_S_PRIORITY:
+    case VIDIOC_REQBUFS:
+    case VIDIOC_STREAMON:
+    case VIDIOC_STREAMOFF:
+      return true;
+    default:
+      return false;
+  }
+}
+
+const char* description(std::uint32_t fourcc) {
+  switch (fourcc) {
+    case V4L2_PIX_FMT_MJPEG:
+      return "Motion-JPEG";
+    case V4L2_PIX_FMT_YUYV:
+      return "YUYV 4:2:2";
+    case V4L2_PIX_FMT_GREY:
+      return "8-bit Greyscale";
+    case V4L2_PIX_FMT_Y16:
+      return "16-bit Greyscale";
+    default:
+      return "Other";
+  }
+}
+
 std::vector<std::uint8_t> jpeg_of(const std::vector<std::uint8_t>& rgb,
                                   std::uint32_t width,
                                   std::uint32_t height,
@@ -61,6 +94,9 @@ std::vector<std::uint8_t> jpeg_of(const std::vector<std::uint8_t>& rgb,
 }  // namespace
 
 int FakeCamera::dispatch(Handle& handle, unsigned long request, void* argument) {
+  std::uint32_t highest = V4L2_PRIORITY_UNSET;
+  for (const auto& [descriptor, other] : handles_) highest = std::max(highest, other.priority);
+  if (is_a_change(request) && handle.priority < highest) return EBUSY;
   switch (request) {
     case VIDIOC_QUERYCAP:
     case VIDIOC_ENUM_FMT:
@@ -78,12 +114,9 @@ int FakeCamera::dispatch(Handle& handle, unsigned long request, void* argument) 
     case VIDIOC_G_INPUT:
     case VIDIOC_S_INPUT:
       return input(request, argument);
-    case VIDIOC_G_PRIORITY: {
-      std::uint32_t highest = V4L2_PRIORITY_UNSET;
-      for (const auto& [descriptor, other] : handles_) highest = std::max(highest, other.priority);
+    case VIDIOC_G_PRIORITY:
       *static_cast<std::uint32_t*>(argument) = highest;
       return 0;
-    }
     case VIDIOC_S_PRIORITY:
       handle.priority = *static_cast<std::uint32_t*>(argument);
       return 0;
@@ -172,7 +205,7 @@ int FakeCamera::enumerate(unsigned long request, void* argument) {
     answer.pixelformat = options_.fourccs[index];
     const bool is_jpeg = answer.pixelformat == V4L2_PIX_FMT_MJPEG;
     if (is_jpeg) answer.flags = V4L2_FMT_FLAG_COMPRESSED;
-    write_text(answer.description, is_jpeg ? "Motion-JPEG" : "Uncompressed");
+    write_text(answer.description, description(answer.pixelformat));
     return 0;
   }
   const auto knows = [&](std::uint32_t fourcc) {
@@ -258,7 +291,6 @@ int FakeCamera::rate(unsigned long request, void* argument) {
   std::memset(&answer.parm, 0, sizeof answer.parm);
   answer.parm.capture.capability = V4L2_CAP_TIMEPERFRAME;
   answer.parm.capture.timeperframe = seconds_;
-  answer.parm.capture.readbuffers = 4;
   return 0;
 }
 
@@ -323,7 +355,7 @@ int FakeCamera::query_buffer(const Handle&, v4l2_buffer& buffer) const {
 
 int FakeCamera::queue_buffer(Handle& handle, v4l2_buffer& buffer) {
   if (buffer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || buffer.memory != kBufferMemory ||
-      buffer.index >= buffers_.size())
+      buffer.index >= buffers_.size() || (buffer.flags & V4L2_BUF_FLAG_REQUEST_FD) != 0)
     return EINVAL;
   if (owner_ != &handle) return EBUSY;
   Buffer& kept = buffers_[buffer.index];

@@ -22,19 +22,25 @@ class TestBed {
     if (umockdev_testbed_add_from_string(bed_, text.c_str(), &error) == 0)
       throw std::runtime_error(error->message);
   }
-  void remove(const std::string& sys_path) {
+  /// Both with the path as in the entry ("/devices/...").
+  void tell_added(const std::string& path) {
+    umockdev_testbed_uevent(bed_, ("/sys" + path).c_str(), "add");
+  }
+  void remove(const std::string& path) {
+    const std::string sys_path = "/sys" + path;
     umockdev_testbed_uevent(bed_, sys_path.c_str(), "remove");
     umockdev_testbed_remove_device(bed_, sys_path.c_str());
   }
   [[nodiscard]] UMockdevTestbed* get() const { return bed_; }
 
   /// A camera node; `number` counts nodes, `serial` is also part of its names.
-  static std::string camera(int number, const std::string& serial, int port) {
-    const std::string n = std::to_string(number), p = std::to_string(port);
-    const std::string id = "usb-Fake_Camera_" + serial + "-video-index0";
-    const std::string path = "pci-0000:00:14.0-usb-0:" + p + ":1.0-video-index0";
-    return "P: " + camera_path(number, port) + "\nN: video" + n + "\nS: v4l/by-id/" + id +
-           "\nS: v4l/by-path/" + path + "\nE: SUBSYSTEM=video4linux\nE: DEVNAME=/dev/video" + n +
+  static std::string camera(int number, const std::string& serial, int port, int index = 0) {
+    const std::string n = std::to_string(number), p = std::to_string(port),
+                      i = std::to_string(index);
+    const std::string id = "usb-Fake_Camera_" + serial + "-video-index" + i;
+    const std::string path = "pci-0000:00:14.0-usb-0:" + p + ":1.0-video-index" + i;
+    return "P: " + camera_path(number, port) + "\nN: video" + n +
+           "\nE: SUBSYSTEM=video4linux\nE: DEVNAME=/dev/video" + n +
            "\nE: MAJOR=81\nE: MINOR=" + n + "\nE: ID_SERIAL_SHORT=" + serial +
            "\nE: DEVLINKS=/dev/v4l/by-id/" + id + " /dev/v4l/by-path/" + path +
            "\nA: name=Fake Camera\\n\nA: dev=81:" + n + "\\n\nA: index=0\\n\n\n";

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <map>
 #include <sstream>
 #include <string_view>
 
@@ -39,6 +40,14 @@ CameraIdentity identity_of(udev_device* device) {
   return identity;
 }
 
+/// Cheap cameras share one serial number, so that udev gives them one name, which then is none.
+void drop_shared_names(std::vector<CameraIdentity>& nodes, std::string CameraIdentity::*name) {
+  std::map<std::string, int> count;
+  for (const CameraIdentity& node : nodes) ++count[node.*name];
+  for (CameraIdentity& node : nodes)
+    if (count[node.*name] > 1) (node.*name).clear();
+}
+
 std::vector<CameraIdentity> video_nodes() {
   std::vector<CameraIdentity> nodes;
   const UdevPtr<udev> context(udev_new());
@@ -59,6 +68,8 @@ std::vector<CameraIdentity> video_nodes() {
   std::sort(nodes.begin(), nodes.end(), [](const CameraIdentity& a, const CameraIdentity& b) {
     return std::pair(a.node.size(), a.node) < std::pair(b.node.size(), b.node);
   });
+  drop_shared_names(nodes, &CameraIdentity::by_id);
+  drop_shared_names(nodes, &CameraIdentity::by_path);
   return nodes;
 }
 

@@ -13,9 +13,10 @@
 namespace alltact {
 
 struct CameraIdentity {
-  std::string node;     ///< /dev/video0: may be another after the next start
-  std::string name;     ///< what the maker calls it
-  std::string by_id;    ///< file name below /dev/v4l/by-id: the same camera at any port
+  std::string node;   ///< /dev/video0: may be another after the next start
+  std::string name;   ///< what the maker calls it
+  std::string by_id;  ///< file name below /dev/v4l/by-id: the same camera at any port; empty where
+                      ///< several share it
   std::string by_path;  ///< file name below /dev/v4l/by-path: whatever is at this port
   std::string serial;   ///< may be empty or, with cheap cameras, the same for all
   std::string bus;      ///< what the driver says of the place: usb-0000:00:14.0-2

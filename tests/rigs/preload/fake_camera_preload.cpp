@@ -3,6 +3,8 @@
 // unplug_after=FRAMES back_after_ms=MS
 #include "tests/rigs/fake_camera.h"
 
+#include <atomic>
+#include <cerrno>
 #include <cstdarg>
 #include <cstdlib>
 #include <cstring>
@@ -129,6 +131,15 @@ int close(int descriptor) {
   if (is_ours(descriptor)) return camera().close(descriptor);
   static const auto real = next<int (*)(int)>("close");
   return real(descriptor);
+}
+
+ssize_t read(int descriptor, void* memory, size_t bytes) {
+  if (is_ours(descriptor)) {
+    errno = EINVAL;  // this camera streams only
+    return -1;
+  }
+  static const auto real = next<ssize_t (*)(int, void*, size_t)>("read");
+  return real(descriptor, memory, bytes);
 }
 
 int ioctl(int descriptor, unsigned long request, ...) noexcept {

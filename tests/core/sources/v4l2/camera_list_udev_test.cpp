@@ -72,7 +72,7 @@ TEST(CameraList, ListsCamerasByLastingNamesAndHidesWhatIsNone) {
   TestBed bed;
   for (const auto& entry : {TestBed::camera(10, "BBBB", 4),
                             TestBed::camera(2, "AAAA", 3),
-                            TestBed::camera(3, "AAAA", 3)})
+                            TestBed::camera(3, "AAAA", 3, 1)})
     bed.add(entry);
   Cameras cameras;
   cameras.add(at("/dev/video2"));
@@ -125,6 +125,8 @@ TEST(CameraList, SaysWhatIsWrongWithThoseThatCannotBeUsed) {
   const auto other = open_camera("/dev/video1", {}, {}, cameras);
   ASSERT_TRUE(other.ok()) << other.error().sentence();
   ASSERT_TRUE(busy.is_streaming());
+  EXPECT_EQ((*other)->settings().identity, "pci-0000:00:14.0-usb-0:2:1.0-video-index0")
+      << "all three have the same serial, so that only the port tells them apart";
 
   const auto found = list_cameras(cameras, true);
   ASSERT_EQ(found.size(), 3U);
@@ -159,6 +161,7 @@ TEST(CameraList, ACameraComesBackAtAnotherNode) {
   EXPECT_EQ((*camera)->status().state, CameraState::kGone);
   there.plug_in();
   bed.add(TestBed::camera(5, "AAAA", 3));
+  bed.tell_added(TestBed::camera_path(5, 3));
   ASSERT_TRUE(comes_true([&] { return (*camera)->status().state == CameraState::kStreaming; }));
   EXPECT_EQ(there.control(V4L2_CID_GAIN), 33);
   EXPECT_EQ((*camera)->settings().identity, "usb-Fake_Camera_AAAA-video-index0");
@@ -170,7 +173,7 @@ TEST(HotPlug, TellsWhatCameAndWhatWent) {
   ASSERT_NE(plug, nullptr);
   EXPECT_TRUE(plug->read().empty());
   bed.add(TestBed::camera(0, "AAAA", 1));
-  umockdev_testbed_uevent(bed.get(), TestBed::camera_path(0, 1).c_str(), "add");
+  bed.tell_added(TestBed::camera_path(0, 1));
   pollfd wait{plug->descriptor(), POLLIN, 0};
   ASSERT_EQ(poll(&wait, 1, 5000), 1);
   auto news = plug->read();
