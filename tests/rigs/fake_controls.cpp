@@ -150,7 +150,9 @@ v4l2_event FakeControls::event(std::uint32_t id, std::uint32_t changes) const {
 }
 
 int FakeControls::check(const v4l2_ext_controls& all, std::uint32_t& wrong) const {
-  for (wrong = 0; wrong < all.count; ++wrong) {
+  wrong = 0;
+  if (all.which == V4L2_CTRL_WHICH_REQUEST_VAL) return EINVAL;
+  for (; wrong < all.count; ++wrong) {
     const std::uint32_t id = all.controls[wrong].id;
     const Control* found = control(id);
     if (found == nullptr) return EINVAL;

@@ -341,6 +341,8 @@ void FakeCamera::free_buffers() {
   mapped_ = {};
   memory_ = -1;
   buffers_.clear();
+  queued_.clear();
+  done_.clear();
   owner_ = nullptr;
 }
 

@@ -151,7 +151,9 @@ TEST(HidPort, WhatIsNotThereIsNamedWithWhatIs) {
 TEST(HidPort, WithoutAccessTheRuleToInstallIsNamed) {
   TestBed bed;
   bed.add(TestBed::hid(0, "ABCD", "0123", "Pedal"));
-  const std::string root = umockdev_testbed_get_root_dir(bed.get());
+  gchar* folder = umockdev_testbed_get_root_dir(bed.get());
+  const std::string root = folder;
+  g_free(folder);
   chmod(root.c_str(), 0755);
   chmod((root + "/dev/hidraw0").c_str(), 0600);
   int ends[2];
