@@ -1,4 +1,5 @@
 #include "core/sensing/face_runs.h"
+
 #include "core/sensing/local_depth.h"
 #include "core/sensing/picture_pool.h"
 #include "tests/support/marked_finger.h"
