@@ -4,6 +4,7 @@
 #include "calibration/model_choice.h"
 #include "calibration/paper_method.h"
 #include "calibration/press_samples.h"
+#include "calibration/tangent_arc.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,7 @@ struct Found {
   const Press* press;
   BallGuess guess;
   PressSamples fine, coarse;
+  double tangent_arc_deg = 0;
 };
 
 bool same_picture(const Press& a, const Press& b) {
@@ -130,6 +132,7 @@ std::vector<BallFit> balls_of(const std::vector<Found>& found,
     ball.depth_mm = deepest_mm(found[i], ball.centre_mm, choice.options.ball_radius_mm);
     ball.residual_mm = quality.residual_mm[i];
     ball.held_out_mm = i < choice.held_out_mm.size() ? choice.held_out_mm[i] : 0.0;
+    ball.tangent_arc_deg = found[i].tangent_arc_deg;
     ball.cut_by_edge = found[i].guess.cut_by_edge;
     balls.push_back(std::move(ball));
   }
@@ -152,17 +155,35 @@ void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* ball
   });
 }
 
-Result<Calibration> solve_jointly(const std::vector<Found>& found,
+/// The whole solution on the fine samples, first from brightness alone; it then says where the
+/// balls' outlines are to be looked for, and what is found joins in.
+JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const Job& job) {
+  std::vector<const PressSamples*> presses;
+  for (const Found& f : found) presses.push_back(&f.fine);
+  JointFit fit = fit_jointly(presses, choice.fit, choice.options, job);
+  if (!fit.converged) return choice.fit;  // stopped: the best so far
+  bool seen = false;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    TangentArc arc =
+        find_tangent_arc(*found[i].press, fit.centres_mm[i], choice.options.ball_radius_mm);
+    found[i].tangent_arc_deg = arc.arc_deg;
+    found[i].fine.outline = std::move(arc.points);
+    seen = seen || !found[i].fine.outline.empty();
+  }
+  if (!seen) return fit;
+  JointFit with_outlines = fit_jointly(presses, fit, choice.options, job);
+  return with_outlines.converged ? with_outlines : fit;
+}
+
+Result<Calibration> solve_jointly(std::vector<Found> found,
                                   double ball_radius_mm,
                                   const CalibrationSettings& settings,
                                   const Job& job,
                                   Calibration calibration) {
   ChoiceInput coarse{{}, {}, ball_radius_mm};
-  std::vector<const PressSamples*> fine;
   for (const Found& f : found) {
     coarse.presses.push_back(&f.coarse);
     coarse.centres_mm.push_back(f.guess.centre_mm);
-    fine.push_back(&f.fine);
   }
   auto choice = choose_model(coarse, settings, job);
   if (!choice && job.stop_requested()) return stopped();
@@ -173,8 +194,9 @@ Result<Calibration> solve_jointly(const std::vector<Found>& found,
                  "ball's radius"};
   choice->options.settled_mm = JointOptions{}.settled_mm;
   job.report(0.9, "solving all presses together");
-  JointFit fit = fit_jointly(fine, choice->fit, choice->options, job);
-  if (!fit.converged) fit = choice->fit;  // stopped: the best so far
+  const JointFit fit = fit_finely(found, *choice, job);
+  std::vector<const PressSamples*> fine;
+  for (const Found& f : found) fine.push_back(&f.fine);
   const JointCovariance covariance = covariance_of(fine, fit, choice->options);
 
   calibration.mapping = mapping_parameters(fit.curve, choice->options.along);

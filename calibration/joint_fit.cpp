@@ -1,5 +1,8 @@
 #include "calibration/joint_fit.h"
 
+#include "calibration/joint_costs.h"
+#include "core/numerics/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,22 +13,42 @@
 namespace alltact {
 namespace {
 
-constexpr double kFloorMm = 0.003;  // no sample is believed better than this
+constexpr double kFloorMm = 0.003;  // no sample is believed better than this, across the ball
+constexpr double kGrazing = 0.25;   // cosine; lines that meet the ball flatter than this say little
 constexpr double kRobustAt = 2.0;   // standard deviations where the loss turns linear
 constexpr double kTaper = 0.02;     // half width of the zone's soft border
 constexpr int kMostRounds = 40;     // of reweighting
 
-/// One press's samples in the zone with their weights for this round.
-struct Weighted {
-  std::vector<const Sample*> samples;
-  std::vector<double> root_weight;  ///< 1 / sigma with the robust and the zone's weight, 1/mm
-};
+/// Cosine of the angle at which a sample's line meets the ball; NaN where it misses. Along a line
+/// that grazes, a small error across the ball's surface is a large one of depth.
+double facing_of(const Sample& sample,
+                 MappingAlong along,
+                 const Eigen::Vector3d& centre,
+                 double radius_mm) {
+  const bool normal = along == MappingAlong::kNormal;
+  const Eigen::Vector3d direction = normal ? sample.normal : Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d from = (normal ? sample.untouched_n : sample.untouched_z) - centre;
+  const double distance = from.cross(direction).norm();
+  return std::sqrt((radius_mm - distance) * (radius_mm + distance)) / radius_mm;
+}
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// The outline's weights, robust against points that lie on something else.
+void weigh_outline(const PressSamples& press,
+                   const Eigen::Vector3d& centre,
+                   double radius_mm,
+                   Weighted* weighted) {
+  const double each =
+      getenv("NOEACH")
+          ? 1.0
+          : std::sqrt(std::max(
+                1.0, static_cast<double>(weighted->samples.size()) / ContactDisc::kPatches));
+  for (const OutlinePoint& point : press.outline) {
+    const double z = outline_angle_rad(point.direction, centre, radius_mm) / point.sd_rad;
+    if (!std::isfinite(z)) continue;
+    weighted->outline.push_back(&point);
+    weighted->outline_root_weight.push_back(
+        each / (point.sd_rad * std::pow(1.0 + z * z / (kRobustAt * kRobustAt), 0.25)));
+  }
 }
 
 Weighted weigh(const PressSamples& press,
@@ -43,6 +66,8 @@ Weighted weigh(const PressSamples& press,
     const double depth = ball_depth_mm(sample, options.along, centre, options.ball_radius_mm);
     const double read = curve.depth_mm(sample.x);
     if (!std::isfinite(depth) || !std::isfinite(read)) continue;
+    const double facing = facing_of(sample, options.along, centre, options.ball_radius_mm);
+    if (!(facing > kGrazing)) continue;
     const double sd = std::hypot(curve.slope_mm(sample.x) * press.x_sd, kFloorMm);
     weighted.samples.push_back(&sample);
     taper.push_back(std::min(1.0, inside));
@@ -52,56 +77,15 @@ Weighted weigh(const PressSamples& press,
   std::vector<double> sizes;
   sizes.reserve(normed.size());
   for (const double z : normed) sizes.push_back(std::abs(z));
-  const double scale = std::max(1.0, 1.4826 * median_of(sizes));
+  const double scale = std::max(1.0, 1.4826 * upper_median(sizes));
   for (std::size_t i = 0; i < normed.size(); ++i) {
     const double z = normed[i] / (scale * kRobustAt);
     const double weight = taper[i] / std::sqrt(1.0 + z * z);
     weighted.root_weight.push_back(std::sqrt(weight) / (sigma[i] * scale));
   }
+  weigh_outline(press, centre, options.ball_radius_mm, &weighted);
   return weighted;
 }
-
-/// Residuals of one press: parameter blocks are its centre and the mapping's numbers.
-class PressCost final : public ceres::CostFunction {
- public:
-  PressCost(const Weighted& weighted, const MappingCurve& curve, const JointOptions& options)
-      : weighted_(weighted), curve_(curve), options_(options) {
-    set_num_residuals(static_cast<int>(weighted.samples.size()));
-    mutable_parameter_block_sizes()->push_back(3);
-    mutable_parameter_block_sizes()->push_back(curve.family().coefficients);
-  }
-
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
-                double** jacobians) const override {
-    const Eigen::Vector3d centre(parameters[0]);
-    const int n = curve_.family().coefficients;
-    std::array<double, 16> by_values{};
-    for (std::size_t i = 0; i < weighted_.samples.size(); ++i) {
-      const Sample& sample = *weighted_.samples[i];
-      const double weight = weighted_.root_weight[i];
-      Eigen::Vector3d by_centre;
-      const double depth =
-          ball_depth_mm(sample, options_.along, centre, options_.ball_radius_mm, &by_centre);
-      const double read = curve_.evaluate(parameters[1], sample.x, by_values.data());
-      if (!std::isfinite(depth) || !std::isfinite(read)) return false;
-      residuals[i] = weight * (read - depth);
-      if (jacobians == nullptr) continue;
-      if (jacobians[0] != nullptr)
-        Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = -weight * by_centre;
-      if (jacobians[1] != nullptr)
-        for (int k = 0; k < n; ++k)
-          jacobians[1][static_cast<std::size_t>(n) * i + static_cast<std::size_t>(k)] =
-              weight * by_values[static_cast<std::size_t>(k)];
-    }
-    return true;
-  }
-
- private:
-  const Weighted& weighted_;
-  const MappingCurve& curve_;
-  const JointOptions& options_;
-};
 
 class StopWithJob final : public ceres::IterationCallback {
  public:
@@ -127,6 +111,9 @@ bool solve(const std::vector<Weighted>& weighted,
                              nullptr,
                              fit->centres_mm[i].data(),
                              fit->curve.values().data());
+    if (!weighted[i].outline.empty())
+      problem.AddResidualBlock(
+          new OutlineCost(weighted[i], options.ball_radius_mm), nullptr, fit->centres_mm[i].data());
   }
   if (options.fix_mapping) problem.SetParameterBlockConstant(fit->curve.values().data());
   ceres::Solver::Options solver;
@@ -335,7 +322,20 @@ JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
       ring_pull.col(patch / ContactDisc::kSectors) += systematic_mm * weight * row;
       seen[static_cast<std::size_t>(patch)] = true;
     }
-    spread += pull * pull.transpose();
+    // The outline is one observation more: what it is off by, it is off by as a whole.
+    Eigen::VectorXd outline_pull = Eigen::VectorXd::Zero(n);
+    for (std::size_t k = 0; k < weighted.outline.size(); ++k) {
+      Eigen::Vector3d by_centre;
+      const double weight = weighted.outline_root_weight[k];
+      const double angle = outline_angle_rad(
+          weighted.outline[k]->direction, fit.centres_mm[i], options.ball_radius_mm, &by_centre);
+      row.setZero();
+      row.segment<3>(n_map + 3 * static_cast<Eigen::Index>(i)) = weight * by_centre;
+      hessian.selfadjointView<Eigen::Lower>().rankUpdate(row);
+      outline_pull += weight * angle * row;
+    }
+    if (!weighted.outline.empty()) ++observations;
+    spread += pull * pull.transpose() + outline_pull * outline_pull.transpose();
     observations += static_cast<int>(std::count(seen.begin(), seen.end(), true));
   }
   JointCovariance result;

@@ -2,7 +2,8 @@
 //
 // A ball of radius R at c gives every sample inside its contact a depth d(c); the mapping says
 // M(x). Both must agree: minimise sum ((M(x_i) - d_i(c)) / sigma_i)^2, robustly, over the part of
-// every contact where skin and ball certainly touch (the zone).
+// every contact where skin and ball certainly touch (the zone). Where part of the ball's outline is
+// seen (tangent_arc.h), the angles of its rays to the centre, less asin(R / |c|), join the sum.
 #pragma once
 
 #include "calibration/mapping_curve.h"

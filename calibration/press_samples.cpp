@@ -1,5 +1,7 @@
 #include "calibration/press_samples.h"
 
+#include "core/numerics/median.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,12 +9,6 @@
 
 namespace alltact {
 namespace {
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Noise of block means: white noise has second differences of variance 6 sd^2, and a smooth
 /// relief has next to none.
@@ -26,7 +22,7 @@ double noise_of(const cv::Mat& means) {
     }
   }
   if (differences.size() < 20) return 0.0;
-  return 1.4826 * median(differences) / std::sqrt(6.0);
+  return 1.4826 * upper_median(differences) / std::sqrt(6.0);
 }
 
 /// Means of whole blocks; NaN where any pixel is (a NaN in a sum stays one).

@@ -19,8 +19,15 @@ struct Sample {
   double x = 0;
 };
 
+/// A place in the picture where the line of sight grazes the ball (see tangent_arc.h).
+struct OutlinePoint {
+  Eigen::Vector3d direction;  ///< of the ray from the camera's centre, any length
+  double sd_rad = 0;          ///< of the angle to the ball's centre
+};
+
 struct PressSamples {
   std::vector<Sample> samples;  ///< by rows, then columns; only blocks that lie wholly on the face
+  std::vector<OutlinePoint> outline;  ///< empty where no part of the ball hides another
   int block_px = 1;
   double x_sd = 0;  ///< noise of a block's mean, from second differences along rows
 };

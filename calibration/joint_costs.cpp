@@ -1,0 +1,89 @@
+#include "calibration/joint_costs.h"
+
+#include "core/geometry/ball.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+
+namespace alltact {
+
+PressCost::PressCost(const Weighted& weighted,
+                     const MappingCurve& curve,
+                     const JointOptions& options)
+    : weighted_(weighted), curve_(curve), options_(options) {
+  set_num_residuals(static_cast<int>(weighted.samples.size()));
+  mutable_parameter_block_sizes()->push_back(3);
+  mutable_parameter_block_sizes()->push_back(curve.family().coefficients);
+}
+
+bool PressCost::Evaluate(double const* const* parameters,
+                         double* residuals,
+                         double** jacobians) const {
+  const Eigen::Vector3d centre(parameters[0]);
+  const int n = curve_.family().coefficients;
+  std::array<double, 16> by_values{};
+  for (std::size_t i = 0; i < weighted_.samples.size(); ++i) {
+    const Sample& sample = *weighted_.samples[i];
+    const double weight = weighted_.root_weight[i];
+    Eigen::Vector3d by_centre;
+    const double depth =
+        ball_depth_mm(sample, options_.along, centre, options_.ball_radius_mm, &by_centre);
+    const double read = curve_.evaluate(parameters[1], sample.x, by_values.data());
+    if (!std::isfinite(depth) || !std::isfinite(read)) return false;
+    residuals[i] = weight * (read - depth);
+    if (jacobians == nullptr) continue;
+    if (jacobians[0] != nullptr)
+      Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = -weight * by_centre;
+    if (jacobians[1] != nullptr)
+      for (int k = 0; k < n; ++k)
+        jacobians[1][static_cast<std::size_t>(n) * i + static_cast<std::size_t>(k)] =
+            weight * by_values[static_cast<std::size_t>(k)];
+  }
+  return true;
+}
+
+OutlineCost::OutlineCost(const Weighted& weighted, double ball_radius_mm)
+    : weighted_(weighted), radius_mm_(ball_radius_mm) {
+  set_num_residuals(static_cast<int>(weighted.outline.size()));
+  mutable_parameter_block_sizes()->push_back(3);
+}
+
+bool OutlineCost::Evaluate(double const* const* parameters,
+                           double* residuals,
+                           double** jacobians) const {
+  const Eigen::Vector3d centre(parameters[0]);
+  for (std::size_t i = 0; i < weighted_.outline.size(); ++i) {
+    const double weight = weighted_.outline_root_weight[i];
+    Eigen::Vector3d by_centre;
+    const double angle =
+        outline_angle_rad(weighted_.outline[i]->direction, centre, radius_mm_, &by_centre);
+    if (!std::isfinite(angle)) return false;
+    residuals[i] = weight * angle;
+    if (jacobians != nullptr && jacobians[0] != nullptr)
+      Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = weight * by_centre;
+  }
+  return true;
+}
+
+double outline_angle_rad(const Eigen::Vector3d& direction,
+                         const Eigen::Vector3d& centre_mm,
+                         double radius_mm,
+                         Eigen::Vector3d* by_centre) {
+  const double distance = centre_mm.norm();
+  if (!(distance > radius_mm)) return std::numeric_limits<double>::quiet_NaN();
+  if (by_centre != nullptr) {
+    // Moving the centre away from the ray widens the angle between them by 1 / |c|; moving it back
+    // along its own direction narrows the ball.
+    const Eigen::Vector3d axis = centre_mm / distance;
+    const Eigen::Vector3d aside = axis.cross(direction.cross(axis));  // of the ray
+    const double cone = std::sqrt((distance - radius_mm) * (distance + radius_mm));
+    *by_centre = axis * (radius_mm / (distance * cone));
+    if (const double length = aside.norm(); length > 0.0) *by_centre -= aside / (length * distance);
+  }
+  return angle_between(direction, centre_mm) - std::asin(radius_mm / distance);
+}
+
+}  // namespace alltact

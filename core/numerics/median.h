@@ -1,0 +1,19 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace alltact {
+
+/// The middle of the values, of an even number the upper of the two in the middle; 0 of none.
+/// Reorders them. Values must be comparable: no NaN.
+template <class T>
+[[nodiscard]] T upper_median(std::vector<T>& values) {
+  if (values.empty()) return T{};
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace alltact
