@@ -55,4 +55,13 @@ class SettingFlags {
   std::shared_ptr<Given> given_ = std::make_shared<Given>();
 };
 
+/// `--threads` for whatever computes in several; 1 unless said.
+inline void add_threads_flag(CLI::App& command, int& threads) {
+  command
+      .add_option(
+          "--threads", threads, "The result is the same for any number (1 to 64; default 1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
+}
+
 }  // namespace alltact

@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/flags.h"
 #include "calibration/evaluate.h"
 #include "core/io/atomic_file.h"
 
@@ -245,12 +246,7 @@ void add_demo(CLI::App& program, Chosen& chosen) {
       ->type_name("DIR")
       ->required();
   command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
-  command
-      ->add_option("--threads",
-                   options->threads,
-                   "For rendering; the result is the same (1 to 64; default 1)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 64));
+  add_threads_flag(*command, options->threads);
   command->callback(
       [=, &chosen] { chosen = [=](Console& console) { return run_demo(*options, console); }; });
 }

@@ -192,12 +192,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
                    "paper: the source paper's own formulas, to compare with (default ours)")
       ->type_name("ours|paper")
       ->check(CLI::IsMember({"ours", "paper"}));
-  command
-      ->add_option("--threads",
-                   options->threads,
-                   "The result is the same for any number (1 to 64; default 1)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 64));
+  add_threads_flag(*command, options->threads);
   SettingFlags<PipelineSettings> pipeline;
   pipeline.add_to(*command, pipeline_settings());
   command->callback([=, &chosen] {

@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/flags.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/simulation/plan.h"
@@ -210,12 +211,7 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
       ->type_name("S");
   command->add_flag(
       "--video", options->video, "One lossless video, frames.mkv, instead of pictures");
-  command
-      ->add_option("--threads",
-                   options->threads,
-                   "The result is the same for any number (1 to 64; default 1)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 64));
+  add_threads_flag(*command, options->threads);
   command->callback(
       [=, &chosen] { chosen = [=](Console& console) { return run_simulate(*options, console); }; });
 }
