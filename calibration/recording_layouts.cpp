@@ -1,5 +1,6 @@
 #include "calibration/recording_layouts.h"
 
+#include "core/numerics/median.h"
 #include "core/sensing/marker_rows.h"
 
 #include <limits>
@@ -10,13 +11,6 @@ namespace alltact {
 namespace {
 
 constexpr double kMostResidualPx = 3.0;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 const std::vector<Dot>& dots_of(const FrameDots& frame, Polarity polarity) {
   return polarity == Polarity::kBright ? frame.bright : frame.dark;
@@ -54,7 +48,7 @@ std::vector<Dot> typical_of(const std::vector<Plain>& plain) {
     const auto middle_of = [&](auto member) {
       std::vector<double> values;
       for (const Plain& frame : plain) values.push_back(frame.dots[m].*member);
-      return median(std::move(values));
+      return upper_median(values);
     };
     typical[m] = {middle_of(&Dot::u),
                   middle_of(&Dot::v),
@@ -107,7 +101,7 @@ Error no_layout(const std::vector<FrameDots>& frames, Polarity polarity, int per
                                            : "no frame shows the face: " + frames.front().problem,
             "recording",
             "a recording in which both long edges of the bright face are visible"};
-  const double above = median(upper), below = median(lower);
+  const double above = upper_median(upper), below = upper_median(lower);
   const char* side = above < per_row && below < per_row ? "on both sides"
                      : above < per_row                  ? "on the upper side"
                      : below < per_row                  ? "on the lower side"

@@ -1,6 +1,7 @@
 #include "core/numerics/robust_polynomial.h"
 
 #include "core/numerics/chebyshev.h"
+#include "core/numerics/median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,17 +18,11 @@ constexpr int kCauchyRounds = 5;
 constexpr int kTukeyRounds = 4;
 constexpr double kSettled = 1e-4;  // change of a weight that no longer matters
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double spread(const Eigen::VectorXd& residuals) {
   std::vector<double> sizes(static_cast<std::size_t>(residuals.size()));
   for (Eigen::Index i = 0; i < residuals.size(); ++i)
     sizes[static_cast<std::size_t>(i)] = std::abs(residuals[i]);
-  return std::max(kMadToSd * median(std::move(sizes)), 1e-9);
+  return std::max(kMadToSd * upper_median(sizes), 1e-9);
 }
 
 double cauchy_weight(double r) {
