@@ -29,6 +29,14 @@ FaceCurve::FaceCurve(const Eigen::Vector3d& base_mm, double incline_rad, double 
   nodes_.front().z_mm = base_mm.z();
 }
 
+void FaceCurve::bend(double q1_mm, double q2_mm) {
+  for (int i = 0; i <= kCells; ++i) {
+    const double t = s_mm(i) / length_mm_;
+    node(i).theta += (q1_mm * 2 * t + q2_mm * (3 * t * t - 2 * t)) / length_mm_;
+    node(i).theta_s += (q1_mm * 2 + q2_mm * (6 * t - 2)) / (length_mm_ * length_mm_);
+  }
+}
+
 void FaceCurve::integrate() {
   static const double kOff = std::sqrt(0.15);
   const std::array<double, 3> place{0.5 - kOff, 0.5, 0.5 + kOff};

@@ -30,6 +30,10 @@ class FaceCurve {
   [[nodiscard]] double s_mm(int node) const { return node * cell_mm_; }
   [[nodiscard]] Node& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
 
+  /// Adds the deflection q1 t^2 + q2 (t^3 - t^2) along the untouched face's normal, t = s / length:
+  /// the slope angle changes by its derivative.
+  void bend(double q1_mm, double q2_mm);
+
   /// Integrates the slope angle (three-point Gauss in each cell); needed before what follows.
   void integrate();
 

@@ -2,6 +2,7 @@
 
 #include "core/numerics/philox.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace alltact {
@@ -66,6 +67,7 @@ double Motion::value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) 
     case Kind::kWander: {
       const double shift = philox_uniform(seed, who, 0, 0);
       const auto place = [&](int k) {
+        if (k == 0) return std::clamp(0.0, dof.low, dof.high);
         const double unit = halton(k + 1, base_of(dof.name)) + shift;
         return in_range(unit - std::floor(unit));
       };

@@ -15,8 +15,9 @@ namespace alltact {
 ///   hold:   the same pose in every frame, `pose: {q1_mm: 3}`; what is not named is 0.
 ///   poses:  `poses: [{q1_mm: 3}, ...]`, frame i takes pose i modulo their number.
 ///   random: every frame draws each degree of freedom evenly from its range, on its own.
-///   wander: from one place of the ranges to the next in `frames_per_move` frames, starting and
-///           arriving softly; the places fill the ranges evenly (Halton sequence, shifted by seed).
+///   wander: from rest (all 0) to one place of the ranges and on to the next in `frames_per_move`
+///           frames each, starting and arriving softly; the places fill the ranges evenly (Halton
+///           sequence, shifted by seed).
 class Motion {
  public:
   /// The motion of a scene that names none: hold, everything 0.

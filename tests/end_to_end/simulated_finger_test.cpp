@@ -100,6 +100,16 @@ TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {
   print(*evaluation);
   EXPECT_EQ(evaluation->frames, 12);
   expect_measured_well(*evaluation);
+
+  // Every object presses on the contact face, and the finger gives way to it.
+  std::istringstream lines(text_of(day.file("results/results.jsonl")));
+  int frames = 0;
+  for (std::string line; std::getline(lines, line); ++frames) {
+    const auto contact = nlohmann::json::parse(line).at("contact");
+    EXPECT_TRUE(contact.at("touched").get<bool>()) << line;
+    EXPECT_EQ(contact.at("face"), "contact") << line;
+  }
+  EXPECT_EQ(frames, 12);
 }
 
 TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {

@@ -1,5 +1,6 @@
 // A ball is pressed into the face until its deepest point has gone `depth_mm` along z.
 #include "core/simulation/effect.h"
+#include "core/simulation/give.h"
 
 namespace alltact {
 
@@ -11,13 +12,18 @@ class Ball final : public GeometryEffect {
       : radius_(p.varying("radius_mm", strength_up_to(100))),
         depth_(p.varying("depth_mm", strength_up_to(20))),
         s_(p.varying("s_mm", {-1000, 1000})),
-        y_(p.varying("y_mm", {-1000, 1000})) {}
+        y_(p.varying("y_mm", {-1000, 1000})),
+        give_(p) {}
 
   Status fits(const SceneFacts& scene) const override {
     if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
     if (depth_.greatest() >= radius_.least())
       return Error{"the ball would sink in beyond its middle", "", "depth_mm below radius_mm"};
-    return {};
+    return give_.fits(scene);
+  }
+
+  void shape(const FrameContext& frame, FaceCurve& curve) const override {
+    give_.shape(frame, s_, curve);
   }
 
   void place(const FrameContext& frame, FrameGeometry& geometry) const override {
@@ -27,6 +33,7 @@ class Ball final : public GeometryEffect {
 
  private:
   Varying radius_, depth_, s_, y_;
+  Give give_;
 };
 
 }  // namespace

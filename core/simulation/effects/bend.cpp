@@ -21,12 +21,7 @@ class Bend final : public GeometryEffect {
   std::vector<DegreeOfFreedom> degrees_of_freedom() const override { return {q1_, q2_}; }
 
   void shape(const FrameContext& frame, FaceCurve& curve) const override {
-    const double q1 = frame(q1_), q2 = frame(q2_), length = curve.length_mm();
-    for (int i = 0; i <= FaceCurve::kCells; ++i) {
-      const double t = curve.s_mm(i) / length;
-      curve.node(i).theta += (q1 * 2 * t + q2 * (3 * t * t - 2 * t)) / length;
-      curve.node(i).theta_s += (q1 * 2 + q2 * (6 * t - 2)) / (length * length);
-    }
+    curve.bend(frame(q1_), frame(q2_));
   }
 
  private:

@@ -3,6 +3,7 @@
 // face where that is bent.
 #include "core/io/picture.h"
 #include "core/simulation/effect.h"
+#include "core/simulation/give.h"
 
 #include <filesystem>
 #include <numbers>
@@ -62,7 +63,8 @@ class Relief final : public GeometryEffect {
       : depth_(p.varying("depth_mm", strength_up_to(20))),
         s_(p.varying("s_mm", {-1000, 1000})),
         y_(p.varying("y_mm", {-1000, 1000})),
-        rotation_deg_(p.varying_or("rotation_deg", 0, {-360, 360})) {
+        rotation_deg_(p.varying_or("rotation_deg", 0, {-360, 360})),
+        give_(p) {
     const std::string shape = p.word("shape", {"t_bar", "thread_m8", "picture"});
     if (shape == "picture") {
       read_picture(p);
@@ -78,7 +80,14 @@ class Relief final : public GeometryEffect {
     gap_mm_ = tabulate(TBar{size, bar}, size);
   }
 
-  Status fits(const SceneFacts& scene) const override { return press_fits(scene, depth_, s_, y_); }
+  Status fits(const SceneFacts& scene) const override {
+    if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
+    return give_.fits(scene);
+  }
+
+  void shape(const FrameContext& frame, FaceCurve& curve) const override {
+    give_.shape(frame, s_, curve);
+  }
 
   void place(const FrameContext& frame, FrameGeometry& geometry) const override {
     ReliefPress press;
@@ -106,6 +115,7 @@ class Relief final : public GeometryEffect {
   }
 
   Varying depth_, s_, y_, rotation_deg_;
+  Give give_;
   cv::Mat_<float> gap_mm_;
   double step_mm_ = kStep_mm;
 };
