@@ -159,18 +159,7 @@ TEST(BadInput, ARecordingOfNoneOrOneFrameIsRefused) {
              "model: pinhole\nsize: [320, 240]\nfx: 200\nfy: 200\ncx: 159.5\ncy: 119.5\n"
              "distortion: []\norientation: none\n");
   const std::string finger = (folder / "finger").string();
-  ASSERT_EQ(run_alltact({"new",
-                         finger,
-                         "--camera",
-                         (folder / "camera.yaml").string(),
-                         "--layer-mm",
-                         "1.5",
-                         "--width-mm",
-                         "24",
-                         "--per-row",
-                         "6"})
-                .status,
-            0);
+  ASSERT_EQ(make_fin_ray(finger, folder / "camera.yaml").status, 0);
   fs::create_directory(folder / "none");
   fs::create_directory(folder / "one");
   cv::imwrite((folder / "one").string() + "/frame_00000.png", untouched_picture(3));

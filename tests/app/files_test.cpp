@@ -152,18 +152,7 @@ TEST(Files, ExportsCarryTheSameNumbers) {
              "model: brown\nsize: [640, 480]\nfx: 411.5\nfy: 412.25\ncx: 320.5\ncy: 239.75\n"
              "distortion: [-0.11, 0.02, 0.001, -0.002]\norientation: none\n");
   const std::string finger = (folder / "finger").string();
-  ASSERT_EQ(run_alltact({"new",
-                         finger,
-                         "--camera",
-                         (folder / "camera.yaml").string(),
-                         "--layer-mm",
-                         "1.5",
-                         "--width-mm",
-                         "24",
-                         "--per-row",
-                         "6"})
-                .status,
-            0);
+  ASSERT_EQ(make_fin_ray(finger, folder / "camera.yaml").status, 0);
   const ProgramRun run =
       run_alltact({"export", finger, "--to", "opencv,json", "-o", (folder / "out").string()});
   ASSERT_EQ(run.status, 0) << run.errors;

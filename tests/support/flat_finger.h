@@ -42,4 +42,18 @@ struct FlatFinger {
   }
 };
 
+/// A Fin Ray finger's folder with nothing but what it was made with.
+inline ProgramRun make_fin_ray(const std::string& finger, const std::filesystem::path& camera) {
+  return run_alltact({"new",
+                      finger,
+                      "--camera",
+                      camera.string(),
+                      "--layer-mm",
+                      "1.5",
+                      "--width-mm",
+                      "24",
+                      "--per-row",
+                      "6"});
+}
+
 }  // namespace alltact::test

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calibration/press.h"
+#include "tests/support/cameras.h"
 
 #include <cmath>
 #include <limits>
@@ -42,12 +43,7 @@ inline Scene flat_scene(double mm_per_px = 0.05, int width = 400, int height = 3
 
 /// A straight Fin Ray face seen in perspective: z = z0 + x tan(incline), from its two edges.
 inline Scene finger_scene(double z0_mm, double incline_deg) {
-  CameraParameters p;
-  p.width_px = 960;
-  p.height_px = 540;
-  p.fx_px = p.fy_px = 523.9;
-  p.cx_px = 479.5;
-  p.cy_px = 269.5;
+  const CameraParameters p = pinhole();
   Face face;
   face.width_mm = 24.0;
   face.layer_mm = 1.5;
@@ -171,7 +167,25 @@ struct Ball {
   double depth_mm = 0.8;  ///< along the normal
 };
 
-/// noise: standard deviation of a grey level at a brightness of 120.
+/// Adds noise as after smoothing, and gives x the form of a difference. `noise`: standard deviation
+/// of a grey level at a brightness of 120.
+inline Difference noisy_difference(cv::Mat x, cv::Mat grain, double noise) {
+  cv::GaussianBlur(grain, grain, {7, 7}, 1.0);
+  for (int v = 0; v < x.rows; ++v)
+    for (int u = 0; u < x.cols; ++u) {
+      float& value = x.at<float>(v, u);
+      value +=
+          static_cast<float>(noise / 120.0 * std::hypot(1.0, 1.0 - static_cast<double>(value))) *
+          grain.at<float>(v, u);
+    }
+  Difference difference;
+  difference.x = x;
+  difference.flags = cv::Mat(x.size(), CV_8UC1, cv::Scalar(kMeasured));
+  difference.face = whole_picture_runs(x.size());
+  return difference;
+}
+
+/// noise: see noisy_difference.
 inline Made make_press(const Scene& scene,
                        const Layer& layer,
                        const Contact& contact,
@@ -217,19 +231,7 @@ inline Made make_press(const Scene& scene,
       x.at<float>(v, u) = static_cast<float>(layer.difference_at(depth));
     }
   }
-  cv::GaussianBlur(grain, grain, {7, 7}, 1.0);
-  for (int v = 0; v < size.height; ++v)
-    for (int u = 0; u < size.width; ++u) {
-      float& value = x.at<float>(v, u);
-      value +=
-          static_cast<float>(noise / 120.0 * std::hypot(1.0, 1.0 - static_cast<double>(value))) *
-          grain.at<float>(v, u);
-    }
-  Difference difference;
-  difference.x = x;
-  difference.flags = cv::Mat(size, CV_8UC1, cv::Scalar(kMeasured));
-  difference.face = whole_picture_runs(size);
-  return {{name, difference, scene.shape},
+  return {{name, noisy_difference(x, grain, noise), scene.shape},
           feet.empty() ? Eigen::Vector3d::Zero().eval()
                        : (feet[0] + (balls[0].radius_mm - balls[0].depth_mm) * n).eval()};
 }

@@ -1,5 +1,7 @@
 #include "core/camera/camera.h"
 
+#include "tests/support/cameras.h"
+
 #include <cmath>
 #include <random>
 
@@ -9,14 +11,6 @@
 
 namespace alltact {
 namespace {
-
-CameraParameters pinhole() {
-  CameraParameters p;
-  p.width_px = 960, p.height_px = 540;
-  p.fx_px = p.fy_px = 523.9;
-  p.cx_px = 479.5, p.cy_px = 269.5;
-  return p;
-}
 
 CameraParameters brown(std::vector<double> distortion) {
   CameraParameters p = pinhole();

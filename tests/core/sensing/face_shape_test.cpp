@@ -1,19 +1,13 @@
 #include "core/sensing/face_shape.h"
 
+#include "tests/support/cameras.h"
+
 #include <random>
 
 #include <gtest/gtest.h>
 
 namespace alltact {
 namespace {
-
-CameraParameters pinhole() {
-  CameraParameters p;
-  p.width_px = 960, p.height_px = 540;
-  p.fx_px = p.fy_px = 523.9;
-  p.cx_px = 479.5, p.cy_px = 269.5;
-  return p;
-}
 
 /// A face that is a plane: 1/z is linear in x exactly. z = z0 + m X.
 struct Plane {
