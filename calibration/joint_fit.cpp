@@ -37,11 +37,10 @@ void weigh_outline(const PressSamples& press,
                    const Eigen::Vector3d& centre,
                    double radius_mm,
                    Weighted* weighted) {
-  const double each =
-      getenv("NOEACH")
-          ? 1.0
-          : std::sqrt(std::max(
-                1.0, static_cast<double>(weighted->samples.size()) / ContactDisc::kPatches));
+  // Samples beside each other share their errors: only a patch is one observation. The outline's
+  // points are so far apart that each is one.
+  const double each = std::sqrt(
+      std::max(1.0, static_cast<double>(weighted->samples.size()) / ContactDisc::kPatches));
   for (const OutlinePoint& point : press.outline) {
     const double z = outline_angle_rad(point.direction, centre, radius_mm) / point.sd_rad;
     if (!std::isfinite(z)) continue;
