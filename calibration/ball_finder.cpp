@@ -13,8 +13,7 @@ namespace alltact {
 namespace {
 
 constexpr double kSmoothingPx = 2.0;
-constexpr double kLevel = 0.4;          // of the darkest part: where the contour is drawn
-constexpr double kSecondContact = 0.3;  // weight of the second against the first
+constexpr double kLevel = 0.4;  // of the darkest part: where the contour is drawn
 constexpr double kMinimumRimDeg = 60.0;
 constexpr double kRoughRim = 0.16;  // rms distance from the circle / radius
 constexpr double kRagged = 0.72;    // least share of the circle's inside that is dark
@@ -93,7 +92,7 @@ std::vector<Patch> patches_of(const cv::Mat& labels, const cv::Mat& x, int count
 /// Where the level is crossed between neighbouring pixels on the patch's border, on the rolled-out
 /// face (length along it, y). Borders that are the face's own end are counted, not used.
 struct Rim {
-  std::vector<Eigen::Vector2d> points_mm;
+  std::vector<Eigen::Vector2d> points_mm, points_px;
   int off_face = 0;
 };
 
@@ -127,8 +126,10 @@ class RimReader {
     const double drop = here - static_cast<double>(beyond);
     const double part = drop > 0.0 ? std::clamp((here - level_) / drop, 0.0, 1.0) : 0.5;
     const Eigen::Vector2d pixel(u + part * du, v + part * dv);
-    if (const auto local = press_.shape.at(pixel.x(), pixel.y()))
-      rim->points_mm.emplace_back(press_.shape.length_at(pixel.x()), local->view_point_mm.y());
+    const auto local = press_.shape.at(pixel.x(), pixel.y());
+    if (!local) return;
+    rim->points_px.push_back(pixel);
+    rim->points_mm.emplace_back(press_.shape.length_at(pixel.x()), local->view_point_mm.y());
   }
 
   const Press& press_;
@@ -201,7 +202,10 @@ Inside look_inside(const Press& press, const cv::Mat& x, const Circle& circle, d
   return inside;
 }
 
-Result<BallGuess> find(const Press& press, const Face& face, double ball_radius_mm) {
+Result<BallGuess> find(const Press& press,
+                       const Face& face,
+                       double ball_radius_mm,
+                       const BallFinderOptions& options) {
   const cv::Mat x = smoothed(press.difference.x);
   const auto levels = levels_of(x);
   if (!levels)
@@ -218,7 +222,12 @@ Result<BallGuess> find(const Press& press, const Face& face, double ball_radius_
                   "pressing the ball in deeper, and checking that the reference shows the same "
                   "finger in the same pose");
   const double level = std::max(0.0, levels->untouched) + kLevel * contrast;
-  const cv::Mat dark = x > level;
+  cv::Mat dark = x > level;
+  if (options.opening_px > 0) {
+    const int side = 2 * options.opening_px + 1;
+    cv::morphologyEx(
+        dark, dark, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side}));
+  }
   cv::Mat labels;
   const int count = cv::connectedComponents(dark, labels, 4, CV_32S);
   const auto patches = patches_of(labels, x, count);
@@ -226,7 +235,7 @@ Result<BallGuess> find(const Press& press, const Face& face, double ball_radius_
     return refuse(press,
                   fmt::format("only specks are dark, none larger than {} pixels", kMinimumPixels),
                   "pressing the ball in deeper");
-  if (patches.size() > 1 && patches[1].weight > kSecondContact * patches[0].weight)
+  if (patches.size() > 1 && patches[1].weight > options.second_contact * patches[0].weight)
     return refuse(press,
                   fmt::format("two contacts were found, the second with {:.0f} % of the first",
                               100.0 * patches[1].weight / patches[0].weight),
@@ -234,13 +243,16 @@ Result<BallGuess> find(const Press& press, const Face& face, double ball_radius_
 
   const Rim rim = RimReader(press, x, labels, level)(patches[0].label);
   const auto circle = robust_circle(rim.points_mm);
-  if (!circle)
+  const auto circle_px = robust_circle(rim.points_px);
+  if (!circle || !circle_px)
     return refuse(press,
                   "the border of the dark part is no arc of a circle",
                   "a press in which the ball lies wholly on the face");
   BallGuess guess;
   guess.rim_arc_deg = arc_deg(rim.points_mm, *circle);
   guess.cut_by_edge = rim.off_face > 2;
+  guess.disc_px = circle_px->centre;
+  guess.disc_radius_px = circle_px->radius;
   if (guess.rim_arc_deg < kMinimumRimDeg)
     return refuse(press,
                   fmt::format("only {:.0f} degrees of the dark disc's rim lie on the face",
@@ -288,7 +300,10 @@ Result<BallGuess> find(const Press& press, const Face& face, double ball_radius_
 
 }  // namespace
 
-Result<BallGuess> find_ball(const Press& press, const Face& face, double ball_radius_mm) {
+Result<BallGuess> find_ball(const Press& press,
+                            const Face& face,
+                            double ball_radius_mm,
+                            const BallFinderOptions& options) {
   if (!(ball_radius_mm > 0.0) || !std::isfinite(ball_radius_mm))
     return Error{fmt::format("a ball radius of {} mm is impossible", ball_radius_mm),
                  "ball radius",
@@ -297,7 +312,7 @@ Result<BallGuess> find_ball(const Press& press, const Face& face, double ball_ra
       press.difference.x.cols != press.shape.width_px())
     return refuse(press, "the press has no difference picture", "taking the picture again");
   try {
-    return find(press, face, ball_radius_mm);
+    return find(press, face, ball_radius_mm, options);
   } catch (const cv::Exception& problem) {
     return refuse(press, fmt::format("OpenCV failed: {}", problem.what()), "a smaller picture");
   }

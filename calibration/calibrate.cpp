@@ -51,6 +51,7 @@ bool before(const Found& a, const Found& b) {
 std::vector<Found> find_balls(const std::vector<Press>& presses,
                               const Face& face,
                               double ball_radius_mm,
+                              const BallFinderOptions& options,
                               const Job& job,
                               std::vector<std::string>* left_out) {
   std::vector<Found> found;
@@ -66,7 +67,7 @@ std::vector<Found> find_balls(const std::vector<Press>& presses,
           fmt::format("{}: the same picture as {}, counted once.", press.name, twin->name));
       continue;
     }
-    auto guess = find_ball(press, face, ball_radius_mm);
+    auto guess = find_ball(press, face, ball_radius_mm, options);
     if (!guess) {
       left_out->push_back(guess.error().sentence());
       continue;
@@ -265,12 +266,18 @@ Result<Calibration> calibrate(const std::vector<Press>& presses,
                  "the radius in millimetres, as measured with callipers"};
   try {
     Calibration calibration;
+    const bool as_paper = settings.method == CalibrationMethod::kPaper;
     const std::vector<Found> found =
-        find_balls(presses, face, ball_radius_mm, job, &calibration.left_out);
+        find_balls(presses,
+                   face,
+                   ball_radius_mm,
+                   as_paper ? paper_ball_finder() : BallFinderOptions{},
+                   job,
+                   &calibration.left_out);
     if (found.empty())
       return job.stop_requested() ? stopped() : no_press(presses, calibration.left_out);
     Result<Calibration> result = [&]() -> Result<Calibration> {
-      if (settings.method == CalibrationMethod::kJoint)
+      if (!as_paper)
         return solve_jointly(found, ball_radius_mm, settings, job, std::move(calibration));
       std::vector<PaperPress> circles;
       for (const Found& f : found) circles.push_back({f.press, f.guess});

@@ -1,5 +1,6 @@
 #include "calibration/paper_method.h"
 
+#include "calibration/joint_fit.h"
 #include "calibration/mapping_curve.h"
 #include "calibration/model_choice.h"
 #include "calibration/press_samples.h"
@@ -19,10 +20,10 @@ namespace {
 constexpr int kDegree = 3;
 constexpr int kBlockPx = 2;
 
-/// Steepest fall of x along rays from the middle of the disc, up to `reach_px` out.
+/// Steepest fall of x along rays from the middle of the dark disc, around its 40 % contour.
 std::optional<Circle> border_circle(const cv::Mat& x,
                                     const Eigen::Vector2d& middle,
-                                    double reach_px) {
+                                    double radius_px) {
   constexpr int kRays = 180;
   constexpr double kStep = 2.0;
   std::vector<Eigen::Vector2d> points;
@@ -31,7 +32,7 @@ std::optional<Circle> border_circle(const cv::Mat& x,
     const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
     double steepest = 0;
     double place = 0;
-    for (double r = 0.3 * reach_px; r < reach_px; r += 0.5) {
+    for (double r = 0.6 * radius_px; r < 1.6 * radius_px; r += 0.5) {
       const double fall =
           bilinear(x, middle + (r - kStep) * out) - bilinear(x, middle + (r + kStep) * out);
       if (!(fall > steepest)) continue;
@@ -49,29 +50,32 @@ std::optional<Circle> border_circle(const cv::Mat& x,
   return fit_circle(points);
 }
 
-/// Depth of a ball at the samples inside the circle: where each pixel's ray meets the ball.
+/// Depth of a ball over the samples inside the circle, where it presses at all: d = z_LUF - z_D,
+/// with the ball's point D on the line along z on which the paper's p_CF = p_LUF - (0, 0, d) lies.
 struct Cloud {
   std::vector<double> x, depth_mm;
 };
 
 Cloud cloud_of(const std::vector<Sample>& samples,
-               const Camera& camera,
                const Eigen::Vector3d& centre,
                double radius_mm) {
   Cloud cloud;
   for (const Sample& sample : samples) {
-    const auto ray = camera.unproject(sample.pixel);
-    if (!ray) continue;
-    const auto hit = meet_ball(*ray, centre, radius_mm);
-    if (!hit) continue;
+    const double depth = ball_depth_mm(sample, MappingAlong::kZ, centre, radius_mm);
+    if (!(depth > 0.0)) continue;
     cloud.x.push_back(sample.x);
-    cloud.depth_mm.push_back(sample.untouched_z.z() - ray->point_at(hit->near).z());
+    cloud.depth_mm.push_back(depth);
   }
   return cloud;
 }
 
-/// Chebyshev polynomial of degree 3 with a constant; its value at x = 0.
-std::optional<double> constant_of(const Cloud& cloud, double x_max) {
+/// The Chebyshev polynomial of degree 3, with a constant, through a cloud.
+struct Cubic {
+  double at_zero;  ///< its value at x = 0
+  double misfit;   ///< rms of what it leaves, over the rms of the depths
+};
+
+std::optional<Cubic> cubic_through(const Cloud& cloud, double x_max) {
   const auto n = static_cast<Eigen::Index>(cloud.x.size());
   if (n < 50) return std::nullopt;
   Eigen::MatrixXd design(n, kDegree + 1);
@@ -82,23 +86,37 @@ std::optional<double> constant_of(const Cloud& cloud, double x_max) {
   const Eigen::Map<const Eigen::VectorXd> depth(cloud.depth_mm.data(), n);
   const Eigen::VectorXd c = design.colPivHouseholderQr().solve(depth);
   if (!c.allFinite()) return std::nullopt;
-  return c[0] - c[1] + c[2] - c[3];
+  return Cubic{c[0] - c[1] + c[2] - c[3], (design * c - depth).norm() / depth.norm()};
 }
 
-/// The ball's place along z for which the curve's constant is zero. Moving the ball by dz takes dz
-/// off every depth and so off the constant: Newton with slope -1.
+/// The ball's place on its line of sight for which the cubic's constant is zero; of several, the
+/// one whose cubic fits best. Looked for within 1.5 mm of z_mm.
 std::optional<Eigen::Vector3d> without_constant(const std::vector<Sample>& samples,
-                                                const Camera& camera,
-                                                Eigen::Vector3d centre,
+                                                const Ray& sight,
+                                                double z_mm,
                                                 double radius_mm,
                                                 double x_max) {
-  for (int round = 0; round < 50; ++round) {
-    const auto constant = constant_of(cloud_of(samples, camera, centre, radius_mm), x_max);
-    if (!constant || !(std::abs(*constant) < 2.0 * radius_mm)) return std::nullopt;
-    centre.z() += *constant;
-    if (std::abs(*constant) < 1e-9) break;
+  constexpr double kReachMm = 1.5, kStepMm = 0.05;
+  std::optional<double> found_mm, nearest_mm;
+  double nearest_constant = std::numeric_limits<double>::infinity();
+  double least_misfit = std::numeric_limits<double>::infinity();
+  std::optional<Cubic> before;
+  for (double z = z_mm - kReachMm; z < z_mm + kReachMm; z += kStepMm) {
+    const auto here = cubic_through(cloud_of(samples, sight.point_at(z), radius_mm), x_max);
+    if (before && here && before->at_zero * here->at_zero <= 0.0 && here->misfit < least_misfit) {
+      const double drop = before->at_zero - here->at_zero;
+      found_mm = z - kStepMm * (drop == 0.0 ? 0.0 : 1.0 - before->at_zero / drop);
+      least_misfit = here->misfit;
+    }
+    if (here && std::abs(here->at_zero) < nearest_constant) {
+      nearest_constant = std::abs(here->at_zero);
+      nearest_mm = z;
+    }
+    before = here;
   }
-  return centre;
+  if (!found_mm) found_mm = nearest_mm;
+  if (!found_mm) return std::nullopt;
+  return sight.point_at(*found_mm);
 }
 
 struct Solved {
@@ -112,28 +130,30 @@ std::optional<Solved> solve_press(const PaperPress& input,
                                   const Face& face,
                                   double radius_mm) {
   const Press& press = *input.press;
-  const auto outline = ball_outline_px(camera, input.guess.centre_mm, radius_mm, 64);
-  if (outline.size() < 3) return std::nullopt;
-  const auto around = fit_circle(outline);
-  if (!around) return std::nullopt;
-  // The dark border lies well inside the outline of the whole ball, unless it is deep.
-  const auto circle = border_circle(press.difference.x, around->centre, 1.05 * around->radius);
+  const auto circle =
+      border_circle(press.difference.x, input.guess.disc_px, input.guess.disc_radius_px);
   if (!circle) return std::nullopt;
-  const auto local = press.shape.at(circle->centre.x(), circle->centre.y());
-  const auto to_centre = camera.unproject(circle->centre);
+  const auto to_middle = camera.unproject(circle->centre);
   const auto to_edge = camera.unproject(circle->centre + Eigen::Vector2d(0.0, circle->radius));
-  if (!local || !to_centre || !to_edge) return std::nullopt;
-
-  Eigen::Vector3d centre;
+  const auto local = press.shape.at(input.guess.disc_px.x(), input.guess.disc_px.y());
+  if (!to_middle || !to_edge || !local) return std::nullopt;
+  // The circle says how far the ball is; in which direction, the ball finder, moved to the paper's
+  // untouched face, which lies along z: on an inclined face the dark disc does not lie around the
+  // ball's middle, and taking it to would cost the paper's method millimetres.
+  const Eigen::Vector3d near = input.guess.centre_mm +
+                               untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ) -
+                               untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal);
+  const auto near_px = camera.project(near);
+  const auto sight = near_px ? camera.unproject(*near_px) : std::nullopt;
+  if (!sight) return std::nullopt;
+  double z_mm = near.z();
   if (camera.is_perspective()) {
-    const double sine = sine_between(to_edge->direction, to_centre->direction);
+    const double sine = sine_between(to_edge->direction, to_middle->direction);
     if (!(sine > 0.0)) return std::nullopt;
-    centre = to_centre->direction.normalized() * (radius_mm / sine);
-  } else {
-    const double rim_mm = circle->radius * camera.mm_per_px_at(0.0);
-    if (!(rim_mm < radius_mm)) return std::nullopt;
-    centre = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ);
-    centre.z() += std::sqrt((radius_mm - rim_mm) * (radius_mm + rim_mm));
+    // A dark border that is the contact's rim, not the ball's outline, puts the ball far behind the
+    // finger, where it touches nothing; the search then begins at the face.
+    const double by_circle_mm = radius_mm / (sine * sight->direction.norm());
+    if (std::abs(by_circle_mm - z_mm) < radius_mm) z_mm = by_circle_mm;
   }
   Solved solved;
   for (const Sample& sample : sample_press(press, face, kBlockPx).samples)
@@ -142,16 +162,10 @@ std::optional<Solved> solve_press(const PaperPress& input,
   for (const Sample& sample : solved.samples) x_max = std::max(x_max, sample.x);
   if (!(x_max > 0.0)) return std::nullopt;
 
-  auto found = without_constant(solved.samples, camera, centre, radius_mm, x_max);
-  if (!found && camera.is_perspective()) {
-    // A dark border that is the contact's rim, not the ball's outline, puts the ball far behind the
-    // finger, where no ray meets it; the search then begins at the face.
-    centre = to_centre->direction * (input.guess.centre_mm.z() / to_centre->direction.z());
-    found = without_constant(solved.samples, camera, centre, radius_mm, x_max);
-  }
+  const auto found = without_constant(solved.samples, *sight, z_mm, radius_mm, x_max);
   if (!found) return std::nullopt;
-  centre = *found;
-  solved.cloud = cloud_of(solved.samples, camera, centre, radius_mm);
+  const Eigen::Vector3d centre = *found;
+  solved.cloud = cloud_of(solved.samples, centre, radius_mm);
   if (solved.cloud.x.size() < 50) return std::nullopt;
   solved.ball.press = press.name;
   solved.ball.centre_mm = centre;
@@ -185,6 +199,10 @@ std::optional<MappingCurve> curve_through(const std::vector<Solved>& presses,
 }
 
 }  // namespace
+
+BallFinderOptions paper_ball_finder() {
+  return {.opening_px = 5, .second_contact = 1.0};
+}
 
 Result<Calibration> calibrate_as_paper(const std::vector<PaperPress>& presses,
                                        const Camera& camera,

@@ -8,6 +8,10 @@
 
 namespace alltact {
 
+/// The largest dark region after opening: pictures that are not smoothed and compared with a frame
+/// of nearly the same pose are full of specks and of thin dark lines along the face's edges.
+[[nodiscard]] BallFinderOptions paper_ball_finder();
+
 struct PaperPress {
   const Press* press;
   BallGuess guess;
@@ -15,8 +19,8 @@ struct PaperPress {
 
 /// A circle through the steepest border of the dark disc; the ball's distance from the circle's
 /// angular radius, sin(alpha) = R / |c| (orthographic camera: from the circle as the line where the
-/// face meets the ball); d = z_LUF - z_D where a pixel's ray meets the ball; a cubic polynomial
-/// with a constant through (x, d), the ball moved along z until the constant is zero. The stored
+/// face meets the ball); d = z_LUF - z_D on lines along z; a cubic polynomial with a constant
+/// through (x, d), the ball moved along its line of sight until the constant is zero. The stored
 /// mapping is the cubic without constant through all presses after that search, written in the
 /// basis of MappingParameters; one of lower degree where the cubic does not increase, said in a
 /// remark. Errors: no press with a circle, no increasing curve.

@@ -27,6 +27,17 @@ struct BallGuess {
   double contact_radius_mm;   ///< of the dark disc on the face
   double rim_arc_deg;         ///< how much of the disc's rim was seen on the face
   bool cut_by_edge;           ///< part of the disc lies off the face
+  /// The disc in the picture: where the darkness has fallen to 40 %, as a circle.
+  Eigen::Vector2d disc_px;
+  double disc_radius_px;
+};
+
+/// How the ball finder tells the contact from what else is dark.
+struct BallFinderOptions {
+  int opening_px = 0;  ///< parts of the dark region narrower than twice this are noise
+  /// Two contacts are refused where the second weighs more than this part of the first; from 1 on
+  /// the largest is simply taken.
+  double second_contact = 0.3;
 };
 
 /// Finds the dark disc of one ball by itself: off axis (an ellipse in the picture), with or without
@@ -36,6 +47,7 @@ struct BallGuess {
 /// ball.
 [[nodiscard]] Result<BallGuess> find_ball(const Press& press,
                                           const Face& face,
-                                          double ball_radius_mm);
+                                          double ball_radius_mm,
+                                          const BallFinderOptions& options = {});
 
 }  // namespace alltact
