@@ -239,7 +239,9 @@ Result<Calibration> calibrate_as_paper(const std::vector<PaperPress>& presses,
     calibration.remarks.push_back(fmt::format(
         "the cubic does not increase; degree {} was used instead", curve->family().coefficients));
   calibration.mapping = mapping_parameters(*curve, MappingAlong::kZ);
-  calibration.degree_choice = "polynomial of degree 3: the source paper's";
+  calibration.degree_choice = curve->family().coefficients == kDegree
+                                  ? curve->family().name() + ": the source paper's"
+                                  : curve->family().name() + ", in place of the paper's cubic";
   for (Solved& s : solved) {
     double sum = 0;
     for (std::size_t i = 0; i < s.cloud.x.size(); ++i)
