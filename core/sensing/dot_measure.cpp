@@ -1,5 +1,7 @@
 #include "core/sensing/dot_measure.h"
 
+#include "core/numerics/dispatch.h"
+
 #include <array>
 #include <cstdint>
 #include <numbers>
@@ -211,52 +213,99 @@ struct Region {
   bool at_window_edge = false, at_border = false, at_face = false;
 };
 
+// Fills a region run by run: each run looks for the runs above and below that touch it.
+class RegionFill {
+ public:
+  RegionFill(const Window& w, float threshold, int x, int y, const cv::Size& picture)
+      : w_(w), threshold_(threshold), x_(x), y_(y), picture_(picture) {
+    std::fill_n(seen_.begin(), w.width * w.height, std::uint8_t{0});
+  }
+
+  Region operator()() {
+    begin(x_, y_);
+    while (count_ > 0) {
+      const std::uint16_t i = starts_[static_cast<std::size_t>(--count_)];
+      if (!seen_[i]) add_run(i % w_.width, i / w_.width);
+    }
+    return region_;
+  }
+
+ private:
+  [[nodiscard]] bool stands_out(std::size_t i) const {
+    return w_.usable[i] && w_.value[i] > threshold_;
+  }
+  void begin(int x, int y) {
+    const std::size_t i = w_.index(x, y);
+    if (!seen_[i] && stands_out(i))
+      starts_[static_cast<std::size_t>(count_++)] = static_cast<std::uint16_t>(i);
+  }
+
+  void add_run(int x, int y) {
+    int first = x, last = x;
+    while (first > 0 && stands_out(w_.index(first - 1, y))) --first;
+    while (last + 1 < w_.width && stands_out(w_.index(last + 1, y))) ++last;
+    look_at(first - 1, y);
+    look_at(last + 1, y);
+    const double dy = y - y_;
+    double sum_x = 0, sum_xx = 0;
+    for (int column = first; column <= last; ++column) {
+      const std::size_t i = w_.index(column, y);
+      seen_[i] = 1;
+      const double dx = column - x_;
+      sum_x += dx;
+      sum_xx += dx * dx;
+      region_.sum += static_cast<double>(w_.value[i]);
+    }
+    const int n = last - first + 1;
+    region_.area += n;
+    region_.x += sum_x;
+    region_.y += n * dy;
+    region_.xx += sum_xx;
+    region_.xy += sum_x * dy;
+    region_.yy += n * dy * dy;
+    for (const int beside : {y - 1, y + 1}) {
+      if (beside < 0 || beside >= w_.height) {
+        look_at(first, beside);
+        continue;
+      }
+      bool before = false;
+      for (int column = first; column <= last; ++column) {
+        const std::size_t i = w_.index(column, beside);
+        region_.at_face = region_.at_face || !w_.usable[i];
+        const bool here = stands_out(i);
+        if (here && !before) begin(column, beside);
+        before = here;
+      }
+    }
+  }
+
+  // What bounds the region there.
+  void look_at(int x, int y) {
+    if (x >= 0 && y >= 0 && x < w_.width && y < w_.height) {
+      region_.at_face = region_.at_face || !w_.usable[w_.index(x, y)];
+      return;
+    }
+    const int u = w_.u0 + x, v = w_.v0 + y;
+    const bool outside = u < 0 || v < 0 || u >= picture_.width || v >= picture_.height;
+    (outside ? region_.at_border : region_.at_window_edge) = true;
+  }
+
+  const Window& w_;
+  float threshold_;
+  int x_, y_;
+  cv::Size picture_;
+  Region region_;  // about (x_, y_), not yet divided by the area
+  std::array<std::uint8_t, kMaxSide * kMaxSide> seen_;
+  std::array<std::uint16_t, kMaxSide * kMaxSide> starts_;
+  int count_ = 0;
+};
+
 // The pixels connected to (x, y) that stand higher than `height` above the level around them.
 Region grow(const Window& w, double level, int x, int y, double height, const cv::Size& picture) {
-  const auto threshold = static_cast<float>(level + height);
-  Region region;
-  std::array<std::uint8_t, kMaxSide * kMaxSide> seen;
-  std::fill_n(seen.begin(), w.width * w.height, std::uint8_t{0});
-  std::array<std::uint16_t, kMaxSide * kMaxSide> queue;
-  int head = 0, tail = 0;
-  const auto push = [&](int px, int py) {
-    if (px < 0 || py < 0 || px >= w.width || py >= w.height) {
-      const int u = w.u0 + px, v = w.v0 + py;
-      if (u < 0 || v < 0 || u >= picture.width || v >= picture.height)
-        region.at_border = true;
-      else
-        region.at_window_edge = true;
-      return;
-    }
-    const std::size_t i = w.index(px, py);
-    if (seen[i]) return;
-    seen[i] = 1;
-    if (!w.usable[i]) {
-      region.at_face = true;
-      return;
-    }
-    if (w.value[i] <= threshold) return;
-    queue[static_cast<std::size_t>(tail++)] = static_cast<std::uint16_t>(i);
-  };
-  push(x, y);
-  while (head < tail) {
-    const int i = queue[static_cast<std::size_t>(head++)];
-    const int px = i % w.width, py = i / w.width;
-    const double dx = px - x, dy = py - y;
-    region.x += dx;
-    region.y += dy;
-    region.xx += dx * dx;
-    region.xy += dx * dy;
-    region.yy += dy * dy;
-    region.sum += static_cast<double>(w.value[static_cast<std::size_t>(i)]) - level;
-    ++region.area;
-    push(px - 1, py);
-    push(px + 1, py);
-    push(px, py - 1);
-    push(px, py + 1);
-  }
+  Region region = RegionFill(w, static_cast<float>(level + height), x, y, picture)();
   if (region.area == 0) return region;
   const double n = region.area;
+  region.sum -= n * level;
   region.x /= n;
   region.y /= n;
   // 1/12: the spread of a pixel itself.
@@ -300,11 +349,7 @@ struct Centroid {
 // How a dot's own brightness changes across it, in parts of that of its middle. A dot lit from one
 // side has its light's centre on that side; the centre asked for is that of its area.
 struct Shading {
-  double slope_x = 0, slope_y = 0;
-
-  [[nodiscard]] double at(double dx, double dy) const {
-    return std::clamp(1.0 + slope_x * dx + slope_y * dy, 0.5, 2.0);
-  }
+  double slope_x = 0, slope_y = 0;  // about the dot's middle
 };
 
 // From the pixels wholly inside; none for dots too small to have any.
@@ -341,12 +386,29 @@ bool opposite_usable(const Window& w, const Ellipse& e, int x, int y) {
   return mx >= 0 && my >= 0 && mx < w.width && my < w.height && w.usable[w.index(mx, my)];
 }
 
+ALLTACT_WIDE void flatten_row(
+    float level, float slope, float shade, float shade_slope, int width, float* values) {
+  for (int x = 0; x < width; ++x) {
+    const auto place = static_cast<float>(x);
+    const float wanted = shade + shade_slope * place;
+    const float above = wanted > 0.5F ? wanted : 0.5F;
+    values[x] = (values[x] - (level + slope * place)) / (above < 2.0F ? above : 2.0F);
+  }
+}
+
+// Turns the window's values into heights above the ground, evened out by the dot's own shading.
+void flatten(const Background& ground, const Shading& shading, const Ellipse& e, Window& w) {
+  for (int y = 0; y < w.height; ++y)
+    flatten_row(static_cast<float>(ground.at(0, y)),
+                static_cast<float>(ground.slope_x),
+                static_cast<float>(1.0 - shading.slope_x * e.x + shading.slope_y * (y - e.y)),
+                static_cast<float>(shading.slope_x),
+                w.width,
+                &w.value[w.index(0, y)]);
+}
+
 // Signed heights inside the grown ellipse: noise that is not cut off at zero does not pull.
-Centroid centroid(const Window& w,
-                  const Background& ground,
-                  const Shading& shading,
-                  const Ellipse& e,
-                  double reach) {
+Centroid centroid(const Window& w, const Ellipse& e, double reach) {
   Centroid c;
   double square = 0;
   // Neither the view face nor the window's border is near enough to matter.
@@ -354,17 +416,17 @@ Centroid centroid(const Window& w,
                     e.x + reach * e.half_x < w.width - 2 && e.y + reach * e.half_y < w.height - 2;
   for_rows_inside(w, e, reach, [&](int y, int first, int last) {
     const double dy = y - e.y;
+    double flux = 0;
     for (int x = first; x <= last; ++x) {
       const std::size_t i = w.index(x, y);
       if (!lone && !(w.usable[i] && opposite_usable(w, e, x, y))) continue;
-      const double dx = x - e.x;
-      const double height =
-          (static_cast<double>(w.value[i]) - ground.at(x, y)) / shading.at(dx, dy);
+      const double dx = x - e.x, height = static_cast<double>(w.value[i]);
       c.x += height * dx;
-      c.y += height * dy;
-      c.flux += height;
+      flux += height;
       square += dx * dx + dy * dy;
     }
+    c.y += flux * dy;
+    c.flux += flux;
   });
   if (!(c.flux > 0)) return {};
   c.x = e.x + c.x / c.flux;
@@ -430,9 +492,9 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   if (!ground) return {};
   Centroid c;
   Ellipse moving = dot;
-  const Shading shading = shading_of(w, *ground, dot);
+  flatten(*ground, shading_of(w, *ground, dot), dot, w);
   for (int pass = 0; pass < 2; ++pass) {
-    c = centroid(w, *ground, shading, moving, 1.2 + 1.2 / radius);
+    c = centroid(w, moving, 1.2 + 1.2 / radius);
     if (!(c.flux > 0) || std::hypot(c.x - dot.x, c.y - dot.y) > 0.5 * radius + 0.5) return {};
     moving.x = c.x;
     moving.y = c.y;
@@ -443,6 +505,8 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   const double mean_height = region.sum / region.area;
   result.contrast = seed.sign * mean_height;
   result.radius_px = std::sqrt(c.flux / mean_height / std::numbers::pi);
+  result.half_u_px = dot.half_x;
+  result.half_v_px = dot.half_y;
   // 0.3: rounding to whole grey levels. The plane's own error adds about as much as the pixels'.
   const double noise = std::max(0.3, ground->noise);
   result.sd_px = std::sqrt(std::pow(1.2 * noise * std::sqrt(c.spread) / c.flux, 2) + 0.01 * 0.01);
@@ -467,8 +531,8 @@ namespace {
 
 // Dots of one marker differ from picture to picture with distance and light, but not by more than
 // this; a dot half covered does.
-bool looks_like(const Dot& dot, double radius_px, double contrast) {
-  const double size = dot.radius_px / radius_px, strength = dot.contrast / contrast;
+bool looks_like(const Dot& dot, const Dot& like) {
+  const double size = dot.radius_px / like.radius_px, strength = dot.contrast / like.contrast;
   return size > 0.7 && size < 1.4 && strength > 0.5 && strength < 2.0;
 }
 
@@ -508,20 +572,21 @@ std::optional<Dot> near_dot(const cv::Mat& grey,
                             const SideEdges& edges,
                             const Eigen::Vector2d& place,
                             double search_px,
-                            double radius_px,
-                            double contrast) {
+                            const Dot& like) {
   if (!(place.x() >= 0 && place.x() <= grey.cols - 1 && place.y() >= 0 &&
         place.y() <= grey.rows - 1))
     return std::nullopt;
   DotSeed seed;
   seed.u = place.x();
   seed.v = place.y();
-  seed.half_u = seed.half_v = radius_px;
+  // A dot seen at a grazing angle is far longer than high.
+  seed.half_u = like.half_u_px > 0 ? like.half_u_px : like.radius_px;
+  seed.half_v = like.half_v_px > 0 ? like.half_v_px : like.radius_px;
   seed.upper = place.y() < edges.middle(static_cast<int>(std::lround(place.x())));
-  seed.sign = contrast > 0 ? 1 : -1;
-  seed.least_contrast = std::max(3.0, 0.4 * std::abs(contrast));
+  seed.sign = like.contrast > 0 ? 1 : -1;
+  seed.least_contrast = std::max(3.0, 0.4 * std::abs(like.contrast));
   const auto accepted = [&](const std::optional<Dot>& dot) {
-    return dot && looks_like(*dot, radius_px, contrast) &&
+    return dot && looks_like(*dot, like) &&
            std::hypot(dot->u - place.x(), dot->v - place.y()) <= search_px + 1;
   };
   auto dot = measure_dot(grey, edges, seed);

@@ -32,13 +32,13 @@ struct DotSeed {
                                              const SideEdges& edges,
                                              const DotSeed& seed);
 
-/// The dot near a place, when it looks like one of about `radius_px` and `contrast` (with sign).
-/// Searched within `search_px`; nullopt where there is none, or only part of one.
+/// The dot near a place, when its radius and contrast (with sign) are about those of `like`, whose
+/// extents, where it has any, say where to look. Searched within `search_px`; nullopt where there
+/// is none, or only part of one.
 [[nodiscard]] std::optional<Dot> near_dot(const cv::Mat& grey,
                                           const SideEdges& edges,
                                           const Eigen::Vector2d& place,
                                           double search_px,
-                                          double radius_px,
-                                          double contrast);
+                                          const Dot& like);
 
 }  // namespace alltact

@@ -250,13 +250,4 @@ MarkerDetector::Found MarkerDetector::operator()(const cv::Mat& grey,
              : bright;
 }
 
-std::optional<Dot> MarkerDetector::near(const cv::Mat& grey,
-                                        const FaceShape& shape,
-                                        const Eigen::Vector2d& place,
-                                        double search_px,
-                                        double radius_px,
-                                        double contrast) const {
-  return near_dot(grey, SideEdges(shape), place, search_px, radius_px, contrast);
-}
-
 }  // namespace alltact

@@ -16,19 +16,20 @@ std::size_t seen_count(const Markers& markers) {
 }  // namespace
 
 MarkerTracker::MarkerTracker(MarkerRows rows, MarkerModel model)
-    : detector_(rows), model_(std::move(model)) {}
+    : detector_(rows), model_(std::move(model)), looks_(model_.typical_dots()) {}
 
-std::optional<Markers> MarkerTracker::follow(const cv::Mat& grey, const FaceShape& shape) const {
+std::optional<Markers> MarkerTracker::follow(const cv::Mat& grey, const FaceShape& shape) {
   const SideEdges edges(shape);
   Markers markers = *last_;
   // Less than half the way to the next marker, so that none is taken for its neighbour.
   const double search = 0.35 * model_.spacing_px();
   for (std::size_t m = 0; m < markers.size(); ++m) {
-    const Dot& typical = model_.typical_dots()[m];
-    const auto dot = near_dot(
-        grey, edges, {markers[m].u, markers[m].v}, search, typical.radius_px, typical.contrast);
+    const auto dot = near_dot(grey, edges, {markers[m].u, markers[m].v}, search, looks_[m]);
     markers[m].seen = dot.has_value();
-    if (dot) markers[m] = {dot->u, dot->v, true, dot->sd_px};
+    if (!dot) continue;
+    markers[m] = {dot->u, dot->v, true, dot->sd_px};
+    looks_[m].half_u_px = dot->half_u_px;
+    looks_[m].half_v_px = dot->half_v_px;
   }
   for (std::size_t a = 0; a < markers.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)

@@ -34,10 +34,11 @@ struct Dot {
   double radius_px = 0;  ///< of the disc of the same area
   double contrast = 0;   ///< grey levels against the surroundings; sign is the polarity
   double sd_px = 0;
-  bool upper = false;   ///< on the side face at small v
-  double along_mm = 0;  ///< length of the face from its base to the dot's column
-  double face_px = 0;   ///< width of the face in that column
-  double off_face = 0;  ///< distance from the face's edge, in parts of face_px
+  bool upper = false;                   ///< on the side face at small v
+  double along_mm = 0;                  ///< length of the face from its base to the dot's column
+  double face_px = 0;                   ///< width of the face in that column
+  double off_face = 0;                  ///< distance from the face's edge, in parts of face_px
+  double half_u_px = 0, half_v_px = 0;  ///< half extents at half height; 0: not known
 };
 
 /// Finds dots on the side faces (outside the face's edges) by multi-scale blob response, sub-pixel
@@ -53,15 +54,6 @@ class MarkerDetector {
     Polarity polarity = Polarity::kBright;
   };
   [[nodiscard]] Found operator()(const cv::Mat& grey, const FaceShape& shape) const;
-
-  /// The one dot near a place: searched within `search_px`, nullopt where there is none that looks
-  /// like a dot of about `radius_px` with a contrast of the sign of `contrast`.
-  [[nodiscard]] std::optional<Dot> near(const cv::Mat& grey,
-                                        const FaceShape& shape,
-                                        const Eigen::Vector2d& place,
-                                        double search_px,
-                                        double radius_px,
-                                        double contrast) const;
 
  private:
   MarkerRows rows_;
@@ -136,11 +128,12 @@ class MarkerTracker {
   void forget() { last_.reset(); }
 
  private:
-  [[nodiscard]] std::optional<Markers> follow(const cv::Mat& grey, const FaceShape& shape) const;
+  [[nodiscard]] std::optional<Markers> follow(const cv::Mat& grey, const FaceShape& shape);
 
   MarkerDetector detector_;
   MarkerModel model_;
   std::optional<Markers> last_;
+  std::vector<Dot> looks_;  // of each marker when it was last followed
 };
 
 }  // namespace alltact

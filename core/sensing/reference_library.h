@@ -28,10 +28,10 @@ enum class ReferenceMethod {
 /// The reference picture of a frame.
 struct Reference {
   ReferencePicture picture;  ///< grey levels; NaN where a frame used shows no face
-  int frame = -1;          ///< number of the nearest frame in the recording
-  double distance_px = 0;  ///< mean distance of the seen markers to that frame's
-  bool known_pose = true;  ///< false: further away than the recording's own frames are apart
-  double noise_gain = 1;   ///< standard deviation of the reference's noise / that of one frame
+  int frame = -1;            ///< number of the nearest frame in the recording
+  double distance_px = 0;    ///< mean distance of the seen markers to that frame's
+  bool known_pose = true;    ///< false: further away than the recording's own frames are apart
+  double noise_gain = 1;     ///< standard deviation of the reference's noise / that of one frame
 };
 
 /// Marker table of a recording (reference.csv). First a line of column names, then one line a

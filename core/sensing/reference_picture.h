@@ -17,8 +17,8 @@ class ReferencePicture {
   ReferencePicture() = default;
   /// One picture, CV_32FC1; NaN where it tells nothing.
   explicit ReferencePicture(cv::Mat grey);
-  /// sum of weights[i] * faces[i] where all of them show the face; all kept from pictures of `size`.
-  /// `owner` keeps the faces alive. At least one face, as many weights.
+  /// sum of weights[i] * faces[i] where all of them show the face; all kept from pictures of
+  /// `size`. `owner` keeps the faces alive. At least one face, as many weights.
   ReferencePicture(std::shared_ptr<const void> owner,
                    std::vector<const FacePicture*> faces,
                    std::vector<float> weights,
