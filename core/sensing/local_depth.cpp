@@ -162,51 +162,44 @@ ALLTACT_WIDE void divide_row(const float* __restrict live,
 }
 
 ALLTACT_WIDE void flag_row(const float* __restrict x,
-                           const std::uint8_t* __restrict flags,
                            float x_max,
                            int count,
-                           std::uint8_t* __restrict out) {
+                           std::uint8_t* __restrict flags) {
   constexpr float beyond = kExtrapolated;
   for (int u = 0; u < count; ++u) {
     const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
-    out[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(x[u] > x_max ? beyond : flag));
+    flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(x[u] > x_max ? beyond : flag));
   }
 }
 
 /// What of a row lies outside the face's runs has no measurement.
-void clear_outside(std::span<const FaceRun> runs, int width, float* values, std::uint8_t* flags) {
+template <class Value, class Clear>
+void clear_outside(std::span<const FaceRun> runs, int width, Value* values, Clear clear) {
   int done = 0;
-  const auto clear_to = [&](int end) {
-    fill_nan(values + done, end - done);
-    std::memset(flags + done, kOffFace, static_cast<std::size_t>(end - done));
-  };
   for (const FaceRun& run : runs) {
-    clear_to(run.first);
+    clear(values + done, run.first - done);
     done = run.end;
   }
-  clear_to(width);
+  clear(values + done, width - done);
 }
 
-/// One row of depth from one row of differences.
-void map_row(const Difference& difference, int row, const Mapping& mapping, DepthMap& map) {
-  const auto runs = difference.face.of_row(row);
-  float* depth = map.depth_mm.ptr<float>(row);
-  auto* flags = map.flags.ptr<std::uint8_t>(row);
+void fill_off_face(std::uint8_t* flags, int count) {
+  std::memset(flags, kOffFace, static_cast<std::size_t>(count));
+}
+
+/// One row of depth from one row of differences, whose flags it completes.
+void map_row(std::span<const FaceRun> runs,
+             const float* x,
+             const Mapping& mapping,
+             int width,
+             float* depth,
+             std::uint8_t* flags) {
   const auto x_max = static_cast<float>(mapping.x_max());
   for (const FaceRun& run : runs) {
-    const float* x = difference.x.ptr<float>(row) + run.first;
-    mapping.depths_mm(x, depth + run.first, run.size());
-    flag_row(x,
-             difference.flags.ptr<std::uint8_t>(row) + run.first,
-             x_max,
-             run.size(),
-             flags + run.first);
+    mapping.depths_mm(x + run.first, depth + run.first, run.size());
+    flag_row(x + run.first, x_max, run.size(), flags + run.first);
   }
-  clear_outside(runs, difference.x.cols, depth, flags);
-}
-
-DepthMap empty_map(const cv::Size& size) {
-  return {pooled_picture(size, CV_32FC1), pooled_picture(size, CV_8UC1)};
+  clear_outside(runs, width, depth, fill_nan);
 }
 
 void turn_along_z(const Mapping& mapping, const FaceShape& shape, DepthMap& map) {
@@ -215,25 +208,17 @@ void turn_along_z(const Mapping& mapping, const FaceShape& shape, DepthMap& map)
 }
 
 /// Compares row by row: each row is selected, smoothed with those around it and divided while it is
-/// still near the processor, then handed to `done`.
-template <class Done>
-Difference compare(const cv::Mat& grey,
-                   const Reference& reference,
-                   const FaceShape& shape,
-                   const DifferenceOptions& options,
-                   Done done) {
-  CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.picture.size() &&
-            shape.width_px() == grey.cols);
-  Difference result;
-  result.x = pooled_picture(grey.size(), CV_32FC1);
-  result.flags = pooled_picture(grey.size(), CV_8UC1);
-  result.face = face_runs(shape, options.edge_margin_px, grey.size());
-  // One frame's noise and the reference's own, averaged over the kernel: sd / (2 sqrt(pi) s).
-  const double averaging = options.smoothing_px > 0.0
-                               ? std::min(1.0, 1.0 / (2.0 * std::sqrt(M_PI) * options.smoothing_px))
-                               : 1.0;
-  result.grey_sd = averaging * options.noise_sd * std::hypot(1.0, reference.noise_gain);
-
+/// still near the processor. `row_of_x` says where a row's differences go (only the face's runs are
+/// written) and `done` is told when they are there.
+template <class RowOfX, class Done>
+void compare(const cv::Mat& grey,
+             const Reference& reference,
+             const FaceRuns& face,
+             const DifferenceOptions& options,
+             cv::Mat& flags,
+             RowOfX row_of_x,
+             Done done) {
+  CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.picture.size());
   // Both pictures are smoothed alike before the division, with nothing from outside the face: the
   // weights of the missing neighbours cancel in the ratio, and dark pixels are not biased by it.
   const auto weights = gaussian_weights(options.smoothing_px);
@@ -241,7 +226,7 @@ Difference compare(const cv::Mat& grey,
   ReferencePicture::Reader reader(reference.picture);
   const float darkest = static_cast<float>(std::max(8.0, 6.0 * options.noise_sd));
   const auto select = [&](int row) {
-    const auto runs = row < grey.rows ? result.face.of_row(row) : std::span<const FaceRun>();
+    const auto runs = row < grey.rows ? face.of_row(row) : std::span<const FaceRun>();
     float* live_row = live.fresh_row(row, runs);
     float* untouched_row = untouched.fresh_row(row, runs);
     if (runs.empty()) return;
@@ -253,24 +238,23 @@ Difference compare(const cv::Mat& grey,
                  run.size(),
                  live_row + run.first,
                  untouched_row + run.first,
-                 result.flags.ptr<std::uint8_t>(row) + run.first);
+                 flags.ptr<std::uint8_t>(row) + run.first);
   };
   for (int row = 0; row < live.radius(); ++row) select(row);
   for (int row = 0; row < grey.rows; ++row) {
     select(row + live.radius());
-    const auto runs = result.face.of_row(row);
-    float* x = result.x.ptr<float>(row);
-    auto* flags = result.flags.ptr<std::uint8_t>(row);
+    const auto runs = face.of_row(row);
+    float* x = row_of_x(row);
+    auto* row_flags = flags.ptr<std::uint8_t>(row);
     for (const FaceRun& run : runs)
       divide_row(live.smoothed(row, run),
                  untouched.smoothed(row, run),
-                 flags + run.first,
+                 row_flags + run.first,
                  run.size(),
                  x + run.first);
-    clear_outside(runs, grey.cols, x, flags);
-    done(result, row);
+    clear_outside(runs, grey.cols, row_flags, fill_off_face);
+    done(row);
   }
-  return result;
 }
 
 }  // namespace
@@ -279,28 +263,68 @@ Difference difference(const cv::Mat& grey,
                       const Reference& reference,
                       const FaceShape& shape,
                       const DifferenceOptions& options) {
-  return compare(grey, reference, shape, options, [](const Difference&, int) {});
+  CV_Assert(shape.width_px() == grey.cols);
+  Difference result;
+  result.x = pooled_picture(grey.size(), CV_32FC1);
+  result.flags = pooled_picture(grey.size(), CV_8UC1);
+  result.face = face_runs(shape, options.edge_margin_px, grey.size());
+  // One frame's noise and the reference's own, averaged over the kernel: sd / (2 sqrt(pi) s).
+  const double averaging = options.smoothing_px > 0.0
+                               ? std::min(1.0, 1.0 / (2.0 * std::sqrt(M_PI) * options.smoothing_px))
+                               : 1.0;
+  result.grey_sd = averaging * options.noise_sd * std::hypot(1.0, reference.noise_gain);
+  compare(
+      grey,
+      reference,
+      result.face,
+      options,
+      result.flags,
+      [&](int row) { return result.x.ptr<float>(row); },
+      [&](int row) {
+        clear_outside(result.face.of_row(row), grey.cols, result.x.ptr<float>(row), fill_nan);
+      });
+  return result;
 }
 
 DepthMap depth_map(const Difference& difference, const Mapping& mapping, const FaceShape& shape) {
-  DepthMap map = empty_map(difference.x.size());
-  for (int row = 0; row < difference.x.rows; ++row) map_row(difference, row, mapping, map);
+  DepthMap map{pooled_picture(difference.x.size(), CV_32FC1), difference.flags.clone()};
+  for (int row = 0; row < difference.x.rows; ++row)
+    map_row(difference.face.of_row(row),
+            difference.x.ptr<float>(row),
+            mapping,
+            difference.x.cols,
+            map.depth_mm.ptr<float>(row),
+            map.flags.ptr<std::uint8_t>(row));
   turn_along_z(mapping, shape, map);
   return map;
 }
 
-std::pair<Difference, DepthMap> difference_and_depth(const cv::Mat& grey,
-                                                     const Reference& reference,
-                                                     const FaceShape& shape,
-                                                     const DifferenceOptions& options,
-                                                     const Mapping& mapping) {
-  DepthMap map = empty_map(grey.size());
-  Difference result =
-      compare(grey, reference, shape, options, [&](const Difference& so_far, int row) {
-        map_row(so_far, row, mapping, map);
+DepthMap depth_map(const cv::Mat& grey,
+                   const Reference& reference,
+                   const FaceShape& shape,
+                   const DifferenceOptions& options,
+                   const Mapping& mapping) {
+  CV_Assert(shape.width_px() == grey.cols);
+  DepthMap map{pooled_picture(grey.size(), CV_32FC1), pooled_picture(grey.size(), CV_8UC1)};
+  const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size());
+  std::vector<float> x(static_cast<std::size_t>(grey.cols));
+  compare(
+      grey,
+      reference,
+      face,
+      options,
+      map.flags,
+      [&](int) { return x.data(); },
+      [&](int row) {
+        map_row(face.of_row(row),
+                x.data(),
+                mapping,
+                grey.cols,
+                map.depth_mm.ptr<float>(row),
+                map.flags.ptr<std::uint8_t>(row));
       });
   turn_along_z(mapping, shape, map);
-  return {std::move(result), std::move(map)};
+  return map;
 }
 
 }  // namespace alltact

@@ -118,10 +118,7 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   options.smoothing_px = settings.smoothing_px;
   options.noise_sd = result.edges ? result.edges->noise_sd : plane_noise_sd;
   if (mapping) {
-    auto [x, depth] =
-        difference_and_depth(result.grey, *result.reference, *result.shape, options, *mapping);
-    result.difference = std::move(x);
-    result.depth = std::move(depth);
+    result.depth = depth_map(result.grey, *result.reference, *result.shape, options, *mapping);
   } else {
     result.difference = difference(result.grey, *result.reference, *result.shape, options);
     result.problems.emplace_back("the finger is not calibrated: calibrate it with ball presses");

@@ -36,8 +36,8 @@ struct FrameResult {
   std::optional<FaceShape> shape;
   std::optional<Markers> markers;
   std::optional<Reference> reference;
-  std::optional<Difference> difference;
-  std::optional<DepthMap> depth;
+  std::optional<Difference> difference;  ///< of a finger without a mapping
+  std::optional<DepthMap> depth;         ///< of one with a mapping
   std::optional<Touch> touch;
   std::vector<ContactRegion> regions;
   StepTimes times_ms;

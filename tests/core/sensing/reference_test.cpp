@@ -73,7 +73,8 @@ TEST(MixFaces, IsTheWeightedSumWhereEveryFrameShowsTheFace) {
   }
   std::vector<const FacePicture*> pointers;
   for (const auto& face : faces) pointers.push_back(&face);
-  const cv::Mat grey = ReferencePicture(nullptr, pointers, weights, {finger.width, finger.height}).grey();
+  const cv::Mat grey =
+      ReferencePicture(nullptr, pointers, weights, {finger.width, finger.height}).grey();
   int shown = 0;
   for (int u = 0; u < finger.width; ++u)
     for (int v = 0; v < finger.height; ++v) {
@@ -93,7 +94,8 @@ TEST(MixFaces, IsTheWeightedSumWhereEveryFrameShowsTheFace) {
   EXPECT_GT(shown, 20000);
   // A picture somebody holds is not written over.
   const cv::Mat held = grey, copy = grey.clone();
-  const cv::Mat other = ReferencePicture(nullptr, {pointers[0]}, {1.0F}, {finger.width, finger.height}).grey();
+  const cv::Mat other =
+      ReferencePicture(nullptr, {pointers[0]}, {1.0F}, {finger.width, finger.height}).grey();
   EXPECT_NE(held.data, other.data);
   EXPECT_EQ(std::memcmp(held.data, copy.data, held.total() * held.elemSize()), 0);
 }
