@@ -51,6 +51,7 @@ struct MatroskaFile::State {
   Status open(const AVCodecParameters& parameters, double frames_per_s);
   Status cut_back(int number);
   Status flush(int number);
+  Status finish();
 
   static int write(void* opaque, std::uint8_t* bytes, int count) {
     auto& self = *static_cast<State*>(opaque);
@@ -118,6 +119,15 @@ Status MatroskaFile::State::cut_back(int number) {
   return problem;
 }
 
+Status MatroskaFile::State::finish() {
+  if (!is_open) return error(AVERROR(EPIPE));
+  if (Status status = flush(av_write_trailer(context)); !status) return status;
+  is_open = false;
+  whole_bytes = static_cast<std::uint64_t>(::lseek(descriptor, 0, SEEK_END));
+  if (::fsync(descriptor) != 0) return error(AVERROR(errno));
+  return {};
+}
+
 MatroskaFile::MatroskaFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
 MatroskaFile::MatroskaFile(MatroskaFile&&) noexcept = default;
 MatroskaFile& MatroskaFile::operator=(MatroskaFile&&) noexcept = default;
@@ -142,13 +152,9 @@ Status MatroskaFile::write(AVPacket& packet) {
 }
 
 Status MatroskaFile::finish() {
-  State& s = *state_;
-  if (!s.is_open) return s.error(AVERROR(EPIPE));
-  if (Status status = s.flush(av_write_trailer(s.context)); !status) return status;
-  s.is_open = false;
-  s.whole_bytes = static_cast<std::uint64_t>(::lseek(s.descriptor, 0, SEEK_END));
-  if (::fsync(s.descriptor) != 0) return s.error(AVERROR(errno));
-  return {};
+  const Status status = state_->finish();
+  ::flock(state_->descriptor, LOCK_UN);
+  return status;
 }
 
 std::uint64_t MatroskaFile::bytes() const {
