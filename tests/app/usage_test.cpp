@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 const std::vector<std::string> kCommands = {
-    "new", "simulate", "reference", "calibrate", "reconstruct", "check", "export", "demo"};
+    "new", "simulate", "reference", "calibrate", "reconstruct", "record", "check", "export", "demo"};
 
 TEST(Usage, HelpNamesEveryCommand) {
   const ProgramRun run = run_alltact({"--help"});
