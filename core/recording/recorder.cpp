@@ -243,6 +243,7 @@ Status Recorder::State::close(std::string_view why) {
   note(journal.remark(fmt::format("ended: {}", problem ? problem->sentence() : std::string(why))));
   if (video) {
     note(video->finish());
+    counts.bytes = video->bytes();
   } else if (first) {
     first = Error{"no frame came, so nothing was recorded", file.string(), "check the source"};
   }
