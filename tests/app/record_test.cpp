@@ -104,7 +104,7 @@ TEST(Record, EndsWholeOnCtrlC) {
   const TemporaryFolder folder;
   write_scene(folder / "s.yaml");
   const ProgramRun run =
-      run_shell("timeout --preserve-status -s INT 1 '" ALLTACT_PROGRAM "' record '" +
+      run_shell("timeout --foreground --preserve-status -s INT 1 '" ALLTACT_PROGRAM "' record '" +
                 (folder / "s.yaml").string() + "' -o '" + (folder / "v.mkv").string() + "'");
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(text_of(folder / "v.frames.csv"), HasSubstr("# ended: stopped by hand\n"));
@@ -169,7 +169,7 @@ TEST(Live, GivesALineForEachFrameUntilCtrlC) {
 
   write_scene(flat.folder / "s.yaml");
   const ProgramRun stopped =
-      run_shell("timeout --preserve-status -s INT 1 '" ALLTACT_PROGRAM "' reconstruct '" +
+      run_shell("timeout --foreground --preserve-status -s INT 1 '" ALLTACT_PROGRAM "' reconstruct '" +
                 flat.finger() + "' '" + flat.file("s.yaml") + "' --live");
   EXPECT_EQ(stopped.status, 0) << stopped.errors;
   EXPECT_THAT(stopped.output, HasSubstr("\"index\":2"));
