@@ -162,13 +162,16 @@ std::optional<Waiting> Recorder::State::take() {
 /// The thread: one frame after the other until there are no more, or one cannot be recorded.
 void Recorder::State::run() {
   while (const auto waiting = take()) {
+    const std::uint64_t recorded_before = counts.recorded;  // written by this thread alone
     Status status = check_disk();
     if (status) status = record(*waiting);
     if (!status) {
       const std::lock_guard lock(mutex);
       problem = status.error();
-      dropped_since += queue.size() + 1;
-      counts.dropped += queue.size() + 1;
+      // This one may be in the video and only its line not in the journal.
+      const std::uint64_t lost = queue.size() + (counts.recorded == recorded_before ? 1 : 0);
+      dropped_since += lost;
+      counts.dropped += lost;
       queue.clear();
       queue_bytes = 0;
       news.notify_all();
@@ -243,6 +246,7 @@ Status Recorder::State::close(std::string_view why) {
   note(journal.remark(fmt::format("ended: {}", problem ? problem->sentence() : std::string(why))));
   if (video) {
     note(video->finish());
+    const std::lock_guard lock(mutex);
     counts.bytes = video->bytes();
   } else if (first) {
     first = Error{"no frame came, so nothing was recorded", file.string(), "check the source"};
