@@ -168,9 +168,9 @@ TEST(Live, GivesALineForEachFrameUntilCtrlC) {
   EXPECT_THAT(run.errors, HasSubstr("skipped to keep up"));
 
   write_scene(flat.folder / "s.yaml");
-  const ProgramRun stopped =
-      run_shell("timeout --foreground --preserve-status -s INT 1 '" ALLTACT_PROGRAM "' reconstruct '" +
-                flat.finger() + "' '" + flat.file("s.yaml") + "' --live");
+  const ProgramRun stopped = run_shell(
+      "timeout --foreground --preserve-status -s INT 1 '" ALLTACT_PROGRAM "' reconstruct '" +
+      flat.finger() + "' '" + flat.file("s.yaml") + "' --live");
   EXPECT_EQ(stopped.status, 0) << stopped.errors;
   EXPECT_THAT(stopped.output, HasSubstr("\"index\":2"));
 }
