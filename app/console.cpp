@@ -48,6 +48,15 @@ void Console::say(std::string_view line) {
   std::fflush(stdout);
 }
 
+Status Console::put(std::string_view line) {
+  clear_progress();
+  const std::string whole = fmt::format("{}\n", line);
+  if (std::fwrite(whole.data(), 1, whole.size(), stdout) == whole.size() &&
+      std::fflush(stdout) == 0)
+    return {};
+  return Error{"standard output could not be written", "", "looking at what reads it"};
+}
+
 void Console::warn(std::string_view line) {
   clear_progress();
   fmt::print(stderr, "{}\n", line);

@@ -27,6 +27,11 @@ class Console {
   /// A line on standard error that does not stop the work.
   void warn(std::string_view line);
 
+  /// True when the answer is one JSON object.
+  [[nodiscard]] bool json() const { return json_; }
+  /// A line of data on standard output, at once. Error: nobody takes it.
+  [[nodiscard]] Status put(std::string_view line);
+
   /// The answer for --json; filled by the command, printed by finish().
   [[nodiscard]] Json& answer() { return answer_; }
 

@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   add_reference(program, chosen);
   add_calibrate(program, chosen);
   add_reconstruct(program, chosen);
+  add_record(program, chosen);
   add_check(program, chosen);
   add_export(program, chosen);
   add_devices(program, chosen);

@@ -3,6 +3,8 @@
 #include "calibration/recording_layouts.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
+#include "core/recording/video_file.h"
+#include "core/recording/video_writer.h"
 #include "core/sensing/face_edges.h"
 #include "core/sensing/face_shape.h"
 #include "core/sensing/layout_search.h"
@@ -11,7 +13,6 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <opencv2/videoio.hpp>
 
 namespace alltact {
 namespace {
@@ -24,29 +25,26 @@ constexpr int kProfileDegree = 7;
 constexpr double kTouchSigmas = 5.0;
 constexpr double kTouchFloorPx = 0.2;  // of every marker at once: a camera that moves or warms up
 
-// Lossless grey video.
-class VideoWriter {
+// The reference video, made with its first frame.
+class ReferenceVideo {
  public:
-  explicit VideoWriter(fs::path file) : file_(std::move(file)) {}
+  ReferenceVideo(fs::path file, double frames_per_s)
+      : file_(std::move(file)), frames_per_s_(frames_per_s) {}
 
-  Status add(const cv::Mat& grey) {
-    if (!writer_.isOpened()) {
-      size_ = grey.size();
-      const int ffv1 = cv::VideoWriter::fourcc('F', 'F', 'V', '1');
-      if (!writer_.open(file_.string(), cv::CAP_FFMPEG, ffv1, 30.0, size_, false))
-        return Error{"the recording cannot be written",
-                     file_.string(),
-                     "check the folder's rights and space"};
+  Status add(const Frame& frame) {
+    if (!writer_) {
+      auto made = VideoWriter::create(file_, frame, VideoCodec::kFfv1, frames_per_s_);
+      if (!made) return made.error();
+      writer_ = std::move(*made);
     }
-    writer_.write(grey);
-    return {};
+    return writer_->add(frame);
   }
-  void close() { writer_.release(); }
+  Status finish() { return writer_ ? writer_->finish() : Status(); }
 
  private:
   fs::path file_;
-  cv::Size size_;
-  cv::VideoWriter writer_;
+  double frames_per_s_;
+  std::optional<VideoWriter> writer_;
 };
 
 // All that the first pass over a recording leaves.
@@ -97,7 +95,7 @@ Result<Pass> first_pass(Source& source,
                         const Job& job,
                         const fs::path& video) {
   Pass pass;
-  VideoWriter writer(video);
+  ReferenceVideo writer(video, source.frames_per_s());
   const auto total = source.count();
   for (;;) {
     if (job.stop_requested())
@@ -119,11 +117,11 @@ Result<Pass> first_pass(Source& source,
     const Status fits = wrong_size(**frame, camera);
     if (!fits) return fits.error();
     pass.frames.push_back(look_at((*frame)->grey, camera, finger));
-    const Status written = writer.add((*frame)->grey);
+    const Status written = writer.add(**frame);
     if (!written) return written.error();
     pass.in_video.push_back(pass.written++);
   }
-  writer.close();
+  if (const Status finished = writer.finish(); !finished) return finished.error();
   return pass;
 }
 
@@ -142,38 +140,18 @@ Status keep_frames(const fs::path& video, const std::vector<char>& keep, const J
       fs::remove(file, ignored);
     }
   } remove{whole};
-  cv::VideoCapture reader(whole.string(), cv::CAP_FFMPEG);
-  VideoWriter writer(video);
-  cv::Mat picture;
+  auto reader = VideoFile::open(whole, job);
+  if (!reader) return reader.error();
+  ReferenceVideo writer(video, reader->frames_per_s());
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (job.stop_requested())
       return Error{"stopped before the recording was written", video.string(), ""};
-    if (!reader.read(picture))
-      return Error{
-          fmt::format(
-              "the recording broke off after {} of {} frames while it was written", i, keep.size()),
-          video.string(),
-          "check that the disk is not full"};
     if (!keep[i]) continue;
-    if (picture.channels() == 3) cv::extractChannel(picture, picture, 0);
-    const Status written = writer.add(picture);
-    if (!written) return written;
+    const auto frame = reader->frame(i);
+    if (!frame) return frame.error();
+    if (const Status written = writer.add(**frame); !written) return written;
   }
-  writer.close();
-  return {};
-}
-
-// Written pictures are counted by reading them back: the writer itself tells nothing of a full
-// disk.
-Status check_count(const fs::path& video, int expected) {
-  cv::VideoCapture reader(video.string(), cv::CAP_FFMPEG);
-  int count = 0;
-  while (reader.isOpened() && reader.grab()) ++count;
-  if (count == expected) return {};
-  return Error{
-      fmt::format("only {} of {} frames of the recording could be written", count, expected),
-      video.string(),
-      "check that the disk is not full"};
+  return writer.finish();
 }
 
 MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::size_t>& kept) {
@@ -247,8 +225,6 @@ Status make_reference(Source& source,
     const Status rewritten = keep_frames(temporary, keep, job);
     if (!rewritten) return rewritten;
   }
-  const Status complete = check_count(temporary, static_cast<int>(kept.size()));
-  if (!complete) return complete;
   table = table_of(numbered, kept);
   report.frames_kept = static_cast<int>(kept.size());
   report.median_step_px = LayoutSearch(table.layouts).median_step_px();

@@ -5,8 +5,10 @@
 #include "app/console.h"
 #include "calibration/calibrate.h"
 #include "core/finger/finger.h"
+#include "core/recording/recorder.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
+#include "core/sources/source.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -70,10 +72,25 @@ struct ReconstructOptions {
   Path folder;
   bool depth = true, points = true, ply = false;
   int threads = 1;
+  bool live = false;  ///< lines on standard output instead of files, until stopped
   PipelineSettings pipeline;
 };
 /// Turns pictures into depth. Error at the end when any of them could not be.
 Status run_reconstruct(const ReconstructOptions& options, Console& console);
+
+struct RecordOptions {
+  std::vector<Path> inputs;
+  Path video;
+  RecorderSettings recorder;
+  Pace pace = Pace::kRecorded;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::optional<std::uint64_t> frames;  ///< ends after so many
+  std::optional<double> seconds;        ///< ends after so much recorded time
+};
+/// Records a source until it ends or is stopped. Error: frames were lost on this computer, or
+/// could not be read; or the recording had to end.
+Status run_record(const RecordOptions& options, Console& console);
 
 /// Says what a finger is fit for. Error: it is not fit to use.
 Status run_check(const Path& finger, Console& console);
@@ -109,6 +126,7 @@ void add_simulate(CLI::App& program, Chosen& chosen);
 void add_reference(CLI::App& program, Chosen& chosen);
 void add_calibrate(CLI::App& program, Chosen& chosen);
 void add_reconstruct(CLI::App& program, Chosen& chosen);
+void add_record(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);
 void add_export(CLI::App& program, Chosen& chosen);
 void add_demo(CLI::App& program, Chosen& chosen);

@@ -5,6 +5,7 @@
 #include "core/io/ply.h"
 #include "core/io/result_json.h"
 #include "core/sensing/pipeline.h"
+#include "core/sources/newest_source.h"
 #include "core/sources/source.h"
 
 #include <set>
@@ -115,9 +116,53 @@ Status reconstruct_all(Source& source,
   }
 }
 
+/// A live frame's line, or the line that says why there is none.
+std::string live_line(const Result<FramePtr>& frame,
+                      Pipeline& pipeline,
+                      const ReconstructOptions& options,
+                      Progress& progress) {
+  const std::string name = frame ? (*frame)->name : name_of(frame.error(), progress.index);
+  Error problem;
+  if (frame) {
+    if (const auto result = pipeline(*frame)) {
+      progress.failed += result->depth ? 0 : 1;
+      return result_line(*result, progress.index, options.pipeline.reference);
+    } else {
+      problem = result.error();
+    }
+  } else {
+    problem = frame.error();
+  }
+  ++progress.failed;
+  return failure_line(name, progress.index, {problem.sentence()});
+}
+
+/// One line a frame on standard output until the source ends or somebody stops it. Frames that
+/// come faster than they are measured are skipped.
+Status reconstruct_live(std::unique_ptr<Source> source,
+                        Pipeline& pipeline,
+                        const ReconstructOptions& options,
+                        Console& console) {
+  NewestSource newest(std::move(source));
+  Progress progress;
+  for (; !console.job().stop_requested(); ++progress.index) {
+    const auto frame = newest.next();
+    if (frame && !*frame) break;
+    const Status status = console.put(live_line(frame, pipeline, options, progress));
+    if (!status) return status;
+  }
+  console.warn(fmt::format("{} frames, {} of them without depth; {} skipped to keep up.",
+                           progress.index,
+                           progress.failed,
+                           newest.skipped()));
+  return {};
+}
+
 }  // namespace
 
 Status run_reconstruct(const ReconstructOptions& options, Console& console) {
+  if (options.live && console.json())
+    return Error{"--live gives a line of JSON for each frame already", "", "without --json"};
   cv::setNumThreads(options.threads);
   const auto finger = load_finger(options.finger, console);
   if (!finger) return finger.error();
@@ -126,10 +171,14 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
                  (options.finger / Finger::kFileName).string(),
                  "alltact calibrate with ball presses"};
   }
-  auto source = open_source(options.inputs);
+  SourceOptions how;
+  how.pace = options.live ? Pace::kRecorded : Pace::kAsked;
+  how.job = &console.job();
+  auto source = open_source(options.inputs, how);
   if (!source) return source.error();
   auto pipeline = Pipeline::create(options.finger, *finger, options.pipeline, console.job());
   if (!pipeline) return pipeline.error();
+  if (options.live) return reconstruct_live(std::move(*source), *pipeline, options, console);
   if (const Status status = make_folder(options.folder); !status) return status;
 
   Progress progress;
@@ -170,11 +219,19 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   CLI::App* command =
       program.add_subcommand("reconstruct", "Turns pictures into depth and 3D points");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
-  command->add_option("INPUT", options->inputs, "Pictures, folders of them, or a video")
+  command->add_option("INPUT", options->inputs, "Pictures, folders of them, a video, or a scene")
       ->required();
-  command->add_option("-o,--output", options->folder, "Folder for the results")
-      ->type_name("DIR")
-      ->required();
+  CLI::Option* output =
+      command->add_option("-o,--output", options->folder, "Folder for the results")
+          ->type_name("DIR");
+  CLI::Option* live =
+      command
+          ->add_flag("--live",
+                     options->live,
+                     "At the pace of the camera or the recording, a line of results.jsonl for each "
+                     "frame on standard output instead of files, until Ctrl-C; frames that come "
+                     "too fast are skipped")
+          ->excludes(output);
   command
       ->add_option(
           "--format",
@@ -185,7 +242,8 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->check(CLI::IsMember({"depth", "points", "ply"}));
+      ->check(CLI::IsMember({"depth", "points", "ply"}))
+      ->excludes(live);
   command
       ->add_option("--method",
                    *method,
@@ -196,6 +254,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   SettingFlags<PipelineSettings> pipeline;
   pipeline.add_to(*command, pipeline_settings());
   command->callback([=, &chosen] {
+    if (!options->live && output->empty()) throw CLI::RequiredError("--output or --live");
     const auto wants = [&](const char* word) {
       return std::find(formats->begin(), formats->end(), word) != formats->end();
     };

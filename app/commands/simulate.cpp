@@ -2,11 +2,11 @@
 #include "app/flags.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
+#include "core/recording/video_writer.h"
 #include "core/simulation/plan.h"
 #include "core/simulation/scene.h"
 
 #include <fmt/format.h>
-#include <opencv2/videoio.hpp>
 
 namespace alltact {
 namespace {
@@ -88,7 +88,7 @@ Status write_truth_pictures(const Path& folder, const std::string& name, const T
   return write_picture(folder / (name + ".z.tiff"), truth.untouched_z_mm);
 }
 
-/// Renders every frame, gives it to `take`, writes its truth and adds it to `frames`.
+/// Renders every frame that arrives, gives it to `take`, writes its truth and adds it to `frames`.
 template <class Take>
 Status render_all(const SimulateOptions& options,
                   const Plan& plan,
@@ -99,7 +99,9 @@ Status render_all(const SimulateOptions& options,
   for (int frame = 0; frame < count; ++frame) {
     if (console.job().stop_requested())
       return Error{"stopped before all frames were rendered", "", ""};
-    const std::string name = frame_name(frame);
+    if (plan.arrival(frame).is_dropped) continue;
+    // Pictures keep their numbers; a video's frames are counted.
+    const std::string name = frame_name(options.video ? static_cast<int>(frames.size()) : frame);
     console.job().report(static_cast<double>(frame) / count, "rendering " + name);
     if (const Status status = take(name, plan.render(frame, options.threads)); !status)
       return status;
@@ -119,24 +121,21 @@ Status write_video(const SimulateOptions& options,
                    Console::Json& frames,
                    Console& console,
                    const Path& file) {
-  const cv::Size size{plan.finger().camera.width_px, plan.finger().camera.height_px};
-  cv::VideoWriter writer;
-  const auto take = [&](const std::string&, const cv::Mat& picture) -> Status {
-    if (!writer.isOpened() && !writer.open(file.string(),
-                                           cv::VideoWriter::fourcc('F', 'F', 'V', '1'),
-                                           30.0,
-                                           picture.size(),
-                                           false)) {
-      return Error{"the video could not be opened for writing",
-                   options.folder.string(),
-                   "free space and permission"};
+  std::optional<VideoWriter> writer;
+  const auto take = [&](const std::string& name, const cv::Mat& picture) -> Status {
+    Frame frame;
+    frame.grey = picture;
+    frame.name = name;
+    frame.origin = options.scene.string();
+    if (!writer) {
+      auto made = VideoWriter::create(file, frame, VideoCodec::kFfv1, plan.frames_per_s());
+      if (!made) return made.error();
+      writer = std::move(*made);
     }
-    writer.write(picture);
-    return {};
+    return writer->add(frame);
   };
   const Status status = render_all(options, plan, count, frames, console, take);
-  writer.release();
-  return status;
+  return status && writer ? writer->finish() : status;
 }
 
 }  // namespace
@@ -183,11 +182,11 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   if (!status) return status;
 
   console.say(fmt::format("{} frames of '{}' in {}, the truth beside them.",
-                          count,
+                          frames.size(),
                           scene->name(),
                           options.folder.string()));
   console.say("Its finger is made by: " + new_command(plan->finger(), camera_file));
-  console.answer()["frames"] = count;
+  console.answer()["frames"] = frames.size();
   console.answer()["folder"] = options.folder.string();
   console.answer()["effects"] = plan->effects();
   console.answer()["finger"] = truth["finger"];

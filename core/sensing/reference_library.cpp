@@ -2,6 +2,7 @@
 
 #include "core/io/picture.h"
 #include "core/numerics/farthest_points.h"
+#include "core/recording/video_file.h"
 #include "core/sensing/face_edges.h"
 #include "core/sensing/face_picture.h"
 #include "core/sensing/layout_search.h"
@@ -11,7 +12,6 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <opencv2/videoio.hpp>
 
 namespace alltact {
 namespace {
@@ -101,31 +101,26 @@ Status read_faces(const std::filesystem::path& video_file,
                   const Camera& camera,
                   const Job& job,
                   Keeper& keeper) {
-  cv::VideoCapture video(video_file.string(), cv::CAP_FFMPEG);
-  if (!video.isOpened()) return wrong("the reference recording is missing or no video", video_file);
+  auto video = VideoFile::open(video_file, job);
+  if (!video) return wrong("the reference recording is missing or no video", video_file);
   const FaceEdgeFinder finder;
-  cv::Mat picture;
-  int at = -1;
   for (std::size_t row = 0; row < table.frames.size(); ++row) {
     if (job.stop_requested())
       return Error{"stopped before the reference was read", video_file.string(), ""};
     if (row % 16 == 0)
       job.report(static_cast<double>(row) / static_cast<double>(table.frames.size()),
                  fmt::format("reading reference frame {} of {}", row + 1, table.frames.size()));
-    while (at < table.frames[row]) {
-      if (!video.read(picture) || picture.empty())
-        return wrong(
-            fmt::format("the marker table names frame {} but the recording ends after {} frames",
-                        table.frames[row],
-                        at + 1),
-            video_file);
-      ++at;
-    }
-    cv::Mat grey = picture;
-    if (picture.channels() == 3)
-      cv::extractChannel(picture, grey, 0);  // grey video, three times the same
-    const cv::Mat turned = oriented(grey, camera.parameters().orientation);
-    if (turned.type() != CV_8UC1 || turned.size() != camera.size())
+    const auto number = static_cast<std::size_t>(table.frames[row]);
+    if (number >= video->frame_count())
+      return wrong(
+          fmt::format("the marker table names frame {} but the recording ends after {} frames",
+                      number,
+                      video->frame_count()),
+          video_file);
+    const auto frame = video->frame(number);
+    if (!frame) return wrong(frame.error().what, video_file);
+    const cv::Mat turned = oriented((*frame)->grey, camera.parameters().orientation);
+    if (turned.size() != camera.size())
       return wrong(
           fmt::format("the recording's pictures are {} x {}, the finger's camera gives {} x {}",
                       turned.cols,

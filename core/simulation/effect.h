@@ -10,6 +10,7 @@
 #include "core/simulation/motion.h"
 #include "core/simulation/parameters.h"
 #include "core/simulation/row_view.h"
+#include "core/simulation/sent_picture.h"
 
 #include <algorithm>
 #include <memory>
@@ -86,10 +87,11 @@ class SensorEffect : public Effect {
   [[nodiscard]] virtual bool gives_bytes() const { return false; }
 };
 
-/// What happens to the finished picture on its way.
+/// What happens to the finished picture on its way, or to when and whether it comes at all.
 class TransportEffect : public Effect {
  public:
-  virtual void picture(const FrameContext& frame, cv::Mat& picture) const = 0;
+  virtual void arrival(const FrameContext&, Arrival&) const {}
+  virtual void picture(const FrameContext&, SentPicture&) const {}
 };
 
 /// What ball and relief ask alike: on the face, and not through the layer.

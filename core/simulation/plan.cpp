@@ -132,6 +132,9 @@ Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
 int Plan::frame_count() const {
   return state_->content.frame_count;
 }
+double Plan::frames_per_s() const {
+  return state_->content.frames_per_s;
+}
 const Finger& Plan::finger() const {
   return state_->content.finger;
 }
@@ -143,6 +146,17 @@ std::vector<std::string> Plan::effects() const {
 }
 
 cv::Mat Plan::render(int frame, int threads) const {
+  return send(frame, threads).grey;
+}
+
+Arrival Plan::arrival(int frame) const {
+  const FrameContext context = state_->context(frame);
+  Arrival arrival;
+  for (const TransportEffect* effect : state_->transport) effect->arrival(context, arrival);
+  return arrival;
+}
+
+SentPicture Plan::send(int frame, int threads) const {
   const State& s = *state_;
   const FrameContext context = s.context(frame);
   const FrameGeometry geometry = s.geometry_of(context);
@@ -161,8 +175,9 @@ cv::Mat Plan::render(int frame, int threads) const {
   for (int part = 1; part < parts; ++part) helpers.emplace_back(render_part, part);
   render_part(0);
   helpers.clear();
-  for (const TransportEffect* effect : s.transport) effect->picture(context, picture);
-  return picture;
+  SentPicture sent{std::move(picture), nullptr};
+  for (const TransportEffect* effect : s.transport) effect->picture(context, sent);
+  return sent;
 }
 
 Truth Plan::truth(int frame) const {

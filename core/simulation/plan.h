@@ -4,6 +4,7 @@
 #include "core/finger/finger.h"
 #include "core/result.h"
 #include "core/simulation/scene.h"
+#include "core/simulation/sent_picture.h"
 #include "core/simulation/truth.h"
 
 #include <cstdint>
@@ -26,9 +27,16 @@ class Plan {
   /// Names of the effects the plan holds, in the order they run.
   [[nodiscard]] std::vector<std::string> effects() const;
 
+  /// How often the camera takes a picture.
+  [[nodiscard]] double frames_per_s() const;
+
   /// Frame number `frame` as the camera would give it, CV_8UC1 when the scene names `quantisation`.
   /// The same bytes for any number of threads and any order of frames.
   [[nodiscard]] cv::Mat render(int frame, int threads = 1) const;
+  /// The same together with the packet that it came in, where the camera sends such.
+  [[nodiscard]] SentPicture send(int frame, int threads = 1) const;
+  /// Whether and when it comes; costs no rendering.
+  [[nodiscard]] Arrival arrival(int frame) const;
   [[nodiscard]] Truth truth(int frame) const;
 
   /// The finger as a newcomer would describe it: camera, face, markers; nothing calibrated.

@@ -97,6 +97,7 @@ Result<std::shared_ptr<const Scene::Content>> read_scene(const YAML::Node& root,
   content->name = scene.text("name");
   content->why = scene.text("why");
   content->frame_count = scene.integer_or("frames", 1, 1, 1000000);
+  content->frames_per_s = scene.number_or("frames_per_s", 30, {0.1, 10000});
   Parameters finger = scene.map("finger");
   content->finger.name = content->name;
   content->finger.camera = read_camera(finger.map("camera"));

@@ -18,6 +18,7 @@ struct Scene::Content {
   std::string name, why;
   Finger finger;  // camera, face, markers; nothing calibrated
   int frame_count = 1;
+  double frames_per_s = 30;
 
   // Of the untouched finger, Fin Ray only: the view face's middle line starts at `base_mm`, makes
   // `incline_rad` with x and is `length_mm` long.

@@ -1,9 +1,11 @@
-// Where frames come from: pictures, a folder of pictures, a video.
+// Where frames come from: cameras, videos, pictures and simulated fingers, all alike.
 #pragma once
 
+#include "core/job.h"
 #include "core/result.h"
 #include "core/sources/frame.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -25,13 +27,40 @@ class Source {
 
   /// True when frames follow each other in time, so that what was seen in one helps in the next.
   [[nodiscard]] virtual bool is_continuous() const = 0;
+
+  /// True when frames come when they come, not when they are asked for: whoever is too slow misses
+  /// them.
+  [[nodiscard]] virtual bool is_live() const { return false; }
+
+  /// About how often frames come or came.
+  [[nodiscard]] virtual double frames_per_s() const { return 30.0; }
 };
 
-/// Opens pictures (png, jpg, bmp, tif, pgm), folders of pictures (in name order; NAME.depth.tiff,
-/// NAME.points.tiff and NAME.z.tiff beside them are results, not pictures) or one video
-/// (mkv, avi, mp4). Errors: nothing given, a path that does not exist, a folder without pictures, a
-/// video that cannot be opened or holds no frame.
+enum class Pace {
+  kAsked = 1,  ///< as fast as they are asked for
+  kRecorded,   ///< as they were recorded, or as a camera gives them
+};
+
+struct SourceOptions {
+  Pace pace = Pace::kAsked;
+  std::uint64_t seed = 1;  ///< of a simulated finger
+  int threads = 1;         ///< that render it; the pictures are the same for any number
+  /// Told of long opening (mending a recording); ends waits at the recorded pace. May be null; else
+  /// it outlives the source.
+  const Job* job = nullptr;
+};
+
+/// Opens what the inputs name:
+///   pictures (png, jpg, bmp, tif, pgm) and folders of pictures (in name order; NAME.depth.tiff,
+///     NAME.points.tiff and NAME.z.tiff beside them are results, not pictures); they have no times
+///     and come as fast as asked;
+///   one video (mkv, avi, mp4; see VideoFile);
+///   one scene (yaml): the finger it describes, simulated. As fast as asked it gives the scene's
+///     frames; at the camera's pace it goes on without end, with the faults that the scene names.
+/// Errors: nothing given, a path that does not exist, a folder without pictures, a video that
+/// cannot be opened or holds no frame, a scene that is wrong, one of the last two together with
+/// other inputs.
 [[nodiscard]] Result<std::unique_ptr<Source>> open_source(
-    const std::vector<std::filesystem::path>& inputs);
+    const std::vector<std::filesystem::path>& inputs, const SourceOptions& options = {});
 
 }  // namespace alltact

@@ -1,5 +1,6 @@
 // What lies on disk after a run: everything that was promised, whole, and nothing else.
 #include "tests/support/flat_finger.h"
+#include "tests/support/small_disk.h"
 
 #include <cmath>
 
@@ -20,27 +21,6 @@ std::vector<std::string> names_in(const fs::path& folder) {
   for (const auto& [name, content] : contents_of(folder)) names.push_back(name);
   return names;
 }
-
-/// A small file system that is full after `kilobytes`; root only.
-class SmallDisk {
- public:
-  SmallDisk(const fs::path& place, int kilobytes) : place_(place) {
-    fs::create_directories(place);
-    mounted_ = run_shell("mount -t tmpfs -o size=" + std::to_string(kilobytes) + "k tmpfs '" +
-                         place.string() + "'")
-                   .status == 0;
-  }
-  ~SmallDisk() {
-    if (mounted_) run_shell("umount '" + place_.string() + "'");
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-  [[nodiscard]] bool mounted() const { return mounted_; }
-
- private:
-  fs::path place_;
-  bool mounted_ = false;
-};
 
 TEST(Files, ACalibrationLeavesWhatTheDesignNames) {
   const FlatFinger flat;
@@ -93,12 +73,11 @@ TEST(Files, AReconstructionMeasuresWhatWasPressed) {
 }
 
 TEST(Files, AFullDiskIsToldAndLeavesNothingHalf) {
-  if (geteuid() != 0) GTEST_SKIP() << "only root can mount a small disk";
   const FlatFinger flat;
   ASSERT_EQ(flat.make().status, 0);
   ASSERT_EQ(flat.calibrate().status, 0);
   const SmallDisk disk(flat.folder / "disk", 400);  // a depth picture has 300 kB, points 900 kB
-  if (!disk.mounted()) GTEST_SKIP() << "a small disk cannot be mounted here";
+  if (!disk.mounted()) GTEST_SKIP() << disk.problem();
   const ProgramRun run = flat.reconstruct({flat.presses[0].string()}, "disk");
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.errors, HasSubstr("space"));
@@ -107,10 +86,9 @@ TEST(Files, AFullDiskIsToldAndLeavesNothingHalf) {
 }
 
 TEST(Files, AFullDiskLeavesTheFingerAsItWas) {
-  if (geteuid() != 0) GTEST_SKIP() << "only root can mount a small disk";
   const FlatFinger flat;
   const SmallDisk disk(flat.finger(), 64);
-  if (!disk.mounted()) GTEST_SKIP() << "a small disk cannot be mounted here";
+  if (!disk.mounted()) GTEST_SKIP() << disk.problem();
   ASSERT_EQ(flat.make().status, 0);
   const std::string before = text_of(fs::path(flat.finger()) / "finger.yaml");
   const ProgramRun run = flat.calibrate();
@@ -132,8 +110,8 @@ TEST(Files, AReadOnlyFolderIsTold) {
   EXPECT_THAT(below_a_file.errors, HasSubstr("file"));
   if (geteuid() == 0) {
     const SmallDisk disk(flat.folder / "disk", 64);
-    if (!disk.mounted()) GTEST_SKIP() << "a small disk cannot be mounted here";
-    ASSERT_EQ(run_shell("mount -o remount,ro '" + flat.file("disk") + "'").status, 0);
+    if (!disk.mounted()) GTEST_SKIP() << disk.problem();
+    ASSERT_TRUE(disk.forbid_writing());
     const ProgramRun run = flat.reconstruct({flat.presses[0].string()}, "disk");
     EXPECT_EQ(run.status, 1);
     EXPECT_THAT(run.errors, HasSubstr("disk"));

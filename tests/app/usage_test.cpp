@@ -12,8 +12,15 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> kCommands = {
-    "new", "simulate", "reference", "calibrate", "reconstruct", "check", "export", "demo"};
+const std::vector<std::string> kCommands = {"new",
+                                            "simulate",
+                                            "reference",
+                                            "calibrate",
+                                            "reconstruct",
+                                            "record",
+                                            "check",
+                                            "export",
+                                            "demo"};
 
 TEST(Usage, HelpNamesEveryCommand) {
   const ProgramRun run = run_alltact({"--help"});

@@ -16,10 +16,11 @@ class Mjpeg final : public TransportEffect {
       return Error{"JPEG needs whole grey levels", "", "name the effect quantisation too"};
     return {};
   }
-  void picture(const FrameContext&, cv::Mat& picture) const override {
+  void picture(const FrameContext&, SentPicture& sent) const override {
     std::vector<std::uint8_t> packet;
-    cv::imencode(".jpg", picture, packet, {cv::IMWRITE_JPEG_QUALITY, quality_});
-    picture = cv::imdecode(packet, cv::IMREAD_GRAYSCALE);
+    cv::imencode(".jpg", sent.grey, packet, {cv::IMWRITE_JPEG_QUALITY, quality_});
+    sent.grey = cv::imdecode(packet, cv::IMREAD_GRAYSCALE);
+    sent.jpeg = std::make_shared<const std::vector<std::uint8_t>>(std::move(packet));
   }
 
  private:

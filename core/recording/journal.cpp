@@ -1,0 +1,162 @@
+#include "core/recording/journal.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/system_error.h"
+
+#include <cerrno>
+#include <charconv>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace alltact {
+namespace {
+
+constexpr std::string_view kFormat = "# alltact-frames/1\n";
+constexpr std::string_view kColumns = "frame,time_ns,sequence,controls\n";
+constexpr std::string_view kWriting = "could not write the recording's journal";
+
+/// One line of a text, and the text moves behind it; nothing where no whole line is left.
+std::optional<std::string_view> take_line(std::string_view& text) {
+  const std::size_t end = text.find('\n');
+  if (end == std::string_view::npos) return std::nullopt;
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end + 1);
+  return line;
+}
+
+/// The number up to the next comma; the line moves behind that.
+template <class T>
+bool take_number(std::string_view& line, T& number) {
+  const auto [end, status] = std::from_chars(line.data(), line.data() + line.size(), number);
+  if (status != std::errc{} || end == line.data() + line.size() || *end != ',') return false;
+  line.remove_prefix(static_cast<std::size_t>(end - line.data()) + 1);
+  return true;
+}
+
+/// A field of a CSV line: in quotes where it must be (RFC 4180), never with a line break.
+std::string field(std::string_view text) {
+  std::string clean;
+  bool needs_quotes = false;
+  for (const char c : text) {
+    needs_quotes = needs_quotes || c == ',' || c == '"';
+    if (c == '"') clean.push_back('"');
+    clean.push_back(c == '\n' || c == '\r' ? ' ' : c);
+  }
+  return needs_quotes ? fmt::format("\"{}\"", clean) : clean;
+}
+
+std::string text_of(std::string_view field) {
+  if (field.size() < 2 || field.front() != '"') return std::string(field);
+  std::string text;
+  for (std::size_t i = 1; i + 1 < field.size(); ++i) {
+    if (field[i] == '"') ++i;
+    text.push_back(field[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::filesystem::path journal_of(const std::filesystem::path& video) {
+  std::filesystem::path file = video;
+  return file.replace_extension(".frames.csv");
+}
+
+Result<JournalWriter> JournalWriter::create(const std::filesystem::path& file,
+                                            std::string_view source) {
+  JournalWriter journal;
+  journal.file_ = file;
+  journal.descriptor_ =
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+  if (journal.descriptor_ < 0) return system_error(kWriting, file, errno);
+  std::string head(kFormat);
+  head.append("# source: ").append(field(source)).append("\n").append(kColumns);
+  if (Status status = journal.write(head); !status) return status.error();
+  return journal;
+}
+
+JournalWriter::JournalWriter(JournalWriter&& other) noexcept
+    : file_(std::move(other.file_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      frames_(other.frames_),
+      bytes_(other.bytes_) {}
+
+JournalWriter& JournalWriter::operator=(JournalWriter&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(frames_, other.frames_);
+  std::swap(bytes_, other.bytes_);
+  return *this;
+}
+
+JournalWriter::~JournalWriter() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Status JournalWriter::write(std::string_view text) {
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const Error error = system_error(kWriting, file_, errno);
+      // Half a line is none to a reader, should this fail.
+      [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, static_cast<off_t>(bytes_));
+      return error;
+    }
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  bytes_ += text.size();
+  return {};
+}
+
+Status JournalWriter::add(const Frame& frame) {
+  const std::string line = fmt::format("{},{},{},{}\n",
+                                       frames_,
+                                       frame.time_ns,
+                                       frame.sequence,
+                                       frame.controls ? field(*frame.controls) : std::string());
+  if (Status status = write(line); !status) return status;
+  ++frames_;
+  return {};
+}
+
+Status JournalWriter::remark(std::string_view sentence) {
+  std::string line = "# ";
+  for (const char c : sentence) line.push_back(c == '\n' ? ' ' : c);
+  return write(line + "\n");
+}
+
+Status JournalWriter::finish() {
+  if (::fsync(descriptor_) != 0) return system_error(kWriting, file_, errno);
+  return {};
+}
+
+std::vector<JournalEntry> read_journal(const std::filesystem::path& file) {
+  std::vector<JournalEntry> entries;
+  const auto content = read_file(file);
+  if (!content) return entries;
+  std::string_view text = *content;
+  if (!text.starts_with(kFormat)) return entries;
+  while (auto line = take_line(text)) {
+    if (line->starts_with('#') || kColumns.starts_with(*line)) continue;
+    std::uint64_t number = 0;
+    JournalEntry entry;
+    if (!take_number(*line, number) || number != entries.size() ||
+        !take_number(*line, entry.time_ns) || !take_number(*line, entry.sequence))
+      break;
+    if (!line->empty()) {
+      // The same from frame to frame, mostly: kept once.
+      std::string controls = text_of(*line);
+      const bool is_same =
+          !entries.empty() && entries.back().controls && *entries.back().controls == controls;
+      entry.controls = is_same ? entries.back().controls
+                               : std::make_shared<const std::string>(std::move(controls));
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+}  // namespace alltact

@@ -1,0 +1,131 @@
+#include "core/recording/libav.h"
+
+#include "core/io/system_error.h"
+
+#include <cerrno>
+#include <mutex>
+
+extern "C" {
+#include <libavutil/log.h>
+#include <libavutil/pixdesc.h>
+}
+
+namespace alltact {
+namespace {
+
+Error no_video(std::string_view what, const std::filesystem::path& file) {
+  return {std::string(what),
+          file.string(),
+          "play it in a video player; if that fails too, record it again"};
+}
+
+/// One component of every pixel of a row, 16 bits each.
+void read_component(
+    const AVFrame& picture, const AVPixFmtDescriptor& format, int row, int component, int* out) {
+  std::array<const std::uint8_t*, 4> data{};
+  std::array<int, 4> strides{};
+  for (std::size_t plane = 0; plane < 4; ++plane) {
+    data[plane] = picture.data[plane];
+    strides[plane] = picture.linesize[plane];
+  }
+  av_read_image_line2(
+      out, data.data(), strides.data(), &format, 0, row, component, picture.width, 0, sizeof(int));
+}
+
+/// Where the first component is a plane of bytes.
+bool has_byte_plane(const AVPixFmtDescriptor& format) {
+  const AVComponentDescriptor& first = format.comp[0];
+  return first.depth == 8 && first.step == 1 && first.shift == 0 && first.offset == 0 &&
+         (format.flags & (AV_PIX_FMT_FLAG_RGB | AV_PIX_FMT_FLAG_BITSTREAM)) == 0;
+}
+
+bool is_stored_narrow(const AVFrame& picture, const AVPixFmtDescriptor& format) {
+  if (format.nb_components < 3 || (format.flags & AV_PIX_FMT_FLAG_RGB) != 0) return false;
+  if (picture.color_range == AVCOL_RANGE_JPEG) return false;
+  return !std::string_view(format.name).starts_with("yuvj");
+}
+
+void stretch(cv::Mat& grey) {
+  cv::Mat table(1, 256, CV_8UC1);
+  for (int level = 0; level < 256; ++level)
+    table.at<std::uint8_t>(level) = cv::saturate_cast<std::uint8_t>((level - 16) * 255.0 / 219.0);
+  cv::LUT(grey, table, grey);
+}
+
+}  // namespace
+
+void quiet_libav() {
+  static std::once_flag once;
+  std::call_once(once, [] { av_log_set_level(AV_LOG_QUIET); });
+}
+
+Error av_error(std::string_view doing, const std::filesystem::path& file, int number) {
+  const int system = AVUNERROR(number);
+  if (system > 0 && system < 200) return system_error(doing, file, system);
+  std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+  av_strerror(number, text.data(), text.size());
+  return {fmt::format("{}: {}", doing, text.data()), file.string(), "once more"};
+}
+
+bool VideoInput::read(AVPacket& packet) const {
+  while (true) {
+    av_packet_unref(&packet);
+    if (av_read_frame(context.get(), &packet) < 0) return false;
+    if (packet.stream_index == stream) return true;
+  }
+}
+
+Result<VideoInput> open_video_input(const std::filesystem::path& file) {
+  quiet_libav();
+  constexpr std::string_view kCannot = "the video cannot be opened";
+  AVFormatContext* raw = nullptr;
+  if (avformat_open_input(&raw, file.c_str(), nullptr, nullptr) < 0) return no_video(kCannot, file);
+  VideoInput input{AvInput(raw), -1};
+  // Matroska says all in its header; other formats must be looked into.
+  if (!input.is_matroska() && avformat_find_stream_info(raw, nullptr) < 0)
+    return no_video(kCannot, file);
+  input.stream = av_find_best_stream(raw, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+  if (input.stream < 0) return no_video(kCannot, file);
+  for (unsigned i = 0; i < raw->nb_streams; ++i)
+    if (static_cast<int>(i) != input.stream) raw->streams[i]->discard = AVDISCARD_ALL;
+  return input;
+}
+
+Result<cv::Mat> grey_of(const AVFrame& picture) {
+  const AVPixFmtDescriptor* format =
+      av_pix_fmt_desc_get(static_cast<AVPixelFormat>(picture.format));
+  if (format == nullptr ||
+      (format->flags & (AV_PIX_FMT_FLAG_PAL | AV_PIX_FMT_FLAG_HWACCEL | AV_PIX_FMT_FLAG_FLOAT)))
+    return Error{"its kind of picture has no brightness", "", "a grey or colour video"};
+  cv::Mat grey(picture.height, picture.width, CV_8UC1);
+  if (has_byte_plane(*format)) {
+    for (int v = 0; v < grey.rows; ++v)
+      std::copy_n(picture.data[0] + std::ptrdiff_t{v} * picture.linesize[0],
+                  grey.cols,
+                  grey.ptr<std::uint8_t>(v));
+  } else {
+    const bool is_rgb = (format->flags & AV_PIX_FMT_FLAG_RGB) != 0;
+    const auto width = static_cast<std::size_t>(grey.cols);
+    std::vector<int> first(width), second(width), third(width);
+    const int depth = format->comp[0].depth;
+    const double to_8_bits = depth >= 8 ? 1.0 / (1 << (depth - 8)) : 255.0 / ((1 << depth) - 1);
+    for (int v = 0; v < grey.rows; ++v) {
+      read_component(picture, *format, v, 0, first.data());
+      if (is_rgb) {
+        read_component(picture, *format, v, 1, second.data());
+        read_component(picture, *format, v, 2, third.data());
+      }
+      for (std::size_t u = 0; u < width; ++u) {
+        const double level =
+            is_rgb
+                ? std::round((0.299 * first[u] + 0.587 * second[u] + 0.114 * third[u]) * to_8_bits)
+                : std::floor(first[u] * to_8_bits);
+        grey.at<std::uint8_t>(v, static_cast<int>(u)) = cv::saturate_cast<std::uint8_t>(level);
+      }
+    }
+  }
+  if (is_stored_narrow(picture, *format)) stretch(grey);
+  return grey;
+}
+
+}  // namespace alltact

@@ -1,0 +1,360 @@
+#include "core/recording/recorder.h"
+
+#include "core/io/system_error.h"
+#include "core/recording/journal.h"
+#include "core/recording/put_back.h"
+
+#include <cerrno>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMegabyte = 1000000;
+
+std::uint64_t bytes_of(const Frame& frame) {
+  return frame.grey.total() * frame.grey.elemSize() + (frame.jpeg ? frame.jpeg->size() : 0);
+}
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+std::string frames(std::uint64_t count) {
+  return count == 1 ? "1 frame" : fmt::format("{} frames", count);
+}
+
+/// What anyone may still write to the disk of an open file.
+std::uint64_t free_bytes_at(int descriptor) {
+  struct statvfs status {};
+  if (::fstatvfs(descriptor, &status) != 0) return 0;
+  return std::uint64_t{status.f_bavail} * status.f_frsize;
+}
+
+Error nearly_full(const fs::path& file, std::uint64_t free_bytes, int reserve_mb) {
+  return {fmt::format("the disk is nearly full: {} MB are left, {} MB are kept free",
+                      free_bytes / kMegabyte,
+                      reserve_mb),
+          file.string(),
+          "free some space, or record to another disk"};
+}
+
+/// Makes the file, which must be new: recordings are not written over.
+Result<int> make_new(const fs::path& file) {
+  const int number = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (number >= 0) return number;
+  if (errno == EEXIST)
+    return Error{"there is a file already", file.string(), "another name, or remove the old one"};
+  std::error_code failed;
+  if (errno == ENOENT && !fs::exists(folder_of(file), failed))
+    return Error{"could not begin the recording: its folder does not exist",
+                 file.string(),
+                 "make the folder first, or check the path for typing errors"};
+  return system_error("could not begin the recording", file, errno);
+}
+
+}  // namespace
+
+const std::vector<Setting<RecorderSettings>>& recorder_settings() {
+  using S = RecorderSettings;
+  static const std::vector<Setting<S>> settings{
+      choice_setting<S, VideoCodec>(
+          "codec",
+          "how pictures are stored, all without loss: auto takes the camera's own packets (mjpeg) "
+          "where it sends such, else ffv1 where this computer keeps up with it, else magicyuv",
+          &S::codec,
+          {{"auto", VideoCodec::kAuto},
+           {"magicyuv", VideoCodec::kMagicYuv},
+           {"ffv1", VideoCodec::kFfv1},
+           {"mjpeg", VideoCodec::kMjpeg}}),
+      number_setting<S>("queue-mb",
+                        "memory for frames that wait for the disk, in megabytes",
+                        &S::queue_mb,
+                        1,
+                        64000),
+      number_setting<S>("reserve-mb",
+                        "space that is left free on the disk, in megabytes; the recording ends "
+                        "before",
+                        &S::reserve_mb,
+                        0,
+                        1000000),
+  };
+  return settings;
+}
+
+namespace {
+
+struct Waiting {
+  FramePtr frame;
+  std::uint64_t dropped_before;  // since the one before it in the queue
+};
+
+}  // namespace
+
+struct Recorder::State {
+  const fs::path file;
+  const RecorderSettings settings;
+  const double frames_per_s;
+  JournalWriter journal;  // the thread's, while that runs
+
+  // Of the thread alone.
+  std::optional<VideoWriter> video;
+  std::optional<std::uint64_t> last_sequence;
+
+  mutable std::mutex mutex;  // of all below
+  std::condition_variable news;
+  std::deque<Waiting> queue;
+  std::uint64_t dropped_since = 0;  // the last frame in the queue
+  std::uint64_t queue_bytes = 0;
+  RecorderCounts counts;
+  std::optional<Error> problem;
+  bool is_ending = false;
+
+  std::jthread thread;
+
+  State(fs::path file_, const RecorderSettings& settings_, double fps, JournalWriter journal_)
+      : file(std::move(file_)),
+        settings(settings_),
+        frames_per_s(fps),
+        journal(std::move(journal_)) {}
+
+  /// With `mutex` held. A frame always fits into an empty queue.
+  [[nodiscard]] bool has_room(const Frame& frame) const {
+    return queue.empty() || queue_bytes + bytes_of(frame) <=
+                                static_cast<std::uint64_t>(settings.queue_mb) * kMegabyte;
+  }
+  void push(FramePtr frame) {
+    queue_bytes += bytes_of(*frame);
+    queue.push_back({std::move(frame), std::exchange(dropped_since, 0)});
+    news.notify_all();
+  }
+
+  void run();
+  std::optional<Waiting> take();
+  Status record(const Waiting& waiting);
+  Status tell_losses(const Waiting& waiting);
+  [[nodiscard]] Status check_disk();
+  Status close(std::string_view why);
+  Status save_removed(const Error& removed);
+};
+
+/// The frame that waits longest; nothing when there will be no more.
+std::optional<Waiting> Recorder::State::take() {
+  std::unique_lock lock(mutex);
+  news.wait(lock, [&] { return !queue.empty() || is_ending; });
+  if (queue.empty()) return std::nullopt;
+  Waiting waiting = std::move(queue.front());
+  queue.pop_front();
+  queue_bytes -= bytes_of(*waiting.frame);
+  news.notify_all();
+  return waiting;
+}
+
+/// The thread: one frame after the other until there are no more, or one cannot be recorded.
+void Recorder::State::run() {
+  while (const auto waiting = take()) {
+    const std::uint64_t recorded_before = counts.recorded;  // written by this thread alone
+    Status status = check_disk();
+    if (status) status = record(*waiting);
+    if (!status) {
+      const std::lock_guard lock(mutex);
+      problem = status.error();
+      // This one may be in the video and only its line not in the journal.
+      const std::uint64_t lost = queue.size() + (counts.recorded == recorded_before ? 1 : 0);
+      dropped_since += lost;
+      counts.dropped += lost;
+      queue.clear();
+      queue_bytes = 0;
+      news.notify_all();
+      return;
+    }
+  }
+}
+
+Status Recorder::State::record(const Waiting& waiting) {
+  const Frame& frame = *waiting.frame;
+  if (!video) {
+    auto made = VideoWriter::create(file, frame, settings.codec, frames_per_s);
+    if (!made) return made.error();
+    video = std::move(*made);
+  }
+  if (Status status = tell_losses(waiting); !status) return status;
+  if (Status status = video->add(frame); !status) return status;
+  {
+    const std::lock_guard lock(mutex);
+    ++counts.recorded;
+    counts.bytes = video->bytes();
+    counts.codec = video->codec();
+  }
+  return journal.add(frame);
+}
+
+/// A gap in the sequence is ours as far as the queue was full, and else the source's.
+Status Recorder::State::tell_losses(const Waiting& waiting) {
+  const std::uint64_t sequence = waiting.frame->sequence, dropped = waiting.dropped_before;
+  const std::uint64_t before = last_sequence.value_or(sequence);
+  const std::uint64_t gap = sequence > before + 1 ? sequence - before - 1 : 0;
+  const std::uint64_t missing = gap > dropped ? gap - dropped : 0;
+  last_sequence = sequence;
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard lock(mutex);
+    counts.missing += missing;
+    number = counts.recorded;
+  }
+  if (dropped > 0) {
+    const Status status = journal.remark(fmt::format(
+        "{} before frame {} lost here: the disk was too slow", frames(dropped), number));
+    if (!status) return status;
+  }
+  if (missing == 0) return {};
+  return journal.remark(
+      fmt::format("{} before frame {} never came from the source", frames(missing), number));
+}
+
+/// Is there room for another frame and for the end, and are the files still where they were?
+Status Recorder::State::check_disk() {
+  const std::uint64_t free_bytes = free_bytes_at(journal.descriptor());
+  {
+    const std::lock_guard lock(mutex);
+    counts.free_bytes = free_bytes;
+  }
+  if (free_bytes < static_cast<std::uint64_t>(settings.reserve_mb) * kMegabyte)
+    return nearly_full(file, free_bytes, settings.reserve_mb);
+  if (is_removed(journal.descriptor()) || (video && is_removed(video->descriptor())))
+    return Error{"the recording was removed while it was being made", file.string(), ""};
+  return {};
+}
+
+/// After the thread has ended.
+Status Recorder::State::close(std::string_view why) {
+  Status first = problem ? Status(*problem) : Status();
+  const auto note = [&](Status status) {
+    if (first && !status) first = std::move(status);
+  };
+  if (dropped_since > 0)
+    note(journal.remark(fmt::format("{} at the end lost here", frames(dropped_since))));
+  note(journal.remark(fmt::format("ended: {}", problem ? problem->sentence() : std::string(why))));
+  if (video) {
+    note(video->finish());
+    const std::lock_guard lock(mutex);
+    counts.bytes = video->bytes();
+  } else if (first) {
+    first = Error{"no frame came, so nothing was recorded", file.string(), "check the source"};
+  }
+  note(journal.finish());
+  if (!video) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    fs::remove(journal_of(file), ignored);
+  } else if (is_removed(video->descriptor())) {
+    first = save_removed(first ? Error{"the recording was removed at its end", file.string(), ""}
+                               : first.error());
+  }
+  return first;
+}
+
+Status Recorder::State::save_removed(const Error& removed) {
+  Status saved = put_back(video->descriptor(), file);
+  if (saved && is_removed(journal.descriptor()))
+    saved = put_back(journal.descriptor(), journal_of(file));
+  if (!saved)
+    return Error{
+        fmt::format("{}, and it could not be put back ({})", removed.what, saved.error().what),
+        removed.where,
+        "record again, and leave the folder alone meanwhile"};
+  return Error{removed.what + "; what was recorded until then was put back",
+               removed.where,
+               "leave the folder alone while it records"};
+}
+
+Recorder::Recorder(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Recorder::~Recorder() {
+  if (state_->thread.joinable()) [[maybe_unused]]
+    const Status ignored = finish("given up");
+}
+
+Result<std::unique_ptr<Recorder>> Recorder::start(const fs::path& file,
+                                                  const RecorderSettings& settings,
+                                                  double frames_per_s,
+                                                  std::string_view source) {
+  assert(frames_per_s > 0);
+  if (file.extension() != ".mkv")
+    return Error{"recordings are Matroska files", file.string(), "a name that ends in .mkv"};
+  const auto made = make_new(file);
+  if (!made) return made.error();
+  const std::uint64_t free_bytes = free_bytes_at(*made);
+  ::close(*made);
+  Status status;
+  if (free_bytes < static_cast<std::uint64_t>(settings.reserve_mb) * kMegabyte)
+    status = nearly_full(file, free_bytes, settings.reserve_mb);
+  auto journal = status ? JournalWriter::create(journal_of(file), source)
+                        : Result<JournalWriter>(status.error());
+  if (!journal) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    return journal.error();
+  }
+  auto state = std::make_unique<State>(file, settings, frames_per_s, std::move(*journal));
+  state->counts.free_bytes = free_bytes;
+  state->thread = std::jthread([s = state.get()] { s->run(); });
+  return std::unique_ptr<Recorder>(new Recorder(std::move(state)));
+}
+
+bool Recorder::add(FramePtr frame) {
+  State& s = *state_;
+  const std::lock_guard lock(s.mutex);
+  if (s.problem || s.is_ending) return false;
+  if (!s.has_room(*frame)) {
+    ++s.counts.dropped;
+    ++s.dropped_since;
+    return false;
+  }
+  s.push(std::move(frame));
+  return true;
+}
+
+bool Recorder::add_waiting(FramePtr frame) {
+  State& s = *state_;
+  std::unique_lock lock(s.mutex);
+  s.news.wait(lock, [&] { return s.problem || s.is_ending || s.has_room(*frame); });
+  if (s.problem || s.is_ending) return false;
+  s.push(std::move(frame));
+  return true;
+}
+
+RecorderCounts Recorder::counts() const {
+  const std::lock_guard lock(state_->mutex);
+  RecorderCounts counts = state_->counts;
+  counts.waiting = state_->queue.size();
+  return counts;
+}
+
+std::optional<Error> Recorder::problem() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->problem;
+}
+
+Status Recorder::finish(std::string_view why) {
+  State& s = *state_;
+  assert(s.thread.joinable());
+  {
+    const std::lock_guard lock(s.mutex);
+    s.is_ending = true;
+    s.news.notify_all();
+  }
+  s.thread.join();
+  return s.close(why);
+}
+
+}  // namespace alltact

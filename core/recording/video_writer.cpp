@@ -1,0 +1,241 @@
+#include "core/recording/video_writer.h"
+
+#include "core/recording/matroska_file.h"
+
+#include <chrono>
+
+namespace alltact {
+namespace {
+
+constexpr std::string_view kEncoding = "could not encode the picture";
+constexpr double kFfv1Share = 0.4;  // of a frame's time; the rest is for everyone else
+constexpr int kSlices = 4;
+constexpr int kSmallestSliced = 32;  // px; smaller pictures cannot be cut into slices
+
+/// Grey pictures to packets, one each, without delay.
+class Encoder {
+ public:
+  static Result<Encoder> create(VideoCodec codec, cv::Size size, double frames_per_s) {
+    const bool is_ffv1 = codec == VideoCodec::kFfv1;
+    const AVCodec* found = avcodec_find_encoder(is_ffv1 ? AV_CODEC_ID_FFV1 : AV_CODEC_ID_MAGICYUV);
+    if (found == nullptr)
+      return Error{fmt::format("this system's libavcodec cannot write {}", to_string(codec)),
+                   "",
+                   "another codec, or Debian's libavcodec"};
+    Encoder encoder;
+    encoder.context_.reset(avcodec_alloc_context3(found));
+    AVCodecContext& context = *encoder.context_;
+    context.width = size.width;
+    context.height = size.height;
+    context.pix_fmt = AV_PIX_FMT_GRAY8;
+    context.time_base = {1, 1000};
+    context.framerate = av_d2q(frames_per_s, 100000);
+    context.gop_size = 1;      // each picture stands for itself
+    context.thread_count = 1;  // MagicYUV's threads would hold pictures back
+    if (is_ffv1 && std::min(size.width, size.height) >= kSmallestSliced) {
+      context.level = 3;
+      context.slices = kSlices;
+      context.thread_type = FF_THREAD_SLICE;
+      context.thread_count = 2;
+      av_opt_set_int(context.priv_data, "slicecrc", 1, 0);
+    } else if (!is_ffv1) {
+      av_opt_set(context.priv_data, "pred", "median", 0);
+    }
+    if (const int status = avcodec_open2(&context, found, nullptr); status < 0)
+      return av_error(kEncoding, {}, status);
+    return encoder;
+  }
+
+  /// Error: the encoder's own, without `where`.
+  Status encode(const cv::Mat& grey, AVPacket& packet) {
+    if (Status status = fill(grey); !status) return status;
+    av_packet_unref(&packet);
+    int status = avcodec_send_frame(context_.get(), picture_.get());
+    if (status >= 0) status = avcodec_receive_packet(context_.get(), &packet);
+    if (status < 0) return av_error(kEncoding, {}, status);
+    return {};
+  }
+
+  [[nodiscard]] AvPtr<AVCodecParameters> parameters() const {
+    AvPtr<AVCodecParameters> parameters(avcodec_parameters_alloc());
+    avcodec_parameters_from_context(parameters.get(), context_.get());
+    return parameters;
+  }
+
+ private:
+  /// Rows of our own: encoders read a little beyond the last pixel.
+  Status fill(const cv::Mat& grey) {
+    AVFrame& picture = *picture_;
+    int status = 0;
+    if (picture.buf[0] == nullptr) {
+      picture.format = AV_PIX_FMT_GRAY8;
+      picture.width = grey.cols;
+      picture.height = grey.rows;
+      status = av_frame_get_buffer(&picture, 0);
+    } else {
+      status = av_frame_make_writable(&picture);
+    }
+    if (status < 0) return av_error(kEncoding, {}, status);
+    for (int v = 0; v < grey.rows; ++v)
+      std::copy_n(grey.ptr<std::uint8_t>(v),
+                  grey.cols,
+                  picture.data[0] + std::ptrdiff_t{v} * picture.linesize[0]);
+    ++picture.pts;
+    return {};
+  }
+
+  AvPtr<AVCodecContext> context_;
+  AvPtr<AVFrame> picture_{av_frame_alloc()};
+};
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// True when FFV1 leaves time enough on this computer, by trying.
+bool keeps_up_with_ffv1(const cv::Mat& grey, double frames_per_s) {
+  auto encoder = Encoder::create(VideoCodec::kFfv1, grey.size(), frames_per_s);
+  if (!encoder) return false;
+  const AvPtr<AVPacket> packet(av_packet_alloc());
+  // The first picture makes tables that the others find made.
+  double seconds = 0;
+  for (int i = 0; i < 2; ++i) {
+    const double begin = seconds_now();
+    if (!encoder->encode(grey, *packet)) return false;
+    seconds = seconds_now() - begin;
+  }
+  return seconds <= kFfv1Share / frames_per_s;
+}
+
+VideoCodec resolved(VideoCodec wanted, const Frame& first, double frames_per_s) {
+  if (wanted != VideoCodec::kAuto) return wanted;
+  if (first.jpeg) return VideoCodec::kMjpeg;
+  return keeps_up_with_ffv1(first.grey, frames_per_s) ? VideoCodec::kFfv1 : VideoCodec::kMagicYuv;
+}
+
+AvPtr<AVCodecParameters> mjpeg_parameters(cv::Size size) {
+  AvPtr<AVCodecParameters> parameters(avcodec_parameters_alloc());
+  parameters->codec_type = AVMEDIA_TYPE_VIDEO;
+  parameters->codec_id = AV_CODEC_ID_MJPEG;
+  parameters->width = size.width;
+  parameters->height = size.height;
+  return parameters;
+}
+
+Status check(const Frame& frame, cv::Size size, VideoCodec codec) {
+  if (frame.grey.type() != CV_8UC1 || frame.grey.empty())
+    return Error{"only 8-bit grey pictures can be recorded", frame.origin, "a grey source"};
+  if (frame.grey.size() != size)
+    return Error{fmt::format("the picture is {} x {}, those before were {} x {}",
+                             frame.grey.cols,
+                             frame.grey.rows,
+                             size.width,
+                             size.height),
+                 frame.origin,
+                 "one recording for each size"};
+  if (codec == VideoCodec::kMjpeg && !frame.jpeg)
+    return Error{"the source gives no JPEG packets that could be stored untouched",
+                 frame.origin,
+                 "the codec magicyuv or ffv1"};
+  return {};
+}
+
+}  // namespace
+
+std::string_view to_string(VideoCodec codec) {
+  switch (codec) {
+    case VideoCodec::kMagicYuv:
+      return "MagicYUV";
+    case VideoCodec::kFfv1:
+      return "FFV1";
+    case VideoCodec::kMjpeg:
+      return "the camera's own JPEG packets";
+    case VideoCodec::kAuto:
+      break;
+  }
+  return "automatic";
+}
+
+struct VideoWriter::State {
+  VideoCodec codec;
+  cv::Size size;
+  double period_ms;
+  std::optional<Encoder> encoder;  // none for packets that come ready
+  MatroskaFile file;
+  AvPtr<AVPacket> packet{av_packet_alloc()};
+  bool has_first = false;
+  std::int64_t first_ns = 0, last_ns = 0;
+  double last_ms = 0;
+
+  [[nodiscard]] double time_ms(const Frame& frame) {
+    if (!has_first) {
+      has_first = true;
+      first_ns = last_ns = frame.time_ns;
+      return last_ms = 0;
+    }
+    const double told_ms = static_cast<double>(frame.time_ns - first_ns) * 1e-6;
+    const bool is_told = frame.time_ns > last_ns && told_ms >= last_ms + 1;
+    last_ns = std::max(last_ns, frame.time_ns);
+    return last_ms = is_told ? told_ms : last_ms + std::max(period_ms, 1.0);
+  }
+};
+
+VideoWriter::VideoWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
+VideoWriter& VideoWriter::operator=(VideoWriter&&) noexcept = default;
+VideoWriter::~VideoWriter() = default;
+
+Result<VideoWriter> VideoWriter::create(const std::filesystem::path& file,
+                                        const Frame& first,
+                                        VideoCodec wanted,
+                                        double frames_per_s) {
+  quiet_libav();
+  const cv::Size size = first.grey.size();
+  if (Status status = check(first, size, wanted); !status) return status.error();
+  const VideoCodec codec = resolved(wanted, first, frames_per_s);
+  std::optional<Encoder> encoder;
+  auto parameters = mjpeg_parameters(size);
+  if (codec != VideoCodec::kMjpeg) {
+    auto made = Encoder::create(codec, size, frames_per_s);
+    if (!made) return made.error();
+    encoder = std::move(*made);
+    parameters = encoder->parameters();
+  }
+  auto output = MatroskaFile::create(file, *parameters, frames_per_s);
+  if (!output) return output.error();
+  return VideoWriter(std::unique_ptr<State>(
+      new State{codec, size, 1000 / frames_per_s, std::move(encoder), std::move(*output)}));
+}
+
+Status VideoWriter::add(const Frame& frame) {
+  State& s = *state_;
+  if (Status status = check(frame, s.size, s.codec); !status) return status;
+  AVPacket& packet = *s.packet;
+  if (s.encoder) {
+    if (Status status = s.encoder->encode(frame.grey, packet); !status) return status;
+  } else {
+    av_packet_unref(&packet);
+    // The muxer only reads it.
+    packet.data = const_cast<std::uint8_t*>(frame.jpeg->data());
+    packet.size = static_cast<int>(frame.jpeg->size());
+  }
+  packet.pts = packet.dts = std::llround(s.time_ms(frame));
+  packet.duration = 0;
+  packet.flags = AV_PKT_FLAG_KEY;
+  return s.file.write(packet);
+}
+
+Status VideoWriter::finish() {
+  return state_->file.finish();
+}
+VideoCodec VideoWriter::codec() const {
+  return state_->codec;
+}
+std::uint64_t VideoWriter::bytes() const {
+  return state_->file.bytes();
+}
+int VideoWriter::descriptor() const {
+  return state_->file.descriptor();
+}
+
+}  // namespace alltact

@@ -1,0 +1,36 @@
+// Frames come late: each with the probability `share`, by `by_ms` milliseconds. Their times of
+// capture stay what they were. Shows at the camera's pace only.
+#include "core/numerics/philox.h"
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+class Late final : public TransportEffect {
+ public:
+  explicit Late(Parameters& p)
+      : share_(p.number("share", {0, 1, true, false})),
+        by_ms_(p.varying("by_ms", strength_up_to(60000))) {}
+
+  void arrival(const FrameContext& frame, Arrival& arrival) const override {
+    const auto number = static_cast<std::uint32_t>(frame.frame);
+    if (philox_uniform(frame.seed, "late", number, 0) < share_) arrival.late_ms += frame(by_ms_);
+  }
+
+ private:
+  double share_;
+  Varying by_ms_;
+};
+
+}  // namespace
+
+const EffectKind& effect_late() {
+  static const EffectKind kKind{
+      "late", Stage::kTransport, 70, [](Parameters& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<Late>(p);
+      }};
+  return kKind;
+}
+
+}  // namespace alltact

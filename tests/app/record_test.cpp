@@ -1,0 +1,188 @@
+// Recording and live measurement from the command line.
+#include "core/recording/video_file.h"
+#include "tests/support/flat_finger.h"
+#include "tests/support/small_disk.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A small flat sensor that is pressed; never still, as its noise shows.
+void write_scene(const fs::path& file, const std::string& more = "") {
+  write_text(file,
+             "name: small\nwhy: to record\nframes: 12\nframes_per_s: 60\nfinger:\n"
+             "  camera: {model: orthographic, size: [320, 240], mm_per_px: 0.06, cx: 159.5, "
+             "cy: 119.5}\n"
+             "  face: {kind: flat, layer_mm: 3.0, plane_z_mm: 30.0}\neffects:\n"
+             "  - use: leds\n    lamps: [{at_mm: [0.0, 0.0, 0.0], power: 130000.0}]\n"
+             "  - {use: layer, scatter_per_mm: 0.6, along: normal}\n"
+             "  - {use: read, sd: 1.0}\n  - {use: quantisation}\n" +
+                 more);
+}
+
+ProgramRun record(const fs::path& source,
+                  const fs::path& video,
+                  const std::vector<std::string>& options = {}) {
+  std::vector<std::string> arguments = {"record", source.string(), "-o", video.string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return run_alltact(arguments);
+}
+
+TEST(Record, ASceneIsRecordedExactlyAndToldInJson) {
+  const TemporaryFolder folder;
+  write_scene(folder / "s.yaml");
+  const ProgramRun run =
+      record(folder / "s.yaml", folder / "v.mkv", {"--pace", "asked", "--json", "--seed", "3"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const json answer = json::parse(run.output);
+  EXPECT_EQ(answer.at("frames"), 12);
+  EXPECT_EQ(answer.at("dropped"), 0);
+  EXPECT_EQ(answer.at("missing"), 0);
+  EXPECT_NEAR(answer.at("seconds").get<double>(), 11 / 60.0, 1e-6);
+  EXPECT_EQ(answer.at("bytes"), fs::file_size(folder / "v.mkv"));
+  ASSERT_EQ(run_alltact({"simulate",
+                         (folder / "s.yaml").string(),
+                         "-o",
+                         (folder / "out").string(),
+                         "--seed",
+                         "3"})
+                .status,
+            0);
+  auto video = VideoFile::open(folder / "v.mkv");
+  ASSERT_TRUE(video.ok());
+  ASSERT_EQ(video->frame_count(), 12U);
+  for (std::size_t i = 0; i < 12; ++i) {
+    const FramePtr frame = *video->frame(i);
+    const cv::Mat truth = cv::imread((folder / ("out/" + frame->name + ".png")).string(), 0);
+    EXPECT_EQ(cv::norm(frame->grey, truth, cv::NORM_INF), 0) << i;
+  }
+}
+
+TEST(Record, PicturesAndVideosAreRecordedToo) {
+  const TemporaryFolder folder;
+  write_scene(folder / "s.yaml", "  - {use: mjpeg, quality: 90}\n");
+  ASSERT_EQ(record(folder / "s.yaml", folder / "a.mkv", {"--pace", "asked"}).status, 0);
+  // A recording of a recording: the same packets, times and numbers.
+  const ProgramRun copy =
+      record(folder / "a.mkv", folder / "b.mkv", {"--json", "--frames", "7", "--codec", "mjpeg"});
+  ASSERT_EQ(copy.status, 0) << copy.errors;
+  auto a = VideoFile::open(folder / "a.mkv"), b = VideoFile::open(folder / "b.mkv");
+  ASSERT_EQ(b->frame_count(), 7U);
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(*(*a->frame(i))->jpeg, *(*b->frame(i))->jpeg);
+    EXPECT_EQ((*a->frame(i))->time_ns, (*b->frame(i))->time_ns);
+  }
+  ASSERT_EQ(run_alltact({"simulate", (folder / "s.yaml").string(), "-o", folder / "out"}).status,
+            0);
+  const ProgramRun pictures =
+      record(folder / "out", folder / "c.mkv", {"--codec", "ffv1", "--json"});
+  ASSERT_EQ(pictures.status, 0) << pictures.errors;
+  EXPECT_EQ(json::parse(pictures.output).at("codec"), "FFV1");
+  EXPECT_EQ(VideoFile::open(folder / "c.mkv")->frame_count(), 12U);
+}
+
+TEST(Record, LostFramesAreTold) {
+  const TemporaryFolder folder;
+  write_scene(folder / "s.yaml", "  - {use: drop, share: 0.5}\n");
+  const ProgramRun run = record(folder / "s.yaml", folder / "v.mkv", {"--pace", "asked"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("frames never came from the source"));
+  EXPECT_THAT(text_of(folder / "v.frames.csv"), HasSubstr("never came from the source"));
+}
+
+TEST(Record, EndsWholeOnCtrlC) {
+  const TemporaryFolder folder;
+  write_scene(folder / "s.yaml");
+  const ProgramRun run =
+      run_shell("timeout --foreground --preserve-status -s INT 1 '" ALLTACT_PROGRAM "' record '" +
+                (folder / "s.yaml").string() + "' -o '" + (folder / "v.mkv").string() + "'");
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(text_of(folder / "v.frames.csv"), HasSubstr("# ended: stopped by hand\n"));
+  EXPECT_GT(VideoFile::open(folder / "v.mkv")->frame_count(), 12U) << "beyond the scene's frames";
+}
+
+TEST(Record, SaysWhyItCannot) {
+  const TemporaryFolder folder;
+  write_scene(folder / "s.yaml");
+  write_text(folder / "old.mkv", "precious");
+  const ProgramRun exists = record(folder / "s.yaml", folder / "old.mkv");
+  EXPECT_EQ(exists.status, 1);
+  EXPECT_THAT(exists.errors, HasSubstr("old.mkv: there is a file already"));
+  EXPECT_EQ(text_of(folder / "old.mkv"), "precious");
+  EXPECT_EQ(record(folder / "s.yaml", folder / "none/v.mkv").status, 1);
+  EXPECT_EQ(record(folder / "none.yaml", folder / "v.mkv").status, 1);
+  EXPECT_EQ(record(folder / "s.yaml", folder / "v.mkv", {"--codec", "h264"}).status, 2);
+  const ProgramRun packets = record(folder / "s.yaml", folder / "v.mkv", {"--codec", "mjpeg"});
+  EXPECT_EQ(packets.status, 1);
+  EXPECT_THAT(packets.errors, HasSubstr("the source gives no JPEG packets"));
+  EXPECT_FALSE(fs::exists(folder / "v.mkv"));
+}
+
+TEST(Record, EndsWholeBeforeTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const SmallDisk disk(folder / "disk", 8000);
+  if (!disk.mounted()) GTEST_SKIP() << disk.problem();
+  write_scene(folder / "s.yaml");
+  const ProgramRun run = record(
+      folder / "s.yaml", folder / "disk/v.mkv", {"--reserve-mb", "7", "--seconds", "60", "--json"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("the disk is nearly full"));
+  const json answer = json::parse(run.output);
+  EXPECT_GT(answer.at("frames"), 5);
+  EXPECT_EQ(VideoFile::open(folder / "disk/v.mkv")->frame_count(), answer.at("frames"));
+  EXPECT_THAT(text_of(folder / "disk/v.frames.csv"), HasSubstr("# ended: "));
+}
+
+TEST(Live, GivesALineForEachFrameUntilCtrlC) {
+  const FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
+  ASSERT_EQ(flat.calibrate().status, 0);
+  const cv::Mat picture = cv::imread(flat.presses[0].string(), cv::IMREAD_GRAYSCALE);
+  // A camera that looks at a press for as long as the test wants.
+  fs::create_directory(flat.folder / "in");
+  for (const char* name : {"a", "b", "c", "d"})
+    cv::imwrite(flat.file(std::string("in/") + name + ".png"), picture);
+  ASSERT_EQ(record(flat.folder / "in", flat.folder / "v.mkv").status, 0);
+  const ProgramRun run = run_alltact({"reconstruct", flat.finger(), flat.file("v.mkv"), "--live"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  std::istringstream lines(run.output);
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    const json told = json::parse(line);
+    EXPECT_EQ(told.at("index"), count);
+    ASSERT_EQ(told.at("regions").size(), 1U);
+    EXPECT_GT(told.at("regions")[0].at("deepest_mm").get<double>(), 0.1);
+  }
+  EXPECT_GE(count, 1);  // the newest wins: a slow computer measures fewer
+  EXPECT_LE(count, 4);
+  EXPECT_THAT(run.errors, HasSubstr("skipped to keep up"));
+
+  write_scene(flat.folder / "s.yaml");
+  const ProgramRun stopped = run_shell(
+      "timeout --foreground --preserve-status -s INT 1 '" ALLTACT_PROGRAM "' reconstruct '" +
+      flat.finger() + "' '" + flat.file("s.yaml") + "' --live");
+  EXPECT_EQ(stopped.status, 0) << stopped.errors;
+  EXPECT_THAT(stopped.output, HasSubstr("\"index\":2"));
+}
+
+TEST(Live, WantsEitherAFolderOrLines) {
+  EXPECT_EQ(run_alltact({"reconstruct", "f", "v.mkv"}).status, 2);
+  EXPECT_EQ(run_alltact({"reconstruct", "f", "v.mkv", "--live", "-o", "out"}).status, 2);
+  EXPECT_EQ(run_alltact({"reconstruct", "f", "v.mkv", "--live", "--format", "ply"}).status, 2);
+  const ProgramRun both = run_alltact({"reconstruct", "f", "v.mkv", "--live", "--json"});
+  EXPECT_EQ(both.status, 1);
+  EXPECT_THAT(both.errors, HasSubstr("without --json"));
+}
+
+}  // namespace
+}  // namespace alltact::test
