@@ -219,7 +219,9 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   CLI::App* command =
       program.add_subcommand("reconstruct", "Turns pictures into depth and 3D points");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
-  command->add_option("INPUT", options->inputs, "Pictures, folders of them, a video, or a scene")
+  command
+      ->add_option(
+          "INPUT", options->inputs, "Pictures, folders of them, a video, a scene, or a camera")
       ->required();
   CLI::Option* output =
       command->add_option("-o,--output", options->folder, "Folder for the results")

@@ -152,7 +152,8 @@ void add_record(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("SOURCE",
                    options->inputs,
-                   "A video, a scene (the simulated finger, at its camera's pace, without end), "
+                   "A camera (by a name that 'alltact devices' tells), a video, a scene (the "
+                   "simulated finger, at its camera's pace, without end), "
                    "pictures or folders of them")
       ->required();
   command

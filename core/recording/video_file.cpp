@@ -5,11 +5,11 @@
 #include "core/recording/matroska_file.h"
 #include "core/recording/matroska_index.h"
 #include "core/recording/mend.h"
+#include "core/sources/v4l2/grey_decoder.h"
 
 #include <numeric>
 
 #include <fcntl.h>
-#include <opencv2/imgcodecs.hpp>
 #include <unistd.h>
 
 namespace alltact {
@@ -76,6 +76,7 @@ Result<AvPtr<AVCodecContext>> open_decoder(const AVStream& video, const fs::path
 struct VideoFile::State {
   fs::path file;
   VideoInput input;
+  GreyDecoder jpeg_decoder;
   AvPtr<AVCodecContext> decoder;   // none for JPEG, which is decoded as a camera's is
   std::vector<Entry> entries;      // in the file's order
   std::vector<std::size_t> shown;  // the entry of each frame
@@ -173,12 +174,10 @@ Status VideoFile::State::add_jpeg(std::size_t number, Frame& frame) {
   if (!read(shown[number])) return frame_error(number);
   frame.jpeg =
       std::make_shared<const std::vector<std::uint8_t>>(packet->data, packet->data + packet->size);
-  try {
-    frame.grey = cv::imdecode(*frame.jpeg, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
-    return frame_error(number);
-  }
-  if (frame.grey.empty()) return frame_error(number);
+  const AVCodecParameters& size = *input.video()->codecpar;
+  auto grey = jpeg_decoder(PixelFormat::kMjpeg, size.width, size.height, 0, *frame.jpeg);
+  if (!grey) return frame_error(number);
+  frame.grey = std::move(*grey);
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include "core/sources/ending.h"
 #include "core/sources/picture_source.h"
 #include "core/sources/simulated_source.h"
+#include "core/sources/v4l2/camera_list.h"
 #include "core/sources/video_source.h"
 
 namespace alltact {
@@ -32,8 +33,21 @@ Result<std::unique_ptr<Source>> open_video(const fs::path& file, const SourceOpt
   return std::unique_ptr<Source>(std::make_unique<VideoSource>(std::move(*video), options));
 }
 
-/// What gives frames by itself; nothing for pictures and their folders. Each further kind of
-/// source, a camera by its identity among them, is one line here.
+/// A node, or a name that could be a camera's and is no file's.
+bool may_name_camera(const fs::path& input) {
+  std::error_code ignored;
+  if (input.string().starts_with("/dev/")) return !fs::is_directory(input, ignored);
+  return !fs::exists(input, ignored) && !input.has_parent_path() && !is_picture(input) &&
+         !is_video(input) && !is_scene(input);
+}
+
+Result<std::unique_ptr<Source>> open_camera_source(const fs::path& name) {
+  auto camera = open_camera(name.string());
+  if (!camera) return camera.error();
+  return std::unique_ptr<Source>(std::make_unique<CameraSource>(std::move(*camera)));
+}
+
+/// What gives frames by itself; nothing for pictures and their folders.
 std::optional<Result<std::unique_ptr<Source>>> open_alone(const fs::path& input,
                                                           const SourceOptions& options) {
   if (is_video(input)) return open_video(input, options);
@@ -67,9 +81,12 @@ Result<std::unique_ptr<Source>> open_pictures(const std::vector<fs::path>& input
 
 Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
                                             const SourceOptions& options) {
+  if (inputs.size() == 1 && may_name_camera(inputs.front()))
+    return open_camera_source(inputs.front());
   if (inputs.empty())
-    return Error{
-        "no input was given", "", "name a picture, a folder of pictures, a video or a scene"};
+    return Error{"no input was given",
+                 "",
+                 "name a picture, a folder of pictures, a video, a scene or a camera"};
   for (const fs::path& input : inputs) {
     std::error_code ignored;
     if (!fs::exists(input, ignored))

@@ -51,6 +51,7 @@ struct SourceOptions {
 };
 
 /// Opens what the inputs name:
+///   one camera: its node (/dev/video0), or its lasting name or serial number (see find_camera);
 ///   pictures (png, jpg, bmp, tif, pgm) and folders of pictures (in name order; NAME.depth.tiff,
 ///     NAME.points.tiff and NAME.z.tiff beside them are results, not pictures); they have no times
 ///     and come as fast as asked;
@@ -58,8 +59,8 @@ struct SourceOptions {
 ///   one scene (yaml): the finger it describes, simulated. As fast as asked it gives the scene's
 ///     frames; at the camera's pace it goes on without end, with the faults that the scene names.
 /// Errors: nothing given, a path that does not exist, a folder without pictures, a video that
-/// cannot be opened or holds no frame, a scene that is wrong, one of the last two together with
-/// other inputs.
+/// cannot be opened or holds no frame, a scene that is wrong, no such camera, one of these three
+/// together with other inputs.
 [[nodiscard]] Result<std::unique_ptr<Source>> open_source(
     const std::vector<std::filesystem::path>& inputs, const SourceOptions& options = {});
 

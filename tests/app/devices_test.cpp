@@ -104,6 +104,32 @@ TEST(Devices, ListsWhatThereIsAndWhatIsWrongWithIt) {
   EXPECT_EQ(json.at("hid")[0].at("device"), "0c45:7403/1");
 }
 
+TEST(Devices, ACameraIsRecordedByItsLastingName) {
+  if (*ALLTACT_SANITIZE != 0) GTEST_SKIP() << "sanitizers do not stand other preloaded libraries";
+  for (const char* format : {"MJPG", "GREY"}) {
+    const TemporaryFolder folder;
+    const std::string video = (folder / "v.mkv").string();
+    const ProgramRun run = run_among_devices(
+        fmt::format("'{}' record usb-Fake_AAAA-video-index0 -o '{}' --frames 25 --json",
+                    ALLTACT_PROGRAM,
+                    video),
+        fmt::format("pixels={} size=320x240 rate=60", format));
+    ASSERT_EQ(run.status, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_EQ(json.at("frames"), 25);
+    EXPECT_EQ(json.at("dropped"), 0);
+    EXPECT_EQ(json.at("codec") == "the camera's own JPEG packets", std::string(format) == "MJPG");
+    const std::string journal = text_of(folder / "v.frames.csv");
+    EXPECT_THAT(journal, HasSubstr("# source: usb-Fake_AAAA-video-index0\n"));
+    EXPECT_THAT(journal, HasSubstr("Brightness="));
+    EXPECT_EQ(run_shell("ffprobe -v error '" + video + "'").errors, "");
+  }
+  const ProgramRun none = run_among_devices(
+      fmt::format("'{}' record no-such-camera -o /tmp/none.mkv", ALLTACT_PROGRAM), "");
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.errors, HasSubstr("no-such-camera"));
+}
+
 TEST(Devices, WithoutAnyItSaysSo) {
   const ProgramRun run =
       run_shell(std::string("umockdev-run -- '") + ALLTACT_PROGRAM + "' devices");

@@ -195,12 +195,26 @@ std::uint64_t V4l2Camera::number_of(std::uint32_t driver_sequence) {
   return number;
 }
 
+/// As far as they are known without asking the camera for each frame.
+std::shared_ptr<const std::string> V4l2Camera::controls_now() {
+  std::string text;
+  {
+    const std::lock_guard lock(device_mutex_);
+    for (const ControlValue& control : wanted_)
+      text += fmt::format("{}{}={}", text.empty() ? "" : "; ", control.name, control.value);
+  }
+  if (told_controls_ == nullptr || *told_controls_ != text)
+    told_controls_ = std::make_shared<const std::string>(std::move(text));
+  return told_controls_;
+}
+
 void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
   auto frame = std::make_shared<Frame>();
   frame->sequence = number_of(filled.sequence);
   frame->time_ns = filled.time_ns;
   frame->name = fmt::format("frame_{:05}", frame->sequence);
   frame->origin = place_.identity;
+  frame->controls = controls_now();
   const auto format = static_cast<PixelFormat>(format_.fourcc);
   const auto decode = [&](std::span<const std::uint8_t> bytes) {
     return decoder_(format, format_.width_px, format_.height_px, stride_bytes_, bytes);
@@ -390,6 +404,11 @@ std::vector<ControlValue> V4l2Camera::locked() const {
 
 CameraSource::CameraSource(std::shared_ptr<V4l2Camera> camera, std::size_t capacity)
     : camera_(std::move(camera)), queue_(camera_->frames().subscribe(capacity)) {}
+
+double CameraSource::frames_per_s() const {
+  const double told = camera_->settings().format.frames_per_second();
+  return told > 0 ? told : Source::frames_per_s();
+}
 
 Result<FramePtr> CameraSource::next() {
   if (auto item = queue_->next(std::chrono::seconds(1))) return std::move(*item);

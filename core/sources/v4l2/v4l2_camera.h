@@ -106,6 +106,7 @@ class V4l2Camera {
   void drop_device(const Error& why);
   [[nodiscard]] bool take_frame();
   void publish(const V4l2Stream::Filled& filled);
+  [[nodiscard]] std::shared_ptr<const std::string> controls_now();
   [[nodiscard]] std::uint64_t number_of(std::uint32_t driver_sequence);
   void follow_changes();
   void check_next_held();
@@ -130,7 +131,8 @@ class V4l2Camera {
 
   // Of the capturing thread alone.
   std::unique_ptr<V4l2Stream> stream_;
-  bool has_frame_ = false;  // since the stream was started
+  std::shared_ptr<const std::string> told_controls_;  // with the last frame
+  bool has_frame_ = false;                            // since the stream was started
   std::uint32_t last_driver_sequence_ = 0;
   std::uint64_t next_number_ = 0;
   std::size_t next_held_ = 0;
@@ -155,6 +157,8 @@ class CameraSource : public Source {
   [[nodiscard]] Result<FramePtr> next() override;
   [[nodiscard]] std::optional<std::size_t> count() const override { return std::nullopt; }
   [[nodiscard]] bool is_continuous() const override { return true; }
+  [[nodiscard]] bool is_live() const override { return true; }
+  [[nodiscard]] double frames_per_s() const override;
   /// Frames that were lost because next() was not called often enough.
   [[nodiscard]] std::uint64_t dropped() const { return queue_->dropped(); }
   [[nodiscard]] V4l2Camera& camera() const { return *camera_; }
