@@ -147,11 +147,12 @@ PressedCell pressed_in(const cv::Mat& depth_mm, const cv::Rect& cell, float thre
   return pressed;
 }
 
-/// The pressed pixels of the cells with a label.
+/// The pressed pixels of the cells with a label; the label picture begins at the cell `origin`.
 RegionSums sums_of(const DepthMap& depth,
                    const cv::Mat& labels,
                    int label,
                    const cv::Rect& cells,
+                   const cv::Point& origin,
                    const FaceShape& shape,
                    const Face& face,
                    double threshold_mm) {
@@ -161,7 +162,8 @@ RegionSums sums_of(const DepthMap& depth,
     const int* row = labels.ptr<int>(y);
     for (int x = cells.x; x < cells.x + cells.width; ++x) {
       if (row[x] != label) continue;
-      const cv::Rect cell = cv::Rect(x * kCell, y * kCell, kCell, kCell) & picture;
+      const cv::Rect cell =
+          cv::Rect((origin.x + x) * kCell, (origin.y + y) * kCell, kCell, kCell) & picture;
       const PressedCell pressed =
           pressed_in(depth.depth_mm, cell, static_cast<float>(threshold_mm));
       if (pressed.sums.pixels == 0) continue;
@@ -179,8 +181,13 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                            const Face& face,
                                            const RegionOptions& options) {
   const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
-  const cv::Mat touched = cell_depths(depth.depth_mm) > threshold;
-  if (cv::countNonZero(touched) == 0) return {};
+  const cv::Mat everywhere = cell_depths(depth.depth_mm) > threshold;
+  // Labels are given within the box that holds all that is touched, and a cell around it.
+  const cv::Rect tight = cv::boundingRect(everywhere);
+  if (tight.empty()) return {};
+  const cv::Rect box = cv::Rect(tight.x - 1, tight.y - 1, tight.width + 2, tight.height + 2) &
+                       cv::Rect({0, 0}, everywhere.size());
+  const cv::Mat touched = everywhere(box);
   cv::Mat labels, statistics, centres;
   const int count =
       cv::connectedComponentsWithStats(touched, labels, statistics, centres, 8, CV_32S);
@@ -198,7 +205,7 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                     statistics.at<int>(label, cv::CC_STAT_WIDTH) + 2,
                                     statistics.at<int>(label, cv::CC_STAT_HEIGHT) + 2) &
                            cv::Rect(0, 0, labels.cols, labels.rows);
-    const RegionSums sums = sums_of(depth, wide, label, cells, shape, face, threshold);
+    const RegionSums sums = sums_of(depth, wide, label, cells, box.tl(), shape, face, threshold);
     if (sums.empty()) continue;
     const ContactRegion region = sums.region(options.smoothing_px);
     if (region.area_mm2 >= options.minimum_area_mm2) regions.push_back(region);
