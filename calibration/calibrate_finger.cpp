@@ -34,18 +34,14 @@ Result<Pipeline> make_pipeline(const FingerCalibrationInput& input,
   if (!input.reference) return Pipeline::create(input.folder, blank, input.pipeline, job);
   const auto picture = read_grey_picture(*input.reference);
   if (!picture) return picture.error();
-  const cv::Mat grey = oriented(*picture, finger.camera.orientation);
-  if (grey.cols != finger.camera.width_px || grey.rows != finger.camera.height_px) {
-    return Error{
-        fmt::format("the reference picture is {} x {} px, the finger's camera gives {} x {}",
-                    grey.cols,
-                    grey.rows,
-                    finger.camera.width_px,
-                    finger.camera.height_px),
-        input.reference->string(),
-        "the untouched picture of this sensor, at the size of its presses"};
-  }
-  auto library = ReferenceLibrary::single(grey);
+  const auto grey =
+      oriented_for(finger.camera,
+                   *picture,
+                   "the reference picture",
+                   input.reference->string(),
+                   "the untouched picture of this sensor, at the size of its presses");
+  if (!grey) return grey.error();
+  auto library = ReferenceLibrary::single(*grey);
   if (!library) return library.error();
   return Pipeline::create(blank, std::move(library).value(), input.pipeline);
 }

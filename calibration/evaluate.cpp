@@ -3,6 +3,7 @@
 #include "core/finger/finger.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
+#include "core/numerics/median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +26,7 @@ constexpr double kAwayMm = 1.0;        // distance from any contact that counts 
 
 std::optional<double> median(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return upper_median(values);
 }
 
 Truth::Dot dot_of(const Json& json) {

@@ -54,9 +54,8 @@ struct Pass {
   int written = 0;
 };
 
-FrameDots look_at(const cv::Mat& raw, const Camera& camera, const Finger& finger) {
+FrameDots look_at(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
   FrameDots found;
-  const cv::Mat grey = oriented(raw, camera.parameters().orientation);
   const auto edges = FaceEdgeFinder()(grey);
   if (!edges) {
     found.problem = edges.error().what;
@@ -74,19 +73,6 @@ FrameDots look_at(const cv::Mat& raw, const Camera& camera, const Finger& finger
     dots = MarkerDetector({finger.markers.per_row, polarity})(grey, *shape).dots;
   }
   return found;
-}
-
-Status wrong_size(const Frame& frame, const Camera& camera) {
-  const cv::Size want = oriented(frame.grey, camera.parameters().orientation).size();
-  if (frame.grey.type() == CV_8UC1 && want == camera.size()) return {};
-  return Error{
-      fmt::format("the picture is {} x {}, the finger's camera gives {} x {}",
-                  want.width,
-                  want.height,
-                  camera.size().width,
-                  camera.size().height),
-      frame.origin.empty() ? frame.name : frame.origin,
-      "a recording made with this finger's camera, or the right camera.size and orientation"};
 }
 
 Result<Pass> first_pass(Source& source,
@@ -114,9 +100,14 @@ Result<Pass> first_pass(Source& source,
       if (!total && pass.written == 0 && pass.frames.size() > 100) return frame.error();
       continue;
     }
-    const Status fits = wrong_size(**frame, camera);
-    if (!fits) return fits.error();
-    pass.frames.push_back(look_at((*frame)->grey, camera, finger));
+    const auto grey = oriented_for(
+        finger.camera,
+        (*frame)->grey,
+        "the picture",
+        (*frame)->origin.empty() ? (*frame)->name : (*frame)->origin,
+        "a recording made with this finger's camera, or the right camera.size and orientation");
+    if (!grey) return grey.error();
+    pass.frames.push_back(look_at(*grey, camera, finger));
     const Status written = writer.add(**frame);
     if (!written) return written.error();
     pass.in_video.push_back(pass.written++);
@@ -299,15 +290,12 @@ Status install_flat_reference(const fs::path& picture, const fs::path& folder, F
   if (!grey) return grey.error();
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
-  const cv::Size size = oriented(*grey, finger.camera.orientation).size();
-  if (size != camera->size())
-    return Error{fmt::format("the picture is {} x {}, the sensor's camera gives {} x {}",
-                             size.width,
-                             size.height,
-                             camera->size().width,
-                             camera->size().height),
-                 picture.string(),
-                 "an untouched picture taken with this sensor's camera"};
+  const auto fitting = oriented_for(finger.camera,
+                                    *grey,
+                                    "the picture",
+                                    picture.string(),
+                                    "an untouched picture taken with this sensor's camera");
+  if (!fitting) return fitting.error();
   constexpr const char* kPicture = "reference.png";
   const Status written = write_picture(folder / kPicture, *grey);
   if (!written) return written;

@@ -224,4 +224,21 @@ cv::Mat oriented(const cv::Mat& raw, Orientation orientation) {
   return turned;
 }
 
+Result<cv::Mat> oriented_for(const CameraParameters& camera,
+                             const cv::Mat& raw,
+                             std::string_view what,
+                             const std::string& where,
+                             std::string_view advice) {
+  cv::Mat turned = oriented(raw, camera.orientation);
+  if (turned.size() == cv::Size(camera.width_px, camera.height_px)) return turned;
+  return Error{fmt::format("{} is {} x {} px, the camera of this finger gives {} x {}",
+                           what,
+                           turned.cols,
+                           turned.rows,
+                           camera.width_px,
+                           camera.height_px),
+               where,
+               std::string(advice)};
+}
+
 }  // namespace alltact

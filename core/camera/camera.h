@@ -89,4 +89,12 @@ class Camera {
 /// Turns the raw picture as camera.orientation says (no copy for kNone).
 [[nodiscard]] cv::Mat oriented(const cv::Mat& raw, Orientation orientation);
 
+/// The raw picture turned as the camera's pictures are. Error, with `where` and `advice`: it does
+/// not then have the size that the camera gives. `what` names it: "the picture".
+[[nodiscard]] Result<cv::Mat> oriented_for(const CameraParameters& camera,
+                                           const cv::Mat& raw,
+                                           std::string_view what,
+                                           const std::string& where,
+                                           std::string_view advice);
+
 }  // namespace alltact

@@ -6,11 +6,7 @@
 namespace alltact {
 namespace {
 
-struct Words {
-  std::string_view reason, advice;
-};
-
-Words words_for(int error_number) {
+FailureWords words_for(int error_number) {
   switch (error_number) {
     case ENOSPC:
       return {"the disk is full", "free some space, or choose a folder on another disk"};
@@ -44,10 +40,13 @@ Words words_for(int error_number) {
 }  // namespace
 
 Error system_error(std::string_view doing, const std::filesystem::path& path, int error_number) {
-  const Words words = words_for(error_number);
+  return told(doing, path.string(), words_for(error_number), error_number);
+}
+
+Error told(std::string_view doing, std::string where, const FailureWords& words, int error_number) {
   const std::string reason =
       words.reason.empty() ? std::string(std::strerror(error_number)) : std::string(words.reason);
-  return {fmt::format("{}: {}", doing, reason), path.string(), std::string(words.advice)};
+  return {fmt::format("{}: {}", doing, reason), std::move(where), std::string(words.advice)};
 }
 
 }  // namespace alltact

@@ -14,4 +14,15 @@ namespace alltact {
                                  const std::filesystem::path& path,
                                  int error_number);
 
+/// What an errno means for one kind of thing, and what helps. An empty reason: as the system says.
+struct FailureWords {
+  std::string_view reason, advice;
+};
+
+/// The error that tells of it: "doing: reason".
+[[nodiscard]] Error told(std::string_view doing,
+                         std::string where,
+                         const FailureWords& words,
+                         int error_number);
+
 }  // namespace alltact

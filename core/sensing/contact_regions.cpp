@@ -1,6 +1,6 @@
 #include "core/sensing/contact_regions.h"
 
-#include "core/numerics/dispatch.h"
+#include "core/sensing/depth_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,30 +10,8 @@
 namespace alltact {
 namespace {
 
-constexpr int kCell = 4;  // pixels a side of the cells in which regions are connected
+constexpr int kCell = kDepthCellPx;  // regions are connected in cells
 constexpr double kLargestAngleSdDeg = 15.0;
-
-ALLTACT_WIDE void add_row(const float* __restrict depth, int width, float* __restrict sum) {
-  for (int u = 0; u < width; ++u)
-    sum[u] += depth[u] == depth[u] ? depth[u] : 0.0F;  // NaN is not itself
-}
-
-/// Mean depth over each cell of kCell x kCell pixels; unmeasured pixels count as untouched.
-cv::Mat cell_depths(const cv::Mat& depth_mm) {
-  cv::Mat cells((depth_mm.rows + kCell - 1) / kCell, (depth_mm.cols + kCell - 1) / kCell, CV_32FC1);
-  std::vector<float> sum(static_cast<std::size_t>(cells.cols * kCell));
-  for (int c = 0; c < cells.rows; ++c) {
-    std::fill(sum.begin(), sum.end(), 0.0F);
-    for (int row = c * kCell; row < std::min((c + 1) * kCell, depth_mm.rows); ++row)
-      add_row(depth_mm.ptr<float>(row), depth_mm.cols, sum.data());
-    float* cell = cells.ptr<float>(c);
-    for (int x = 0; x < cells.cols; ++x) {
-      const float* four = &sum[static_cast<std::size_t>(x * kCell)];
-      cell[x] = (four[0] + four[1] + four[2] + four[3]) / (kCell * kCell);
-    }
-  }
-  return cells;
-}
 
 /// Pressed pixels of one cell, all taken to lie at their depth-weighted middle.
 struct CellSums {
@@ -181,7 +159,7 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                            const Face& face,
                                            const RegionOptions& options) {
   const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
-  const cv::Mat everywhere = cell_depths(depth.depth_mm) > threshold;
+  const cv::Mat everywhere = depth.cells_mm > threshold;
   // Labels are given within the box that holds all that is touched, and a cell around it.
   const cv::Rect tight = cv::boundingRect(everywhere);
   if (tight.empty()) return {};

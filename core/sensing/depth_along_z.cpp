@@ -1,6 +1,7 @@
 #include "core/sensing/depth_along_z.h"
 
 #include "core/numerics/bilinear.h"
+#include "core/sensing/depth_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 namespace alltact {
 namespace {
 
-constexpr int kCell = 8;             // pixels a side of what is touched or not
 constexpr double kTouchedMm = 0.02;  // mean depth below which a cell only needs scaling
 constexpr int kSteps = 6;            // each at least halves the error
 
@@ -18,13 +18,16 @@ constexpr int kSteps = 6;            // each at least halves the error
 struct Profile {
   std::vector<double> foot_x_mm;  ///< x of the untouched face seen along the normal, ascending
   std::vector<double> z_mm, normal_x, normal_z;
+  std::vector<float> along_z;  ///< by the picture's column: depth along z of one along the normal
 
-  explicit Profile(const FaceShape& shape) {
+  explicit Profile(const FaceShape& shape)
+      : along_z(static_cast<std::size_t>(shape.width_px()), 1.0F) {
     const double layer_mm = shape.face().layer_mm;
     for (int u = 0; u < shape.width_px(); ++u) {
       const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
       const auto local = shape.at(u, 0.5 * (column.upper_v + column.lower_v));
       if (!local) continue;
+      along_z[static_cast<std::size_t>(u)] = static_cast<float>(1.0 / local->cos_incline);
       const double foot = local->view_point_mm.x() + layer_mm * local->normal.x();
       if (!foot_x_mm.empty() && foot <= foot_x_mm.back()) continue;
       foot_x_mm.push_back(foot);
@@ -52,22 +55,14 @@ struct Profile {
 };
 
 /// Cells near a touched one: where looking elsewhere can make a difference.
-cv::Mat touched_cells(const cv::Mat& depth_mm, const FaceShape& shape) {
-  cv::Mat cells((depth_mm.rows + kCell - 1) / kCell,
-                (depth_mm.cols + kCell - 1) / kCell,
-                CV_32FC1,
-                cv::Scalar(0));
-  for (int row = 0; row < depth_mm.rows; ++row) {
-    const float* depth = depth_mm.ptr<float>(row);
-    float* cell = cells.ptr<float>(row / kCell);
-    for (int u = 0; u < depth_mm.cols; ++u) cell[u / kCell] += depth[u] > 0.0F ? depth[u] : 0.0F;
-  }
-  cv::Mat touched = cells > kTouchedMm * kCell * kCell;
+cv::Mat touched_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
+  cv::Mat touched = cells_mm > kTouchedMm;
   double nearest_mm = 1e9;
   for (const FaceColumn& column : shape.columns())
     if (column.valid) nearest_mm = std::min(nearest_mm, column.z_mm);
   const double px_per_mm = 1.0 / shape.camera().mm_per_px_at(nearest_mm);
-  const int reach = 1 + static_cast<int>(std::ceil(shape.face().layer_mm * px_per_mm / kCell));
+  const int reach =
+      1 + static_cast<int>(std::ceil(shape.face().layer_mm * px_per_mm / kDepthCellPx));
   cv::dilate(touched, touched, cv::Mat::ones(3, 2 * reach + 1, CV_8U));
   return touched;
 }
@@ -99,24 +94,20 @@ double look_up(const cv::Mat& depth_normal_mm,
 
 }  // namespace
 
-cv::Mat depth_along_z(const cv::Mat& depth_normal_mm, const FaceShape& shape) {
+cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
+                      const cv::Mat& cells_mm,
+                      const FaceShape& shape) {
   CV_Assert(depth_normal_mm.type() == CV_32FC1 && depth_normal_mm.cols == shape.width_px());
   cv::Mat depth_mm = depth_normal_mm.clone();
-  std::vector<float> along_z(static_cast<std::size_t>(shape.width_px()), 1.0F);
-  for (int u = 0; u < shape.width_px(); ++u) {
-    const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
-    if (const auto local = shape.at(u, 0.5 * (column.upper_v + column.lower_v)))
-      along_z[static_cast<std::size_t>(u)] = static_cast<float>(1.0 / local->cos_incline);
-  }
   const Profile profile(shape);
-  const cv::Mat touched = touched_cells(depth_normal_mm, shape);
+  const cv::Mat touched = touched_cells(cells_mm, shape);
   for (int row = 0; row < depth_mm.rows; ++row) {
-    const std::uint8_t* cell = touched.ptr<std::uint8_t>(row / kCell);
+    const std::uint8_t* cell = touched.ptr<std::uint8_t>(row / kDepthCellPx);
     float* depth = depth_mm.ptr<float>(row);
     for (int u = 0; u < depth_mm.cols; ++u) {
       // Where the face is even, along the normal or along z is a matter of scale alone.
-      depth[u] *= along_z[static_cast<std::size_t>(u)];
-      if (cell[u / kCell] == 0 || !std::isfinite(depth[u]) || profile.foot_x_mm.size() < 2)
+      depth[u] *= profile.along_z[static_cast<std::size_t>(u)];
+      if (cell[u / kDepthCellPx] == 0 || !std::isfinite(depth[u]) || profile.foot_x_mm.size() < 2)
         continue;
       const auto here = shape.at(u, row);
       if (!here) continue;

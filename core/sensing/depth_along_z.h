@@ -14,8 +14,11 @@ namespace alltact {
 /// looking up, for every pixel, which other pixel sees its line (a few fixed-point steps along the
 /// finger, since the normal has no part across it).
 ///
-/// depth_normal_mm: CV_32FC1, NaN where not measured. The result has the same size and type; it is
-/// >= 0, and NaN where depth_normal_mm is.
-[[nodiscard]] cv::Mat depth_along_z(const cv::Mat& depth_normal_mm, const FaceShape& shape);
+/// depth_normal_mm: CV_32FC1, NaN where not measured; cells_mm: its means (depth_cells.h), which
+/// say where looking is worth it. The result has the size and type of depth_normal_mm; it is >= 0,
+/// and NaN where depth_normal_mm is.
+[[nodiscard]] cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
+                                    const cv::Mat& cells_mm,
+                                    const FaceShape& shape);
 
 }  // namespace alltact

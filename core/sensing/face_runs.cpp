@@ -45,8 +45,8 @@ FaceRuns face_runs(const FaceShape& shape, double margin_px, const cv::Size& siz
       for (int row = first; row <= last; ++row) open[static_cast<std::size_t>(row)] = u;
     };
     // The rows of one range that the other has not, above it and below it.
-    const bool none = here.first > here.last, first_ever = before.first > before.last;
-    if (none || first_ever) {
+    const bool is_empty = here.first > here.last, was_empty = before.first > before.last;
+    if (is_empty || was_empty) {
       close(before.first, before.last);
       begin(here.first, here.last);
     } else {
@@ -58,12 +58,6 @@ FaceRuns face_runs(const FaceShape& shape, double margin_px, const cv::Size& siz
     before = here;
   }
   return by_rows(closed, size.height);
-}
-
-FaceRuns whole_picture_runs(const cv::Size& size) {
-  std::vector<FaceRun> rows;
-  for (int row = 0; row < size.height; ++row) rows.push_back({row, 0, size.width, 0});
-  return by_rows(rows, size.height);
 }
 
 }  // namespace alltact

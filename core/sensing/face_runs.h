@@ -35,7 +35,4 @@ struct FaceRuns {
 /// The pixels at least `margin_px` inside the face's edges, in columns that are valid.
 [[nodiscard]] FaceRuns face_runs(const FaceShape& shape, double margin_px, const cv::Size& size);
 
-/// Every pixel of a picture.
-[[nodiscard]] FaceRuns whole_picture_runs(const cv::Size& size);
-
 }  // namespace alltact

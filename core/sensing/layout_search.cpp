@@ -1,6 +1,7 @@
 #include "core/sensing/layout_search.h"
 
 #include "core/numerics/dispatch.h"
+#include "core/numerics/median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,9 +54,7 @@ double LayoutSearch::median_step_px() const {
       markers[m] = {places_[2 * m * frames_ + i], places_[(2 * m + 1) * frames_ + i], true, 0};
     steps.push_back(nearest(markers, i).distance_px);
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return upper_median(steps);
 }
 
 }  // namespace alltact

@@ -2,6 +2,8 @@
 
 #include "core/numerics/dispatch.h"
 #include "core/sensing/depth_along_z.h"
+#include "core/sensing/depth_cells.h"
+#include "core/sensing/grey_steps.h"
 #include "core/sensing/picture_pool.h"
 
 #include <algorithm>
@@ -15,54 +17,77 @@ namespace alltact {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kCeiling = 250.0F;  // grey levels from here on are taken as clipped
+constexpr std::int16_t kCeiling = 250 * kGreySteps;  // levels from here on are taken as clipped
 
-/// One row: what can be measured, and both brightnesses with 0 where nothing can.
-ALLTACT_WIDE void select_row(const std::uint8_t* __restrict grey,
-                             const float* __restrict reference,
-                             float darkest,
-                             int count,
-                             float* __restrict live_out,
-                             float* __restrict reference_out,
-                             std::uint8_t* __restrict flags) {
-  constexpr float measured = kMeasured, off_face = kOffFace, dark = kTooDark, clipped = kSaturated;
+/// Both brightnesses of a row in steps; true when every pixel of it can be measured, as nearly all
+/// rows can.
+ALLTACT_WIDE bool copy_row(const std::uint8_t* __restrict grey,
+                           const std::int16_t* __restrict reference,
+                           std::int16_t darkest,
+                           int count,
+                           std::int16_t* __restrict live_out,
+                           std::int16_t* __restrict reference_out) {
+  std::int16_t brightest_seen = 0, darkest_seen = kCeiling;
   for (int u = 0; u < count; ++u) {
-    const auto live = static_cast<float>(static_cast<std::int32_t>(grey[u]));
-    const float ref = reference[u];
-    // The last reason wins. Flags are small whole numbers in float and each pixel takes the same
-    // steps, so that the loop runs in vectors.
-    float flag = live >= kCeiling ? clipped : measured;
+    const auto live = static_cast<std::int16_t>(grey[u] * kGreySteps);
+    const std::int16_t ref = reference[u];
+    live_out[u] = live;
+    reference_out[u] = ref;
+    const std::int16_t brighter = live > ref ? live : ref;
+    brightest_seen = brighter > brightest_seen ? brighter : brightest_seen;
+    darkest_seen = ref < darkest_seen ? ref : darkest_seen;
+  }
+  return brightest_seen < kCeiling && darkest_seen >= darkest;
+}
+
+/// Says of each pixel of a row whether it can be measured, and sets both to 0 where not.
+ALLTACT_WIDE void mark_row(std::int16_t darkest,
+                           int count,
+                           std::int16_t* __restrict live,
+                           std::int16_t* __restrict reference,
+                           std::uint8_t* __restrict flags) {
+  constexpr std::int16_t measured = kMeasured, off_face = kOffFace, dark = kTooDark,
+                         clipped = kSaturated;
+  for (int u = 0; u < count; ++u) {
+    const std::int16_t ref = reference[u];
+    // The last reason wins; each pixel takes the same steps, so that the loop runs in vectors.
+    std::int16_t flag = live[u] >= kCeiling ? clipped : measured;
     flag = ref >= kCeiling ? clipped : flag;
     flag = ref < darkest ? dark : flag;
-    flag = ref == ref ? flag : off_face;  // NaN is not itself
-    flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(flag));
-    live_out[u] = flag == measured ? live : 0.0F;
-    reference_out[u] = flag == measured ? ref : 0.0F;
+    flag = ref == kNoGrey ? off_face : flag;
+    flags[u] = static_cast<std::uint8_t>(flag);
+    live[u] = flag == measured ? live[u] : std::int16_t{0};
+    reference[u] = flag == measured ? ref : std::int16_t{0};
   }
 }
 
 /// out = a middle with the pairs of neighbours at the next two distances from it on both sides; and
-/// two distances more.
-ALLTACT_WIDE void weigh_first(const float* __restrict middle,
-                              const float* const* pairs,
-                              const float* weights,
+/// two distances more. What is smoothed lies below kCeiling, so that a pair's sum fits.
+ALLTACT_WIDE void weigh_first(const std::int16_t* __restrict middle,
+                              const std::int16_t* const* pairs,
+                              const std::int16_t* weights,
                               int count,
-                              float* __restrict out) {
-  const float *a = pairs[0], *b = pairs[1], *c = pairs[2], *d = pairs[3];
-  const float w0 = weights[0], w1 = weights[1], w2 = weights[2];
-  for (int i = 0; i < count; ++i) out[i] = w0 * middle[i] + w1 * (a[i] + b[i]) + w2 * (c[i] + d[i]);
+                              std::int16_t* __restrict out) {
+  const std::int16_t *a = pairs[0], *b = pairs[1], *c = pairs[2], *d = pairs[3];
+  const std::int16_t w0 = weights[0], w1 = weights[1], w2 = weights[2];
+  for (int i = 0; i < count; ++i)
+    out[i] = static_cast<std::int16_t>(times(middle[i], w0) +
+                                       times(static_cast<std::int16_t>(a[i] + b[i]), w1) +
+                                       times(static_cast<std::int16_t>(c[i] + d[i]), w2));
 }
-ALLTACT_WIDE void weigh_more(const float* const* pairs,
-                             const float* weights,
+ALLTACT_WIDE void weigh_more(const std::int16_t* const* pairs,
+                             const std::int16_t* weights,
                              int count,
-                             float* __restrict out) {
-  const float *a = pairs[0], *b = pairs[1], *c = pairs[2], *d = pairs[3];
-  const float w1 = weights[0], w2 = weights[1];
-  for (int i = 0; i < count; ++i) out[i] += w1 * (a[i] + b[i]) + w2 * (c[i] + d[i]);
+                             std::int16_t* __restrict out) {
+  const std::int16_t *a = pairs[0], *b = pairs[1], *c = pairs[2], *d = pairs[3];
+  const std::int16_t w1 = weights[0], w2 = weights[1];
+  for (int i = 0; i < count; ++i)
+    out[i] = static_cast<std::int16_t>(out[i] + times(static_cast<std::int16_t>(a[i] + b[i]), w1) +
+                                       times(static_cast<std::int16_t>(c[i] + d[i]), w2));
 }
 
-/// A Gaussian's weights of the middle and of an even number of distances from it.
-std::vector<float> gaussian_weights(double sd_px) {
+/// A Gaussian's weights, of 2^-15, of the middle and of an even number of distances from it.
+std::vector<std::int16_t> gaussian_weights(double sd_px) {
   const int radius = sd_px > 0.0 ? static_cast<int>(std::ceil(2.0 * sd_px)) : 0;
   std::vector<double> weights;
   double sum = 0;
@@ -71,9 +96,11 @@ std::vector<float> gaussian_weights(double sd_px) {
     weights.push_back(std::exp(-0.5 * z * z));
     sum += (k == 0 ? 1.0 : 2.0) * weights.back();
   }
-  std::vector<float> result;
-  for (const double weight : weights) result.push_back(static_cast<float>(weight / sum));
-  while (result.size() < 3 || result.size() % 2 == 0) result.push_back(0.0F);
+  std::vector<std::int16_t> result;
+  for (const double weight : weights)
+    result.push_back(
+        static_cast<std::int16_t>(std::min(32767L, std::lround(32768 * weight / sum))));
+  while (result.size() < 3 || result.size() % 2 == 0) result.push_back(0);
   return result;
 }
 
@@ -81,35 +108,35 @@ std::vector<float> gaussian_weights(double sd_px) {
 /// what was given there is nothing (0).
 class RowSmoother {
  public:
-  RowSmoother(const std::vector<float>& weights, int width)
+  RowSmoother(const std::vector<std::int16_t>& weights, int width)
       : weights_(weights),
         radius_(static_cast<int>(weights.size()) - 1),
         width_(width),
         step_(width + 2 * radius_),
-        rows_(static_cast<std::size_t>((2 * radius_ + 1) * step_), 0.0F),
+        rows_(static_cast<std::size_t>((2 * radius_ + 1) * step_), 0),
         filled_(static_cast<std::size_t>(2 * radius_ + 1)),
-        sums_(static_cast<std::size_t>(step_), 0.0F),
+        sums_(static_cast<std::size_t>(step_), 0),
         smooth_(static_cast<std::size_t>(width)) {}
 
   [[nodiscard]] int radius() const { return radius_; }
 
   /// The row, all 0, to be filled within the face's runs. Every row is to be asked for in turn.
-  float* fresh_row(int number, std::span<const FaceRun> runs) {
+  std::int16_t* fresh_row(int number, std::span<const FaceRun> runs) {
     std::vector<FaceRun>& old = filled_[slot(number)];
-    float* begin = line(number);
-    for (const FaceRun& run : old) std::fill(begin + run.first, begin + run.end, 0.0F);
+    std::int16_t* begin = line(number);
+    for (const FaceRun& run : old) std::fill(begin + run.first, begin + run.end, std::int16_t{0});
     old.assign(runs.begin(), runs.end());
     return begin;
   }
 
   /// A run of row `number` smoothed; valid until the next call. All rows up to `radius` below it
   /// must have been given.
-  const float* smoothed(int number, const FaceRun& run) {
+  const std::int16_t* smoothed(int number, const FaceRun& run) {
     const int from = std::max(run.first - radius_, 0), to = std::min(run.end + radius_, width_);
-    float* sums = sums_.data() + radius_;
+    std::int16_t* sums = sums_.data() + radius_;
     // Beyond the picture there is nothing.
-    std::fill(sums + run.first - radius_, sums + from, 0.0F);
-    std::fill(sums + to, sums + run.end + radius_, 0.0F);
+    std::fill(sums + run.first - radius_, sums + from, std::int16_t{0});
+    std::fill(sums + to, sums + run.end + radius_, std::int16_t{0});
     weigh(line(number) + from, to - from, sums + from, [&](int k) {
       return std::pair(line(number - k) + from, line(number + k) + from);
     });
@@ -121,11 +148,14 @@ class RowSmoother {
 
  private:
   template <class Neighbours>
-  void weigh(const float* middle, int count, float* out, Neighbours neighbours) const {
+  void weigh(const std::int16_t* middle,
+             int count,
+             std::int16_t* out,
+             Neighbours neighbours) const {
     for (int k = 1; k < radius_; k += 2) {
       const auto [a, b] = neighbours(k);
       const auto [c, d] = neighbours(k + 1);
-      const std::array<const float*, 4> pairs{a, b, c, d};
+      const std::array<const std::int16_t*, 4> pairs{a, b, c, d};
       if (k == 1)
         weigh_first(middle, pairs.data(), weights_.data(), count, out);
       else
@@ -136,27 +166,27 @@ class RowSmoother {
     const int count = 2 * radius_ + 1;
     return static_cast<std::size_t>((number % count + count) % count);
   }
-  float* line(int number) {
+  std::int16_t* line(int number) {
     return rows_.data() + slot(number) * static_cast<std::size_t>(step_) + radius_;
   }
 
-  std::vector<float> weights_;  // of the middle and of each distance from it
+  std::vector<std::int16_t> weights_;  // of the middle and of each distance from it
   int radius_, width_, step_;
-  std::vector<float> rows_;  // a ring, each with radius_ zeros on both sides
+  std::vector<std::int16_t> rows_;  // a ring, each with radius_ zeros on both sides
   std::vector<std::vector<FaceRun>> filled_;
-  std::vector<float> sums_, smooth_;
+  std::vector<std::int16_t> sums_, smooth_;
 };
 
-ALLTACT_WIDE void divide_row(const float* __restrict live,
-                             const float* __restrict reference,
+ALLTACT_WIDE void divide_row(const std::int16_t* __restrict live,
+                             const std::int16_t* __restrict reference,
                              const std::uint8_t* __restrict flags,
                              int count,
                              float* __restrict x) {
   constexpr float measured = kMeasured;
   for (int u = 0; u < count; ++u) {
     const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
-    const float below = flag == measured ? reference[u] : 1.0F;
-    const float value = (below - live[u]) / below;
+    const float below = flag == measured ? static_cast<float>(reference[u]) : 1.0F;
+    const float value = (below - static_cast<float>(live[u])) / below;
     x[u] = flag == measured ? value : kNaN;
   }
 }
@@ -187,27 +217,41 @@ void fill_off_face(std::uint8_t* flags, int count) {
   std::memset(flags, kOffFace, static_cast<std::size_t>(count));
 }
 
-/// One row of depth from one row of differences, whose flags it completes.
-void map_row(std::span<const FaceRun> runs,
-             const float* x,
-             const Mapping& mapping,
-             int width,
-             float* depth,
-             std::uint8_t* flags) {
-  const auto x_max = static_cast<float>(mapping.x_max());
-  for (const FaceRun& run : runs) {
-    mapping.depths_mm(x + run.first, depth + run.first, run.size());
-    flag_row(x + run.first, x_max, run.size(), flags + run.first);
+/// Makes a depth map row by row from rows of differences.
+class Mapper {
+ public:
+  Mapper(const Mapping& mapping, const FaceRuns& face, DepthMap& map)
+      : mapping_(mapping), face_(face), map_(map), cells_(map.depth_mm.size()) {}
+
+  /// Rows in turn; completes the row's flags.
+  void operator()(int row, const float* x) {
+    const auto x_max = static_cast<float>(mapping_.x_max());
+    float* depth = map_.depth_mm.ptr<float>(row);
+    auto* flags = map_.flags.ptr<std::uint8_t>(row);
+    const auto runs = face_.of_row(row);
+    for (const FaceRun& run : runs) {
+      mapping_.depths_mm(x + run.first, depth + run.first, run.size());
+      flag_row(x + run.first, x_max, run.size(), flags + run.first);
+    }
+    clear_outside(runs, map_.depth_mm.cols, depth, fill_nan);
+    cells_.add_row(row, runs, depth);
   }
-  clear_outside(runs, width, depth, fill_nan);
-}
 
-void turn_along_z(const Mapping& mapping, const FaceShape& shape, DepthMap& map) {
-  if (mapping.parameters().along == MappingAlong::kNormal)
-    map.depth_mm = depth_along_z(map.depth_mm, shape);
-}
+  void finish(const FaceShape& shape) {
+    map_.cells_mm = cells_.mean_mm();
+    if (mapping_.parameters().along == MappingAlong::kZ) return;
+    map_.depth_mm = depth_along_z(map_.depth_mm, map_.cells_mm, shape);
+    map_.cells_mm = depth_cells(map_.depth_mm);
+  }
 
-/// Compares row by row: each row is selected, smoothed with those around it and divided while it is
+ private:
+  const Mapping& mapping_;
+  const FaceRuns& face_;
+  DepthMap& map_;
+  DepthCells cells_;
+};
+
+/// Compares row by row: each row is copied, smoothed with those around it and divided while it is
 /// still near the processor. `row_of_x` says where a row's differences go (only the face's runs are
 /// written) and `done` is told when they are there.
 template <class RowOfX, class Done>
@@ -224,21 +268,28 @@ void compare(const cv::Mat& grey,
   const auto weights = gaussian_weights(options.smoothing_px);
   RowSmoother live(weights, grey.cols), untouched(weights, grey.cols);
   ReferencePicture::Reader reader(reference.picture);
-  const float darkest = static_cast<float>(std::max(8.0, 6.0 * options.noise_sd));
+  const auto darkest = static_cast<std::int16_t>(
+      std::lround(kGreySteps * std::clamp(6.0 * options.noise_sd, 8.0, 250.0)));
   const auto select = [&](int row) {
     const auto runs = row < grey.rows ? face.of_row(row) : std::span<const FaceRun>();
-    float* live_row = live.fresh_row(row, runs);
-    float* untouched_row = untouched.fresh_row(row, runs);
+    std::int16_t* live_row = live.fresh_row(row, runs);
+    std::int16_t* untouched_row = untouched.fresh_row(row, runs);
     if (runs.empty()) return;
-    const float* reference_row = reader.row(row);
-    for (const FaceRun& run : runs)
-      select_row(grey.ptr<std::uint8_t>(row) + run.first,
-                 reference_row + run.first,
-                 darkest,
-                 run.size(),
-                 live_row + run.first,
-                 untouched_row + run.first,
-                 flags.ptr<std::uint8_t>(row) + run.first);
+    const std::int16_t* reference_row = reader.row(row);
+    for (const FaceRun& run : runs) {
+      std::int16_t* live_run = live_row + run.first;
+      std::int16_t* untouched_run = untouched_row + run.first;
+      std::uint8_t* flags_run = flags.ptr<std::uint8_t>(row) + run.first;
+      if (copy_row(grey.ptr<std::uint8_t>(row) + run.first,
+                   reference_row + run.first,
+                   darkest,
+                   run.size(),
+                   live_run,
+                   untouched_run))
+        std::fill_n(flags_run, run.size(), std::uint8_t{kMeasured});
+      else
+        mark_row(darkest, run.size(), live_run, untouched_run, flags_run);
+    }
   };
   for (int row = 0; row < live.radius(); ++row) select(row);
   for (int row = 0; row < grey.rows; ++row) {
@@ -287,15 +338,10 @@ Difference difference(const cv::Mat& grey,
 }
 
 DepthMap depth_map(const Difference& difference, const Mapping& mapping, const FaceShape& shape) {
-  DepthMap map{pooled_picture(difference.x.size(), CV_32FC1), difference.flags.clone()};
-  for (int row = 0; row < difference.x.rows; ++row)
-    map_row(difference.face.of_row(row),
-            difference.x.ptr<float>(row),
-            mapping,
-            difference.x.cols,
-            map.depth_mm.ptr<float>(row),
-            map.flags.ptr<std::uint8_t>(row));
-  turn_along_z(mapping, shape, map);
+  DepthMap map{pooled_picture(difference.x.size(), CV_32FC1), difference.flags.clone(), {}};
+  Mapper mapper(mapping, difference.face, map);
+  for (int row = 0; row < difference.x.rows; ++row) mapper(row, difference.x.ptr<float>(row));
+  mapper.finish(shape);
   return map;
 }
 
@@ -305,8 +351,9 @@ DepthMap depth_map(const cv::Mat& grey,
                    const DifferenceOptions& options,
                    const Mapping& mapping) {
   CV_Assert(shape.width_px() == grey.cols);
-  DepthMap map{pooled_picture(grey.size(), CV_32FC1), pooled_picture(grey.size(), CV_8UC1)};
+  DepthMap map{pooled_picture(grey.size(), CV_32FC1), pooled_picture(grey.size(), CV_8UC1), {}};
   const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size());
+  Mapper mapper(mapping, face, map);
   std::vector<float> x(static_cast<std::size_t>(grey.cols));
   compare(
       grey,
@@ -315,15 +362,8 @@ DepthMap depth_map(const cv::Mat& grey,
       options,
       map.flags,
       [&](int) { return x.data(); },
-      [&](int row) {
-        map_row(face.of_row(row),
-                x.data(),
-                mapping,
-                grey.cols,
-                map.depth_mm.ptr<float>(row),
-                map.flags.ptr<std::uint8_t>(row));
-      });
-  turn_along_z(mapping, shape, map);
+      [&](int row) { mapper(row, x.data()); });
+  mapper.finish(shape);
   return map;
 }
 

@@ -32,6 +32,7 @@ struct Difference {
 struct DepthMap {
   cv::Mat depth_mm;  ///< CV_32FC1 along z, >= 0, NaN where flags say so
   cv::Mat flags;     ///< CV_8UC1 of PixelFlag
+  cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell (depth_cells.h)
 };
 
 struct DifferenceOptions {

@@ -50,16 +50,13 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   StopWatch watch;
   FrameResult result;
   result.frame = frame;
-  result.grey = oriented(frame->grey, state.finger.camera.orientation);
-  if (result.grey.size() != state.camera.size()) {
-    return Error{fmt::format("the picture is {} x {} px, the finger's camera gives {} x {}",
-                             result.grey.cols,
-                             result.grey.rows,
-                             state.camera.size().width,
-                             state.camera.size().height),
-                 frame->origin,
-                 "a picture of this finger's own camera, at the size it was calibrated with"};
-  }
+  auto grey = oriented_for(state.finger.camera,
+                           frame->grey,
+                           "the picture",
+                           frame->origin,
+                           "a picture at the size that the finger was calibrated with");
+  if (!grey) return grey.error();
+  result.grey = std::move(grey).value();
   watch.lap(result.times_ms.prepare);
   state.find_shape(result, watch);
   if (result.shape) state.find_reference(result, watch);

@@ -20,7 +20,7 @@ constexpr double kFaceMarginPx = 1.0;  // inside the fitted edges
 constexpr int kProfileDegree = 7;
 constexpr int kNeighbours = 8;  // of the local regression: more gain little and cost their share
 constexpr double kMismatchPx = 0.2;    // of every marker, that is worth no more noise to avoid
-constexpr double kMostWeight = 3.0;    // sum of |w|: noise and model error grow with it
+constexpr double kMostWeight = 2.9;    // sum of |w|: noise and model error grow with it
 constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
 constexpr double kKnownSteps = 3.0;    // of the recording's own median step
 constexpr double kKnownFloorPx = 1.5;  // a recording cannot be told apart more finely than this
@@ -43,7 +43,7 @@ struct ReferenceLibrary::Content {
   Eigen::MatrixXd modes;  // of the frames, px, a row each
   Eigen::VectorXd mode_sd;
   double known_px = std::numeric_limits<double>::infinity();
-  cv::Mat single;  // CV_32FC1; empty for a recording
+  ReferencePicture single;  // empty for a recording
 };
 
 namespace {
@@ -156,9 +156,7 @@ Markers as_markers(const Eigen::MatrixXd& layouts, Eigen::Index row) {
 }
 
 /// The untouched picture that a flat sensor's finger names.
-Result<cv::Mat> flat_picture(const std::filesystem::path& finger_folder,
-                             const Finger& finger,
-                             const Camera& camera) {
+Result<cv::Mat> flat_picture(const std::filesystem::path& finger_folder, const Finger& finger) {
   if (!finger.reference || finger.reference->image.empty())
     return Error{"the sensor has no untouched picture",
                  (finger_folder / Finger::kFileName).string(),
@@ -166,17 +164,11 @@ Result<cv::Mat> flat_picture(const std::filesystem::path& finger_folder,
   const auto file = finger_folder / finger.reference->image;
   const auto raw = read_grey_picture(file);
   if (!raw) return raw.error();
-  cv::Mat grey = oriented(*raw, finger.camera.orientation);
-  if (grey.size() != camera.size())
-    return Error{
-        fmt::format("the untouched picture is {} x {} px, the sensor's camera gives {} x {}",
-                    grey.cols,
-                    grey.rows,
-                    camera.size().width,
-                    camera.size().height),
-        file.string(),
-        "give the untouched picture anew"};
-  return grey;
+  return oriented_for(finger.camera,
+                      *raw,
+                      "the untouched picture",
+                      file.string(),
+                      "give the untouched picture anew");
 }
 
 }  // namespace
@@ -187,7 +179,7 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& fin
                                                 const Job& job,
                                                 std::size_t memory_limit_bytes) {
   if (finger.face.kind == FaceKind::kFlat) {
-    const auto grey = flat_picture(finger_folder, finger, camera);
+    const auto grey = flat_picture(finger_folder, finger);
     if (!grey) return grey.error();
     return single(*grey);
   }
@@ -243,15 +235,17 @@ Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
         "the reference picture is not an 8-bit grey picture", "reference", "save it as such"};
   auto content = std::make_shared<Content>();
   content->size = grey.size();
-  grey.convertTo(content->single, CV_32F);
-  content->bytes = content->single.total() * sizeof(float);
+  cv::Mat levels;
+  grey.convertTo(levels, CV_32F);
+  content->single = ReferencePicture(levels);
+  content->bytes = content->single.memory_bytes();
   ReferenceLibrary library;
   library.content_ = std::move(content);
   return library;
 }
 
 std::size_t ReferenceLibrary::frame_count() const {
-  return content_->single.empty() ? content_->frames.size() : 1;
+  return content_->search ? content_->frames.size() : 1;
 }
 
 std::size_t ReferenceLibrary::memory_bytes() const {
@@ -273,7 +267,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMetho
   Reference reference;
   const Content& content = *content_;
   if (!content.search) {
-    reference.picture = ReferencePicture(content.single);
+    reference.picture = content.single;
     reference.frame = 0;
     return reference;
   }
@@ -305,8 +299,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMetho
   double square = 0;
   for (const float w : weights) square += static_cast<double>(w) * w;
   reference.noise_gain = std::sqrt(square);
-  reference.picture =
-      ReferencePicture(content_, std::move(faces), std::move(weights), content.size);
+  reference.picture = ReferencePicture(content_, std::move(faces), weights, content.size);
   return reference;
 }
 

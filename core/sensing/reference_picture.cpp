@@ -1,61 +1,113 @@
 #include "core/sensing/reference_picture.h"
 
 #include "core/numerics/dispatch.h"
+#include "core/sensing/grey_steps.h"
 #include "core/sensing/picture_pool.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace alltact {
 namespace {
 
+constexpr int kWeightBits = 14;  // weights reach 2
+constexpr double kMostWeight = 3.0;
+
+// grey 2^7, so that (grey 2^7) (weight 2^14) / 2^15 = grey weight 2^6. A loop of its own: inside
+// the sums the compiler would carry the shifted bytes as 32-bit numbers.
+[[gnu::always_inline]] inline void widen(const std::uint8_t* __restrict grey,
+                                         int n,
+                                         std::int16_t* __restrict out) {
+  constexpr int kFactor = 1 << 7;
+  static_assert(kGreySteps << (15 - kWeightBits) == kFactor);
+  for (int i = 0; i < n; ++i) out[i] = static_cast<std::int16_t>(grey[i] * kFactor);
+}
+
 // out = the weighted sum of up to four rows, or that added to what out holds: one pass over `out`
-// for each four frames.
+// for each four frames. Sums may wrap around on the way: what comes out in the end fits.
 template <bool kFirst>
 [[gnu::always_inline]] inline void four_rows(const std::uint8_t* const* rows,
-                                             const float* weights,
+                                             const std::int16_t* weights,
                                              int n,
-                                             float* __restrict out) {
-  const std::uint8_t *a = rows[0], *b = rows[1], *c = rows[2], *d = rows[3];
-  const float wa = weights[0], wb = weights[1], wc = weights[2], wd = weights[3];
-  for (int i = 0; i < n; ++i) {
-    const float sum = (wa * static_cast<float>(a[i]) + wb * static_cast<float>(b[i])) +
-                      (wc * static_cast<float>(c[i]) + wd * static_cast<float>(d[i]));
-    out[i] = kFirst ? sum : out[i] + sum;
+                                             std::int16_t* __restrict out) {
+  constexpr int kStretch = 512;  // px at a time, so that what is widened stays near
+  std::array<std::array<std::int16_t, kStretch>, 4> wide;
+  const std::int16_t wa = weights[0], wb = weights[1], wc = weights[2], wd = weights[3];
+  for (int first = 0; first < n; first += kStretch) {
+    const int count = std::min(kStretch, n - first);
+    for (std::size_t k = 0; k < 4; ++k) widen(rows[k] + first, count, wide[k].data());
+    const std::int16_t *a = wide[0].data(), *b = wide[1].data(), *c = wide[2].data(),
+                       *d = wide[3].data();
+    std::int16_t* sums = out + first;
+    for (int i = 0; i < count; ++i) {
+      const int sum = times(a[i], wa) + times(b[i], wb) + times(c[i], wc) + times(d[i], wd);
+      sums[i] = static_cast<std::int16_t>(kFirst ? sum : sums[i] + sum);
+    }
   }
 }
 
 // The weighted sum of `count` rows, a multiple of four.
-ALLTACT_WIDE void mix_rows(
-    const std::uint8_t* const* rows, const float* weights, int count, int n, float* out) {
+ALLTACT_WIDE void mix_rows(const std::uint8_t* const* rows,
+                           const std::int16_t* weights,
+                           int count,
+                           int n,
+                           std::int16_t* out) {
   four_rows<true>(rows, weights, n, out);
   for (int k = 4; k < count; k += 4) four_rows<false>(rows + k, weights + k, n, out);
 }
 
+// Rounded so that they still sum to 1: what is left over goes to the largest.
+std::vector<std::int16_t> whole_weights(const std::vector<float>& weights) {
+  constexpr double kOne = 1 << kWeightBits;
+  std::vector<std::int16_t> whole((weights.size() + 3) / 4 * 4, 0);
+  double left = kOne, magnitude = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double weight = static_cast<double>(weights[i]);
+    whole[i] = static_cast<std::int16_t>(std::clamp(std::round(kOne * weight), -32767.0, 32767.0));
+    left -= whole[i];
+    magnitude += std::abs(weight);
+  }
+  CV_Assert(magnitude <= kMostWeight && std::abs(left) < 0.01 * kOne);
+  std::int16_t& largest = *std::max_element(whole.begin(), whole.end());
+  largest = static_cast<std::int16_t>(std::min(largest + left, 32767.0));
+  return whole;
+}
+
 }  // namespace
 
-ReferencePicture::ReferencePicture(cv::Mat grey) : single_(std::move(grey)), size_(single_.size()) {
-  CV_Assert(single_.type() == CV_32FC1);
+ReferencePicture::ReferencePicture(const cv::Mat& grey)
+    : single_(grey.size(), CV_16SC1), size_(grey.size()) {
+  CV_Assert(grey.type() == CV_32FC1);
+  for (int v = 0; v < grey.rows; ++v)
+    std::transform(
+        grey.ptr<float>(v), grey.ptr<float>(v) + grey.cols, single_.ptr<std::int16_t>(v), to_steps);
 }
 
 ReferencePicture::ReferencePicture(std::shared_ptr<const void> owner,
                                    std::vector<const FacePicture*> faces,
-                                   std::vector<float> weights,
+                                   const std::vector<float>& weights,
                                    const cv::Size& size)
     : owner_(std::move(owner)),
       faces_(std::move(faces)),
-      weights_(std::move(weights)),
+      weights_(whole_weights(weights)),
       size_(size) {
-  CV_Assert(!faces_.empty() && faces_.size() == weights_.size());
-  weights_.resize((weights_.size() + 3) / 4 * 4, 0.0F);
+  CV_Assert(!faces_.empty() && faces_.size() == weights.size());
 }
 
 cv::Mat ReferencePicture::grey() const {
-  if (!single_.empty() || size_.empty()) return single_;
+  if (size_.empty()) return {};
   cv::Mat grey = pooled_picture(size_, CV_32FC1);
   Reader reader(*this);
-  for (int v = 0; v < size_.height; ++v)
-    std::copy_n(reader.row(v), size_.width, grey.ptr<float>(v));
+  const auto level = [](std::int16_t steps) {
+    return steps == kNoGrey ? std::numeric_limits<float>::quiet_NaN()
+                            : static_cast<float>(steps) / static_cast<float>(kGreySteps);
+  };
+  for (int v = 0; v < size_.height; ++v) {
+    const std::int16_t* row = reader.row(v);
+    std::transform(row, row + size_.width, grey.ptr<float>(v), level);
+  }
   return grey;
 }
 
@@ -65,10 +117,23 @@ ReferencePicture::Reader::Reader(const ReferencePicture& picture)
       rows_(picture.weights_.size()),
       buffer_(static_cast<std::size_t>(picture.size_.width)) {}
 
+void ReferencePicture::Reader::fetch_ahead(int count) {
+  // Eight faces come from eight places, a page or less at a time: too many and too short for the
+  // processor to see them coming. What a row needs is asked for while the one before is mixed.
+  constexpr int kLine = 64;
+  for (std::size_t k = 0; k < cursors_.size(); ++k) {
+    const std::vector<std::uint8_t>& grey = picture_.faces_[k]->grey;
+    const std::uint8_t* end = grey.data() + grey.size();
+    const std::uint8_t* next = rows_[k] + count;
+    for (int i = 0; i < count && next + i < end; i += kLine) __builtin_prefetch(next + i);
+  }
+}
+
 void ReferencePicture::Reader::mix(int first, int end) {
   // What fills the weights up is any row at all.
   for (std::size_t k = 0; k < rows_.size(); ++k)
     rows_[k] = cursors_[std::min(k, cursors_.size() - 1)].at(first);
+  fetch_ahead(end - first);
   mix_rows(rows_.data(),
            picture_.weights_.data(),
            static_cast<int>(rows_.size()),
@@ -76,8 +141,8 @@ void ReferencePicture::Reader::mix(int first, int end) {
            buffer_.data() + first);
 }
 
-const float* ReferencePicture::Reader::row(int v) {
-  if (!picture_.single_.empty()) return picture_.single_.ptr<float>(v);
+const std::int16_t* ReferencePicture::Reader::row(int v) {
+  if (!picture_.single_.empty()) return picture_.single_.ptr<std::int16_t>(v);
   for (std::size_t k = 0; k < cursors_.size(); ++k) {
     const FacePicture& face = *picture_.faces_[k];
     const auto runs = face.face.of_row(v);
@@ -95,13 +160,13 @@ const float* ReferencePicture::Reader::row(int v) {
       if (cursors_[k].run->end < end) end = cursors_[k].run->end, ends_first = k;
     }
     if (more && first < end) {
-      fill_nan(buffer_.data() + written, first - written);
+      std::fill_n(buffer_.data() + written, first - written, kNoGrey);
       mix(first, end);
       written = end;
     }
     if (more) ++cursors_[ends_first].run;
   }
-  fill_nan(buffer_.data() + written, picture_.size_.width - written);
+  std::fill_n(buffer_.data() + written, picture_.size_.width - written, kNoGrey);
   return buffer_.data();
 }
 

@@ -167,6 +167,17 @@ struct Ball {
   double depth_mm = 0.8;  ///< along the normal
 };
 
+/// Every pixel of a picture.
+inline FaceRuns whole_picture_runs(const cv::Size& size) {
+  FaceRuns face;
+  for (int row = 0; row < size.height; ++row) {
+    face.row_begin.push_back(static_cast<std::uint32_t>(row));
+    face.runs.push_back({row, 0, size.width, static_cast<std::uint32_t>(row * size.width)});
+  }
+  face.row_begin.push_back(static_cast<std::uint32_t>(size.height));
+  return face;
+}
+
 /// Adds noise as after smoothing, and gives x the form of a difference. `noise`: standard deviation
 /// of a grey level at a brightness of 120.
 inline Difference noisy_difference(cv::Mat x, cv::Mat grain, double noise) {

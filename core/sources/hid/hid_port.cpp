@@ -1,5 +1,7 @@
 #include "core/sources/hid/hid_port.h"
 
+#include "core/io/system_error.h"
+
 #include <cerrno>
 #include <cstring>
 #include <mutex>
@@ -27,9 +29,10 @@ std::string narrow(const wchar_t* text) {
 
 Error no_access(const HidIdentity& identity, int error_number) {
   if (error_number != EACCES && error_number != EPERM)
-    return {fmt::format("the device cannot be opened: {}", std::strerror(error_number)),
-            identity.node,
-            "unplug it and plug it in again"};
+    return told("the device cannot be opened",
+                identity.node,
+                {{}, "unplug it and plug it in again"},
+                error_number);
   return {
       "access to the device is not allowed",
       fmt::format("{} ({})", identity.node, identity.lasting()),

@@ -1,5 +1,7 @@
 #include "core/sources/v4l2/v4l2_device.h"
 
+#include "core/io/system_error.h"
+
 #include <cerrno>
 #include <cstring>
 
@@ -9,11 +11,7 @@
 namespace alltact {
 namespace {
 
-struct Words {
-  std::string_view reason, advice;
-};
-
-Words words_for(int error_number) {
+FailureWords words_for(int error_number) {
   switch (error_number) {
     case EACCES:
     case EPERM:
@@ -189,10 +187,7 @@ Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
 }
 
 Error camera_error(std::string_view doing, const std::string& node, int error_number) {
-  const Words words = words_for(error_number);
-  const std::string reason =
-      words.reason.empty() ? std::string(std::strerror(error_number)) : std::string(words.reason);
-  return {fmt::format("{}: {}", doing, reason), node, std::string(words.advice)};
+  return told(doing, node, words_for(error_number), error_number);
 }
 
 bool means_gone(int error_number) {

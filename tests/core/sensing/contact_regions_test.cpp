@@ -1,5 +1,7 @@
 #include "core/sensing/contact_regions.h"
 
+#include "core/sensing/depth_cells.h"
+
 #include <cmath>
 #include <limits>
 #include <random>
@@ -59,7 +61,9 @@ std::vector<ContactRegion> regions_of(const DepthMap& map, double threshold_mm =
   const FlatFace flat;
   RegionOptions options;
   options.threshold_mm = threshold_mm;
-  return contact_regions(map, flat.shape, FlatFace::face(), options);
+  DepthMap with_cells = map;
+  with_cells.cells_mm = depth_cells(map.depth_mm);
+  return contact_regions(with_cells, flat.shape, FlatFace::face(), options);
 }
 
 TEST(ContactRegions, MeasuresWhatAnEllipticDentIs) {

@@ -1,5 +1,7 @@
 #include "core/sensing/depth_along_z.h"
 
+#include "core/sensing/depth_cells.h"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -77,7 +79,7 @@ TEST(DepthAlongZ, IsThatOfTheSameBallOnAnInclinedFace) {
           static_cast<float>(std::isfinite(z) ? std::max(0.0, thickness - z) : 0.0);
     }
   }
-  const cv::Mat found = depth_along_z(along_normal, plane.shape);
+  const cv::Mat found = depth_along_z(along_normal, depth_cells(along_normal), plane.shape);
   double worst = 0, scaled_worst = 0;
   int touched = 0;
   for (int v = 0; v < 540; ++v) {
@@ -101,7 +103,7 @@ TEST(DepthAlongZ, LeavesUntouchedAndUnmeasuredAlone) {
   const InclinedPlane plane;
   cv::Mat depth = cv::Mat::zeros(540, 960, CV_32FC1);
   depth(cv::Rect(400, 200, 30, 30)) = NAN;
-  const cv::Mat found = depth_along_z(depth, plane.shape);
+  const cv::Mat found = depth_along_z(depth, depth_cells(depth), plane.shape);
   for (int v = 0; v < 540; ++v)
     for (int u = 0; u < 960; ++u)
       ASSERT_EQ(std::isnan(found.at<float>(v, u)), std::isnan(depth.at<float>(v, u)));

@@ -92,8 +92,10 @@ TEST(LocalDepth, SmoothingDoesNotBendAtTheFacesEdge) {
       difference(live, reference_of(untouched), flat_shape(width, height), options);
   double low = 1, high = 0;
   cv::minMaxLoc(diff.x, &low, &high);
-  EXPECT_NEAR(low, 0.5, 1e-5);
-  EXPECT_NEAR(high, 0.5, 1e-5);
+  // Two passes of five products, each rounded to 1/64 grey level, of a level of 60.
+  constexpr double kRounding = 2 * 5 * 0.5 / 64 / 60;
+  EXPECT_NEAR(low, 0.5, kRounding);
+  EXPECT_NEAR(high, 0.5, kRounding);
 }
 
 TEST(LocalDepth, NoiseIsAsPredictedAndUnbiased) {
@@ -139,7 +141,7 @@ TEST(LocalDepth, ReferenceDecidesWhereThereIsAFace) {
     if (u < 20) {
       EXPECT_TRUE(std::isnan(map.depth_mm.at<float>(30, u)));
     } else {
-      EXPECT_NEAR(static_cast<double>(map.depth_mm.at<float>(30, u)), 1.0, 1e-5);
+      EXPECT_NEAR(static_cast<double>(map.depth_mm.at<float>(30, u)), 1.0, 2e-3);
     }
   }
 }

@@ -1,0 +1,23 @@
+// Grey levels as 16-bit whole numbers of 1/64: half the memory and twice the numbers to a vector
+// of float, with rounding far below a camera's noise (a product is off by 0.0045 levels rms).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace alltact {
+
+constexpr int kGreySteps = 64;
+constexpr std::int16_t kNoGrey = INT16_MIN;  ///< where a picture tells nothing
+
+/// a b / 2^15, rounded: one instruction on every processor with vectors.
+[[gnu::always_inline]] inline std::int16_t times(std::int16_t a, std::int16_t b) {
+  return static_cast<std::int16_t>((((static_cast<std::int32_t>(a) * b) >> 14) + 1) >> 1);
+}
+
+/// NaN becomes kNoGrey. `level` within -500 to 500.
+[[nodiscard]] inline std::int16_t to_steps(float level) {
+  return level == level ? static_cast<std::int16_t>(std::lround(level * kGreySteps)) : kNoGrey;
+}
+
+}  // namespace alltact
