@@ -20,7 +20,6 @@ using testing::HasSubstr;
 using Report = HidDevice::Report;
 
 constexpr const char* kButton = "0c45:7403/0 4 2:05=05";
-constexpr const char* kPedalPath = "/devices/pci/usb1/2-0";
 
 std::string pedal_entry() {
   return TestBed::hid(0, "0C45", "7403", "FootSwitch");
@@ -189,8 +188,9 @@ TEST_F(RecordByButton, APedalThatIsUnpluggedIsWarnedOfAndWaitedFor) {
   ASSERT_TRUE(run.tells("Press the button"));
   press(*pedal);
   ASSERT_TRUE(run.tells("Recording "));
+  pedal->hang_up();
   pedal.reset();
-  bed_.remove(kPedalPath);
+  bed_.remove_hid(0, "0C45", "7403");
   ASSERT_TRUE(run.tells("The button is not heard now. "));
   bed_.add(pedal_entry());
   pedal = std::make_unique<HidDevice>(bed_);

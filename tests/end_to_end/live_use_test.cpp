@@ -131,9 +131,11 @@ void record(const std::shared_ptr<V4l2Camera>& camera,
     const auto file = folder / "v.mkv";
     auto recorder = Recorder::start(file, settings, source.frames_per_s(), "soak");
     ASSERT_TRUE(recorder.ok()) << recorder.error().sentence();
-    for (const auto end = Clock::now() + 2s; Clock::now() < end;)
-      if (auto frame = source.next(); frame.ok() && *frame != nullptr)
-        ASSERT_TRUE((*recorder)->add(std::move(*frame)));
+    for (const auto end = Clock::now() + 2s; Clock::now() < end;) {
+      auto frame = source.next();
+      if (!frame.ok() || *frame == nullptr) continue;
+      ASSERT_TRUE((*recorder)->add(std::move(*frame)));
+    }
     ASSERT_TRUE((*recorder)->finish("the test's").ok());
     recorded += (*recorder)->counts().recorded;
     std::filesystem::remove(file);

@@ -39,6 +39,8 @@ class HidDevice {
   HidDevice(const HidDevice&) = delete;
   HidDevice& operator=(const HidDevice&) = delete;
 
+  /// Whoever has it open gets an error from now on; nothing else may be done with it.
+  void hang_up() { ::close(descriptor_); }
   void say(const Report& report) const {
     ASSERT_EQ(::write(descriptor_, report.data(), report.size()),
               static_cast<ssize_t>(report.size()));
