@@ -21,8 +21,8 @@ using Report = HidDevice::Report;
 
 constexpr const char* kButton = "0c45:7403/0 4 2:05=05";
 
-std::string pedal_entry() {
-  return TestBed::hid(0, "0C45", "7403", "FootSwitch");
+std::string pedal_entry(int number = 0) {
+  return TestBed::hid(number, "0C45", "7403", "FootSwitch");
 }
 
 void press(const HidDevice& pedal) {
@@ -192,8 +192,8 @@ TEST_F(RecordByButton, APedalThatIsUnpluggedIsWarnedOfAndWaitedFor) {
   pedal.reset();
   bed_.remove_hid(0, "0C45", "7403");
   ASSERT_TRUE(run.tells("The button is not heard now. "));
-  bed_.add(pedal_entry());
-  pedal = std::make_unique<HidDevice>(bed_);
+  bed_.add(pedal_entry(1));  // another node, the same device
+  pedal = std::make_unique<HidDevice>(bed_, 1);
   ASSERT_TRUE(run.tells("The button is heard again."));
   press(*pedal);
   ASSERT_TRUE(run.tells("in " + file("v-001.mkv")));

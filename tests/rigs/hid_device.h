@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/hidraw.h>
 #include <sys/ioctl.h>
@@ -16,24 +17,28 @@
 
 namespace alltact::test {
 
-/// The kernel's half of a made-up /dev/hidraw0: its ioctls, and reports both ways.
+/// The kernel's half of a made-up /dev/hidrawNUMBER: its ioctls, and reports both ways.
 class HidDevice {
  public:
   using Report = std::vector<std::uint8_t>;
 
-  explicit HidDevice(TestBed& bed) : bed_(bed), handler_(umockdev_ioctl_base_new()) {
+  explicit HidDevice(TestBed& bed, int number = 0)
+      : bed_(bed),
+        node_("/dev/hidraw" + std::to_string(number)),
+        handler_(umockdev_ioctl_base_new()) {
     g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(&HidDevice::on_ioctl), this);
     GError* error = nullptr;
-    if (umockdev_testbed_attach_ioctl(bed_.get(), "/dev/hidraw0", handler_, &error) == 0)
+    if (umockdev_testbed_attach_ioctl(bed_.get(), node_.c_str(), handler_, &error) == 0)
       throw std::runtime_error(error->message);
-    descriptor_ = umockdev_testbed_get_dev_fd(bed_.get(), "/dev/hidraw0");
+    descriptor_ = umockdev_testbed_get_dev_fd(bed_.get(), node_.c_str());
+    ::fcntl(descriptor_, F_SETFD, FD_CLOEXEC);  // a program under test must not hold both ends
     termios raw{};
     tcgetattr(descriptor_, &raw);
     cfmakeraw(&raw);
     tcsetattr(descriptor_, TCSANOW, &raw);
   }
   ~HidDevice() {
-    umockdev_testbed_detach_ioctl(bed_.get(), "/dev/hidraw0", nullptr);
+    umockdev_testbed_detach_ioctl(bed_.get(), node_.c_str(), nullptr);
     g_object_unref(handler_);
   }
   HidDevice(const HidDevice&) = delete;
@@ -91,6 +96,7 @@ class HidDevice {
   }
 
   TestBed& bed_;
+  std::string node_;
   UMockdevIoctlBase* handler_;
   int descriptor_ = -1;
   std::mutex mutex_;
