@@ -1,6 +1,7 @@
 #include "calibration/calibrate_finger.h"
 
 #include "calibration/reference_recording.h"
+#include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/sensing/pipeline.h"
@@ -133,20 +134,31 @@ void record(const FingerCalibrationInput& input, FingerCalibration& done) {
   finger.mapping_record = std::move(record);
   finger.provenance["calibration_date"] = utc_now();
   finger.provenance["calibration_version"] = input.program_version;
+  if (!input.operator_name.empty()) finger.provenance["operator"] = input.operator_name;
   finger.provenance["ball_radius_mm"] = fmt::format("{}", input.ball_radius_mm);
 }
 
 Status write(const FingerCalibrationInput& input,
              const std::vector<TakenPress>& taken,
              FingerCalibration& done) {
+  // The presses before these do not matter any more, not to a new reference either.
+  [[maybe_unused]] const auto none =
+      record_settings(SettingsSeen(), RecordingKind::kPresses, done.finger);
   if (input.reference) {
-    const Status status = install_flat_reference(*input.reference, input.folder, done.finger);
-    if (!status) return status;
+    const auto warnings = install_flat_reference(*input.reference, input.folder, done.finger);
+    if (!warnings) return warnings.error();
+    done.warnings.insert(done.warnings.end(), warnings->begin(), warnings->end());
   }
+  SettingsSeen settings;
+  for (const TakenPress& press : taken) settings.add(*press.frame);
+  const auto warnings = record_settings(settings, RecordingKind::kPresses, done.finger);
+  done.warnings.insert(done.warnings.end(), warnings.begin(), warnings.end());
   const fs::path kept = input.folder / "presses";
   if (const Status status = make_folder(kept); !status) return status;
   for (const TakenPress& press : taken) {
-    const Status status = write_picture(kept / (press.frame->name + ".png"), press.frame->grey);
+    const Frame& frame = *press.frame;
+    const Status status = write_picture(
+        kept / (frame.name + ".png"), frame.grey, frame.controls ? *frame.controls : std::string());
     if (!status) return status;
   }
   const Status status = write_file_atomically(input.folder / "calibration_report.json",

@@ -23,13 +23,14 @@ struct FingerCalibrationInput {
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   std::string program_version;  ///< for the record
+  std::string operator_name;    ///< for the record; empty: not told
 };
 
 struct FingerCalibration {
   Finger finger;  ///< as saved
   Calibration calibration;
   Verdict verdict;
-  std::vector<std::string> warnings;  ///< about the finger's file
+  std::vector<std::string> warnings;  ///< about the finger's file and its settings
 };
 
 /// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the

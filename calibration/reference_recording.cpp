@@ -1,6 +1,7 @@
 #include "calibration/reference_recording.h"
 
 #include "calibration/recording_layouts.h"
+#include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/recording/video_file.h"
@@ -52,6 +53,7 @@ struct Pass {
   std::vector<FrameDots> frames;
   std::vector<int> in_video;  // number in the video just written, -1: never got there
   int written = 0;
+  SettingsSeen settings;
 };
 
 FrameDots look_at(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
@@ -107,6 +109,7 @@ Result<Pass> first_pass(Source& source,
         (*frame)->origin.empty() ? (*frame)->name : (*frame)->origin,
         "a recording made with this finger's camera, or the right camera.size and orientation");
     if (!grey) return grey.error();
+    pass.settings.add(**frame);
     pass.frames.push_back(look_at(*grey, camera, finger));
     const Status written = writer.add(**frame);
     if (!written) return written.error();
@@ -180,9 +183,11 @@ Status make_reference(Source& source,
                       const fs::path& temporary,
                       MarkerTable& table,
                       NumberedRecording& numbered,
+                      SettingsSeen& settings,
                       ReferenceReport& report) {
   const auto pass = first_pass(source, camera, finger, job, temporary);
   if (!pass) return pass.error();
+  settings = pass->settings;
   report.frames_read = static_cast<int>(pass->frames.size());
   if (pass->frames.size() < 2)
     return Error{fmt::format("the recording holds {} frame{}; at least 2 are needed",
@@ -254,11 +259,12 @@ Result<ReferenceReport> install_reference(Source& source,
   ReferenceReport report;
   MarkerTable table;
   NumberedRecording numbered;
+  SettingsSeen settings;
   const Status written =
       write_file_atomically(folder / kVideo, [&](const fs::path& temporary) -> Status {
         try {
-          const Status made =
-              make_reference(source, *camera, finger, job, temporary, table, numbered, report);
+          const Status made = make_reference(
+              source, *camera, finger, job, temporary, table, numbered, settings, report);
           // The table first: should the disk fill up here, the old video still stands beside the
           // old table.
           return made ? table.save(folder / kTable) : made;
@@ -276,18 +282,24 @@ Result<ReferenceReport> install_reference(Source& source,
     contact.rest_markers.emplace_back(table.layouts(0, k), table.layouts(0, k + 1));
   contact.threshold_px = touch_threshold_px(numbered.marker_noise_px, contact.rest_markers.size());
   finger.contact = std::move(contact);
+  report.warnings = record_settings(settings, RecordingKind::kReference, finger);
   remark(table, report);
   job.report(1.0, "reference installed");
   return report;
 }
 
-Status install_flat_reference(const fs::path& picture, const fs::path& folder, Finger& finger) {
+Result<std::vector<std::string>> install_flat_reference(const fs::path& picture,
+                                                        const fs::path& folder,
+                                                        Finger& finger) {
   if (finger.face.kind != FaceKind::kFlat)
     return Error{"only a flat sensor takes one untouched picture as its reference",
                  picture.string(),
                  "a recording of the bending, untouched finger"};
-  const auto grey = read_grey_picture(picture);
+  Frame frame;
+  std::string note;
+  const auto grey = read_grey_picture(picture, &note);
   if (!grey) return grey.error();
+  if (!note.empty()) frame.controls = std::make_shared<const std::string>(note);
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
   const auto fitting = oriented_for(finger.camera,
@@ -297,10 +309,12 @@ Status install_flat_reference(const fs::path& picture, const fs::path& folder, F
                                     "an untouched picture taken with this sensor's camera");
   if (!fitting) return fitting.error();
   constexpr const char* kPicture = "reference.png";
-  const Status written = write_picture(folder / kPicture, *grey);
-  if (!written) return written;
+  const Status written = write_picture(folder / kPicture, *grey, note);
+  if (!written) return written.error();
   finger.reference = ReferenceFiles{"", "", kPicture};
-  return {};
+  SettingsSeen settings;
+  settings.add(frame);
+  return record_settings(settings, RecordingKind::kReference, finger);
 }
 
 }  // namespace alltact

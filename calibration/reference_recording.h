@@ -17,24 +17,25 @@ struct ReferenceReport {
   int frames_kept = 0;
   std::vector<std::string> rejected;  ///< "frame 17: only 5 of 12 markers found", ...
   std::vector<std::string> remarks;
-  double median_step_px = 0;  ///< mean marker distance from a frame to its nearest other
+  std::vector<std::string> warnings;  ///< sentences: settings of camera and light that do not fit
+  double median_step_px = 0;          ///< mean marker distance from a frame to its nearest other
 };
 
 /// Tracks the markers through the recording (numbering them from the frames where all are seen),
 /// rejects frames that cannot be used, and installs what is left in the finger's folder:
 /// reference.mkv (lossless, grey, as the source gave it), reference.csv, and in `finger` the file
-/// names, the marker polarity, the rest layout (first frame) and the touch threshold (from the
-/// recording's own marker noise). The files are written whole or not at all; `finger` is changed
-/// only on success and not saved.
-/// Errors: fewer than 2 frames, wrong size, no face, markers never all seen (with the counts).
+/// names, the marker polarity, the rest layout (first frame), the touch threshold (from the
+/// recording's own marker noise) and what the camera was set to. The files are written whole or not
+/// at all; `finger` is changed only on success and not saved. Errors: fewer than 2 frames, wrong
+/// size, no face, markers never all seen (with the counts).
 [[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
                                                         const std::filesystem::path& folder,
                                                         Finger& finger,
                                                         const Job& job);
 
-/// A flat sensor's one untouched picture: copied into the folder as reference.png.
-[[nodiscard]] Status install_flat_reference(const std::filesystem::path& picture,
-                                            const std::filesystem::path& folder,
-                                            Finger& finger);
+/// A flat sensor's one untouched picture: copied into the folder as reference.png. Gives warnings
+/// as above.
+[[nodiscard]] Result<std::vector<std::string>> install_flat_reference(
+    const std::filesystem::path& picture, const std::filesystem::path& folder, Finger& finger);
 
 }  // namespace alltact

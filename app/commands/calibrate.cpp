@@ -46,6 +46,7 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   answer["presses"] = done->calibration.balls.size();
   answer["left_out"] = done->calibration.left_out;
   answer["remarks"] = done->calibration.remarks;
+  answer["warnings"] = done->warnings;
   answer["report"] = (options.finger / "calibration_report.json").string();
   return {};
 }
@@ -68,6 +69,8 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
                    options->reference,
                    "Flat sensors: the untouched picture, kept with the finger")
       ->type_name("IMAGE");
+  command->add_option("--operator", options->operator_name, "Who calibrates, for the record")
+      ->type_name("NAME");
   SettingFlags<CalibrationSettings> calibration;
   calibration.add_to(*command, calibration_settings());
   SettingFlags<PipelineSettings> pipeline;

@@ -8,6 +8,7 @@
 #include "core/recording/recorder.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
+#include "core/sources/hid/hid_button.h"
 #include "core/sources/source.h"
 
 #include <cstdint>
@@ -60,6 +61,7 @@ struct CalibrateOptions {
   std::vector<Path> presses;
   double ball_radius_mm = 0;
   std::optional<Path> reference;
+  std::string operator_name;  ///< kept with the calibration; empty: not told
   CalibrationSettings calibration;
   PipelineSettings pipeline;
 };
@@ -78,9 +80,18 @@ struct ReconstructOptions {
 /// Turns pictures into depth. Error at the end when any of them could not be.
 Status run_reconstruct(const ReconstructOptions& options, Console& console);
 
+/// The light that a recording is made with.
+struct LightOptions {
+  std::string device;  ///< empty: none is set
+  std::string control;
+  double brightness = 0;
+};
+
 struct RecordOptions {
   std::vector<Path> inputs;
-  Path video;
+  Path output;  ///< a video; or, with a button, what pictures are named after (png)
+  std::optional<LearntButton> button;
+  LightOptions light;
   RecorderSettings recorder;
   Pace pace = Pace::kRecorded;
   std::uint64_t seed = 1;
@@ -88,8 +99,9 @@ struct RecordOptions {
   std::optional<std::uint64_t> frames;  ///< ends after so many
   std::optional<double> seconds;        ///< ends after so much recorded time
 };
-/// Records a source until it ends or is stopped. Error: frames were lost on this computer, or
-/// could not be read; or the recording had to end.
+/// Records a source until it ends or is stopped; with a button, between one press and the next, or
+/// a picture a press. Error: frames were lost on this computer, or could not be read; the recording
+/// had to end; the button or the light is missing or not allowed.
 Status run_record(const RecordOptions& options, Console& console);
 
 /// Says what a finger is fit for. Error: it is not fit to use.

@@ -114,10 +114,11 @@ Status learn(const std::vector<FoundHid>& hids, Console& console) {
   console.warn("Leave the button alone for a second, then press and release it twice.");
   const auto found = learn_button(listening, kPatience_ms, console.job());
   if (!found) return found.error();
-  const std::string& device = names[found->first];
-  const std::string pattern = found->second.text();
-  console.say(fmt::format("button  {} {}", device, pattern));
-  console.answer()["button"] = {{"device", device}, {"pattern", pattern}};
+  const LearntButton button{names[found->first], found->second};
+  console.say(fmt::format("button  {}", button.text()));
+  console.say(fmt::format("Use it: alltact record SOURCE -o VIDEO --button '{}'", button.text()));
+  console.answer()["button"] = {
+      {"device", button.device}, {"pattern", button.pattern.text()}, {"option", button.text()}};
   return {};
 }
 

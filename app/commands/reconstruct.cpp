@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/flags.h"
+#include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/io/ply.h"
@@ -145,9 +146,15 @@ Status reconstruct_live(std::unique_ptr<Source> source,
                         Console& console) {
   NewestSource newest(std::move(source));
   Progress progress;
+  std::string told;  // of the settings: each difference once
   for (; !console.job().stop_requested(); ++progress.index) {
     const auto frame = newest.next();
     if (frame && !*frame) break;
+    if (frame) {
+      const std::string other = other_settings_than_stored(**frame, pipeline.finger());
+      if (!other.empty() && other != told) console.warn("Warning: " + other);
+      told = other;
+    }
     const Status status = console.put(live_line(frame, pipeline, options, progress));
     if (!status) return status;
   }

@@ -1,7 +1,11 @@
 #include "app/commands/commands.h"
+#include "app/commands/reading.h"
 #include "app/flags.h"
+#include "core/io/picture.h"
 #include "core/recording/journal.h"
-#include "core/sources/source.h"
+#include "core/sources/ending.h"
+#include "core/sources/lit_source.h"
+#include "core/sources/newest_source.h"
 
 #include <fmt/format.h>
 
@@ -32,6 +36,7 @@ class Extent {
     if (options_.seconds) part = std::max(part, seconds_ / *options_.seconds);
     return std::min(part, 1.0);
   }
+  [[nodiscard]] std::uint64_t frames() const { return frames_; }
   [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
@@ -48,52 +53,34 @@ std::string progress(const RecorderCounts& counts) {
                      static_cast<double>(counts.free_bytes) / kGigabyte);
 }
 
-/// What a recording ended for, and what could not be read on the way.
-struct Ending {
-  std::string why;
-  std::uint64_t unreadable = 0;
-};
-
-/// From the first frame to the last. The recorder's own end shows in Recorder::problem().
-Ending record_all(Source& source, Recorder& recorder, Extent& extent, Console& console) {
-  Ending ending;
-  std::string last_problem;
+/// From `first` (or the next frame) to the last; what it ended for. The recorder's own end shows in
+/// Recorder::problem().
+std::string record_all(
+    Reading& reading, FramePtr first, Recorder& recorder, Extent& extent, Console& console) {
+  const Source& source = reading.source();
   while (true) {
-    if (console.job().stop_requested()) return ending.why = "stopped by hand", ending;
-    const auto frame = source.next();
-    if (!frame) {
-      // A camera that is unplugged says so again and again, and may come back.
-      if (frame.error().sentence() != last_problem) console.warn(frame.error().sentence());
-      last_problem = frame.error().sentence();
-      ++ending.unreadable;
-      continue;
-    }
-    if (!*frame) {
-      ending.why = console.job().stop_requested() ? "stopped by hand" : "the source ended";
-      return ending;
-    }
-    last_problem.clear();
-    const bool is_taken = source.is_live() ? recorder.add(*frame) : recorder.add_waiting(*frame);
-    if (!is_taken && recorder.problem()) return ending;
-    extent.add(**frame);
+    const FramePtr frame = first ? std::exchange(first, nullptr) : reading.next();
+    if (reading.is_over()) return reading.why();
+    if (reading.is_pressed() && extent.frames() > 0) return "the button was pressed";
+    if (!frame) continue;
+    const bool is_taken = source.is_live() ? recorder.add(frame) : recorder.add_waiting(frame);
+    if (!is_taken && recorder.problem()) return {};
+    extent.add(*frame);
     console.job().report(extent.fraction(source.count()), progress(recorder.counts()));
-    if (extent.is_reached(1 / source.frames_per_s()))
-      return ending.why = "as many frames as were asked for", ending;
+    if (extent.is_reached(1 / source.frames_per_s())) return "as many frames as were asked for";
   }
 }
 
-void tell(const RecordOptions& options,
+void tell(const Path& video,
           const RecorderCounts& counts,
           const Extent& extent,
-          const Ending& ending,
+          Console::Json& answer,
           Console& console) {
-  Console::Json& answer = console.answer();
-  answer["video"] = options.video.string();
-  answer["journal"] = journal_of(options.video).string();
+  answer["video"] = video.string();
+  answer["journal"] = journal_of(video).string();
   answer["frames"] = counts.recorded;
   answer["dropped"] = counts.dropped;
   answer["missing"] = counts.missing;
-  answer["unreadable"] = ending.unreadable;
   answer["seconds"] = extent.seconds();
   answer["bytes"] = counts.bytes;
   if (counts.recorded == 0) return;
@@ -103,11 +90,177 @@ void tell(const RecordOptions& options,
                           extent.seconds(),
                           static_cast<double>(counts.bytes) / kGigabyte,
                           to_string(*counts.codec),
-                          options.video.string()));
+                          video.string()));
   if (counts.missing > 0)
     console.warn(fmt::format("{} frames never came from the source; the journal {} says where.",
                              counts.missing,
-                             journal_of(options.video).string()));
+                             journal_of(video).string()));
+}
+
+/// One recording, whole.
+Status record_one(Reading& reading,
+                  const FramePtr& first,
+                  const Path& video,
+                  const RecordOptions& options,
+                  Console::Json& answer,
+                  Console& console) {
+  auto recorder = Recorder::start(
+      video, options.recorder, reading.source().frames_per_s(), options.inputs.front().string());
+  if (!recorder) return recorder.error();
+  Extent extent(options);
+  const std::string why = record_all(reading, first, **recorder, extent, console);
+  const Status finished = (*recorder)->finish(why, console.job());
+  const RecorderCounts counts = (*recorder)->counts();
+  tell(video, counts, extent, answer, console);
+  const std::string lost = fmt::format("{} frames were lost here", counts.dropped);
+  if (!finished) {
+    if (counts.dropped > 0) console.warn(lost + ".");
+    return finished;
+  }
+  if (counts.dropped > 0)
+    return Error{lost + ", because the disk or this computer was too slow",
+                 video.string(),
+                 "another disk, a smaller picture, or a longer --queue-mb"};
+  return {};
+}
+
+Status all_was_readable(const Reading& reading, const RecordOptions& options) {
+  if (reading.unreadable() == 0 || !reading.source().count()) return {};
+  return Error{
+      fmt::format("{} frames could not be read; each is named above", reading.unreadable()),
+      options.inputs.front().string(),
+      ""};
+}
+
+/// NAME-001.mkv, the first from `number` on that neither it nor its journal exists; `number` is
+/// left behind it.
+Path next_free(const Path& output, int& number) {
+  std::error_code ignored;
+  Path file;
+  do {
+    file = output.parent_path() /
+           fmt::format("{}-{:03}{}", output.stem().string(), number++, output.extension().string());
+  } while (std::filesystem::exists(file, ignored) ||
+           std::filesystem::exists(journal_of(file), ignored));
+  return file;
+}
+
+/// From press to press; null when it is over before the next one.
+FramePtr next_pressed(Reading& reading) {
+  bool is_pressed = false;  // maybe while the camera was away
+  while (!reading.is_over()) {
+    FramePtr frame = reading.next();
+    is_pressed = is_pressed || reading.is_pressed();
+    if (is_pressed && frame) return frame;
+  }
+  return nullptr;
+}
+
+/// The source that ended before its first press is an error, the technician who ended it is none.
+Status end_of_presses(const Reading& reading, bool is_any, const RecordOptions& options) {
+  if (is_any || reading.is_stopped()) return {};
+  return Error{fmt::format("the button was not pressed before the end: {}", reading.why()),
+               options.inputs.front().string(),
+               "press it while the source runs"};
+}
+
+Status record_by_button(Reading& reading, const RecordOptions& options, Console& console) {
+  Console::Json& recordings = console.answer()["recordings"] = Console::Json::array();
+  console.say("Press the button to begin a recording, and again to end it. Ctrl-C ends all.");
+  int number = 1;
+  while (const FramePtr first = next_pressed(reading)) {
+    const Path video = next_free(options.output, number);
+    console.say(fmt::format("Recording {}", video.string()));
+    Console::Json answer;
+    const Status status = record_one(reading, first, video, options, answer, console);
+    recordings.push_back(std::move(answer));
+    if (!status) return status;
+  }
+  const bool is_any = !recordings.empty();
+  console.answer()["unreadable"] = reading.unreadable();  // moves what was there
+  return end_of_presses(reading, is_any, options);
+}
+
+/// The first picture that came behind each press.
+Status take_pictures(Reading& reading, const RecordOptions& options, Console& console) {
+  Console::Json& pictures = console.answer()["pictures"] = Console::Json::array();
+  console.say("Press the button to take a picture. Ctrl-C ends.");
+  int number = 1;
+  while (!options.frames || pictures.size() < *options.frames) {
+    const FramePtr frame = next_pressed(reading);
+    if (!frame) return end_of_presses(reading, !pictures.empty(), options);
+    const Path file = next_free(options.output, number);
+    const Status status =
+        write_picture(file, frame->grey, frame->controls ? *frame->controls : std::string());
+    if (!status) return status;
+    pictures.push_back(file.string());
+    console.say(file.string());
+  }
+  return {};
+}
+
+/// Sets the light, which stays so afterwards, and has it told with every frame.
+Result<std::unique_ptr<Source>> lit(std::unique_ptr<Source> source, const LightOptions& light) {
+  if (light.device.empty()) return source;
+  auto port = open_hid(light.device);
+  if (!port) return port.error();
+  auto dimmer = LedDimmer::create(std::move(*port), light.device, light.control);
+  if (!dimmer) return dimmer.error();
+  if (const Status status = dimmer->set(light.brightness); !status) return status.error();
+  return std::unique_ptr<Source>(std::make_unique<LitSource>(std::move(source), dimmer->setting()));
+}
+
+bool takes_pictures(const RecordOptions& options) {
+  return ending_of(options.output) == ".png";
+}
+
+void add_button_flag(CLI::App& command, RecordOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--button",
+          [&options](const std::string& text) {
+            const auto button = LearntButton::parse(text);
+            if (!button) throw CLI::ValidationError("--button", button.error().sentence());
+            options.button = *button;
+          },
+          "A foot pedal or button, as 'alltact devices --learn-button' tells it (in quotes). With "
+          "-o NAME.mkv one press begins a recording and the next ends it, each a file of its own: "
+          "NAME-001.mkv, NAME-002.mkv, ...; with -o NAME.png each press takes one picture: "
+          "NAME-001.png, ... Numbers that exist are left out, nothing is written over")
+      ->type_name("BUTTON");
+}
+
+void add_light_flags(CLI::App& command, LightOptions& light) {
+  CLI::Option* device =
+      command
+          .add_option("--dimmer",
+                      light.device,
+                      "The LED dimmer to set before recording, by a name that 'alltact devices' "
+                      "tells; its setting is kept with every frame")
+          ->type_name("DEVICE");
+  CLI::Option* control =
+      command
+          .add_option("--dimmer-control",
+                      light.control,
+                      "How it is told: 'mcp2221a gp2', 'mcp2221a gp3', or a report such as 'output "
+                      "id=0 bytes=8 at=1 range=0..255'")
+          ->type_name("TEXT")
+          ->needs(device);
+  CLI::Option* brightness =
+      command.add_option("--brightness", light.brightness, "0 dark to 1 full")
+          ->type_name("B")
+          ->check(CLI::Range(0.0, 1.0))
+          ->needs(device);
+  device->needs(control)->needs(brightness);
+}
+
+/// What does not go together on the command line.
+void check_output(const RecordOptions& options) {
+  if (!takes_pictures(options)) return;
+  if (!options.button)
+    throw CLI::ValidationError("--output", "pictures are taken with a --button; a video is .mkv");
+  if (options.seconds)
+    throw CLI::ValidationError("--seconds", "pictures have no length; --frames counts them");
 }
 
 }  // namespace
@@ -118,30 +271,25 @@ Status run_record(const RecordOptions& options, Console& console) {
   how.seed = options.seed;
   how.threads = options.threads;
   how.job = &console.job();
-  auto source = open_source(options.inputs, how);
-  if (!source) return source.error();
-  auto recorder = Recorder::start(
-      options.video, options.recorder, (*source)->frames_per_s(), options.inputs.front().string());
-  if (!recorder) return recorder.error();
-  Extent extent(options);
-  const Ending ending = record_all(**source, **recorder, extent, console);
-  const Status finished = (*recorder)->finish(ending.why);
-  const RecorderCounts counts = (*recorder)->counts();
-  tell(options, counts, extent, ending, console);
-  const std::string lost = fmt::format("{} frames were lost here", counts.dropped);
-  if (!finished) {
-    if (counts.dropped > 0) console.warn(lost + ".");
-    return finished;
+  std::unique_ptr<ButtonPresses> button;
+  if (options.button) {
+    auto listening = ButtonPresses::listen(*options.button);
+    if (!listening) return listening.error();
+    button = std::move(*listening);
   }
-  if (counts.dropped > 0)
-    return Error{lost + ", because the disk or this computer was too slow",
-                 options.video.string(),
-                 "another disk, a smaller picture, or a longer --queue-mb"};
-  if (ending.unreadable > 0 && (*source)->count())
-    return Error{fmt::format("{} frames could not be read; each is named above", ending.unreadable),
-                 options.inputs.front().string(),
-                 ""};
-  return {};
+  auto opened = open_source(options.inputs, how);
+  if (!opened) return opened.error();
+  auto source = lit(std::move(*opened), options.light);
+  if (!source) return source.error();
+  // A picture is of the moment of its press, however long the one before took to write.
+  if (takes_pictures(options)) *source = std::make_unique<NewestSource>(std::move(*source));
+  Reading reading(**source, button.get(), console);
+  if (takes_pictures(options)) return take_pictures(reading, options, console);
+  if (button) return record_by_button(reading, options, console);
+  const Status status =
+      record_one(reading, nullptr, options.output, options, console.answer(), console);
+  console.answer()["unreadable"] = reading.unreadable();
+  return status ? all_was_readable(reading, options) : status;
 }
 
 void add_record(CLI::App& program, Chosen& chosen) {
@@ -158,19 +306,25 @@ void add_record(CLI::App& program, Chosen& chosen) {
       ->required();
   command
       ->add_option("-o,--output",
-                   options->video,
-                   "The video, NAME.mkv; NAME.frames.csv beside it says what each frame was")
-      ->type_name("VIDEO")
+                   options->output,
+                   "The video, NAME.mkv; NAME.frames.csv beside it says what each frame was. With "
+                   "--button also NAME.png")
+      ->type_name("FILE")
       ->required();
+  add_button_flag(*command, *options);
+  add_light_flags(*command, options->light);
   command
       ->add_option(
-          "--frames", options->frames, "Ends after so many frames (default: at the source's end)")
+          "--frames",
+          options->frames,
+          "Each recording ends after so many frames, or all after so many pictures (default: at "
+          "the source's end)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
   command
       ->add_option("--seconds",
                    options->seconds,
-                   "Ends after so much recorded time (default: at the source's end)")
+                   "Each recording ends after so much recorded time (default: at the source's end)")
       ->type_name("S")
       ->check(CLI::Range(0.001, 1e7));
   command
@@ -192,6 +346,7 @@ void add_record(CLI::App& program, Chosen& chosen) {
   SettingFlags<RecorderSettings> recorder;
   recorder.add_to(*command, recorder_settings());
   command->callback([=, &chosen] {
+    check_output(*options);
     options->pace = *pace == "asked" ? Pace::kAsked : Pace::kRecorded;
     options->recorder = recorder.applied_to({});
     chosen = [=](Console& console) { return run_record(*options, console); };

@@ -14,11 +14,11 @@ Status run_flat(const ReferenceOptions& options, Finger& finger, Console& consol
                  options.finger.string(),
                  "giving exactly one picture"};
   }
-  Status status = install_flat_reference(options.inputs.front(), options.finger, finger);
-  if (!status) return status;
+  const auto warnings = install_flat_reference(options.inputs.front(), options.finger, finger);
+  if (!warnings) return warnings.error();
   finger.provenance["reference_date"] = utc_now();
-  status = finger.save(options.finger);
-  if (!status) return status;
+  if (const Status status = finger.save(options.finger); !status) return status;
+  for (const std::string& warning : *warnings) console.warn("Warning: " + warning);
   console.say("The untouched picture is installed. Next: alltact calibrate with ball presses");
   console.answer()["frames_kept"] = 1;
   return {};
@@ -38,12 +38,14 @@ void tell(const ReferenceReport& report, Console& console) {
     console.say(
         fmt::format("  left out: {} more; --json lists them all", report.rejected.size() - kShown));
   for (const std::string& remark : report.remarks) console.say("  " + remark);
+  for (const std::string& warning : report.warnings) console.warn("Warning: " + warning);
   Console::Json& answer = console.answer();
   answer["frames_read"] = report.frames_read;
   answer["frames_kept"] = report.frames_kept;
   answer["median_step_px"] = report.median_step_px;
   answer["rejected"] = report.rejected;
   answer["remarks"] = report.remarks;
+  answer["warnings"] = report.warnings;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/picture_format.h"
+#include "core/io/picture_note.h"
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -113,7 +114,7 @@ Result<std::vector<unsigned char>> encode(const std::filesystem::path& file,
 
 }  // namespace
 
-Result<cv::Mat> read_grey_picture(const std::filesystem::path& file) {
+Result<cv::Mat> read_grey_picture(const std::filesystem::path& file, std::string* note) {
   const auto encoded = read_encoded(file);
   if (!encoded) return encoded.error();
   if (auto problem = unfit_for_grey(encoded->header)) return at(file, *problem);
@@ -141,14 +142,19 @@ Result<cv::Mat> read_grey_picture(const std::filesystem::path& file) {
   if (brightest <= kBlack)
     return Error{
         "the picture is all black", file.string(), "switch on the light, or take off the lens cap"};
+  if (note != nullptr) *note = note_of(encoded->content);
   return picture;
 }
 
-Status write_picture(const std::filesystem::path& file, const cv::Mat& picture) {
+Status write_picture(const std::filesystem::path& file,
+                     const cv::Mat& picture,
+                     std::string_view note) {
   const auto bytes = encode(file, picture);
   if (!bytes) return bytes.error();
-  return write_file_atomically(
-      file, std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+  const std::string_view content(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  if (note.empty()) return write_file_atomically(file, content);
+  assert(picture.depth() == CV_8U);  // a PNG
+  return write_file_atomically(file, with_note(content, note));
 }
 
 Result<cv::Mat> read_float_picture(const std::filesystem::path& file) {

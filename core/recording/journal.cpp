@@ -2,6 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/system_error.h"
+#include "core/recording/put_back.h"
 
 #include <cerrno>
 #include <charconv>
@@ -129,7 +130,8 @@ Status JournalWriter::remark(std::string_view sentence) {
 }
 
 Status JournalWriter::finish() {
-  if (::fsync(descriptor_) != 0) return system_error(kWriting, file_, errno);
+  if (!is_removed(descriptor_) && ::fsync(descriptor_) != 0)
+    return system_error(kWriting, file_, errno);
   return {};
 }
 

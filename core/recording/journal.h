@@ -2,12 +2,13 @@
 //
 //   # alltact-frames/1
 //   frame,time_ns,sequence,controls
-//   0,81234567890,0,exposure=200 gain=3
+//   0,81234567890,0,Exposure=200; Gain=3
 //   # 2 frames before frame 1 never came from the camera
-//   1,81334567890,3,exposure=200 gain=3
+//   1,81334567890,3,Exposure=200; Gain=3
 //
 // A line that begins with '#' is a remark for people. time_ns is the clock of capture, to the
-// nanosecond (the video itself knows milliseconds); sequence is the source's own count.
+// nanosecond (the video itself knows milliseconds); sequence is the source's own count; controls is
+// what camera and light were set to (see frame_settings.h).
 #pragma once
 
 #include "core/result.h"

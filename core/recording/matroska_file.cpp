@@ -1,6 +1,7 @@
 #include "core/recording/matroska_file.h"
 
 #include "core/io/system_error.h"
+#include "core/recording/put_back.h"
 
 #include <cerrno>
 
@@ -124,7 +125,8 @@ Status MatroskaFile::State::finish() {
   if (Status status = flush(av_write_trailer(context)); !status) return status;
   is_open = false;
   whole_bytes = static_cast<std::uint64_t>(::lseek(descriptor, 0, SEEK_END));
-  if (::fsync(descriptor) != 0) return error(AVERROR(errno));
+  // A removed file is about to be copied: waiting for its bytes to reach the disk would be in vain.
+  if (!is_removed(descriptor) && ::fsync(descriptor) != 0) return error(AVERROR(errno));
   return {};
 }
 

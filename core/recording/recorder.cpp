@@ -143,8 +143,8 @@ struct Recorder::State {
   Status record(const Waiting& waiting);
   Status tell_losses(const Waiting& waiting);
   [[nodiscard]] Status check_disk();
-  Status close(std::string_view why);
-  Status save_removed(const Error& removed);
+  Status close(std::string_view why, const Job& job);
+  Status save_removed(const Error& removed, const Job& job);
 };
 
 /// The frame that waits longest; nothing when there will be no more.
@@ -236,7 +236,7 @@ Status Recorder::State::check_disk() {
 }
 
 /// After the thread has ended.
-Status Recorder::State::close(std::string_view why) {
+Status Recorder::State::close(std::string_view why, const Job& job) {
   Status first = problem ? Status(*problem) : Status();
   const auto note = [&](Status status) {
     if (first && !status) first = std::move(status);
@@ -257,16 +257,19 @@ Status Recorder::State::close(std::string_view why) {
     fs::remove(file, ignored);
     fs::remove(journal_of(file), ignored);
   } else if (is_removed(video->descriptor())) {
-    first = save_removed(first ? Error{"the recording was removed at its end", file.string(), ""}
-                               : first.error());
+    first = save_removed(
+        first ? Error{"the recording was removed at its end", file.string(), ""} : first.error(),
+        job);
   }
   return first;
 }
 
-Status Recorder::State::save_removed(const Error& removed) {
-  Status saved = put_back(video->descriptor(), file);
-  if (saved && is_removed(journal.descriptor()))
-    saved = put_back(journal.descriptor(), journal_of(file));
+/// The journal first: it is short, and tells of what is there if the rest is stopped.
+Status Recorder::State::save_removed(const Error& removed, const Job& job) {
+  Status saved;
+  if (is_removed(journal.descriptor()))
+    saved = put_back(journal.descriptor(), journal_of(file), job);
+  if (saved) saved = put_back(video->descriptor(), file, job);
   if (!saved)
     return Error{
         fmt::format("{}, and it could not be put back ({})", removed.what, saved.error().what),
@@ -345,7 +348,7 @@ std::optional<Error> Recorder::problem() const {
   return state_->problem;
 }
 
-Status Recorder::finish(std::string_view why) {
+Status Recorder::finish(std::string_view why, const Job& job) {
   State& s = *state_;
   assert(s.thread.joinable());
   {
@@ -354,7 +357,7 @@ Status Recorder::finish(std::string_view why) {
     s.news.notify_all();
   }
   s.thread.join();
-  return s.close(why);
+  return s.close(why, job);
 }
 
 }  // namespace alltact

@@ -2,6 +2,7 @@
 // one without saying so.
 #pragma once
 
+#include "core/job.h"
 #include "core/recording/video_writer.h"
 #include "core/result.h"
 #include "core/settings.h"
@@ -62,9 +63,11 @@ class Recorder {
   /// Why the recording ended by itself; nothing as long as it goes on.
   [[nodiscard]] std::optional<Error> problem() const;
 
-  /// Writes what waits and completes the files. `why`: the last remark in the journal. Error:
-  /// problem(), or that the end could not be written; what was recorded is readable all the same.
-  [[nodiscard]] Status finish(std::string_view why);
+  /// Writes what waits and completes the files. `why`: the last remark in the journal. `job` is
+  /// told while a removed recording is put back, which takes as long as the disk needs to copy it,
+  /// and may stop that. Error: problem(), or that the end could not be written; what was recorded
+  /// is readable all the same.
+  [[nodiscard]] Status finish(std::string_view why, const Job& job = Job());
 
  private:
   struct State;

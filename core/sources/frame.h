@@ -20,7 +20,7 @@ struct Frame {
   std::string origin;          ///< where it came from, for messages: a path or a device
   std::uint64_t sequence = 0;  ///< counts from 0 in the order of the source, gaps are lost frames
   std::int64_t time_ns = 0;    ///< monotonic clock of capture; 0 when the source has none
-  /// The camera's settings in force, "Gain=3; Focus=200"; null where the source has none.
+  /// What camera and light were set to (see frame_settings.h); null where the source tells nothing.
   std::shared_ptr<const std::string> controls;
 };
 

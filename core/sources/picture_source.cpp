@@ -81,9 +81,11 @@ PictureSource::PictureSource(std::vector<fs::path> files)
 Result<FramePtr> PictureSource::next() {
   if (position_ == files_.size()) return FramePtr();
   const fs::path& file = files_[position_++];
-  auto grey = read_grey_picture(file);
+  std::string settings;
+  auto grey = read_grey_picture(file, &settings);
   if (!grey) return grey.error();
   auto frame = std::make_shared<Frame>();
+  if (!settings.empty()) frame->controls = std::make_shared<const std::string>(std::move(settings));
   frame->grey = std::move(*grey);
   frame->name = file.stem().string();
   frame->origin = file.string();

@@ -1,4 +1,5 @@
 // What lies on disk after a run: everything that was promised, whole, and nothing else.
+#include "core/io/picture.h"
 #include "tests/support/flat_finger.h"
 #include "tests/support/small_disk.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
@@ -38,6 +40,36 @@ TEST(Files, ACalibrationLeavesWhatTheDesignNames) {
                                             "reference.png"));
   EXPECT_THAT(run.output, HasSubstr("Verdict: good"));
   EXPECT_EQ(run_alltact({"check", flat.finger()}).status, 0);
+}
+
+/// Puts these words into a picture, as a recorded one has them.
+void take_with(const fs::path& picture, const std::string& settings) {
+  const auto grey = read_grey_picture(picture);
+  ASSERT_TRUE(grey.ok());
+  ASSERT_TRUE(write_picture(picture, *grey, settings).ok());
+}
+
+TEST(Files, WhatPressesWereTakenWithIsKeptAndHeldAgainstTheReference) {
+  const FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
+  EXPECT_EQ(flat.calibrate().errors, "");
+  const fs::path yaml = flat.folder / "finger/finger.yaml";
+  EXPECT_THAT(text_of(yaml), Not(HasSubstr("settings")));
+  for (const fs::path& press : flat.presses) take_with(press, "Camera=usb-1; Gain=5");
+  take_with(flat.file("ref.png"), "Camera=usb-1; Gain=3");
+  const ProgramRun other = flat.calibrate();
+  EXPECT_EQ(other.status, 0);
+  EXPECT_THAT(other.errors,
+              HasSubstr("Warning: The presses and the reference were taken with "
+                        "other settings: Gain was 3 and is 5. "));
+  EXPECT_THAT(text_of(yaml), HasSubstr("reference_settings: \"Camera=usb-1; Gain=3\"\n"));
+  EXPECT_THAT(text_of(yaml), HasSubstr("press_settings: \"Camera=usb-1; Gain=5\"\n"));
+  // The same presses as they are kept with the finger, against a reference like them.
+  take_with(flat.file("ref.png"), "Camera=usb-1; Gain=5");
+  EXPECT_EQ(flat.calibrate({flat.finger() + "/presses"}).errors, "");
+  take_with(flat.presses[1], "Camera=usb-1; Gain=6");
+  EXPECT_THAT(flat.calibrate().errors,
+              HasSubstr("not taken with one setting of camera and light: Gain was 5 and is 6."));
 }
 
 TEST(Files, AReconstructionMeasuresWhatWasPressed) {

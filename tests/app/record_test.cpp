@@ -122,6 +122,13 @@ TEST(Record, SaysWhyItCannot) {
   EXPECT_EQ(record(folder / "s.yaml", folder / "none/v.mkv").status, 1);
   EXPECT_EQ(record(folder / "none.yaml", folder / "v.mkv").status, 1);
   EXPECT_EQ(record(folder / "s.yaml", folder / "v.mkv", {"--codec", "h264"}).status, 2);
+  const ProgramRun no_button = record(folder / "s.yaml", folder / "p.png");
+  EXPECT_EQ(no_button.status, 2);
+  EXPECT_THAT(no_button.errors, HasSubstr("pictures are taken with a --button"));
+  const ProgramRun nonsense = record(folder / "s.yaml", folder / "v.mkv", {"--button", "pedal"});
+  EXPECT_EQ(nonsense.status, 2);
+  EXPECT_THAT(nonsense.errors, HasSubstr("alltact devices --learn-button"));
+  EXPECT_EQ(record(folder / "s.yaml", folder / "v.mkv", {"--brightness", "1"}).status, 2);
   const ProgramRun packets = record(folder / "s.yaml", folder / "v.mkv", {"--codec", "mjpeg"});
   EXPECT_EQ(packets.status, 1);
   EXPECT_THAT(packets.errors, HasSubstr("the source gives no JPEG packets"));

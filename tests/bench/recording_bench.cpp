@@ -1,13 +1,13 @@
-// What recording full HD at 30 frames a second costs, in real time: a camera that gives 1920 x 1080
-// pictures when they are due, for ALLTACT_RECORDING_SECONDS (default 2). Every frame is compared
-// afterwards. core_percent is the whole program's processor time, the camera's waiting included.
+// What recording costs in real time: a camera that gives 1920x1080 MJPG at 30 frames a second for
+// ALLTACT_RECORDING_SECONDS (default 2), read as any source and recorded. Every frame is compared
+// afterwards. core_percent is the whole program's processor time: the camera's pictures, decoding
+// and recording.
 #include "core/recording/recorder.h"
 #include "core/recording/video_file.h"
-#include "tests/core/recording/recording_frames.h"
+#include "core/sources/v4l2/v4l2_camera.h"
+#include "tests/bench/full_hd_camera.h"
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -30,66 +30,102 @@ double processor_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// The camera's pictures, made beforehand and given over and over.
-std::vector<FramePtr> camera_pictures(bool is_jpeg) {
-  std::vector<FramePtr> pictures;
-  for (std::uint32_t i = 0; i < 30; ++i)
-    pictures.push_back(test::camera_frame(i, is_jpeg, {1920, 1080}));
-  return pictures;
+/// A file name, and no such files afterwards.
+struct BenchVideo {
+  fs::path file = fs::temp_directory_path() / fmt::format("alltact-bench-{}.mkv", ::getpid());
+  BenchVideo() = default;
+  BenchVideo(const BenchVideo&) = delete;
+  BenchVideo& operator=(const BenchVideo&) = delete;
+  ~BenchVideo() {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    fs::remove(fs::path(file).replace_extension(".frames.csv"), ignored);
+  }
+};
+
+/// What came out of recording so many frames.
+struct Recorded {
+  std::vector<double> ages_ms;  // of frames, when they were read
+  double busy_s = 0, spent_s = 0;
+  RecorderCounts counts;
+  std::uint64_t lost = 0;  // on the way to the recorder
+};
+
+Result<Recorded> record(const fs::path& file,
+                        VideoCodec codec,
+                        test::FakeCamera& fake,
+                        std::size_t count) {
+  auto camera = V4l2Camera::open(
+      {&fake, "bench", []() -> Result<std::string> { return std::string("/dev/video0"); }}, {});
+  if (!camera) return camera.error();
+  CameraSource source(std::move(*camera));
+  RecorderSettings settings;
+  settings.codec = codec;
+  auto recorder = Recorder::start(file, settings, source.frames_per_s(), "bench");
+  if (!recorder) return recorder.error();
+  Recorded recorded;
+  const double busy = processor_seconds();
+  const auto begin = std::chrono::steady_clock::now();
+  while (recorded.ages_ms.size() < count) {
+    auto frame = source.next();
+    if (!frame) return frame.error();
+    recorded.ages_ms.push_back(test::age_ms(**frame));
+    (*recorder)->add(std::move(*frame));
+  }
+  const Status finished = (*recorder)->finish("done");
+  recorded.busy_s = processor_seconds() - busy;
+  recorded.spent_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  recorded.counts = (*recorder)->counts();
+  recorded.lost = source.dropped() + source.camera().status().counts.lost;
+  if (!finished) return finished.error();
+  return recorded;
 }
 
-/// The first frame that is not what the camera gave; nothing when all are.
-std::optional<std::size_t> first_wrong(VideoFile& video, const std::vector<FramePtr>& pictures) {
-  for (std::size_t i = 0; i < video.frame_count(); ++i) {
-    const auto frame = video.frame(i);
-    const Frame& truth = *pictures[i % pictures.size()];
-    if (!frame.ok() || (*frame)->sequence != i) return i;
-    if (truth.jpeg ? *(*frame)->jpeg != *truth.jpeg
-                   : cv::norm((*frame)->grey, truth.grey, cv::NORM_INF) != 0)
-      return i;
+/// Every frame that the camera gave, one after the other, byte for byte.
+bool is_exact(const fs::path& file,
+              const std::vector<std::vector<std::uint8_t>>& packets,
+              std::size_t count,
+              bool is_jpeg) {
+  auto video = VideoFile::open(file);
+  if (!video || video->frame_count() != count) return false;
+  std::vector<cv::Mat> pictures;
+  for (const auto& packet : packets) pictures.push_back(cv::imdecode(packet, cv::IMREAD_GRAYSCALE));
+  std::uint64_t first = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto frame = video->frame(i);
+    if (!frame.ok()) return false;
+    const std::uint64_t sequence = (*frame)->sequence;
+    if (i == 0) first = sequence;
+    const std::size_t which = sequence % packets.size();
+    if (sequence != first + i || (is_jpeg && *(*frame)->jpeg != packets[which]) ||
+        cv::norm((*frame)->grey, pictures[which], cv::NORM_INF) != 0)
+      return false;
   }
-  return std::nullopt;
+  return true;
 }
 
 void record_full_hd(benchmark::State& state, VideoCodec codec) {
   const char* wanted = std::getenv("ALLTACT_RECORDING_SECONDS");
   const double seconds = wanted != nullptr ? std::atof(wanted) : 2;
-  const auto count = static_cast<std::uint32_t>(seconds * kFramesPerS);
-  const auto pictures = camera_pictures(codec == VideoCodec::kMjpeg);
-  const fs::path file = fs::temp_directory_path() / fmt::format("alltact-bench-{}.mkv", ::getpid());
-  RecorderSettings settings;
-  settings.codec = codec;
-  double busy = 0, spent = 0;
-  RecorderCounts counts;
+  const auto count = static_cast<std::size_t>(seconds * kFramesPerS);
+  const test::FakeOptions options = test::full_hd_camera(30);
+  test::FakeCamera fake(options);
   for (auto _ : state) {
-    auto recorder = Recorder::start(file, settings, kFramesPerS, "bench");
-    if (!recorder) return state.SkipWithError(recorder.error().sentence().c_str());
-    const double before = processor_seconds();
-    const auto begin = std::chrono::steady_clock::now();
-    for (std::uint32_t i = 0; i < count; ++i) {
-      auto frame = std::make_shared<Frame>(*pictures[i % pictures.size()]);
-      frame->sequence = i;
-      frame->time_ns = test::kPeriodNs * (i + 1);
-      std::this_thread::sleep_until(begin + std::chrono::nanoseconds(test::kPeriodNs * i));
-      (*recorder)->add(std::move(frame));
-    }
-    const Status status = (*recorder)->finish("done");
-    busy += processor_seconds() - before;
-    spent += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    counts = (*recorder)->counts();
-    if (!status) return state.SkipWithError(status.error().sentence().c_str());
+    const BenchVideo video;
+    const auto recorded = record(video.file, codec, fake, count);
+    if (!recorded) return state.SkipWithError(recorded.error().sentence().c_str());
     state.PauseTiming();
-    auto video = VideoFile::open(file);
-    if (!video || video->frame_count() != count || first_wrong(*video, pictures))
-      state.SkipWithError("not every frame was recorded exactly and in order");
-    fs::remove(file);
-    fs::remove(fs::path(file).replace_extension(".frames.csv"));
+    if (recorded->lost > 0 || recorded->counts.dropped > 0 || recorded->counts.missing > 0 ||
+        !is_exact(video.file, options.packets, count, codec == VideoCodec::kMjpeg))
+      return state.SkipWithError("not every frame was recorded exactly and in order");
+    state.counters["core_percent"] = 100 * recorded->busy_s / recorded->spent_s;
+    state.counters["frames"] = static_cast<double>(recorded->counts.recorded);
+    state.counters["MB_per_s"] = 1e-6 * static_cast<double>(recorded->counts.bytes) / seconds;
+    state.counters["age_median_ms"] = test::quantile(recorded->ages_ms, 0.5);
+    state.counters["age_p95_ms"] = test::quantile(recorded->ages_ms, 0.95);
     state.ResumeTiming();
   }
-  state.counters["core_percent"] = 100 * busy / spent;
-  state.counters["frames"] = static_cast<double>(counts.recorded);
-  state.counters["dropped"] = static_cast<double>(counts.dropped);
-  state.counters["MB_per_s"] = 1e-6 * static_cast<double>(counts.bytes) / seconds;
 }
 
 BENCHMARK_CAPTURE(record_full_hd, packets, VideoCodec::kMjpeg)->Iterations(1)->UseRealTime();

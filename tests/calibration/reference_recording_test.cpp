@@ -21,11 +21,13 @@ using testing::MarkedFinger;
 class MemorySource : public Source {
  public:
   std::vector<cv::Mat> pictures;
+  std::shared_ptr<const std::string> settings;
   Result<FramePtr> next() override {
     if (at_ >= pictures.size()) return FramePtr{};
     auto frame = std::make_shared<Frame>();
     frame->grey = pictures[at_];
     frame->name = "frame";
+    frame->controls = settings;
     frame->sequence = at_++;
     return FramePtr(frame);
   }
@@ -192,6 +194,30 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
   ASSERT_TRUE(thinned.ok());
   EXPECT_LE(thinned->memory_bytes(), limit);
   EXPECT_GE(thinned->frame_count(), library->frame_count() / 3);
+}
+
+TEST(InstallReference, WhatTheCameraWasSetToIsKeptAndComparedWithThePresses) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(11);
+  std::vector<cv::Mat> pictures;
+  for (int i = 0; i < 8; ++i) pictures.push_back(f.with_noise(f.clean(pose(i, 60)), random));
+  Finger finger = described(f);
+  finger.provenance["press_settings"] = "Camera=usb-1; Gain=3";
+  const fs::path folder = scratch_folder("install_settings");
+  const auto install = [&](const char* settings) {
+    MemorySource source;
+    source.pictures = pictures;
+    if (settings != nullptr) source.settings = std::make_shared<const std::string>(settings);
+    return install_reference(source, folder, finger, Job{});
+  };
+  const auto other = install("Camera=usb-1; Gain=5");
+  ASSERT_TRUE(other.ok()) << other.error().sentence();
+  EXPECT_EQ(finger.provenance.at("reference_settings"), "Camera=usb-1; Gain=5");
+  ASSERT_EQ(other->warnings.size(), 1U);
+  EXPECT_NE(other->warnings[0].find("other settings: Gain was 3 and is 5."), std::string::npos);
+  EXPECT_TRUE(install("Camera=usb-1; Gain=3")->warnings.empty());
+  EXPECT_TRUE(install(nullptr)->warnings.empty());
+  EXPECT_FALSE(finger.provenance.contains("reference_settings")) << "not told, so not invented";
 }
 
 TEST(InstallReference, RecordingsThatCannotBeOneAreToldApart) {

@@ -54,6 +54,7 @@ int failed(int error_number) {
 }
 
 constexpr std::uint32_t kPage = 4096;
+constexpr std::uint32_t kSource = 0;  // in Handle::subscribed, beside controls; none has this id
 
 }  // namespace
 
@@ -139,6 +140,16 @@ void FakeCamera::skip(std::uint32_t frames) {
 void FakeCamera::refuse_size(bool is_refusing) {
   const std::lock_guard lock(mutex_);
   is_refusing_size_ = is_refusing;
+}
+void FakeCamera::change_source(std::uint32_t width, std::uint32_t height) {
+  const std::lock_guard lock(mutex_);
+  options_.sizes = {{width, height}};
+  is_other_source_ = true;
+  v4l2_event event{};
+  event.type = V4L2_EVENT_SOURCE_CHANGE;
+  event.u.src_change.changes = V4L2_EVENT_SRC_CH_RESOLUTION;
+  for (auto& [descriptor, handle] : handles_)
+    if (handle.subscribed.contains(kSource)) push_event(handle, event);
 }
 void FakeCamera::set_from_outside(std::uint32_t id, std::int32_t value) {
   const std::lock_guard lock(mutex_);
@@ -324,7 +335,9 @@ int FakeCamera::subscribe(Handle& handle,
     clear_signal(handle.event_signal);
     return 0;
   }
-  if (wish.type != V4L2_EVENT_CTRL || !controls_.has(wish.id)) return EINVAL;
+  const bool is_source =
+      options_.tells_source && wish.type == V4L2_EVENT_SOURCE_CHANGE && wish.id == kSource;
+  if (!is_source && (wish.type != V4L2_EVENT_CTRL || !controls_.has(wish.id))) return EINVAL;
   if (!is_on) {
     handle.subscribed.erase(wish.id);
     std::erase_if(handle.events, [&](const v4l2_event& event) { return event.id == wish.id; });
@@ -332,7 +345,7 @@ int FakeCamera::subscribe(Handle& handle,
     return 0;
   }
   handle.subscribed.insert(wish.id);
-  if ((wish.flags & V4L2_EVENT_SUB_FL_SEND_INITIAL) != 0)
+  if (!is_source && (wish.flags & V4L2_EVENT_SUB_FL_SEND_INITIAL) != 0)
     push_event(handle,
                controls_.event(wish.id, V4L2_EVENT_CTRL_CH_VALUE | V4L2_EVENT_CTRL_CH_FLAGS));
   return 0;

@@ -25,6 +25,8 @@ struct FakeOptions {
   /// Frames come by themselves at the agreed rate; else only by produce().
   bool is_live = true;
   bool is_metadata = false;
+  bool is_multi_planar = false;
+  bool tells_source = false;  ///< V4L2_EVENT_SOURCE_CHANGE, as converters do and USB cameras do not
   std::uint32_t jpeg_quality = 85;
   /// MJPG: sent in turn instead of the made pictures.
   std::vector<std::vector<std::uint8_t>> packets = {};
@@ -56,6 +58,8 @@ class FakeCamera : public V4l2Calls {
   void truncate(int frames);           ///< half of the bytes
   void skip(std::uint32_t frames);     ///< in the sequence numbers
   void refuse_size(bool is_refusing);  ///< S_FMT answers with 160x120
+  /// Another signal comes in: what streams gets nothing more until it begins anew.
+  void change_source(std::uint32_t width, std::uint32_t height);
   void set_from_outside(std::uint32_t id, std::int32_t value);
   void drift(std::uint32_t id, std::int32_t value);  ///< as by itself, without an event
   [[nodiscard]] std::int32_t control(std::uint32_t id) const;
@@ -122,8 +126,9 @@ class FakeCamera : public V4l2Calls {
   v4l2_pix_format picture_{};
   v4l2_fract seconds_{1, 30};
   bool is_plugged_ = true, is_streaming_ = false, is_stalled_ = false, is_refusing_size_ = false;
-  Handle* owner_ = nullptr;  // of the buffers
-  int memory_ = -1;          // a memfd
+  bool is_other_source_ = false;  // than the stream began with
+  Handle* owner_ = nullptr;       // of the buffers
+  int memory_ = -1;               // a memfd
   std::span<std::uint8_t> mapped_;
   std::vector<Buffer> buffers_;
   std::deque<std::uint32_t> queued_, done_;

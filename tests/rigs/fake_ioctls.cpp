@@ -187,16 +187,19 @@ int FakeCamera::enumerate(unsigned long request, void* argument) {
     write_text(answer.card, "Fake Camera");
     write_text(answer.bus_info, "usb-0000:00:14.0-2");
     answer.version = LINUX_VERSION_CODE;
+    const std::uint32_t capture =
+        options_.is_multi_planar ? V4L2_CAP_VIDEO_CAPTURE_MPLANE : V4L2_CAP_VIDEO_CAPTURE;
     answer.device_caps = V4L2_CAP_STREAMING | V4L2_CAP_EXT_PIX_FORMAT |
-                         (options_.is_metadata ? V4L2_CAP_META_CAPTURE : V4L2_CAP_VIDEO_CAPTURE);
+                         (options_.is_metadata ? V4L2_CAP_META_CAPTURE : capture);
     // As a UVC camera: what all its nodes can do together.
-    answer.capabilities = answer.device_caps | V4L2_CAP_DEVICE_CAPS | V4L2_CAP_VIDEO_CAPTURE;
+    answer.capabilities = answer.device_caps | V4L2_CAP_DEVICE_CAPS | capture;
     if (options_.is_metadata) answer.capabilities |= V4L2_CAP_META_CAPTURE;
     return 0;
   }
   if (request == VIDIOC_ENUM_FMT) {
     auto& answer = *static_cast<v4l2_fmtdesc*>(argument);
-    if (answer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || answer.index >= options_.fourccs.size())
+    if (answer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || options_.is_multi_planar ||
+        answer.index >= options_.fourccs.size())
       return EINVAL;
     const std::uint32_t index = answer.index;
     std::memset(&answer, 0, sizeof answer);
@@ -262,7 +265,9 @@ void FakeCamera::adjust(v4l2_pix_format& picture) const {
 
 int FakeCamera::format(unsigned long request, void* argument, const Handle& handle) {
   auto& answer = *static_cast<v4l2_format*>(argument);
-  if (answer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || options_.is_metadata) return EINVAL;
+  if (answer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || options_.is_metadata ||
+      options_.is_multi_planar)
+    return EINVAL;
   if (request == VIDIOC_G_FMT) {
     std::memset(&answer.fmt, 0, sizeof answer.fmt);
     answer.fmt.pix = picture_;
@@ -393,6 +398,7 @@ int FakeCamera::stream(Handle& handle, bool is_on, int type) {
   if (buffers_.empty()) return EINVAL;
   if (!is_streaming_) sequence_ = 0;
   is_streaming_ = true;
+  is_other_source_ = false;
   return 0;
 }
 
@@ -408,7 +414,7 @@ void FakeCamera::stop_stream() {
 }
 
 void FakeCamera::deliver() {
-  if (!is_streaming_ || is_stalled_ || !is_plugged_) return;
+  if (!is_streaming_ || is_stalled_ || !is_plugged_ || is_other_source_) return;
   const std::uint32_t sequence = sequence_++;
   if (queued_.empty()) return;  // nobody gave a buffer in time: this frame is lost
   const std::uint32_t index = queued_.front();

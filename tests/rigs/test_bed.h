@@ -68,6 +68,14 @@ class TestBed {
            "\nE: MAJOR=240\nE: MINOR=" + n + "\nA: dev=240:" + n + "\\n\n\n";
   }
 
+  /// With everything above its node.
+  void remove_hid(int number, const std::string& vendor, const std::string& product) {
+    const std::string n = std::to_string(number);
+    const std::string usb = "/devices/pci/usb1/2-" + n, interface = usb + "/2-" + n + ":1.0";
+    const std::string hid = interface + "/0003:" + vendor + ":" + product + ".000" + n;
+    for (const std::string& path : {hid + "/hidraw/hidraw" + n, hid, interface, usb}) remove(path);
+  }
+
  private:
   UMockdevTestbed* bed_;
 };

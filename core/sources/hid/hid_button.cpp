@@ -83,6 +83,20 @@ Result<ButtonPattern> ButtonPattern::parse(const std::string& text) {
   }
 }
 
+Result<LearntButton> LearntButton::parse(const std::string& text) {
+  // A serial number may hold blanks; the pattern's two words stand last.
+  const std::size_t last = text.rfind(' ');
+  const std::size_t before =
+      last == std::string::npos || last == 0 ? std::string::npos : text.rfind(' ', last - 1);
+  if (before == std::string::npos || before == 0)
+    return Error{fmt::format("'{}' names no device and its button", text),
+                 "",
+                 "'alltact devices --learn-button', which says what to write here"};
+  const auto pattern = ButtonPattern::parse(text.substr(before + 1));
+  if (!pattern) return pattern.error();
+  return LearntButton{text.substr(0, before), *pattern};
+}
+
 void ButtonLearner::feed(const Report& report) {
   if (report.empty() || pattern_) return;
   if (!is_begun_) return feed_rest(report);

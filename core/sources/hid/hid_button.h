@@ -35,6 +35,16 @@ struct ButtonPattern {
   bool operator==(const ButtonPattern&) const = default;
 };
 
+/// A button of one device, as it is kept and told to commands: "0c45:7403/0 4 2:05=05".
+struct LearntButton {
+  std::string device;  ///< HidIdentity::lasting(), or whatever else open_hid() takes
+  ButtonPattern pattern;
+
+  [[nodiscard]] std::string text() const { return device + " " + pattern.text(); }
+  /// Error: not of that form.
+  static Result<LearntButton> parse(const std::string& text);
+};
+
 /// Learns from reports alone. Feed it what comes while nothing is pressed (may be nothing, for a
 /// device that only reports changes), then call begin(), then feed it two presses.
 class ButtonLearner {

@@ -266,21 +266,24 @@ std::vector<ControlValue> lock_brightness(const V4l2Device& device,
   return held;
 }
 
-void watch_controls(const V4l2Device& device, const std::vector<CameraControl>& controls) {
-  for (const CameraControl& control : controls) {
-    if (!control.is_setting()) continue;
+void watch_changes(const V4l2Device& device, const std::vector<CameraControl>& controls) {
+  const auto subscribe = [&](std::uint32_t type, std::uint32_t id) {
     v4l2_event_subscription subscription;
     std::memset(&subscription, 0, sizeof subscription);
-    subscription.type = V4L2_EVENT_CTRL;
-    subscription.id = control.id;
-    if (device.ioctl(VIDIOC_SUBSCRIBE_EVENT, &subscription) == ENOTTY) return;
-  }
+    subscription.type = type;
+    subscription.id = id;
+    return device.ioctl(VIDIOC_SUBSCRIBE_EVENT, &subscription) != ENOTTY;
+  };
+  if (!subscribe(V4L2_EVENT_SOURCE_CHANGE, 0)) return;  // cameras with one source refuse this one
+  for (const CameraControl& control : controls)
+    if (control.is_setting() && !subscribe(V4L2_EVENT_CTRL, control.id)) return;
 }
 
-std::optional<ControlValue> next_change(const V4l2Device& device) {
+std::optional<std::variant<ControlValue, SourceChange>> next_change(const V4l2Device& device) {
   v4l2_event event;
   std::memset(&event, 0, sizeof event);
   while (device.ioctl(VIDIOC_DQEVENT, &event) == 0) {
+    if (event.type == V4L2_EVENT_SOURCE_CHANGE) return SourceChange{};
     if (event.type != V4L2_EVENT_CTRL || (event.u.ctrl.changes & V4L2_EVENT_CTRL_CH_VALUE) == 0)
       continue;
     const bool wide = event.u.ctrl.type == V4L2_CTRL_TYPE_INTEGER64;

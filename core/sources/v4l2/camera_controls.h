@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace alltact {
@@ -65,9 +66,13 @@ struct ControlValue {
                                                         std::vector<std::string>& problems);
 
 /// Asks to be told of changes that other programs and the camera itself make (POLLPRI, then
-/// next_change()). Drivers without events are read in turn instead.
-void watch_controls(const V4l2Device& device, const std::vector<CameraControl>& controls);
-/// The next change that was told; empty when there is none. Its name is empty.
-[[nodiscard]] std::optional<ControlValue> next_change(const V4l2Device& device);
+/// next_change()): of controls, and of what the camera sends. Drivers without events are read in
+/// turn instead.
+void watch_changes(const V4l2Device& device, const std::vector<CameraControl>& controls);
+/// The camera sends pictures of another kind than was agreed on (V4L2_EVENT_SOURCE_CHANGE).
+struct SourceChange {};
+/// The next change that was told; empty when there is none. A control comes without its name.
+[[nodiscard]] std::optional<std::variant<ControlValue, SourceChange>> next_change(
+    const V4l2Device& device);
 
 }  // namespace alltact

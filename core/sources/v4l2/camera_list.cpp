@@ -146,13 +146,16 @@ std::string name_in(const std::string& wanted) {
 
 CameraPlace place_of(V4l2Calls& calls, const CameraIdentity& identity) {
   const std::string lasting = identity.lasting();
-  return {&calls, lasting, [lasting]() -> Result<std::string> {
+  return {&calls,
+          lasting,
+          [lasting]() -> Result<std::string> {
             // Without opening anything: this is asked again and again while a camera is away.
             for (const CameraIdentity& now : video_nodes())
               if (answers_to(now, lasting)) return now.node;
             if (lasting.starts_with("/dev/")) return lasting;
             return Error{"the camera is not there", lasting, "plug it in"};
-          }};
+          },
+          identity.serial};
 }
 
 }  // namespace

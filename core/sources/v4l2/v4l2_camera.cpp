@@ -1,5 +1,6 @@
 #include "core/sources/v4l2/v4l2_camera.h"
 
+#include "core/sources/frame_settings.h"
 #include "core/sources/hot_plug.h"
 
 #include <cerrno>
@@ -56,9 +57,9 @@ short wait_for(V4l2Calls& calls, int descriptor, short events, int wake, int tim
 
 }  // namespace
 
-V4l2Camera::V4l2Camera(const CameraPlace& place, CameraFormat format)
+V4l2Camera::V4l2Camera(const CameraPlace& place, FormatWish wish)
     : place_(place),
-      format_(format),
+      wish_(std::move(wish)),
       plug_(HotPlug::watch()),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
       next_check_(Clock::now()),
@@ -77,9 +78,7 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const CameraPlace& place,
     return Error{"this node gives no pictures that can be read",
                  *node,
                  "a camera that 'alltact devices' lists as usable"};
-  const auto format = choose_format(device->formats(), wish, *node);
-  if (!format) return format.error();
-  std::unique_ptr<V4l2Camera> camera(new V4l2Camera(place, *format));
+  std::unique_ptr<V4l2Camera> camera(new V4l2Camera(place, wish));
   camera->wanted_ = controls;
   if (const Status status = camera->start(std::move(*device)); !status) return status.error();
   camera->thread_ = std::thread([camera = camera.get()] { camera->run(); });
@@ -99,14 +98,23 @@ void V4l2Camera::stop() {
   hub_.close();
 }
 
+Result<CameraFormat> V4l2Camera::format_for(const V4l2Device& device) const {
+  if (!is_format_open_) return format_;
+  const auto offered = device.formats();
+  if (std::find(offered.begin(), offered.end(), format_) != offered.end()) return format_;
+  return choose_format(offered, wish_, device.node());
+}
+
 Status V4l2Camera::start(V4l2Device device) {
-  CameraFormat format = format_;
+  const auto chosen = format_for(device);
+  if (!chosen) return chosen.error();
+  CameraFormat format = *chosen;
   const auto stride = device.configure(format);
   if (!stride) return stride.error();
   const std::lock_guard lock(device_mutex_);
   for (std::string& problem : put_back(device, wanted_)) remark(std::move(problem));
   const auto controls = list_controls(device);
-  watch_controls(device, controls);
+  watch_changes(device, controls);
   auto kept = std::make_unique<V4l2Device>(std::move(device));
   auto stream = V4l2Stream::start(*kept);
   if (!stream) return stream.error();
@@ -116,6 +124,7 @@ Status V4l2Camera::start(V4l2Device device) {
   wanted_ = std::move(all);
   stride_bytes_ = *stride;
   format_ = format;
+  is_format_open_ = false;
   device_ = std::move(kept);
   stream_ = std::move(*stream);
   has_frame_ = false;
@@ -150,6 +159,7 @@ void V4l2Camera::capture() {
       wait_for(*place_.calls, device_->descriptor(), POLLIN | POLLPRI, wake_, wait_ms);
   if (stopping_) return;
   if ((ready & POLLPRI) != 0) follow_changes();
+  if (stream_ == nullptr) return;
   if ((ready & (POLLIN | POLLERR | POLLHUP | POLLNVAL)) != 0) {
     const bool taken = take_frame();
     if (stream_ == nullptr) return;
@@ -198,10 +208,13 @@ std::uint64_t V4l2Camera::number_of(std::uint32_t driver_sequence) {
 /// As far as they are known without asking the camera for each frame.
 std::shared_ptr<const std::string> V4l2Camera::controls_now() {
   std::string text;
+  add_setting(text, "Camera", place_.identity);
+  if (!place_.serial.empty()) add_setting(text, "Serial number", place_.serial);
+  add_setting(text, "Format", format_.text());
   {
     const std::lock_guard lock(device_mutex_);
     for (const ControlValue& control : wanted_)
-      text += fmt::format("{}{}={}", text.empty() ? "" : "; ", control.name, control.value);
+      add_setting(text, control.name, fmt::format("{}", control.value));
   }
   if (told_controls_ == nullptr || *told_controls_ != text)
     told_controls_ = std::make_shared<const std::string>(std::move(text));
@@ -303,7 +316,35 @@ void V4l2Camera::reconnect() {
 }
 
 void V4l2Camera::follow_changes() {
-  while (const auto change = next_change(*device_)) on_change(*change);
+  bool is_other_source = false;
+  while (const auto change = next_change(*device_)) {
+    if (const auto* control = std::get_if<ControlValue>(&*change)) {
+      on_change(*control);
+    } else {
+      is_other_source = true;
+    }
+  }
+  if (is_other_source) agree_anew();
+}
+
+/// The stream ends; another begins with the format of before where the camera still has it.
+void V4l2Camera::agree_anew() {
+  const std::string before = format_.text();
+  std::optional<V4l2Device> device;
+  {
+    const std::lock_guard lock(device_mutex_);
+    stream_.reset();
+    device.emplace(std::move(*device_));
+    device_.reset();
+  }
+  is_format_open_ = true;
+  const Status status = start(std::move(*device));
+  if (!status) return trouble(CameraState::kGone, status.error());  // is opened again and again
+  trouble(CameraState::kStalled,
+          {fmt::format(
+               "the camera's signal changed: it sent {}, and sends {} now", before, format_.text()),
+           place_.identity,
+           "look after what is plugged into it, if this was not meant"});
 }
 
 void V4l2Camera::check_next_held() {
@@ -400,23 +441,6 @@ void V4l2Camera::unlock() {
 std::vector<ControlValue> V4l2Camera::locked() const {
   const std::lock_guard lock(device_mutex_);
   return held_;
-}
-
-CameraSource::CameraSource(std::shared_ptr<V4l2Camera> camera, std::size_t capacity)
-    : camera_(std::move(camera)), queue_(camera_->frames().subscribe(capacity)) {}
-
-double CameraSource::frames_per_s() const {
-  const double told = camera_->settings().format.frames_per_second();
-  return told > 0 ? told : Source::frames_per_s();
-}
-
-Result<FramePtr> CameraSource::next() {
-  if (auto item = queue_->next(std::chrono::seconds(1))) return std::move(*item);
-  const auto status = camera_->status();
-  if (status.trouble) return *status.trouble;
-  return Error{"the camera has sent no picture for a second",
-               camera_->settings().identity,
-               "look after the cable and the USB port"};
 }
 
 }  // namespace alltact

@@ -1,5 +1,7 @@
 // A camera that keeps going: captures in a thread of its own, says every fault by name, comes back
-// by itself after it was unplugged, with the same settings.
+// by itself after it was unplugged, with the same settings. When the signal that it gives on
+// changes (a converter's), it says so and goes on with the format of before or, where that is gone,
+// another that meets the wish.
 #pragma once
 
 #include "core/result.h"
@@ -36,6 +38,7 @@ struct CameraPlace {
   std::string identity;
   /// The node at which the camera is now. Error: it is not there.
   std::function<Result<std::string>()> find_node;
+  std::string serial = {};  ///< told with every frame, where the camera has one
 };
 
 enum class CameraState {
@@ -95,8 +98,9 @@ class V4l2Camera {
   void stop();
 
  private:
-  V4l2Camera(const CameraPlace& place, CameraFormat format);
+  V4l2Camera(const CameraPlace& place, FormatWish wish);
 
+  [[nodiscard]] Result<CameraFormat> format_for(const V4l2Device& device) const;
   [[nodiscard]] Status start(V4l2Device device);
   void run();
   void capture();
@@ -109,6 +113,7 @@ class V4l2Camera {
   [[nodiscard]] std::shared_ptr<const std::string> controls_now();
   [[nodiscard]] std::uint64_t number_of(std::uint32_t driver_sequence);
   void follow_changes();
+  void agree_anew();
   void check_next_held();
   void on_change(const ControlValue& change);
   void trouble(CameraState state, const Error& error);
@@ -116,7 +121,9 @@ class V4l2Camera {
   [[nodiscard]] int patience_ms() const;
 
   CameraPlace place_;
+  FormatWish wish_;
   CameraFormat format_;
+  bool is_format_open_ = true;  // to be chosen when the stream starts, by what there is then
   std::size_t stride_bytes_ = 0;
   GreyDecoder decoder_;
   FrameHub hub_;

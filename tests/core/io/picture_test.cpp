@@ -2,6 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/picture_format.h"
+#include "core/io/picture_note.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstring>
@@ -186,6 +187,29 @@ TEST_F(Picture, WritesWhatItReads) {
     }
   }
   EXPECT_FALSE(read_float_picture(folder_ / "a.png").ok());
+}
+
+TEST_F(Picture, WordsTravelInsideAPng) {
+  const cv::Mat grey = noise(CV_8UC1, 256);
+  const auto note_in = [&](const fs::path& file) {
+    std::string note = "untouched";
+    EXPECT_TRUE(is_same(*read_grey_picture(file, &note), grey));
+    return note;
+  };
+  ASSERT_TRUE(write_picture(folder_ / "a.png", grey).ok());
+  EXPECT_EQ(note_in(folder_ / "a.png"), "");
+  ASSERT_TRUE(write_picture(folder_ / "a.png", grey, "Gain=3").ok());
+  EXPECT_EQ(note_in(folder_ / "a.png"), "Gain=3");
+  EXPECT_TRUE(is_same(cv::imread(folder_ / "a.png", cv::IMREAD_UNCHANGED), grey));
+  // Length, type, data and the check sum that zlib's crc32() gives.
+  const std::string bytes = *read_file(folder_ / "a.png");
+  using std::string_literals::operator""s;
+  EXPECT_EQ(bytes.substr(33, 39),
+            "\0\0\0\x1B"
+            "iTXtAllTact settings\0\0\0\0\0Gain=3\xBA\xEE\x5D\x4D"s);
+  for (std::size_t size = 0; size < 72; ++size) EXPECT_EQ(note_of(bytes.substr(0, size)), "");
+  EXPECT_EQ(note_of(bytes.substr(0, 72)), "Gain=3");
+  EXPECT_EQ(note_of(encoded(".jpg", grey)), "");
 }
 
 TEST_F(Picture, RefusesToWriteWhatTheEndingCannotHold) {

@@ -267,6 +267,71 @@ TEST(Recorder, PutsBackARecordingThatWasRemovedMeanwhile) {
   EXPECT_EQ(read_journal(journal_of(file)).size(), 20U);
 }
 
+/// A recording of many megabytes whose folder is removed; ready to be finished.
+std::unique_ptr<Recorder> long_and_removed(const TemporaryFolder& folder, std::uint32_t count) {
+  fs::create_directory(folder / "day");
+  auto recorder = started(folder / "day/v.mkv", settings_for(VideoCodec::kMagicYuv));
+  const FramePtr picture = camera_frame(0, false, {1280, 960});
+  for (std::uint32_t i = 0; i < count; ++i) {
+    auto frame = std::make_shared<Frame>(*picture);
+    frame->sequence = i;
+    frame->time_ns += kPeriodNs * i;
+    EXPECT_TRUE(recorder->add_waiting(std::move(frame)));
+  }
+  while (recorder->counts().recorded < count) std::this_thread::yield();
+  fs::remove_all(folder / "day");
+  return recorder;
+}
+
+TEST(Recorder, PuttingALongRecordingBackIsReported) {
+  const TemporaryFolder folder;
+  auto recorder = long_and_removed(folder, 60);
+  std::vector<double> told;
+  const Job job([&](double fraction, std::string_view what) {
+    told.push_back(fraction);
+    EXPECT_THAT(std::string(what), HasSubstr("putting the removed recording back"));
+  });
+  EXPECT_THAT(recorder->finish("done", job).error().sentence(), HasSubstr("was put back"));
+  ASSERT_GT(recorder->counts().bytes, 40'000'000U);
+  if (told.empty()) GTEST_SKIP() << "this disk shares instead of copying";
+  EXPECT_GE(told.size(), 3U);
+  EXPECT_EQ(told.back(), 1.0);
+  EXPECT_EQ(VideoFile::open(folder / "day/v.mkv")->frame_count(), 60U);
+}
+
+TEST(Recorder, PuttingBackCanBeStoppedAndKeepsWhatIsThere) {
+  const TemporaryFolder folder;
+  auto recorder = long_and_removed(folder, 60);
+  Job* running = nullptr;
+  std::chrono::steady_clock::time_point stopped;
+  Job job([&](double, std::string_view what) {
+    if (what.find("back: 0 of") != std::string_view::npos) return;  // the journal
+    stopped = std::chrono::steady_clock::now();
+    running->request_stop();
+  });
+  running = &job;
+  const Status status = recorder->finish("done", job);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - stopped;
+  ASSERT_FALSE(status.ok());
+  if (!job.stop_requested()) GTEST_SKIP() << "this disk shares instead of copying";
+  EXPECT_THAT(status.error().sentence(), HasSubstr("stopped when 16 of"));
+  EXPECT_LT(took.count(), 1);
+  auto video = VideoFile::open(folder / "day/v.mkv");
+  ASSERT_TRUE(video.ok()) << video.error().sentence();
+  EXPECT_GT(video->frame_count(), 5U);
+  EXPECT_LT(video->frame_count(), 60U);
+}
+
+TEST(Recorder, AJobThatWasStoppedBeforeStillPutsTheRecordingBack) {
+  const TemporaryFolder folder;
+  auto recorder = long_and_removed(folder, 3);
+  Job job;
+  job.request_stop();  // Ctrl-C is how recordings end
+  EXPECT_THAT(recorder->finish("stopped by hand", job).error().sentence(),
+              HasSubstr("was put back"));
+  EXPECT_EQ(VideoFile::open(folder / "day/v.mkv")->frame_count(), 3U);
+}
+
 TEST(Recorder, GoesOnInAFolderThatIsMoved) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "day");

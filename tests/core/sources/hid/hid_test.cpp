@@ -125,6 +125,20 @@ TEST(ButtonPattern, TextSaysAllAndNonsenseIsRefused) {
     EXPECT_FALSE(ButtonPattern::parse(nonsense).ok()) << nonsense;
 }
 
+TEST(LearntButton, ReadsWhatItWrites) {
+  for (const char* text : {"0c45:7403/0 4 2:05=05",
+                           "0c45:7403:my serial 8 2:ff=05,3:01=01",
+                           "/dev/hidraw3 1 0:01=01"}) {
+    const auto button = LearntButton::parse(text);
+    ASSERT_TRUE(button.ok()) << text;
+    EXPECT_EQ(button->text(), text);
+  }
+  EXPECT_EQ(LearntButton::parse("0c45:7403:my serial 8 2:ff=05")->device, "0c45:7403:my serial");
+  for (const char* nonsense :
+       {"", " ", "0c45:7403", "4 2:05=05", " 4 2:05=05", "x 4 2:05", "x y z"})
+    EXPECT_FALSE(LearntButton::parse(nonsense).ok()) << nonsense;
+}
+
 TEST(LearnButton, FindsTheDeviceThatWasPressed) {
   FakeHid mouse, pedal;
   const auto mouse_port = mouse.open(), pedal_port = pedal.open();

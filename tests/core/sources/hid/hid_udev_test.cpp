@@ -1,104 +1,23 @@
 #include "core/sources/hid/hid_button.h"
 #include "core/sources/hid/led_dimmer.h"
-#include "tests/rigs/test_bed.h"
+#include "tests/rigs/hid_device.h"
 
 #include <atomic>
-#include <cstring>
-#include <mutex>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <linux/hidraw.h>
-#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <termios.h>
 #include <unistd.h>
 
 namespace alltact {
 namespace {
 
+using Device = test::HidDevice;
 using test::TestBed;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using Report = std::vector<std::uint8_t>;
-
-/// The kernel's half of a made-up /dev/hidraw0: its ioctls, and reports both ways.
-class Device {
- public:
-  explicit Device(TestBed& bed) : bed_(bed), handler_(umockdev_ioctl_base_new()) {
-    g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(&Device::on_ioctl), this);
-    GError* error = nullptr;
-    if (umockdev_testbed_attach_ioctl(bed_.get(), "/dev/hidraw0", handler_, &error) == 0)
-      throw std::runtime_error(error->message);
-    descriptor_ = umockdev_testbed_get_dev_fd(bed_.get(), "/dev/hidraw0");
-    termios raw{};
-    tcgetattr(descriptor_, &raw);
-    cfmakeraw(&raw);
-    tcsetattr(descriptor_, TCSANOW, &raw);
-  }
-  ~Device() {
-    umockdev_testbed_detach_ioctl(bed_.get(), "/dev/hidraw0", nullptr);
-    g_object_unref(handler_);
-  }
-  Device(const Device&) = delete;
-  Device& operator=(const Device&) = delete;
-
-  void say(const Report& report) const {
-    ASSERT_EQ(::write(descriptor_, report.data(), report.size()),
-              static_cast<ssize_t>(report.size()));
-    // Two reports at once would merge into one on this kind of node.
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));
-  }
-  [[nodiscard]] Report hear() const {
-    Report report(4096);
-    const auto size = ::read(descriptor_, report.data(), report.size());
-    report.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
-    return report;
-  }
-  [[nodiscard]] Report feature() {
-    const std::lock_guard lock(mutex_);
-    return feature_;
-  }
-
- private:
-  static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
-    return static_cast<Device*>(self)->answer(client);
-  }
-  gboolean answer(UMockdevIoctlClient* client) {
-    static constexpr std::uint8_t kDescriptor[] = {0x06, 0x00, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0xC0};
-    const gulong request = umockdev_ioctl_client_get_request(client);
-    UMockdevIoctlData* argument = umockdev_ioctl_client_get_arg(client);
-    const std::size_t bytes = _IOC_SIZE(request);
-    UMockdevIoctlData* data = umockdev_ioctl_data_resolve(argument, 0, bytes, nullptr);
-    glong result = 0;
-    if (request == HIDIOCGRDESCSIZE) {
-      int size = sizeof kDescriptor;
-      umockdev_ioctl_data_update(data, 0, reinterpret_cast<guint8*>(&size), sizeof size);
-    } else if (request == HIDIOCGRDESC) {
-      hidraw_report_descriptor descriptor{};
-      descriptor.size = sizeof kDescriptor;
-      std::memcpy(descriptor.value, kDescriptor, sizeof kDescriptor);
-      umockdev_ioctl_data_update(
-          data, 0, reinterpret_cast<guint8*>(&descriptor), sizeof descriptor);
-    } else if (_IOC_TYPE(request) == 'H' && _IOC_NR(request) == 0x06) {  // HIDIOCSFEATURE
-      const std::lock_guard lock(mutex_);
-      feature_.assign(data->data, data->data + data->data_len);
-      result = static_cast<glong>(bytes);
-    } else {
-      umockdev_ioctl_client_complete(client, -1, ENOTTY);
-      return TRUE;
-    }
-    umockdev_ioctl_client_complete(client, result, 0);
-    return TRUE;
-  }
-
-  TestBed& bed_;
-  UMockdevIoctlBase* handler_;
-  int descriptor_ = -1;
-  std::mutex mutex_;
-  Report feature_;
-};
 
 TEST(HidPort, APedalIsFoundLearntHeardAndMissed) {
   TestBed bed;

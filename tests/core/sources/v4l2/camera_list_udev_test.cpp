@@ -114,7 +114,7 @@ TEST(CameraList, ListsCamerasByLastingNamesAndHidesWhatIsNone) {
 
 TEST(CameraList, SaysWhatIsWrongWithThoseThatCannotBeUsed) {
   TestBed bed;
-  for (int i = 0; i < 3; ++i) bed.add(TestBed::camera(i, "SAME", i + 1));
+  for (int i = 0; i < 4; ++i) bed.add(TestBed::camera(i, "SAME", i + 1));
   Cameras cameras;
   FakeCamera& closed = cameras.add(at("/dev/video0"));
   closed.fail_open(EACCES, 100);
@@ -122,19 +122,23 @@ TEST(CameraList, SaysWhatIsWrongWithThoseThatCannotBeUsed) {
   FakeOptions strange = at("/dev/video2");
   strange.fourccs = {V4L2_PIX_FMT_H264};
   cameras.add(strange);
+  FakeOptions planes = at("/dev/video3");
+  planes.is_multi_planar = true;
+  cameras.add(planes);
   const auto other = open_camera("/dev/video1", {}, {}, cameras);
   ASSERT_TRUE(other.ok()) << other.error().sentence();
   ASSERT_TRUE(busy.is_streaming());
   EXPECT_EQ((*other)->settings().identity, "pci-0000:00:14.0-usb-0:2:1.0-video-index0")
-      << "all three have the same serial, so that only the port tells them apart";
+      << "all have the same serial, so that only the port tells them apart";
 
   const auto found = list_cameras(cameras, true);
-  ASSERT_EQ(found.size(), 3U);
+  ASSERT_EQ(found.size(), 4U);
   for (const FoundCamera& camera : found) ASSERT_TRUE(camera.problem.has_value());
   EXPECT_THAT(found[0].problem->sentence(),
               AllOf(HasSubstr("access is not allowed"), HasSubstr("70-alltact.rules")));
   EXPECT_THAT(found[1].problem->sentence(), HasSubstr("another program is using it"));
   EXPECT_THAT(found[2].problem->sentence(), HasSubstr("no format that can be read"));
+  EXPECT_THAT(found[3].problem->sentence(), HasSubstr("in several planes, which cannot be read"));
   EXPECT_TRUE(busy.is_streaming()) << "looking does not disturb";
   const auto several = find_camera("SAME", found);
   ASSERT_FALSE(several.ok());

@@ -1,0 +1,217 @@
+// Live use for a while, as at a bench: a camera with faults, a finger measured from its newest
+// frame, one recording after the other, a slow onlooker. ALLTACT_SOAK_SECONDS makes it longer.
+#include "calibration/reference_recording.h"
+#include "core/io/result_json.h"
+#include "core/recording/recorder.h"
+#include "core/sensing/pipeline.h"
+#include "core/sources/v4l2/v4l2_camera.h"
+#include "tests/rigs/fake_camera.h"
+#include "tests/support/marked_finger.h"
+#include "tests/support/program.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <malloc.h>
+#include <opencv2/imgcodecs.hpp>
+#include <unistd.h>
+
+namespace alltact {
+namespace {
+
+using namespace std::chrono_literals;
+using ::alltact::testing::Bend;
+using ::alltact::testing::MarkedFinger;
+using Clock = std::chrono::steady_clock;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+/// Resident memory of this process.
+double resident_mb() {
+  malloc_trim(0);
+  std::ifstream file("/proc/self/statm");
+  double pages = 0, resident = 0;
+  file >> pages >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+std::chrono::seconds duration() {
+  const char* text = std::getenv("ALLTACT_SOAK_SECONDS");
+  return std::chrono::seconds(text == nullptr ? 6 : std::atoi(text));
+}
+
+class Pictures : public Source {
+ public:
+  std::vector<cv::Mat> pictures;
+  Result<FramePtr> next() override {
+    if (at_ == pictures.size()) return FramePtr();
+    auto frame = std::make_shared<Frame>();
+    frame->grey = pictures[at_++];
+    return FramePtr(std::move(frame));
+  }
+  [[nodiscard]] std::optional<std::size_t> count() const override { return pictures.size(); }
+  [[nodiscard]] bool is_continuous() const override { return true; }
+
+ private:
+  std::size_t at_ = 0;
+};
+
+/// A small finger that bends to and fro, with a reference and a mapping; and what its camera sends
+/// while something dark is pressed against it.
+struct Bench {
+  static constexpr int kPoses = 48;
+  test::TemporaryFolder folder;
+  Finger finger;
+  test::FakeOptions camera;
+
+  Bench() {
+    MarkedFinger drawn;
+    drawn.width = 480, drawn.height = 270, drawn.focal = 262, drawn.dot_mm = 0.9, drawn.noise = 0.4;
+    std::mt19937 random(11);
+    Pictures recording;
+    for (int i = 0; i < kPoses; ++i) {
+      const double t = 2 * M_PI * i / kPoses;
+      const Bend bend{0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0};
+      recording.pictures.push_back(drawn.with_noise(drawn.clean(bend), random));
+      const cv::Mat touched = drawn.with_noise(
+          drawn.clean(bend, {}, {{{0.5 * drawn.width, 0.5 * drawn.height, 14, 14}, 60}}), random);
+      camera.packets.emplace_back();
+      cv::imencode(".jpg", touched, camera.packets.back(), {cv::IMWRITE_JPEG_QUALITY, 95});
+    }
+    camera.sizes = {{480, 270}};
+    camera.rates = {60};
+    finger.name = "drawn";
+    finger.camera = drawn.camera();
+    finger.face = drawn.face();
+    finger.markers = {drawn.per_row, Polarity::kAuto};
+    const auto report = install_reference(recording, folder.path(), finger, Job());
+    EXPECT_TRUE(report.ok()) << report.error().sentence();
+    finger.mapping.emplace();
+    finger.mapping->kind = MappingKind::kMoebius;
+    finger.mapping->x_max = 0.7;
+    finger.mapping->a_mm = 1.5;
+    finger.mapping->b = 0.5;
+  }
+};
+
+/// What `alltact reconstruct --live` does: the newest frame, measured, as a line.
+void measure(V4l2Camera& camera,
+             Pipeline& pipeline,
+             std::size_t& measured,
+             std::size_t& touched,
+             const std::atomic<bool>& is_over) {
+  LatestFrameReader reader = camera.frames().reader();
+  while (!is_over) {
+    const FramePtr frame = reader.next(500ms);
+    if (frame == nullptr) continue;
+    const auto result = pipeline(frame);
+    ASSERT_TRUE(result.ok()) << result.error().sentence();
+    ASSERT_FALSE(result_line(*result, measured, pipeline.settings().reference).empty());
+    touched += result->regions.empty() ? 0 : 1;
+    ++measured;
+  }
+}
+
+/// What `alltact record` does, again and again, packets and grey in turn.
+void record(const std::shared_ptr<V4l2Camera>& camera,
+            const test::TemporaryFolder& folder,
+            std::uint64_t& recorded,
+            const std::atomic<bool>& is_over) {
+  for (int number = 0; !is_over; ++number) {
+    CameraSource source(camera);
+    RecorderSettings settings;
+    settings.codec = number % 2 == 0 ? VideoCodec::kMjpeg : VideoCodec::kMagicYuv;
+    settings.reserve_mb = 0;
+    const auto file = folder / "v.mkv";
+    auto recorder = Recorder::start(file, settings, source.frames_per_s(), "soak");
+    ASSERT_TRUE(recorder.ok()) << recorder.error().sentence();
+    for (const auto end = Clock::now() + 2s; Clock::now() < end;) {
+      auto frame = source.next();
+      if (!frame.ok() || *frame == nullptr) continue;
+      ASSERT_TRUE((*recorder)->add(std::move(*frame)));
+    }
+    ASSERT_TRUE((*recorder)->finish("the test's").ok());
+    recorded += (*recorder)->counts().recorded;
+    std::filesystem::remove(file);
+    std::filesystem::remove(folder / "v.frames.csv");
+  }
+}
+
+/// Every fault that passes, in turn.
+void disturb(test::FakeCamera& fake, std::chrono::milliseconds time) {
+  std::mt19937 random(20240611);
+  const auto end = Clock::now() + time;
+  for (int step = 0; Clock::now() < end; ++step) {
+    std::this_thread::sleep_for(25ms);
+    if (step % 40 == 0) fake.truncate(1);
+    if (step % 40 == 10) fake.set_from_outside(V4L2_CID_GAIN, 20 + static_cast<int>(random() % 50));
+    if (step % 40 == 20) fake.skip(3);
+    if (step % 120 == 60) fake.unplug();
+    if (step % 120 == 70) fake.plug_in();
+  }
+  fake.plug_in();
+}
+
+TEST(LiveUse, MemoryStaysFlat) {
+  const Bench bench;
+  test::FakeCamera fake(bench.camera);
+  auto opened = V4l2Camera::open({&fake,
+                                  "soak",
+                                  [&]() -> Result<std::string> {
+                                    if (fake.is_plugged()) return std::string("/dev/video0");
+                                    return Error{"the camera is not there", "soak", ""};
+                                  }},
+                                 {});
+  ASSERT_TRUE(opened.ok());
+  const std::shared_ptr<V4l2Camera> camera = std::move(*opened);
+  ASSERT_TRUE(camera->lock().ok());
+  auto pipeline = Pipeline::create(bench.folder.path(), bench.finger, PipelineSettings(), Job());
+  ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
+  std::atomic<bool> is_over{false};
+  std::size_t measured = 0, touched = 0;
+  std::uint64_t recorded = 0, seen = 0, missed = 0;
+  std::thread measuring([&] { measure(*camera, *pipeline, measured, touched, is_over); });
+  std::thread recording([&] { record(camera, bench.folder, recorded, is_over); });
+  std::thread looking([&] {
+    LatestFrameReader reader = camera->frames().reader();
+    for (; !is_over; std::this_thread::sleep_for(170ms)) seen += reader.next(500ms) ? 1 : 0;
+    missed = reader.missed();
+  });
+  disturb(fake, 4s + duration() / 10);
+  const double before_mb = resident_mb();
+  disturb(fake, duration());
+  const double growth_mb = resident_mb() - before_mb;
+  is_over = true;
+  for (std::thread* thread : {&measuring, &recording, &looking}) thread->join();
+  const CameraStatus status = camera->status();
+  RecordProperty("growth_mb", std::to_string(growth_mb));
+  std::printf(
+      "[ figures  ] %zu measured (%zu with contact), %llu recorded, memory %.1f MB, grew %.2f MB\n",
+      measured,
+      touched,
+      static_cast<unsigned long long>(recorded),
+      before_mb,
+      growth_mb);
+  // Sanitizers keep what was freed.
+  if (!kIsSanitized) {
+    EXPECT_LT(growth_mb, 5.0);
+  }
+  EXPECT_GT(measured, 50U);
+  EXPECT_GT(touched, measured / 2);
+  EXPECT_GT(recorded, 100U);
+  EXPECT_GT(seen, 10U);
+  EXPECT_GT(missed, seen) << "and it says so";
+  EXPECT_GT(status.counts.damaged, 0U);
+  EXPECT_GT(status.counts.lost, 0U);
+  EXPECT_GT(status.counts.unplugged, 0U);
+  EXPECT_LE(status.remarks.size(), 20U);
+}
+
+}  // namespace
+}  // namespace alltact
