@@ -176,6 +176,10 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
   return with_outlines.converged ? with_outlines : fit;
 }
 
+bool is_mapping(const JointFit& fit, const ModelChoice& choice) {
+  return Mapping::create(mapping_parameters(fit.curve, choice.options.along)).ok();
+}
+
 Result<Calibration> solve_jointly(std::vector<Found> found,
                                   double ball_radius_mm,
                                   const CalibrationSettings& settings,
@@ -193,9 +197,23 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
                  "",
                  "leaving out presses with the largest residual, a lower degree, or checking the "
                  "ball's radius"};
-  choice->options.settled_mm = JointOptions{}.settled_mm;
   job.report(0.9, "solving all presses together");
-  const JointFit fit = fit_finely(found, *choice, job);
+  choice->options.settled_mm = JointOptions{}.settled_mm;
+  JointFit fit = fit_finely(found, *choice, job);
+  if (settings.family == FamilyChoice::kAuto && settings.degree == 0 && !job.stop_requested() &&
+      fit.curve.family().kind == MappingKind::kPolynomial && !is_mapping(fit, *choice)) {
+    // A polynomial that just increased on some of the samples may not on all of them.
+    CalibrationSettings simple = settings;
+    simple.family = FamilyChoice::kMoebius;
+    if (auto safe = choose_model(coarse, simple, job)) {
+      safe->sentence = fmt::format("{}, because the {} does not increase on all samples",
+                                   safe->fit.curve.family().name(),
+                                   fit.curve.family().name());
+      choice = std::move(safe);
+      choice->options.settled_mm = JointOptions{}.settled_mm;
+      fit = fit_finely(found, *choice, job);
+    }
+  }
   std::vector<const PressSamples*> fine;
   for (const Found& f : found) fine.push_back(&f.fine);
   const JointCovariance covariance = covariance_of(fine, fit, choice->options);

@@ -13,7 +13,9 @@ constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is never
 constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
 constexpr double kInclineDeg = 3.0;     // needed to tell thickness along z from along the normal
 constexpr int kMostCoefficients = 6;
-constexpr double kTieMm = 0.0005;  // held-out errors closer than this are the same
+// Held-out errors closer than this are the same: the balls, which take up ten times as much of a
+// wrong scale as they leave to be seen, must not be led by noise.
+constexpr double kTieMm = 0.001;
 
 constexpr double kTiePart = 0.1;     // or than this part of the better one
 constexpr double kSettledMm = 1e-5;  // enough to choose by
@@ -83,7 +85,9 @@ JointFit grow_zone(const ChoiceInput& input, JointFit fit, JointOptions* options
   return fit;
 }
 
-/// Mean absolute error in the inner part of each press, the mapping fitted without it.
+/// Mean absolute error in the inner part of each press, the mapping fitted without it. Infinite
+/// where that did not come to an increasing curve: a family that leaving one press out sends astray
+/// is not to be trusted with all of them either.
 std::vector<double> held_out_errors(const ChoiceInput& input,
                                     const JointFit& all,
                                     const JointOptions& options,
@@ -104,7 +108,7 @@ std::vector<double> held_out_errors(const ChoiceInput& input,
     const JointFit ball = fit_jointly(one, {fit.curve, {all.centres_mm[left]}, false}, alone, job);
     JointOptions inner = options;
     inner.zone = kInnerZone;
-    errors.push_back(fit.converged && ball.converged
+    errors.push_back(fit.converged && ball.converged && increases(fit.curve, options.along)
                          ? quality_of(one, ball, inner).residual_mm.front()
                          : std::numeric_limits<double>::infinity());
   }
