@@ -1,5 +1,6 @@
 #include "core/sensing/local_depth.h"
 
+#include "core/numerics/blocks.h"
 #include "core/numerics/dispatch.h"
 #include "core/sensing/depth_along_z.h"
 #include "core/sensing/depth_cells.h"
@@ -28,15 +29,22 @@ ALLTACT_WIDE bool copy_row(const std::uint8_t* __restrict grey,
                            std::int16_t* __restrict live_out,
                            std::int16_t* __restrict reference_out) {
   std::int16_t brightest_seen = 0, darkest_seen = kCeiling;
-  for (int u = 0; u < count; ++u) {
-    const auto live = static_cast<std::int16_t>(grey[u] * kGreySteps);
-    const std::int16_t ref = reference[u];
-    live_out[u] = live;
-    reference_out[u] = ref;
-    const std::int16_t brighter = live > ref ? live : ref;
-    brightest_seen = brighter > brightest_seen ? brighter : brightest_seen;
-    darkest_seen = ref < darkest_seen ? ref : darkest_seen;
-  }
+  in_blocks(
+      count, [&](int first, auto size) __attribute__((always_inline)) {
+        std::int16_t brightest = 0, darkest_here = kCeiling;
+        for (int i = 0; i < size; ++i) {
+          const int u = first + i;
+          const auto live = static_cast<std::int16_t>(grey[u] * kGreySteps);
+          const std::int16_t ref = reference[u];
+          live_out[u] = live;
+          reference_out[u] = ref;
+          const std::int16_t brighter = live > ref ? live : ref;
+          brightest = brighter > brightest ? brighter : brightest;
+          darkest_here = ref < darkest_here ? ref : darkest_here;
+        }
+        brightest_seen = std::max(brightest_seen, brightest);
+        darkest_seen = std::min(darkest_seen, darkest_here);
+      });
   return brightest_seen < kCeiling && darkest_seen >= darkest;
 }
 
@@ -70,10 +78,13 @@ ALLTACT_WIDE void weigh_first(const std::int16_t* __restrict middle,
                               std::int16_t* __restrict out) {
   const std::int16_t *a = pairs[0], *b = pairs[1], *c = pairs[2], *d = pairs[3];
   const std::int16_t w0 = weights[0], w1 = weights[1], w2 = weights[2];
-  for (int i = 0; i < count; ++i)
-    out[i] = static_cast<std::int16_t>(times(middle[i], w0) +
-                                       times(static_cast<std::int16_t>(a[i] + b[i]), w1) +
-                                       times(static_cast<std::int16_t>(c[i] + d[i]), w2));
+  in_blocks(
+      count, [=](int first, auto size) __attribute__((always_inline)) {
+        for (int i = first; i < first + size; ++i)
+          out[i] = static_cast<std::int16_t>(times(middle[i], w0) +
+                                             times(static_cast<std::int16_t>(a[i] + b[i]), w1) +
+                                             times(static_cast<std::int16_t>(c[i] + d[i]), w2));
+      });
 }
 ALLTACT_WIDE void weigh_more(const std::int16_t* const* pairs,
                              const std::int16_t* weights,
@@ -183,12 +194,15 @@ ALLTACT_WIDE void divide_row(const std::int16_t* __restrict live,
                              int count,
                              float* __restrict x) {
   constexpr float measured = kMeasured;
-  for (int u = 0; u < count; ++u) {
-    const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
-    const float below = flag == measured ? static_cast<float>(reference[u]) : 1.0F;
-    const float value = (below - static_cast<float>(live[u])) / below;
-    x[u] = flag == measured ? value : kNaN;
-  }
+  in_blocks(
+      count, [=](int first, auto size) __attribute__((always_inline)) {
+        for (int u = first; u < first + size; ++u) {
+          const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+          const float below = flag == measured ? static_cast<float>(reference[u]) : 1.0F;
+          const float value = (below - static_cast<float>(live[u])) / below;
+          x[u] = flag == measured ? value : kNaN;
+        }
+      });
 }
 
 ALLTACT_WIDE void flag_row(const float* __restrict x,
@@ -196,10 +210,14 @@ ALLTACT_WIDE void flag_row(const float* __restrict x,
                            int count,
                            std::uint8_t* __restrict flags) {
   constexpr float beyond = kExtrapolated;
-  for (int u = 0; u < count; ++u) {
-    const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
-    flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(x[u] > x_max ? beyond : flag));
-  }
+  in_blocks(
+      count, [=](int first, auto size) __attribute__((always_inline)) {
+        for (int u = first; u < first + size; ++u) {
+          const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+          flags[u] =
+              static_cast<std::uint8_t>(static_cast<std::int32_t>(x[u] > x_max ? beyond : flag));
+        }
+      });
 }
 
 /// What of a row lies outside the face's runs has no measurement.

@@ -1,5 +1,6 @@
 #include "core/sensing/reference_picture.h"
 
+#include "core/numerics/blocks.h"
 #include "core/numerics/dispatch.h"
 #include "core/sensing/grey_steps.h"
 #include "core/sensing/picture_pool.h"
@@ -15,53 +16,39 @@ namespace {
 constexpr int kWeightBits = 14;  // weights reach 2
 constexpr double kMostWeight = 3.0;
 
-// grey 2^7, so that (grey 2^7) (weight 2^14) / 2^15 = grey weight 2^6. A loop of its own: inside
-// the sums the compiler would carry the shifted bytes as 32-bit numbers.
-[[gnu::always_inline]] inline void widen(const std::uint8_t* __restrict grey,
-                                         int n,
-                                         std::int16_t* __restrict out) {
-  constexpr int kFactor = 1 << 7;
-  static_assert(kGreySteps << (15 - kWeightBits) == kFactor);
-  for (int i = 0; i < n; ++i) out[i] = static_cast<std::int16_t>(grey[i] * kFactor);
-}
-
-// out = the weighted sum of up to four rows, or that added to what out holds: one pass over `out`
-// for each four frames. Sums may wrap around on the way: what comes out in the end fits.
-template <bool kFirst>
-[[gnu::always_inline]] inline void four_rows(const std::uint8_t* const* rows,
-                                             const std::int16_t* weights,
-                                             int n,
-                                             std::int16_t* __restrict out) {
-  constexpr int kStretch = 512;  // px at a time, so that what is widened stays near
-  std::array<std::array<std::int16_t, kStretch>, 4> wide;
-  const std::int16_t wa = weights[0], wb = weights[1], wc = weights[2], wd = weights[3];
-  for (int first = 0; first < n; first += kStretch) {
-    const int count = std::min(kStretch, n - first);
-    for (std::size_t k = 0; k < 4; ++k) widen(rows[k] + first, count, wide[k].data());
-    const std::int16_t *a = wide[0].data(), *b = wide[1].data(), *c = wide[2].data(),
-                       *d = wide[3].data();
-    std::int16_t* sums = out + first;
-    for (int i = 0; i < count; ++i) {
-      const int sum = times(a[i], wa) + times(b[i], wb) + times(c[i], wc) + times(d[i], wd);
-      sums[i] = static_cast<std::int16_t>(kFirst ? sum : sums[i] + sum);
-    }
-  }
-}
-
-// The weighted sum of `count` rows, a multiple of four.
+// (grey 2^7) (weight 2^14) / 2^15 = grey weight 2^6. Sums may wrap around on the way: what comes
+// out in the end fits.
 ALLTACT_WIDE void mix_rows(const std::uint8_t* const* rows,
                            const std::int16_t* weights,
                            int count,
                            int n,
-                           std::int16_t* out) {
-  four_rows<true>(rows, weights, n, out);
-  for (int k = 4; k < count; k += 4) four_rows<false>(rows + k, weights + k, n, out);
+                           std::int16_t* __restrict out) {
+  constexpr int kFactor = 1 << 7;
+  static_assert(kGreySteps << (15 - kWeightBits) == kFactor);
+  in_blocks(
+      n, [=](int first, auto size) __attribute__((always_inline)) {
+        // Widened in a loop of its own: inside the sum the compiler would carry 32-bit numbers.
+        std::array<std::int16_t, kBlock> sum, wide;
+        for (int i = 0; i < size; ++i) sum[static_cast<std::size_t>(i)] = 0;
+        for (int k = 0; k < count; ++k) {
+          const std::uint8_t* grey = rows[k] + first;
+          const std::int16_t weight = weights[k];
+          for (int i = 0; i < size; ++i)
+            wide[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(grey[i] * kFactor);
+          for (int i = 0; i < size; ++i) {
+            std::int16_t& here = sum[static_cast<std::size_t>(i)];
+            here =
+                static_cast<std::int16_t>(here + times(wide[static_cast<std::size_t>(i)], weight));
+          }
+        }
+        for (int i = 0; i < size; ++i) out[first + i] = sum[static_cast<std::size_t>(i)];
+      });
 }
 
 // Rounded so that they still sum to 1: what is left over goes to the largest.
 std::vector<std::int16_t> whole_weights(const std::vector<float>& weights) {
   constexpr double kOne = 1 << kWeightBits;
-  std::vector<std::int16_t> whole((weights.size() + 3) / 4 * 4, 0);
+  std::vector<std::int16_t> whole(weights.size());
   double left = kOne, magnitude = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double weight = static_cast<double>(weights[i]);
@@ -130,9 +117,7 @@ void ReferencePicture::Reader::fetch_ahead(int count) {
 }
 
 void ReferencePicture::Reader::mix(int first, int end) {
-  // What fills the weights up is any row at all.
-  for (std::size_t k = 0; k < rows_.size(); ++k)
-    rows_[k] = cursors_[std::min(k, cursors_.size() - 1)].at(first);
+  for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k] = cursors_[k].at(first);
   fetch_ahead(end - first);
   mix_rows(rows_.data(),
            picture_.weights_.data(),

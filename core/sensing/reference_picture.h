@@ -65,7 +65,7 @@ class ReferencePicture {
   cv::Mat single_;  // CV_16SC1 in steps; empty for a sum
   std::shared_ptr<const void> owner_;
   std::vector<const FacePicture*> faces_;
-  std::vector<std::int16_t> weights_;  // of 2^-14, filled up with 0 to a multiple of four
+  std::vector<std::int16_t> weights_;  // of 2^-14
   cv::Size size_;
 };
 
