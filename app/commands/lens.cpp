@@ -156,7 +156,8 @@ Result<CameraParameters> seen_through(const LensOptions& options,
     console.warn(
         "Remark: this lens is that of the air the board was in. Through acrylic into silicone "
         "everything looks larger, and distances come out 23 to 31 % too small: give --port, or "
-        "take the pictures with the board in the silicone's place in a liquid of its index.");
+        "take the pictures through the window, with the board in a liquid of the silicone's "
+        "index.");
     return lens;
   }
   const double distance = options.settings.distance_mm;
@@ -166,19 +167,23 @@ Result<CameraParameters> seen_through(const LensOptions& options,
   const auto behind = camera_behind_port(lens, port, near_mm, kFarPart * distance);
   if (!behind) return behind.error();
   *shift_mm = behind->shift_mm;
-  const double worst_mm = behind->worst_px * distance / behind->camera.fx_px;
+  const double mm_per_px = distance / behind->camera.fx_px;
   console.say(fmt::format(
       "Window: seen through it fx is {:.2f} px, and z is counted from {:.2f} mm behind the lens; "
-      "from {:.0f} to {:.0f} mm this is the path of light within {:.2f} px ({:.2g} mm)",
+      "from {:.0f} to {:.0f} mm this is the path of light within {:.2f} px ({:.2g} mm), and within "
+      "{:.2f} px ({:.2g} mm) at the worst place",
       behind->camera.fx_px,
       behind->shift_mm,
       near_mm,
       kFarPart * distance,
+      behind->rms_px,
+      behind->rms_px * mm_per_px,
       behind->worst_px,
-      worst_mm));
+      behind->worst_px * mm_per_px));
   Console::Json& json = console.answer();
   json["port"] = {{"fx", behind->camera.fx_px},
                   {"shift_mm", behind->shift_mm},
+                  {"rms_px", behind->rms_px},
                   {"worst_px", behind->worst_px},
                   {"air_depth_part", apparent_distance_mm(port, distance) / distance}};
   record["port"] = fmt::format("gap {:g} mm, plate {:g} mm of index {:g}, medium of index {:g}",

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 namespace alltact {
 namespace {
@@ -54,6 +55,8 @@ BoardPose pose_of(const PoseNumbers& numbers, const ViewCost::Units& units) {
 }
 
 void set_tolerances(ceres::Solver::Options& solver) {
+  // Steps that the solver takes back are no news for a person; what it gives up on is told by us.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   solver.max_num_iterations = 300;
   solver.function_tolerance = 1e-14;
   solver.parameter_tolerance = 1e-12;

@@ -76,6 +76,7 @@ Result<PortCamera> camera_behind_port(const CameraParameters& air,
   solver.parameter_tolerance = 1e-12;
   solver.gradient_tolerance = 1e-14;
   solver.logging_type = ceres::SILENT;
+  solver.num_threads = 1;
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
   numbers.head<4>() *= units.px;
@@ -88,9 +89,13 @@ Result<PortCamera> camera_behind_port(const CameraParameters& air,
                  "--model fisheye, or a calibration with the board in the medium itself"};
   for (std::size_t i = 0; i < points.pixels.size(); ++i) {
     const Eigen::Vector3d point = points.board_mm[i] + Eigen::Vector3d(0, 0, result.shift_mm);
-    if (const auto pixel = found->project(point))
-      result.worst_px = std::max(result.worst_px, (*pixel - points.pixels[i]).norm());
+    const auto pixel = found->project(point);
+    if (!pixel) continue;
+    const double error = (*pixel - points.pixels[i]).norm();
+    result.worst_px = std::max(result.worst_px, error);
+    result.rms_px += error * error / static_cast<double>(points.pixels.size());
   }
+  result.rms_px = std::sqrt(result.rms_px);
   return result;
 }
 

@@ -10,7 +10,8 @@ struct PortCamera {
   CameraParameters camera;  ///< brown for a pinhole or brown lens, fisheye for a fisheye
   /// Its centre lies so far behind the lens's: z in its frame is z from the lens plus this.
   double shift_mm = 0;
-  double worst_px = 0;  ///< greatest difference from the exact path of light, where it was fitted
+  /// Differences from the exact path of light where it was fitted: root mean square and greatest.
+  double rms_px = 0, worst_px = 0;
 };
 
 /// On the axis a window does nothing but lengthen the focal length by the medium's index and move
