@@ -31,22 +31,12 @@ BoardView points_seen(const Camera& air, const FlatPort& port, double near_mm, d
   return points;
 }
 
-}  // namespace
-
-Result<PortCamera> camera_behind_port(const CameraParameters& air,
-                                      const FlatPort& port,
-                                      double near_mm,
-                                      double far_mm) {
-  if (const Status status = check_port(port); !status) return status.error();
-  const auto camera = Camera::create(air);
-  if (!camera) return camera.error();
-  if (!camera->is_perspective() || !(near_mm > port.gap_mm + port.plate_mm && far_mm > near_mm))
-    return Error{fmt::format("the finger must lie behind the window, which ends {:g} mm from the "
-                             "lens",
-                             port.gap_mm + port.plate_mm),
-                 "--distance-mm",
-                 "the distance from the lens to the finger's middle"};
-  const BoardView points = points_seen(*camera, port, near_mm, far_mm);
+/// nullopt where no lens with so many coefficients does it without folding over.
+std::optional<PortCamera> fitted(const CameraParameters& air,
+                                 const FlatPort& port,
+                                 const BoardView& points,
+                                 double far_mm,
+                                 int coefficients) {
   PortCamera result;
   result.camera = air;
   if (air.model == CameraModel::kPinhole) result.camera.model = CameraModel::kBrown;
@@ -69,6 +59,11 @@ Result<PortCamera> camera_behind_port(const CameraParameters& air,
                            flat.numbers.data());
   problem.SetParameterBlockConstant(flat.numbers.data());
   problem.SetManifold(pose.data(), new ceres::SubsetManifold(6, {0, 1, 2, 3, 4}));
+  std::vector<int> fixed;
+  for (int i = 4 + coefficients; i < numbers.size(); ++i) fixed.push_back(i);
+  if (!fixed.empty())
+    problem.SetManifold(numbers.data(),
+                        new ceres::SubsetManifold(static_cast<int>(numbers.size()), fixed));
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_QR;
   solver.max_num_iterations = 300;
@@ -79,24 +74,46 @@ Result<PortCamera> camera_behind_port(const CameraParameters& air,
   solver.num_threads = 1;
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
+  if (!summary.IsSolutionUsable()) return std::nullopt;
   numbers.head<4>() *= units.px;
   set_lens_numbers(result.camera, numbers);
   result.shift_mm = pose[5] * units.mm;
-  const auto found = Camera::create(result.camera);
-  if (!summary.IsSolutionUsable() || !found)
-    return Error{"no camera model stands for this lens behind this window",
-                 "",
-                 "--model fisheye, or a calibration with the board in the medium itself"};
+  const auto camera = Camera::create(result.camera);
+  if (!camera) return std::nullopt;
   for (std::size_t i = 0; i < points.pixels.size(); ++i) {
-    const Eigen::Vector3d point = points.board_mm[i] + Eigen::Vector3d(0, 0, result.shift_mm);
-    const auto pixel = found->project(point);
-    if (!pixel) continue;
+    const auto pixel = camera->project(points.board_mm[i] + Eigen::Vector3d(0, 0, result.shift_mm));
+    if (!pixel) return std::nullopt;
     const double error = (*pixel - points.pixels[i]).norm();
     result.worst_px = std::max(result.worst_px, error);
     result.rms_px += error * error / static_cast<double>(points.pixels.size());
   }
   result.rms_px = std::sqrt(result.rms_px);
   return result;
+}
+
+}  // namespace
+
+Result<PortCamera> camera_behind_port(const CameraParameters& air,
+                                      const FlatPort& port,
+                                      double near_mm,
+                                      double far_mm) {
+  if (const Status status = check_port(port); !status) return status.error();
+  const auto camera = Camera::create(air);
+  if (!camera) return camera.error();
+  if (!camera->is_perspective() || !(near_mm > port.gap_mm + port.plate_mm && far_mm > near_mm))
+    return Error{fmt::format("the finger must lie behind the window, which ends {:g} mm from the "
+                             "lens",
+                             port.gap_mm + port.plate_mm),
+                 "--distance-mm",
+                 "the distance from the lens to the finger's middle"};
+  const BoardView points = points_seen(*camera, port, near_mm, far_mm);
+  // A polynomial that follows a very wide view to its last degree may turn back in the corners.
+  const int most = air.model == CameraModel::kFisheye ? 4 : 5;
+  for (int coefficients = most; coefficients > 0; --coefficients)
+    if (const auto found = fitted(air, port, points, far_mm, coefficients)) return *found;
+  return Error{"no camera model stands for this lens behind this window",
+               "",
+               "a calibration with the board seen through the window, in the medium itself"};
 }
 
 }  // namespace alltact

@@ -2,8 +2,10 @@
 #include "tests/support/boards.h"
 #include "tests/support/program.h"
 
+#include <functional>
 #include <random>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

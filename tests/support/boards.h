@@ -6,6 +6,7 @@
 #include "core/camera/camera.h"
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>

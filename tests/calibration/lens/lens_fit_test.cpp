@@ -223,6 +223,15 @@ TEST(PortCamera, StandsForLensAndWindow) {
   }
 }
 
+TEST(PortCamera, AFisheyeBehindAWindowIsACameraToo) {
+  CameraParameters air = board_lens(CameraModel::kFisheye);
+  air.distortion = {0.02, 0.002};
+  const auto behind = camera_behind_port(air, {5, 3, 1.49, 1.41}, 30, 100);
+  ASSERT_TRUE(behind) << behind.error().sentence();
+  EXPECT_NEAR(behind->camera.fx_px, 1.41 * air.fx_px, 0.1 * air.fx_px);
+  EXPECT_GT(behind->worst_px, behind->rms_px);  // told, for it is not small
+}
+
 TEST(PortCamera, NoWindowIsTheLensItself) {
   for (const CameraModel model : {CameraModel::kBrown, CameraModel::kFisheye}) {
     const CameraParameters air = board_lens(model);
