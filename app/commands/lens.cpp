@@ -180,6 +180,12 @@ Result<CameraParameters> seen_through(const LensOptions& options,
       behind->rms_px * mm_per_px,
       behind->worst_px,
       behind->worst_px * mm_per_px));
+  constexpr double kTrustedMm = 0.2;
+  if (behind->rms_px * mm_per_px > kTrustedMm)
+    console.warn(
+        "Warning: so wide a view through a window does not come from one point; this camera stands "
+        "for it only as well as said. Calibrate through the window, with the board in a liquid of "
+        "the silicone's index.");
   Console::Json& json = console.answer();
   json["port"] = {{"fx", behind->camera.fx_px},
                   {"shift_mm", behind->shift_mm},
@@ -268,6 +274,8 @@ Status run_lens(const LensOptions& options, Console& console) {
                           found->looked_at - found->refused.size(),
                           found->looked_at,
                           done->used.size()));
+  if (found->repeats > 0)
+    console.say(fmt::format("{} more show the board where another of them does", found->repeats));
   tell_views(*found, *done, console);
   tell_lens(*done, options.settings, console);
   for (const std::string& remark : done->remarks) console.say("Remark: " + remark + ".");
