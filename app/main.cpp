@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   Chosen chosen;
   add_new(program, chosen);
   add_simulate(program, chosen);
+  add_lens(program, chosen);
   add_reference(program, chosen);
   add_calibrate(program, chosen);
   add_reconstruct(program, chosen);

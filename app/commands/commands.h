@@ -4,6 +4,8 @@
 
 #include "app/console.h"
 #include "calibration/calibrate.h"
+#include "calibration/lens/calibrate_lens.h"
+#include "core/camera/flat_port.h"
 #include "core/finger/finger.h"
 #include "core/recording/recorder.h"
 #include "core/result.h"
@@ -48,6 +50,19 @@ struct SimulateOptions {
 };
 /// Renders a scene and writes its truth beside it.
 Status run_simulate(const SimulateOptions& options, Console& console);
+
+struct LensOptions {
+  std::vector<Path> inputs;
+  Board board;  ///< its columns, rows and square_mm; the settings say the rest
+  LensSettings settings;
+  Orientation orientation = Orientation::kNone;
+  std::optional<FlatPort> port;  ///< what the finger is seen through, where the board was not
+  std::optional<double> known_length_mm;  ///< on the finger, with `known_ends`
+  std::vector<double> known_ends_px;      ///< u1 v1 u2 v2 in the picture after orientation
+  Path camera;
+};
+/// Calibrates a lens from pictures of a board and writes CAMERA.yaml.
+Status run_lens(const LensOptions& options, Console& console);
 
 struct ReferenceOptions {
   Path finger;
@@ -135,6 +150,7 @@ using Chosen = std::function<Status(Console&)>;
 
 void add_new(CLI::App& program, Chosen& chosen);
 void add_simulate(CLI::App& program, Chosen& chosen);
+void add_lens(CLI::App& program, Chosen& chosen);
 void add_reference(CLI::App& program, Chosen& chosen);
 void add_calibrate(CLI::App& program, Chosen& chosen);
 void add_reconstruct(CLI::App& program, Chosen& chosen);

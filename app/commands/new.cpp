@@ -21,7 +21,8 @@ Status run_new(const NewOptions& options, Console& console) {
                  file.string(),
                  "another folder, or moving that one away"};
   }
-  auto camera = load_camera(options.camera);
+  LensRecord lens_record;
+  auto camera = load_camera(options.camera, &lens_record);
   if (!camera) return camera.error();
   if (const auto valid = Camera::create(*camera); !valid) return valid.error();
 
@@ -30,6 +31,7 @@ Status run_new(const NewOptions& options, Console& console) {
   if (finger.name.empty())
     finger.name = std::filesystem::absolute(options.finger / "").parent_path().filename().string();
   finger.camera = std::move(camera).value();
+  finger.lens_record = std::move(lens_record);
   finger.face.kind = options.kind;
   finger.face.width_mm = options.width_mm;
   finger.face.layer_mm = options.layer_mm;

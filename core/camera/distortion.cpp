@@ -160,6 +160,19 @@ Eigen::Vector2d FisheyeDistortion::distort(const Eigen::Vector2d& point) const {
   return point * (distance(std::atan(radius)) / radius);
 }
 
+Eigen::Matrix2d FisheyeDistortion::jacobian(const Eigen::Vector2d& point) const {
+  const double radius = point.norm();
+  if (radius == 0) return Eigen::Matrix2d::Identity();
+  const double angle = std::atan(radius);
+  double slope = 0;  // of the distance by the angle
+  for (std::size_t i = radial_.size(); i-- > 0;)
+    slope = slope * angle * angle + static_cast<double>(2 * i + 1) * radial_[i];
+  const Eigen::Vector2d outward = point / radius;
+  const Eigen::Matrix2d along = outward * outward.transpose();
+  return slope / (1 + radius * radius) * along +
+         distance(angle) / radius * (Eigen::Matrix2d::Identity() - along);
+}
+
 std::optional<Eigen::Vector2d> FisheyeDistortion::undistort(const Eigen::Vector2d& point,
                                                             double valid_angle) const {
   const double seen = point.norm();

@@ -26,6 +26,8 @@ class BrownDistortion {
   [[nodiscard]] double valid_radius() const;
 
   [[nodiscard]] Eigen::Vector2d distort(const Eigen::Vector2d& point) const;
+  /// Derivative of distort() by the point.
+  [[nodiscard]] Eigen::Matrix2d jacobian(const Eigen::Vector2d& point) const;
   /// nullopt when no point of the disc of that radius is distorted to `point`.
   [[nodiscard]] std::optional<Eigen::Vector2d> undistort(const Eigen::Vector2d& point,
                                                          double valid_radius) const;
@@ -33,7 +35,6 @@ class BrownDistortion {
   static constexpr double kLimit = 1000;  ///< 89.9 degrees off the axis
 
  private:
-  [[nodiscard]] Eigen::Matrix2d jacobian(const Eigen::Vector2d& point) const;
   std::array<double, 4> radial_;  // ascending powers of r^2
   Eigen::Vector2d q_;
 };
@@ -50,6 +51,8 @@ class FisheyeDistortion {
 
   [[nodiscard]] double distance(double angle) const;
   [[nodiscard]] Eigen::Vector2d distort(const Eigen::Vector2d& point) const;
+  /// Derivative of distort() by the point.
+  [[nodiscard]] Eigen::Matrix2d jacobian(const Eigen::Vector2d& point) const;
   /// nullopt when the ray would lie at `valid_angle` or further off the axis.
   [[nodiscard]] std::optional<Eigen::Vector2d> undistort(const Eigen::Vector2d& point,
                                                          double valid_angle) const;

@@ -1,6 +1,5 @@
 #include "core/finger/camera_yaml.h"
 
-#include "core/finger/finger.h"
 #include "core/io/atomic_file.h"
 
 #include <yaml-cpp/exceptions.h>
@@ -36,7 +35,7 @@ void read_size(YamlSection& section, CameraParameters& parameters) {
 
 }  // namespace
 
-CameraParameters read_camera(YamlSection& section) {
+CameraParameters read_camera(YamlSection& section, LensRecord& record) {
   CameraParameters parameters;
   parameters.model = read_word(section, "model", kModels);
   read_size(section, parameters);
@@ -51,11 +50,19 @@ CameraParameters read_camera(YamlSection& section) {
   if (section.has("distortion")) parameters.distortion = section.numbers("distortion");
   if (section.has("orientation"))
     parameters.orientation = read_word(section, "orientation", kOrientations);
+  if (section.has("lens")) {
+    YamlSection lens = section.section("lens");
+    record = lens.all_texts();
+    lens.keep_the_rest();
+  }
   section.keep_the_rest();
   return parameters;
 }
 
-void add_camera(const CameraParameters& parameters, YamlBlock& block) {
+void add_camera(const CameraParameters& parameters,
+                const LensRecord& record,
+                const UnknownKeys& unknown,
+                YamlBlock& block) {
   block.add("model", std::string(to_string(parameters.model)));
   block.add("size", fmt::format("[{}, {}]", parameters.width_px, parameters.height_px));
   if (parameters.model == CameraModel::kOrthographic) {
@@ -68,6 +75,10 @@ void add_camera(const CameraParameters& parameters, YamlBlock& block) {
   block.add("cy", yaml_number(parameters.cy_px));
   block.add("distortion", yaml_numbers(parameters.distortion));
   block.add("orientation", std::string(to_string(parameters.orientation)));
+  YamlBlock lens("camera.lens");
+  for (const auto& [key, value] : record) lens.add(key, yaml_text_or_number(value));
+  lens.add_unknown(unknown);
+  if (!lens.is_empty()) block.add("lens", lens.in_braces());
 }
 
 Error located(const YamlFile& file, const Error& error) {
@@ -80,7 +91,7 @@ Error located(const YamlFile& file, const Error& error) {
   return file.error(error.what, key.empty() ? 1 : file.lines.at(key), error.where, error.advice);
 }
 
-Result<CameraParameters> load_camera(const std::filesystem::path& path) {
+Result<CameraParameters> load_camera(const std::filesystem::path& path, LensRecord* record) {
   const auto content = read_file(path, kMaxYamlBytes);
   if (!content) return content.error();
   YamlFile file{path, {}, {}, {}};
@@ -88,12 +99,14 @@ Result<CameraParameters> load_camera(const std::filesystem::path& path) {
     YamlSection top = YamlSection::top(file, *content);
     const bool is_wrapped = top.has("camera");
     CameraParameters parameters;
+    LensRecord lens;
     if (is_wrapped) {
       YamlSection section = top.section("camera");
-      parameters = read_camera(section);
+      parameters = read_camera(section, lens);
     } else {
-      parameters = read_camera(top);
+      parameters = read_camera(top, lens);
     }
+    if (record != nullptr) *record = std::move(lens);
     const auto camera = Camera::create(parameters);
     if (camera) return parameters;
     Error error = camera.error();
@@ -106,10 +119,12 @@ Result<CameraParameters> load_camera(const std::filesystem::path& path) {
   }
 }
 
-Status save_camera(const std::filesystem::path& path, const CameraParameters& parameters) {
+Status save_camera(const std::filesystem::path& path,
+                   const CameraParameters& parameters,
+                   const LensRecord& record) {
   if (const auto camera = Camera::create(parameters); !camera) return camera.error();
   YamlBlock block("");
-  add_camera(parameters, block);
+  add_camera(parameters, record, {}, block);
   return write_file_atomically(path, block.on_many_lines());
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/camera/camera.h"
+#include "core/finger/finger.h"
 #include "core/finger/yaml_reader.h"
 #include "core/finger/yaml_writer.h"
 
@@ -9,8 +10,12 @@ namespace alltact {
 
 /// Throws Refused. Looks at the form of the values; whether they make a camera is for
 /// Camera::create to say.
-[[nodiscard]] CameraParameters read_camera(YamlSection& section);
-void add_camera(const CameraParameters& parameters, YamlBlock& block);
+[[nodiscard]] CameraParameters read_camera(YamlSection& section, LensRecord& record);
+/// `unknown`: what the file held below `camera.lens` besides single values.
+void add_camera(const CameraParameters& parameters,
+                const LensRecord& record,
+                const UnknownKeys& unknown,
+                YamlBlock& block);
 
 /// An error about a key becomes one about a line of a file.
 [[nodiscard]] Error located(const YamlFile& file, const Error& error);

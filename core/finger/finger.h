@@ -52,6 +52,10 @@ struct ContactSettings {
   std::vector<Eigen::Vector2d> rest_markers;  ///< 2n positions of the finger at rest, px
 };
 
+/// How the camera's lens was calibrated (date, views, standard deviations), for people and for the
+/// report; what stands under `camera.lens`.
+using LensRecord = std::map<std::string, std::string>;
+
 /// A value: all that `finger.yaml` says.
 class Finger {
  public:
@@ -60,6 +64,7 @@ class Finger {
 
   std::string name;
   CameraParameters camera;
+  LensRecord lens_record;  ///< empty: the camera was written by hand
   Face face;
   MarkerRows markers;
   std::optional<MappingParameters> mapping;
@@ -102,11 +107,13 @@ class Finger {
 };
 
 /// Reads what stands under `camera:` in a finger from a file of its own (CAMERA.yaml, with or
-/// without the `camera:` line above it).
-[[nodiscard]] Result<CameraParameters> load_camera(const std::filesystem::path& file);
+/// without the `camera:` line above it). `record`: may be null.
+[[nodiscard]] Result<CameraParameters> load_camera(const std::filesystem::path& file,
+                                                   LensRecord* record = nullptr);
 
 /// Writes such a file, without the `camera:` line. Error: no valid camera, or not writable.
 [[nodiscard]] Status save_camera(const std::filesystem::path& file,
-                                 const CameraParameters& parameters);
+                                 const CameraParameters& parameters,
+                                 const LensRecord& record = {});
 
 }  // namespace alltact

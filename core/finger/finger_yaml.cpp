@@ -142,7 +142,7 @@ Finger read_finger(YamlSection& top) {
                fmt::format("a newer version of this program, or '{}'", Finger::kFormat));
   finger.name = top.text("name");
   YamlSection camera = top.section("camera");
-  finger.camera = read_camera(camera);
+  finger.camera = read_camera(camera, finger.lens_record);
   finger.face = read_face(top.section("face"));
   if (finger.face.kind == FaceKind::kFinRay || top.has("markers"))
     finger.markers = read_markers(top.section("markers"));
@@ -254,7 +254,7 @@ std::string text_of(const Finger& finger, const UnknownKeys& unknown) {
   std::string text = head.on_many_lines();
 
   YamlBlock camera("camera");
-  add_camera(finger.camera, camera);
+  add_camera(finger.camera, finger.lens_record, unknown, camera);
   camera.add_unknown(unknown);
   text += camera.on_many_lines();
   text += face_text(finger.face, unknown);

@@ -125,10 +125,14 @@ void YamlBlock::add_unknown(const UnknownKeys& unknown) {
   }
 }
 
-std::string YamlBlock::on_one_line() const {
+std::string YamlBlock::in_braces() const {
   std::vector<std::string> parts;
   for (const auto& [key, value] : entries_) parts.push_back(yaml_text(key) + ": " + value);
-  return fmt::format("{}: {{{}}}\n", name_, fmt::join(parts, ", "));
+  return fmt::format("{{{}}}", fmt::join(parts, ", "));
+}
+
+std::string YamlBlock::on_one_line() const {
+  return fmt::format("{}: {}\n", name_, in_braces());
 }
 
 std::string YamlBlock::on_many_lines() const {

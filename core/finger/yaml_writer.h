@@ -29,6 +29,8 @@ class YamlBlock {
   void add_unknown(const UnknownKeys& unknown);
   [[nodiscard]] bool is_empty() const { return entries_.empty(); }
 
+  /// "{a: 1, b: 2}".
+  [[nodiscard]] std::string in_braces() const;
   /// "name: {a: 1, b: 2}\n".
   [[nodiscard]] std::string on_one_line() const;
   /// "name:\n  a: 1\n  b: 2\n"; without the name and not indented when the name is empty.

@@ -450,5 +450,28 @@ TEST_F(FingerFile, CamerasHaveFilesOfTheirOwn) {
   EXPECT_FALSE(load_camera(folder_ / "none.yaml").ok());
 }
 
+TEST_F(FingerFile, HowTheLensWasCalibratedStaysWithTheCamera) {
+  const TemporaryFolder folder;
+  const LensRecord record{{"fx_sd_px", "0.12"}, {"verdict", "good: 0.02 mm, at 60 mm"}};
+  CameraParameters camera;
+  camera.width_px = 960, camera.height_px = 540;
+  camera.fx_px = camera.fy_px = 523.9;
+  ASSERT_TRUE(save_camera(folder / "camera.yaml", camera, record));
+  LensRecord loaded;
+  const auto again = load_camera(folder / "camera.yaml", &loaded);
+  ASSERT_TRUE(again) << again.error().sentence();
+  EXPECT_EQ(*again, camera);
+  EXPECT_EQ(loaded, record);
+
+  std::string text = kFinRay;
+  text.insert(text.find("face:"), "  lens: {fx_sd_px: 0.12, halves: [1, 2], verdict: good}\n");
+  const auto finger = Finger::parse(text, "finger.yaml");
+  ASSERT_TRUE(finger) << finger.error().sentence();
+  EXPECT_EQ(finger->lens_record, (LensRecord{{"fx_sd_px", "0.12"}, {"verdict", "good"}}));
+  const auto written = finger->to_yaml();
+  ASSERT_TRUE(written);
+  EXPECT_THAT(*written, HasSubstr("  lens: {fx_sd_px: 0.12, verdict: good, halves: [1, 2]}\n"));
+}
+
 }  // namespace
 }  // namespace alltact

@@ -1,0 +1,372 @@
+#include "app/commands/commands.h"
+#include "app/flags.h"
+#include "calibration/calibrate_finger.h"
+#include "calibration/lens/lens_views.h"
+#include "calibration/lens/port_camera.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+/// The finger reaches from about half its middle's distance to five thirds of it.
+constexpr double kNearPart = 0.5, kFarPart = 5.0 / 3;
+
+void tell_views(const LensViews& found, const LensCalibration& done, Console& console) {
+  console.say(fmt::format(
+      "{:<24} {:>7} {:>9} {:>9} {:>9}", "view", "corners", "outliers", "error px", "tilt deg"));
+  for (const LensViewReport& view : done.views) {
+    if (!view.put_aside.empty()) continue;
+    console.say(fmt::format("{:<24} {:>7} {:>9} {:>9.3f} {:>9.0f}",
+                            view.name,
+                            view.corners,
+                            view.left_out,
+                            view.error_px,
+                            view.tilt_deg));
+  }
+  for (const auto& [name, reason] : found.refused)
+    console.warn(fmt::format("No board: {}: {}", name, reason));
+  for (const LensViewReport& view : done.views)
+    if (!view.put_aside.empty())
+      console.warn(fmt::format("Put aside: {}: {}", view.name, view.put_aside));
+}
+
+void tell_lens(const LensCalibration& done, const LensSettings& settings, Console& console) {
+  const CameraParameters& lens = done.fit.lens;
+  console.say(
+      fmt::format("Lens: {}, {} x {} px, fx {:.2f} +- {:.2f}, fy {:.2f} +- {:.2f}, centre "
+                  "({:.2f} +- {:.2f}, {:.2f} +- {:.2f}) px",
+                  to_string(lens.model),
+                  lens.width_px,
+                  lens.height_px,
+                  lens.fx_px,
+                  done.fit.sd(0),
+                  lens.fy_px,
+                  done.fit.sd(1),
+                  lens.cx_px,
+                  done.fit.sd(2),
+                  lens.cy_px,
+                  done.fit.sd(3)));
+  std::string errors = fmt::format("Corners: {:.3f} px where fitted", done.fit.sigma_px);
+  if (done.held_out)
+    errors += fmt::format(", {:.3f} px in views left out", done.held_out->error_px);
+  if (done.halves)
+    errors += fmt::format(
+        "; lenses from two halves of the views differ by {:.2f} px, {:.2f} px at "
+        "the worst place",
+        done.halves->median_px,
+        done.halves->worst_px);
+  console.say(errors);
+  console.say(fmt::format("At the finger: {:.2g} mm of uncertainty in a distance of {:g} mm",
+                          done.verdict.error_mm,
+                          settings.distance_mm));
+  console.say(
+      fmt::format("Coverage: {:.0f} % of the picture, {} of {} views tilted by 15 degrees "
+                  "or more",
+                  100 * done.coverage.seen_part,
+                  done.coverage.tilted_views,
+                  done.used.size()));
+}
+
+Console::Json views_json(const LensViews& found, const LensCalibration& done) {
+  Console::Json views = Console::Json::array();
+  for (const LensViewReport& view : done.views) {
+    Console::Json entry{{"name", view.name}, {"corners", view.corners}};
+    if (view.put_aside.empty()) {
+      entry["outliers"] = view.left_out;
+      entry["error_px"] = view.error_px;
+      entry["tilt_deg"] = view.tilt_deg;
+    } else {
+      entry["put_aside"] = view.put_aside;
+    }
+    views.push_back(entry);
+  }
+  for (const auto& [name, reason] : found.refused)
+    views.push_back({{"name", name}, {"corners", 0}, {"put_aside", reason}});
+  return views;
+}
+
+/// Every corner that is an outlier, so that it can be looked at in its picture.
+Console::Json outliers_json(const LensCalibration& done) {
+  Console::Json outliers = Console::Json::array();
+  for (std::size_t i = 0; i < done.used.size(); ++i)
+    for (std::size_t k = 0; k < done.used[i].pixels.size(); ++k)
+      if (done.fit.weights[i][k] == 0)
+        outliers.push_back({{"view", done.used[i].name},
+                            {"u", done.used[i].pixels[k].x()},
+                            {"v", done.used[i].pixels[k].y()},
+                            {"error_px", done.fit.errors_px[i][k]}});
+  return outliers;
+}
+
+void answer(const LensViews& found, const LensCalibration& done, Console::Json& json) {
+  const CameraParameters& lens = done.fit.lens;
+  json["verdict"] = done.verdict.sentence;
+  json["fx"] = lens.fx_px;
+  json["fy"] = lens.fy_px;
+  json["cx"] = lens.cx_px;
+  json["cy"] = lens.cy_px;
+  json["distortion"] = lens.distortion;
+  json["sd"] = {{"fx", done.fit.sd(0)},
+                {"fy", done.fit.sd(1)},
+                {"cx", done.fit.sd(2)},
+                {"cy", done.fit.sd(3)}};
+  json["focal_sd_percent"] = 100 * done.focal_sd_part;
+  json["error_mm"] = done.verdict.error_mm;
+  json["corner_px"] = done.fit.sigma_px;
+  if (done.held_out) json["held_out_px"] = done.held_out->error_px;
+  if (done.halves) {
+    json["halves_median_px"] = done.halves->median_px;
+    json["halves_worst_px"] = done.halves->worst_px;
+  }
+  json["seen_part"] = done.coverage.seen_part;
+  json["unseen"] = done.coverage.unseen;
+  json["tilted_views"] = done.coverage.tilted_views;
+  json["more"] = done.coverage.advice;
+  json["pictures"] = found.looked_at;
+  json["views_used"] = done.used.size();
+  json["views"] = views_json(found, done);
+  json["outliers"] = outliers_json(done);
+  json["remarks"] = done.remarks;
+}
+
+LensRecord record_of(const LensOptions& options, const LensCalibration& done) {
+  LensRecord record;
+  record["date"] = utc_now();
+  record["program_version"] = ALLTACT_VERSION;
+  record["board"] = options.board.words();
+  record["square_mm"] = fmt::format("{}", options.board.square_mm);
+  record["views"] = fmt::format("{}", done.used.size());
+  record["fx_sd_px"] = fmt::format("{:.4f}", done.fit.sd(0));
+  record["fy_sd_px"] = fmt::format("{:.4f}", done.fit.sd(1));
+  record["focal_sd_percent"] = fmt::format("{:.4f}", 100 * done.focal_sd_part);
+  record["corner_px"] = fmt::format("{:.4f}", done.fit.sigma_px);
+  if (done.held_out) record["held_out_px"] = fmt::format("{:.4f}", done.held_out->error_px);
+  record["verdict"] = done.verdict.sentence;
+  return record;
+}
+
+/// The camera that is written: the lens itself, or what stands for it and the window.
+Result<CameraParameters> seen_through(const LensOptions& options,
+                                      const CameraParameters& lens,
+                                      double* shift_mm,
+                                      LensRecord& record,
+                                      Console& console) {
+  if (!options.port) {
+    console.warn(
+        "Remark: this lens is that of the air the board was in. Through acrylic into silicone "
+        "everything looks larger, and distances come out 23 to 31 % too small: give --port, or "
+        "take the pictures through the window, with the board in a liquid of the silicone's "
+        "index.");
+    return lens;
+  }
+  const double distance = options.settings.distance_mm;
+  const FlatPort& port = *options.port;
+  const double near_mm =
+      std::max(kNearPart * distance, port.gap_mm + port.plate_mm + 0.05 * distance);
+  const auto behind = camera_behind_port(lens, port, near_mm, kFarPart * distance);
+  if (!behind) return behind.error();
+  *shift_mm = behind->shift_mm;
+  const double mm_per_px = distance / behind->camera.fx_px;
+  console.say(fmt::format(
+      "Window: seen through it fx is {:.2f} px, and z is counted from {:.2f} mm behind the lens; "
+      "from {:.0f} to {:.0f} mm this is the path of light within {:.2f} px ({:.2g} mm), and within "
+      "{:.2f} px ({:.2g} mm) at the worst place",
+      behind->camera.fx_px,
+      behind->shift_mm,
+      near_mm,
+      kFarPart * distance,
+      behind->rms_px,
+      behind->rms_px * mm_per_px,
+      behind->worst_px,
+      behind->worst_px * mm_per_px));
+  constexpr double kTrustedMm = 0.2;
+  if (behind->rms_px * mm_per_px > kTrustedMm)
+    console.warn(
+        "Warning: so wide a view through a window does not come from one point; this camera stands "
+        "for it only as well as said. Calibrate through the window, with the board in a liquid of "
+        "the silicone's index.");
+  Console::Json& json = console.answer();
+  json["port"] = {{"fx", behind->camera.fx_px},
+                  {"shift_mm", behind->shift_mm},
+                  {"rms_px", behind->rms_px},
+                  {"worst_px", behind->worst_px},
+                  {"air_depth_part", apparent_distance_mm(port, distance) / distance}};
+  record["port"] = fmt::format("gap {:g} mm, plate {:g} mm of index {:g}, medium of index {:g}",
+                               port.gap_mm,
+                               port.plate_mm,
+                               port.plate_index,
+                               port.medium_index);
+  record["port_shift_mm"] = fmt::format("{:.3f}", behind->shift_mm);
+  return behind->camera;
+}
+
+/// A length on the finger that a caliper knows, against what this camera makes of it.
+Status check_scale(const LensOptions& options,
+                   const CameraParameters& parameters,
+                   double shift_mm,
+                   Console& console) {
+  if (!options.known_length_mm) return {};
+  const auto camera = Camera::create(parameters);
+  if (!camera) return camera.error();
+  const auto& ends = options.known_ends_px;
+  const auto a = camera->unproject({ends[0], ends[1]});
+  const auto b = camera->unproject({ends[2], ends[3]});
+  if (!a || !b)
+    return Error{"an end of the known length lies where this lens sees nothing",
+                 "--known-ends",
+                 "its ends in pixels of the picture after orientation"};
+  const double z_mm = options.settings.distance_mm + shift_mm;
+  const double seen_mm = (a->point_at(z_mm) - b->point_at(z_mm)).norm();
+  const double ratio = seen_mm / *options.known_length_mm;
+  std::string text = fmt::format("Scale: a length of {:g} mm at {:g} mm measures {:.2f} mm",
+                                 *options.known_length_mm,
+                                 options.settings.distance_mm,
+                                 seen_mm);
+  constexpr double kAgrees = 0.03;  // 1 mm of 60 in the distance is 2 % already
+  if (std::abs(ratio - 1) <= kAgrees) {
+    text += fmt::format(", {:+.1f} %: lens and finger agree", 100 * (ratio - 1));
+  } else if (ratio > 1) {
+    text += fmt::format(
+        ", {:.2f} times too large: as if seen through a medium with an index of about {:.2f}. "
+        "Depths would come out {:.0f} % too small; give --port with what lies between lens and "
+        "finger",
+        ratio,
+        ratio,
+        100 * (1 - 1 / ratio));
+  } else {
+    text += fmt::format(
+        ", {:.2f} times: too small. Look at --square-mm, at the distance (from the lens, not from "
+        "the window) and at the ends; or --port is given though the board was in the medium",
+        ratio);
+  }
+  console.say(text);
+  console.answer()["scale"] = {{"seen_mm", seen_mm}, {"ratio", ratio}};
+  return {};
+}
+
+}  // namespace
+
+Status run_lens(const LensOptions& options, Console& console) {
+  const Job& job = console.job();
+  SourceOptions how;
+  how.job = &job;
+  const auto source = open_source(options.inputs, how);
+  if (!source) return source.error();
+  if ((*source)->is_live())
+    return Error{"a camera gives pictures without end", "", "a recording of it: alltact record"};
+  Board board = options.board;
+  board.pattern = options.settings.pattern;
+  board.dictionary = options.settings.dictionary;
+  board.marker_part = options.settings.marker_part;
+  LensOptions with_board = options;
+  with_board.board = board;
+  const auto found = find_boards(**source, board, options.orientation, job);
+  if (!found) return found.error();
+  const auto done = calibrate_lens(found->views, found->size, options.settings, job);
+  if (!done) {
+    for (const auto& [name, reason] : found->refused)
+      console.warn(fmt::format("No board: {}: {}", name, reason));
+    return done.error();
+  }
+  console.say(fmt::format("Board of {} found in {} of {} pictures, {} used",
+                          board.words(),
+                          found->looked_at - found->refused.size(),
+                          found->looked_at,
+                          done->used.size()));
+  if (found->repeats > 0)
+    console.say(fmt::format("{} more show the board where another of them does", found->repeats));
+  tell_views(*found, *done, console);
+  tell_lens(*done, options.settings, console);
+  for (const std::string& remark : done->remarks) console.say("Remark: " + remark + ".");
+  answer(*found, *done, console.answer());
+  LensRecord record = record_of(with_board, *done);
+  double shift_mm = 0;
+  auto camera = seen_through(options, done->fit.lens, &shift_mm, record, console);
+  if (!camera) return camera.error();
+  camera->orientation = options.orientation;
+  if (const Status status = check_scale(options, *camera, shift_mm, console); !status)
+    return status;
+  if (const Status status = save_camera(options.camera, *camera, record); !status) return status;
+  console.say(fmt::format("Verdict: {}.", done->verdict.sentence));
+  console.say(fmt::format("{} written. Next: alltact new with --camera", options.camera.string()));
+  console.answer()["camera"] = options.camera.string();
+  return {};
+}
+
+void add_lens(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<LensOptions>();
+  auto port = std::make_shared<std::vector<double>>();
+  CLI::App* command =
+      program.add_subcommand("lens", "Calibrates a lens from pictures of a flat board");
+  command
+      ->add_option("INPUT", options->inputs, "Pictures of the board, folders of them, or a video")
+      ->required();
+  command
+      ->add_option_function<std::string>(
+          "--board",
+          [options](const std::string& text) {
+            if (const Status status = set_board_size(options->board, text); !status)
+              throw CLI::ValidationError("--board", status.error().what);
+          },
+          "Inner corners of the board (or dots) in a row and in a column, such as 9x6")
+      ->type_name("CxR")
+      ->required();
+  command
+      ->add_option(
+          "--square-mm", options->board.square_mm, "Side of a square, or distance of two dots, mm")
+      ->type_name("S")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->required();
+  command->add_option("-o,--output", options->camera, "The camera file to write")
+      ->type_name("CAMERA.yaml")
+      ->required();
+  command
+      ->add_option_function<std::string>(
+          "--orientation",
+          [options](const std::string& word) {
+            const auto orientation = orientation_from(word);
+            if (!orientation) throw CLI::ValidationError("--orientation", "'" + word + "' is none");
+            options->orientation = *orientation;
+          },
+          "How the camera's pictures are turned so that the finger lies along them (default none)")
+      ->type_name("none|flip_u|flip_v|rotate_180|rotate_90|rotate_270");
+  command
+      ->add_option("--port",
+                   *port,
+                   "What the finger is seen through, where the board was in air: air gap mm, "
+                   "plate mm, index of the plate (acrylic 1.49), index behind it (silicone 1.41)")
+      ->type_name("GAP,PLATE,INDEX,INDEX")
+      ->delimiter(',')
+      ->expected(4);
+  CLI::Option* length =
+      command
+          ->add_option("--known-length-mm",
+                       options->known_length_mm,
+                       "A length on the finger, across the line of sight at --distance-mm, to "
+                       "check the scale with")
+          ->type_name("L")
+          ->check(CLI::PositiveNumber);
+  command
+      ->add_option(
+          "--known-ends", options->known_ends_px, "Where the ends of that length are seen, px")
+      ->type_name("U,V,U,V")
+      ->delimiter(',')
+      ->expected(4)
+      ->needs(length);
+  SettingFlags<LensSettings> settings;
+  settings.add_to(*command, lens_settings());
+  command->callback([=, &chosen] {
+    if (options->known_length_mm && options->known_ends_px.empty())
+      throw CLI::RequiredError("--known-ends");
+    if (!port->empty()) {
+      options->port = FlatPort{(*port)[0], (*port)[1], (*port)[2], (*port)[3]};
+      if (const Status status = check_port(*options->port); !status)
+        throw CLI::ValidationError("--port", status.error().where + " " + status.error().what);
+    }
+    options->settings = settings.applied_to({});
+    chosen = [=](Console& console) { return run_lens(*options, console); };
+  });
+}
+
+}  // namespace alltact

@@ -1,0 +1,58 @@
+// Flat boards of known size, and what a picture of one shows.
+#pragma once
+
+#include "core/camera/camera.h"
+#include "core/result.h"
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+enum class BoardPattern { kChessboard = 1, kCharuco, kDots };
+enum class MarkerDictionary { k4x4 = 1, k5x5, k6x6, kOriginal };
+
+/// Columns and rows count inner corners (chessboard, ChArUco) or dots.
+struct Board {
+  BoardPattern pattern = BoardPattern::kChessboard;
+  int columns = 0, rows = 0;  ///< 3 to 100 each
+  double square_mm = 0;       ///< side of a square, or distance of two dots; (0, 1000]
+  MarkerDictionary dictionary = MarkerDictionary::k4x4;  ///< ChArUco only
+  double marker_part = 0.75;  ///< ChArUco only: a marker's side as part of the square's, (0, 1)
+
+  [[nodiscard]] double diagonal_mm() const;
+  /// "6 x 6 inner corners".
+  [[nodiscard]] std::string words() const;
+};
+
+/// "9x6" as columns and rows. Error: something else.
+[[nodiscard]] Status set_board_size(Board& board, std::string_view text);
+
+/// The corners, or dots, of one board in one picture.
+struct BoardView {
+  std::string name;
+  std::vector<Eigen::Vector3d> board_mm;  ///< on the board; z = 0
+  std::vector<Eigen::Vector2d> pixels;    ///< where each is seen
+  double edge_px = 0;                     ///< width of the pattern's edges in the picture, median
+  double dot_part = 0;                    ///< dots only: a dot's diameter as part of their distance
+};
+
+/// Finds the board in a grey picture, to a fraction of a pixel. Chessboards and dot grids must be
+/// seen whole; of a ChArUco board six corners are enough. Dots are dark on bright or bright on
+/// dark; their centres are those of their pictures, which in perspective are not the pictures of
+/// their centres (see without_dot_bias). Error: why there is none; `where` is left empty.
+[[nodiscard]] Result<BoardView> find_board(const cv::Mat& grey, const Board& board);
+
+/// A size near to the one asked for with which a chessboard is found, in words ("8 x 5"); empty
+/// when there is none. Slow.
+[[nodiscard]] std::string other_size_found(const cv::Mat& grey, const Board& board);
+
+/// A pixel of the raw picture in the picture after orientation; `raw` is the raw picture's size.
+[[nodiscard]] Eigen::Vector2d oriented_pixel(const Eigen::Vector2d& pixel,
+                                             cv::Size raw,
+                                             Orientation orientation);
+
+}  // namespace alltact

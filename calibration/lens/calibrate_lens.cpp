@@ -1,0 +1,365 @@
+#include "calibration/lens/calibrate_lens.h"
+
+#include "calibration/lens/lens_start.h"
+#include "calibration/lens/lens_verdict.h"
+#include "calibration/lens/odd_views.h"
+#include "core/numerics/median.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+Error too_few(std::size_t count) {
+  return {fmt::format("only {} different views of the board are left, {} are needed at least",
+                      count,
+                      kFewestViews),
+          "",
+          fmt::format("{} pictures or more, with the board tilted and in all parts of the picture",
+                      kEnoughViews)};
+}
+
+LensViewReport& report_of(LensCalibration& calibration, const std::string& name) {
+  return *std::find_if(calibration.views.begin(),
+                       calibration.views.end(),
+                       [&](const LensViewReport& report) { return report.name == name; });
+}
+
+void put_aside(LensCalibration& calibration, std::size_t index, const std::string& reason) {
+  const auto at = static_cast<std::ptrdiff_t>(index);
+  report_of(calibration, calibration.used[index].name).put_aside = reason;
+  calibration.used.erase(calibration.used.begin() + at);
+  if (index < calibration.fit.poses.size())
+    calibration.fit.poses.erase(calibration.fit.poses.begin() + at);
+}
+
+/// Mean distance of the corners that both views have; infinite when they share too few.
+double distance_between(const BoardView& a, const BoardView& b) {
+  double sum = 0;
+  int shared = 0;
+  for (std::size_t i = 0, k = 0; i < a.board_mm.size(); ++i) {
+    // The corners of both stand in the same order; some may be missing.
+    std::size_t found = k;
+    while (found < b.board_mm.size() && b.board_mm[found] != a.board_mm[i]) ++found;
+    if (found == b.board_mm.size()) continue;
+    k = found + 1;
+    sum += (a.pixels[i] - b.pixels[found]).norm();
+    ++shared;
+  }
+  if (2 * shared < static_cast<int>(a.pixels.size()))
+    return std::numeric_limits<double>::infinity();
+  return sum / shared;
+}
+
+void put_repeats_aside(LensCalibration& calibration, cv::Size size) {
+  const double limit = 0.005 * std::hypot(size.width, size.height);
+  for (std::size_t i = 1; i < calibration.used.size();) {
+    const auto same = std::find_if(calibration.used.begin(),
+                                   calibration.used.begin() + static_cast<std::ptrdiff_t>(i),
+                                   [&](const BoardView& before) {
+                                     return distance_between(before, calibration.used[i]) < limit;
+                                   });
+    if (calibration.used.begin() + static_cast<std::ptrdiff_t>(i) == same) {
+      ++i;
+    } else {
+      put_aside(calibration, i, "shows the board just where " + same->name + " shows it");
+    }
+  }
+}
+
+/// First poses for the first lens; views that it cannot have seen are put aside.
+Status start(LensCalibration& calibration, cv::Size size, CameraModel model) {
+  const auto lens = first_lens(calibration.used, model, size);
+  if (!lens) return lens.error();
+  calibration.fit.lens = *lens;
+  const Camera camera = Camera::create(*lens).value();
+  for (std::size_t i = 0; i < calibration.used.size();) {
+    const auto poses = poses_of(calibration.used[i], camera);
+    if (poses.empty()) {
+      put_aside(calibration, i, "no flat board can look so");
+      continue;
+    }
+    calibration.fit.poses.push_back(poses.front());
+    ++i;
+  }
+  if (calibration.used.size() < kFewestViews) return too_few(calibration.used.size());
+  return {};
+}
+
+/// Numbers of coefficients worth trying, most first.
+std::vector<int> ladder(CameraModel model) {
+  if (model == CameraModel::kFisheye) return {4, 2, 1, 0};
+  return {5, 4, 2, 0};
+}
+
+bool is_sound(const LensFit& fit) {
+  return Camera::create(fit.lens).ok();
+}
+
+/// Fits with as many coefficients as the views bear. The first one alone prepares the way.
+Status fit_with_ladder(LensCalibration& calibration, LensFitOptions& options, const Job& job) {
+  LensFitOptions first;
+  first.coefficients = 1;
+  if (const auto rough = fit_lens(calibration.used, calibration.fit, first, job);
+      rough && is_sound(*rough))
+    calibration.fit = *rough;
+  Error problem;
+  for (const int coefficients : ladder(calibration.fit.lens.model)) {
+    options.coefficients = coefficients;
+    LensFit begin = calibration.fit;
+    if (coefficients == 0) begin.lens.distortion.clear();
+    auto fit = fit_lens(calibration.used, begin, options, job);
+    if (job.stop_requested()) return Error{"stopped before the lens was known", "", ""};
+    if (fit) {
+      const auto camera = Camera::create(fit->lens);
+      if (camera) {
+        calibration.fit = std::move(*fit);
+        return {};
+      }
+      problem = camera.error();
+      problem.advice = "views that reach into the picture's corners, or another --model";
+    } else {
+      problem = fit.error();
+    }
+  }
+  return problem;
+}
+
+/// A small board looks nearly the same tilted either way; with the lens known the better of the
+/// two can be told.
+bool turn_wrong_poses(LensCalibration& calibration) {
+  const auto camera = Camera::create(calibration.fit.lens);
+  if (!camera) return false;
+  bool turned = false;
+  LensFit& fit = calibration.fit;
+  for (std::size_t i = 0; i < calibration.used.size(); ++i) {
+    BoardPose kept = fit.poses[i];
+    const double now = fit_pose(calibration.used[i], fit.lens, fit.weights[i], kept);
+    for (BoardPose other : poses_of(calibration.used[i], *camera)) {
+      if (!(fit_pose(calibration.used[i], fit.lens, fit.weights[i], other) < 0.999 * now)) continue;
+      fit.poses[i] = other;
+      turned = true;
+      break;
+    }
+  }
+  return turned;
+}
+
+Status fit_again(LensCalibration& calibration, const LensFitOptions& options, const Job& job) {
+  auto fit = fit_lens(calibration.used, calibration.fit, options, job);
+  if (!fit) return fit.error();
+  if (const auto camera = Camera::create(fit->lens); !camera) return camera.error();
+  calibration.fit = std::move(*fit);
+  return {};
+}
+
+Status fit_without_odd_views(LensCalibration& calibration,
+                             LensFitOptions& options,
+                             const Job& job) {
+  constexpr int kMostRounds = 4;
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (const Status status = fit_with_ladder(calibration, options, job); !status) return status;
+    if (turn_wrong_poses(calibration))
+      if (const Status status = fit_again(calibration, options, job); !status) return status;
+    const auto odd = odd_views(calibration.used, calibration.fit);
+    if (odd.empty()) return {};
+    for (auto view = odd.rbegin(); view != odd.rend(); ++view)
+      put_aside(calibration, view->index, view->reason);
+    if (calibration.used.size() < kFewestViews) return too_few(calibration.used.size());
+  }
+  return fit_with_ladder(calibration, options, job);
+}
+
+/// Dots: measured centres become true ones, and the lens is fitted to those.
+Status fit_without_dot_bias(LensCalibration& calibration,
+                            const LensFitOptions& options,
+                            const Job& job) {
+  std::vector<double> parts;
+  for (const BoardView& view : calibration.used)
+    if (view.dot_part > 0) parts.push_back(view.dot_part);
+  if (parts.empty()) return {};
+  const auto& board = calibration.used.front().board_mm;
+  const double radius_mm = 0.5 * upper_median(parts) * (board[1] - board[0]).norm();
+  const std::vector<BoardView> measured = calibration.used;
+  constexpr int kRounds = 2;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < measured.size(); ++i)
+      calibration.used[i] =
+          without_dot_bias(measured[i], calibration.fit.lens, calibration.fit.poses[i], radius_mm);
+    if (const Status status = fit_again(calibration, options, job); !status) return status;
+  }
+  return {};
+}
+
+void report_views(LensCalibration& calibration) {
+  const LensFit& fit = calibration.fit;
+  for (std::size_t i = 0; i < calibration.used.size(); ++i) {
+    LensViewReport& report = report_of(calibration, calibration.used[i].name);
+    double sum = 0, used = 0;
+    for (std::size_t k = 0; k < fit.weights[i].size(); ++k) {
+      if (fit.weights[i][k] == 0) continue;
+      sum += fit.errors_px[i][k] * fit.errors_px[i][k];
+      ++used;
+    }
+    report.error_px = std::sqrt(sum / std::max(1.0, 2 * used));
+    report.left_out = static_cast<int>(fit.weights[i].size() - static_cast<std::size_t>(used));
+    report.tilt_deg = tilt_deg(calibration.used[i], fit.poses[i]).norm();
+  }
+}
+
+void judge(LensCalibration& calibration,
+           const LensSettings& settings,
+           const LensFitOptions& options,
+           const Job& job) {
+  const LensFit& fit = calibration.fit;
+  job.report(0.6, "leaving views out");
+  calibration.held_out = cross_validate(calibration.used, fit, options, job);
+  job.report(0.9, "comparing halves");
+  calibration.halves =
+      difference_of_halves(calibration.used, fit, options, settings.distance_mm, job);
+  calibration.coverage = coverage_of(calibration.used, fit);
+  double part = std::max(fit.sd(0) / fit.lens.fx_px, fit.sd(1) / fit.lens.fy_px);
+  if (calibration.held_out)
+    part = std::max({part,
+                     calibration.held_out->fx_sd_px / fit.lens.fx_px,
+                     calibration.held_out->fy_sd_px / fit.lens.fy_px});
+  calibration.focal_sd_part = part;
+  LensEvidence evidence;
+  evidence.focal_sd_part = part;
+  evidence.distance_mm = settings.distance_mm;
+  evidence.focal_px = fit.lens.fx_px;
+  evidence.sigma_px = fit.sigma_px;
+  evidence.held_out = calibration.held_out;
+  evidence.halves = calibration.halves;
+  evidence.coverage = calibration.coverage;
+  calibration.verdict = lens_verdict(evidence);
+}
+
+void remark(LensCalibration& calibration, const LensFitOptions& options, const Job& job) {
+  const int most = ladder(calibration.fit.lens.model).front();
+  if (options.coefficients < most)
+    calibration.remarks.push_back(
+        fmt::format("with {} coefficients of distortion the lens folds over inside the picture or "
+                    "stays undetermined; {} are used",
+                    most,
+                    options.coefficients));
+  if (const std::string shape = board_problem(calibration.used, calibration.fit, options, job);
+      !shape.empty())
+    calibration.remarks.push_back(shape);
+  if (calibration.fit.sigma_px > 0.5)
+    calibration.remarks.push_back(fmt::format(
+        "corners scatter by {:.2f} px; good boards give 0.2 or less: look at focus, motion, and "
+        "whether the board is flat",
+        calibration.fit.sigma_px));
+  if (job.stop_requested()) calibration.remarks.push_back("stopped before everything was judged");
+}
+
+}  // namespace
+
+const std::vector<Setting<LensSettings>>& lens_settings() {
+  using S = LensSettings;
+  static const std::vector<Setting<S>> table{
+      choice_setting<S, BoardPattern>("pattern",
+                                      "What is printed on the board",
+                                      &S::pattern,
+                                      {{"chessboard", BoardPattern::kChessboard},
+                                       {"charuco", BoardPattern::kCharuco},
+                                       {"dots", BoardPattern::kDots}}),
+      choice_setting<S, CameraModel>(
+          "model",
+          "brown up to about 120 degrees of view, fisheye beyond",
+          &S::model,
+          {{"brown", CameraModel::kBrown}, {"fisheye", CameraModel::kFisheye}}),
+      number_setting<S, double>("distance-mm",
+                                "Distance of the finger, at which errors are told in mm",
+                                &S::distance_mm,
+                                1.0,
+                                10000.0),
+      choice_setting<S, MarkerDictionary>("dictionary",
+                                          "ChArUco: the markers' family",
+                                          &S::dictionary,
+                                          {{"4x4", MarkerDictionary::k4x4},
+                                           {"5x5", MarkerDictionary::k5x5},
+                                           {"6x6", MarkerDictionary::k6x6},
+                                           {"original", MarkerDictionary::kOriginal}}),
+      number_setting<S, double>("marker-part",
+                                "ChArUco: a marker's side as part of a square's",
+                                &S::marker_part,
+                                0.2,
+                                0.95)};
+  return table;
+}
+
+BoardView without_dot_bias(const BoardView& view,
+                           const CameraParameters& lens,
+                           const BoardPose& pose,
+                           double dot_radius_mm) {
+  constexpr int kSides = 64;
+  const Eigen::VectorXd numbers = lens_numbers(lens);
+  const std::span<const double> row(numbers.data(), static_cast<std::size_t>(numbers.size()));
+  BoardView corrected = view;
+  for (std::size_t i = 0; i < view.pixels.size(); ++i) {
+    const auto centre = project_by(lens.model, row, pose(view.board_mm[i]));
+    if (!centre) continue;
+    // Centroid of the outline's polygon; the origin is near it so that nothing cancels.
+    std::vector<Eigen::Vector2d> outline;
+    for (int side = 0; side < kSides; ++side) {
+      const double turn = 2 * M_PI * side / kSides;
+      const Eigen::Vector3d rim(dot_radius_mm * std::cos(turn), dot_radius_mm * std::sin(turn), 0);
+      if (const auto seen = project_by(lens.model, row, pose(view.board_mm[i] + rim)))
+        outline.push_back(seen->pixel - centre->pixel);
+    }
+    if (outline.size() < kSides) continue;
+    double area = 0;
+    Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const Eigen::Vector2d &a = outline[k], &b = outline[(k + 1) % outline.size()];
+      const double cross = a.x() * b.y() - a.y() * b.x();
+      area += cross / 2;
+      moment += (a + b) * (cross / 6);
+    }
+    if (area != 0) corrected.pixels[i] -= moment / area;
+  }
+  return corrected;
+}
+
+Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
+                                       cv::Size size,
+                                       const LensSettings& settings,
+                                       const Job& job) {
+  std::sort(views.begin(), views.end(), [](const BoardView& a, const BoardView& b) {
+    return a.name < b.name;
+  });
+  LensCalibration calibration;
+  for (const BoardView& view : views) {
+    calibration.views.emplace_back();
+    calibration.views.back().name = view.name;
+    calibration.views.back().corners = static_cast<int>(view.pixels.size());
+  }
+  calibration.used = std::move(views);
+  const std::size_t given = calibration.used.size();
+  if (given < kFewestViews) return too_few(given);
+  put_repeats_aside(calibration, size);
+  if (calibration.used.size() < kFewestViews) {
+    if (calibration.used.size() == 1)
+      return Error{fmt::format("all {} views show the board in the same place", given),
+                   "",
+                   "move and tilt the board, or the camera, between pictures"};
+    return too_few(calibration.used.size());
+  }
+  job.report(0, "looking for a first lens");
+  if (const Status status = start(calibration, size, settings.model); !status)
+    return status.error();
+  job.report(0.2, "fitting the lens");
+  LensFitOptions options;
+  if (const Status status = fit_without_odd_views(calibration, options, job); !status)
+    return status.error();
+  if (const Status status = fit_without_dot_bias(calibration, options, job); !status)
+    return status.error();
+  report_views(calibration);
+  judge(calibration, settings, options, job);
+  remark(calibration, options, job);
+  return calibration;
+}
+
+}  // namespace alltact

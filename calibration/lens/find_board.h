@@ -1,0 +1,22 @@
+// The finders behind find_board(), one for each pattern. They may throw cv::Exception.
+#pragma once
+
+#include "calibration/lens/board.h"
+
+namespace alltact {
+
+[[nodiscard]] Result<BoardView> find_chessboard(const cv::Mat& grey, const Board& board);
+[[nodiscard]] Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board);
+[[nodiscard]] Result<BoardView> find_dots(const cv::Mat& grey, const Board& board);
+
+/// Median width of the edges around these places: contrast over the steepest slope. A sharp
+/// picture has about 1 to 2.
+[[nodiscard]] double edge_width_px(const cv::Mat& grey, const std::vector<Eigen::Vector2d>& pixels);
+
+/// Half the distance of the two nearest of these pixels.
+[[nodiscard]] double half_spacing_px(const std::vector<Eigen::Vector2d>& pixels);
+
+/// "no ... can be seen", with what the picture itself says of the reason.
+[[nodiscard]] Error no_board(const cv::Mat& grey, const Board& board, std::string_view pattern);
+
+}  // namespace alltact

@@ -1,0 +1,116 @@
+#include "calibration/lens/odd_views.h"
+
+#include "core/numerics/median.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kOddScatter = 2.5;       // times the median view's
+constexpr double kLeastScatterPx = 0.05;  // below, no view is called odd
+constexpr double kBlurred = 1.6;          // times the median view's edge width
+constexpr double kSureSigmas = 6;         // of a board's shape
+
+/// Robust scatter of one coordinate of all corners of a view, outliers included.
+double scatter_px(const std::vector<double>& errors_px) {
+  std::vector<double> errors = errors_px;
+  return upper_median(errors) / 1.1774;
+}
+
+std::string why_odd(const BoardView& view,
+                    const LensFit& fit,
+                    std::size_t index,
+                    double scatter,
+                    double usual_scatter,
+                    double usual_edge_px) {
+  const std::string found = fmt::format(
+      "its corners lie {:.2f} px from where the lens sees them, those of the others {:.2f} px",
+      scatter,
+      usual_scatter);
+  if (view.edge_px > kBlurred * usual_edge_px)
+    return fmt::format(
+        "blurred, by motion or focus: its edges are {:.1f} px wide, those of the "
+        "others {:.1f} px",
+        view.edge_px,
+        usual_edge_px);
+  const std::vector<double> ones(view.pixels.size(), 1.0);
+  BoardPose flat_pose = fit.poses[index], bent_pose = flat_pose;
+  BoardShape shape;
+  const double flat = fit_pose(view, fit.lens, ones, flat_pose);
+  const double bent = fit_pose(view, fit.lens, ones, bent_pose, &shape);
+  if (bent < 0.5 * flat) return found + "; the board is bent in it, glue it to something stiff";
+  const auto wrong = std::count(fit.weights[index].begin(), fit.weights[index].end(), 0.0);
+  if (scatter < kOddScatter * usual_scatter)
+    return fmt::format(
+        "{} of its {} corners lie elsewhere: covered, mirrored in something, or "
+        "blurred",
+        wrong,
+        view.pixels.size());
+  return found + "; moved during the exposure, or not this board";
+}
+
+}  // namespace
+
+std::vector<OddView> odd_views(const std::vector<BoardView>& views, const LensFit& fit) {
+  std::vector<double> scatters, edges;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    scatters.push_back(scatter_px(fit.errors_px[i]));
+    edges.push_back(views[i].edge_px);
+  }
+  std::vector<double> sorted = scatters;
+  const double usual = upper_median(sorted);
+  const double usual_edge_px = upper_median(edges);
+  std::vector<OddView> odd;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto wrong = std::count(fit.weights[i].begin(), fit.weights[i].end(), 0.0);
+    const bool scattered = scatters[i] > kOddScatter * usual && scatters[i] > kLeastScatterPx;
+    if (!scattered && 4 * static_cast<std::size_t>(wrong) <= views[i].pixels.size()) continue;
+    odd.push_back({i, why_odd(views[i], fit, i, scatters[i], usual, usual_edge_px)});
+  }
+  return odd;
+}
+
+std::string board_problem(const std::vector<BoardView>& views,
+                          const LensFit& fit,
+                          const LensFitOptions& options,
+                          const Job& job) {
+  constexpr std::size_t kFewestViewsForShape = 6;
+  if (views.size() < kFewestViewsForShape) return {};
+  LensFitOptions with_shape = options;
+  with_shape.free_shape = true;
+  const auto shaped = fit_lens(views, fit, with_shape, job);
+  if (!shaped) return {};
+  Eigen::Vector3d low = views.front().board_mm.front(), high = low;
+  for (const BoardView& view : views)
+    for (const Eigen::Vector3d& place : view.board_mm) {
+      low = low.cwiseMin(place);
+      high = high.cwiseMax(place);
+    }
+  const double half_mm = 0.5 * (high - low).norm();
+  const auto& shape = shaped->shape.numbers;
+  const auto is_sure = [&](int i, double least) {
+    const double value = std::abs(shape[static_cast<std::size_t>(i)]);
+    return value > kSureSigmas * shaped->shape_sd[i] && value > least;
+  };
+  std::vector<std::string> problems;
+  constexpr double kLeastStretch = 0.001, kLeastBend = 0.002;  // what hardly any print keeps
+  if (is_sure(0, kLeastStretch))
+    problems.push_back(fmt::format("its squares are {:.2f} % {} than they are high",
+                                   100 * std::abs(shape[0]),
+                                   shape[0] > 0 ? "wider" : "narrower"));
+  if (is_sure(1, kLeastBend) || is_sure(2, kLeastBend) || is_sure(3, kLeastBend)) {
+    const double bend = std::max({std::abs(shape[1]), std::abs(shape[2]), std::abs(shape[3])});
+    problems.push_back(fmt::format("it is bent by about {:.2g} mm from its middle to its corners",
+                                   bend * half_mm));
+  }
+  if (problems.empty()) return {};
+  return fmt::format(
+      "the board is not the flat, even one it is taken for: {}; with that allowed for fx would be "
+      "{:.2f} instead of {:.2f} px; use a board on glass or metal",
+      fmt::join(problems, ", and "),
+      shaped->lens.fx_px,
+      fit.lens.fx_px);
+}
+
+}  // namespace alltact

@@ -1,0 +1,28 @@
+// Views and boards that do not fit the rest, and why.
+#pragma once
+
+#include "calibration/lens/lens_fit.h"
+
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+struct OddView {
+  std::size_t index = 0;
+  std::string reason;
+};
+
+/// Views in which more than a quarter of the corners are outliers, or that scatter 2.5 times as
+/// much as the median view, in order of their index.
+[[nodiscard]] std::vector<OddView> odd_views(const std::vector<BoardView>& views,
+                                             const LensFit& fit);
+
+/// Fits again with a board that may be stretched and bent: what is wrong with the board itself, in
+/// words; empty when nothing is, and when fewer than six views could not tell.
+[[nodiscard]] std::string board_problem(const std::vector<BoardView>& views,
+                                        const LensFit& fit,
+                                        const LensFitOptions& options,
+                                        const Job& job);
+
+}  // namespace alltact

@@ -1,0 +1,248 @@
+#include "calibration/lens/lens_fit.h"
+
+#include "calibration/lens/calibrate_lens.h"
+#include "calibration/lens/lens_start.h"
+#include "calibration/lens/port_camera.h"
+#include "tests/support/boards.h"
+
+#include <random>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+using made::board_lens;
+using made::board_scene;
+using made::chessboard;
+
+LensFit truth_of(const made::BoardScene& scene, const CameraParameters& lens) {
+  LensFit fit;
+  fit.lens = lens;
+  fit.poses = scene.poses;
+  return fit;
+}
+
+TEST(ViewCost, ProjectsAsTheCameraDoes) {
+  std::mt19937 random(2);
+  for (const CameraModel model : {CameraModel::kBrown, CameraModel::kFisheye}) {
+    const Camera camera = Camera::create(board_lens(model)).value();
+    const Eigen::VectorXd numbers = lens_numbers(camera.parameters());
+    const auto scene = board_scene(camera, chessboard(), 5, 40, 0, random);
+    for (std::size_t i = 0; i < scene.views.size(); ++i)
+      for (std::size_t k = 0; k < scene.views[i].pixels.size(); ++k) {
+        const auto seen = project_by(model,
+                                     {numbers.data(), static_cast<std::size_t>(numbers.size())},
+                                     scene.poses[i](scene.views[i].board_mm[k]));
+        ASSERT_TRUE(seen);
+        EXPECT_LT((seen->pixel - scene.views[i].pixels[k]).norm(), 1e-10);
+      }
+  }
+}
+
+TEST(ViewCost, DerivativesAreThoseOfTheResiduals) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const CameraModel model : {CameraModel::kBrown, CameraModel::kFisheye}) {
+    const Camera camera = Camera::create(board_lens(model)).value();
+    for (int trial = 0; trial < 10; ++trial) {
+      const auto scene = board_scene(camera, chessboard(4, 3, 6), 1, 50, 0.3, random);
+      std::vector<double> weights;
+      for (int i = 0; i < 12; ++i) weights.push_back(1 + 0.5 * unit(random));
+      ViewCost::Units units;
+      units.px = 640, units.mm = 11;
+      units.board_middle_mm = {9, 6, 0}, units.board_half_mm = 10;
+      const ViewCost cost(model, scene.views[0], weights, units);
+      Eigen::VectorXd numbers = lens_numbers(camera.parameters());
+      numbers.head<4>() /= units.px;
+      Eigen::VectorXd pose(6), shape(4);
+      pose << scene.poses[0].turn, scene.poses[0].shift_mm / units.mm;
+      if (trial == 0) pose.head<3>() *= 1e-7;  // nearly no turn
+      shape << 0.02, 0.03, -0.02, 0.01;
+      std::array<Eigen::VectorXd*, 3> blocks{&numbers, &pose, &shape};
+      const auto residuals = [&] {
+        Eigen::VectorXd values(24);
+        const double* at[] = {numbers.data(), pose.data(), shape.data()};
+        EXPECT_TRUE(cost.Evaluate(at, values.data(), nullptr));
+        return values;
+      };
+      for (std::size_t b = 0; b < 3; ++b) {
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> analytic(
+            24, blocks[b]->size());
+        double* jacobians[] = {nullptr, nullptr, nullptr};
+        jacobians[b] = analytic.data();
+        const double* at[] = {numbers.data(), pose.data(), shape.data()};
+        Eigen::VectorXd ignored(24);
+        ASSERT_TRUE(cost.Evaluate(at, ignored.data(), jacobians));
+        for (int i = 0; i < blocks[b]->size(); ++i) {
+          constexpr double kStep = 1e-5;
+          const double kept = (*blocks[b])[i];
+          (*blocks[b])[i] = kept + kStep;
+          const Eigen::VectorXd after = residuals();
+          (*blocks[b])[i] = kept - kStep;
+          const Eigen::VectorXd before = residuals();
+          (*blocks[b])[i] = kept;
+          const Eigen::VectorXd numeric = (after - before) / (2 * kStep);
+          EXPECT_LT((numeric - analytic.col(i)).norm(), 1e-6 * (1 + numeric.norm()))
+              << "block " << b << " number " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(LensFit, WithoutNoiseTheTruthComesBackFromNothing) {
+  std::mt19937 random(4);
+  for (const CameraModel model : {CameraModel::kBrown, CameraModel::kFisheye}) {
+    const CameraParameters truth = board_lens(model);
+    const Camera camera = Camera::create(truth).value();
+    const auto scene = board_scene(camera, chessboard(), 12, 35, 0, random);
+    LensSettings settings;
+    settings.model = model;
+    const auto found = calibrate_lens(scene.views, camera.size(), settings, {});
+    ASSERT_TRUE(found) << found.error().sentence();
+    const Eigen::VectorXd error = lens_numbers(found->fit.lens) - lens_numbers(truth);
+    EXPECT_LT(error.head<4>().cwiseAbs().maxCoeff(), 1e-5);
+    EXPECT_LT(error.tail(error.size() - 4).cwiseAbs().maxCoeff(), 1e-5);
+    EXPECT_EQ(found->used.size(), 12U);
+  }
+}
+
+TEST(LensFit, ReportedCovarianceIsTrue) {
+  constexpr int kRuns = 400;
+  for (const CameraModel model : {CameraModel::kBrown, CameraModel::kFisheye}) {
+    const CameraParameters truth = board_lens(model);
+    const Camera camera = Camera::create(truth).value();
+    LensFitOptions options;
+    options.coefficients = model == CameraModel::kFisheye ? 4 : 5;
+    double sum = 0;
+    int n = 0;
+    for (int run = 0; run < kRuns; ++run) {
+      std::mt19937 random(1000 + run);
+      const auto scene = board_scene(camera, chessboard(7, 6, 3.5), 8, 35, 0.2, random);
+      const auto fit = fit_lens(scene.views, truth_of(scene, truth), options, {});
+      ASSERT_TRUE(fit) << fit.error().sentence();
+      const Eigen::VectorXd error = lens_numbers(fit->lens) - lens_numbers(truth);
+      n = static_cast<int>(error.size());
+      // Scaled, or the numbers' sizes spoil the solution.
+      const Eigen::VectorXd scale = fit->covariance.diagonal().cwiseSqrt().cwiseInverse();
+      const Eigen::VectorXd scaled = scale.cwiseProduct(error);
+      const Eigen::MatrixXd correlation = scale.asDiagonal() * fit->covariance * scale.asDiagonal();
+      sum += scaled.dot(correlation.ldlt().solve(scaled)) / n;
+    }
+    const double nees = sum / kRuns;
+    RecordProperty(model == CameraModel::kFisheye ? "fisheye" : "brown", std::to_string(nees));
+    EXPECT_GT(nees, 0.85) << to_string(model);
+    EXPECT_LT(nees, 1.15) << to_string(model);
+  }
+}
+
+TEST(LensFit, MoreAndMoreTiltedBoardsTellTheFocalLengthAsTheTableSays) {
+  // Standard deviation of f in percent for boards of 9 x 7 corners, 0.2 px.
+  struct Row {
+    int boards;
+    double tilt_deg, percent;
+  };
+  for (const Row& row :
+       {Row{5, 15, 1.0}, {5, 35, 0.26}, {10, 15, 0.39}, {10, 35, 0.14}, {20, 35, 0.07}}) {
+    double sum = 0;
+    constexpr int kRuns = 8;
+    const CameraParameters truth = board_lens();
+    const Camera camera = Camera::create(truth).value();
+    for (int run = 0; run < kRuns; ++run) {
+      std::mt19937 random(50 + run);
+      const auto scene = board_scene(camera, chessboard(), row.boards, row.tilt_deg, 0.2, random);
+      const auto fit = fit_lens(scene.views, truth_of(scene, truth), {}, {});
+      ASSERT_TRUE(fit) << fit.error().sentence();
+      sum += std::log(100 * fit->sd(0) / fit->lens.fx_px);
+    }
+    const double percent = std::exp(sum / kRuns);
+    EXPECT_GT(percent, row.percent / 4) << row.boards << " boards, " << row.tilt_deg << " deg";
+    EXPECT_LT(percent, row.percent * 4) << row.boards << " boards, " << row.tilt_deg << " deg";
+  }
+}
+
+TEST(LensFit, GrossErrorsAreFoundAndDoNoHarm) {
+  std::mt19937 random(7);
+  const CameraParameters truth = board_lens();
+  const Camera camera = Camera::create(truth).value();
+  auto scene = board_scene(camera, chessboard(), 12, 35, 0.15, random);
+  scene.views[3].pixels[10].x() += 4;
+  scene.views[5].pixels[20].y() -= 7;
+  const auto fit = fit_lens(scene.views, truth_of(scene, truth), {}, {});
+  ASSERT_TRUE(fit);
+  EXPECT_EQ(fit->weights[3][10], 0);
+  EXPECT_EQ(fit->weights[5][20], 0);
+  EXPECT_NEAR(fit->sigma_px, 0.15, 0.01);
+  EXPECT_LT(std::abs(fit->lens.fx_px - truth.fx_px), 4 * fit->sd(0));
+}
+
+TEST(LensFit, ViewsThatDoNotShowTheLensAreRefused) {
+  std::mt19937 random(8);
+  const Camera camera = Camera::create(board_lens()).value();
+  const Board board = chessboard();
+  std::vector<BoardView> views;
+  LensFit start;
+  start.lens = board_lens();
+  for (int i = 0; i < 3; ++i) {  // all straight: distance and focal length are one
+    BoardPose pose;
+    pose.shift_mm = {-10.0 + i, -7.5 - i, 45.0};
+    views.push_back(made::seen_by(camera, board, pose, 0.2, random).value());
+    start.poses.push_back(pose);
+  }
+  LensFitOptions none;
+  none.coefficients = 0;
+  start.lens.distortion.clear();
+  const auto fit = fit_lens(views, start, none, {});
+  EXPECT_TRUE(!fit || fit->sd(0) > 0.02 * fit->lens.fx_px);
+}
+
+TEST(PortCamera, StandsForLensAndWindow) {
+  const CameraParameters air = board_lens();
+  const Camera lens = Camera::create(air).value();
+  const FlatPort port{5, 3, 1.49, 1.41};
+  const auto behind = camera_behind_port(air, port, 30, 100);
+  ASSERT_TRUE(behind) << behind.error().sentence();
+  EXPECT_LT(behind->rms_px, 0.6);
+  EXPECT_LT(behind->worst_px, 4);  // in a corner at 30 mm: rays no longer meet in one point
+  EXPECT_NEAR(behind->camera.fx_px, 1.41 * air.fx_px, 0.02 * air.fx_px);
+  const Camera camera = Camera::create(behind->camera).value();
+  // A width of 24 mm at different distances, as the paper measures it: z = f W / dv.
+  for (const double z_mm : {40.0, 60.0, 90.0}) {
+    std::array<Eigen::Vector2d, 2> ends;
+    for (int i = 0; i < 2; ++i)
+      ends[static_cast<std::size_t>(i)] =
+          lens.project(*direction_to(port, {3.0, i == 0 ? -12.0 : 12.0, z_mm})).value();
+    const auto measured = [&](const Camera& by) {
+      return 24.0 / (by.unproject(ends[1])->direction - by.unproject(ends[0])->direction).norm();
+    };
+    EXPECT_NEAR(measured(camera) - behind->shift_mm, z_mm, 0.005 * z_mm);
+    EXPECT_LT(measured(lens), 0.8 * z_mm);
+    EXPECT_GT(measured(lens), 0.68 * z_mm);
+  }
+}
+
+TEST(PortCamera, AFisheyeBehindAWindowIsACameraToo) {
+  CameraParameters air = board_lens(CameraModel::kFisheye);
+  air.distortion = {0.02, 0.002};
+  const auto behind = camera_behind_port(air, {5, 3, 1.49, 1.41}, 30, 100);
+  ASSERT_TRUE(behind) << behind.error().sentence();
+  EXPECT_NEAR(behind->camera.fx_px, 1.41 * air.fx_px, 0.1 * air.fx_px);
+  EXPECT_GT(behind->worst_px, behind->rms_px);  // told, for it is not small
+}
+
+TEST(PortCamera, NoWindowIsTheLensItself) {
+  for (const CameraModel model : {CameraModel::kBrown, CameraModel::kFisheye}) {
+    const CameraParameters air = board_lens(model);
+    const auto behind = camera_behind_port(air, {5, 3, 1, 1}, 30, 100);
+    ASSERT_TRUE(behind) << behind.error().sentence();
+    EXPECT_NEAR(behind->camera.fx_px, air.fx_px, 1e-4);
+    EXPECT_NEAR(behind->shift_mm, 0, 1e-4);
+    EXPECT_LT(behind->worst_px, 1e-4);
+  }
+  EXPECT_FALSE(camera_behind_port(board_lens(), {5, 3, 1.49, 1.41}, 7, 100));
+}
+
+}  // namespace
+}  // namespace alltact

@@ -1,0 +1,180 @@
+// Boards seen by a camera that is known: corners with noise, and whole pictures.
+#pragma once
+
+#include "calibration/lens/board.h"
+#include "calibration/lens/view_cost.h"
+#include "core/camera/camera.h"
+
+#include <cmath>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <opencv2/imgproc.hpp>
+
+namespace alltact::made {
+
+/// 640 x 480, as bent as a webcam's.
+inline CameraParameters board_lens(CameraModel model = CameraModel::kBrown) {
+  CameraParameters p;
+  p.model = model;
+  p.width_px = 640, p.height_px = 480;
+  p.cx_px = 325.3, p.cy_px = 236.8;
+  if (model == CameraModel::kFisheye) {
+    p.fx_px = 285.2, p.fy_px = 284.6;
+    p.distortion = {0.012, -0.006, 0.003, -0.0006};
+  } else {
+    p.fx_px = 521.4, p.fy_px = 522.9;
+    p.distortion = {-0.21, 0.07, 0.0008, -0.0005, -0.008};
+  }
+  return p;
+}
+
+inline Board chessboard(int columns = 9, int rows = 7, double square_mm = 2.5) {
+  Board board;
+  board.columns = columns, board.rows = rows, board.square_mm = square_mm;
+  return board;
+}
+
+inline std::vector<Eigen::Vector3d> places(const Board& board) {
+  std::vector<Eigen::Vector3d> result;
+  for (int row = 0; row < board.rows; ++row)
+    for (int column = 0; column < board.columns; ++column)
+      result.emplace_back(board.square_mm * column, board.square_mm * row, 0.0);
+  return result;
+}
+
+/// Tilted up to `tilt_deg` in any direction, rolled a little, somewhere in the picture, its middle
+/// `distance` board diagonals away.
+template <class Random>
+BoardPose random_pose(const Board& board, double tilt_deg, double distance, Random& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const double way = M_PI * unit(random);
+  const double tilt = tilt_deg * M_PI / 180 * std::sqrt(std::abs(unit(random)));
+  const Eigen::AngleAxisd roll(0.3 * unit(random), Eigen::Vector3d::UnitZ());
+  const Eigen::AngleAxisd lean(tilt, Eigen::Vector3d(std::cos(way), std::sin(way), 0));
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(lean.toRotationMatrix() * roll.toRotationMatrix()));
+  const double z = board.diagonal_mm() * distance * (1 + 0.15 * unit(random));
+  const Eigen::Vector3d middle(
+      0.5 * board.square_mm * (board.columns - 1), 0.5 * board.square_mm * (board.rows - 1), 0);
+  BoardPose pose;
+  pose.turn = turn.angle() * turn.axis();
+  pose.shift_mm =
+      Eigen::Vector3d(0.28 * z * unit(random), 0.2 * z * unit(random), z) - turn * middle;
+  return pose;
+}
+
+/// nullopt when a corner lies outside the picture.
+template <class Random>
+std::optional<BoardView> seen_by(const Camera& camera,
+                                 const Board& board,
+                                 const BoardPose& pose,
+                                 double noise_px,
+                                 Random& random) {
+  std::normal_distribution<double> noise(0, 1);
+  BoardView view;
+  view.board_mm = places(board);
+  view.edge_px = 1.5;
+  for (const Eigen::Vector3d& place : view.board_mm) {
+    const auto pixel = camera.project(pose(place));
+    if (!pixel || pixel->minCoeff() < 0 || pixel->x() > camera.size().width - 1 ||
+        pixel->y() > camera.size().height - 1)
+      return std::nullopt;
+    view.pixels.emplace_back(*pixel + noise_px * Eigen::Vector2d(noise(random), noise(random)));
+  }
+  return view;
+}
+
+struct BoardScene {
+  std::vector<BoardView> views;
+  std::vector<BoardPose> poses;
+};
+
+template <class Random>
+BoardScene board_scene(const Camera& camera,
+                       const Board& board,
+                       int count,
+                       double tilt_deg,
+                       double noise_px,
+                       Random& random) {
+  BoardScene scene;
+  const double distance = camera.parameters().model == CameraModel::kFisheye ? 0.9 : 1.4;
+  while (static_cast<int>(scene.views.size()) < count) {
+    const BoardPose pose = random_pose(board, tilt_deg, distance, random);
+    auto view = seen_by(camera, board, pose, noise_px, random);
+    if (!view) continue;
+    view->name = "view_" + std::to_string(100 + scene.views.size());
+    scene.views.push_back(std::move(*view));
+    scene.poses.push_back(pose);
+  }
+  return scene;
+}
+
+/// The rays of a picture's pixels, four to each.
+class BoardPainter {
+ public:
+  explicit BoardPainter(const Camera& camera) : size_(camera.size()) {
+    for (int v = 0; v < size_.height; ++v)
+      for (int u = 0; u < size_.width; ++u)
+        for (const Eigen::Vector2d& part : {Eigen::Vector2d(-0.25, -0.25),
+                                            Eigen::Vector2d(0.25, -0.25),
+                                            Eigen::Vector2d(-0.25, 0.25),
+                                            Eigen::Vector2d(0.25, 0.25)}) {
+          const auto ray = camera.unproject(Eigen::Vector2d(u, v) + part);
+          rays_.push_back(ray ? ray->direction : Eigen::Vector3d(0, 0, -1));
+        }
+  }
+
+  /// `ink(x_mm, y_mm)`: brightness of the board there, 0 to 255; slightly blurred, with noise.
+  template <class Ink>
+  [[nodiscard]] cv::Mat paint(const BoardPose& pose, const Ink& ink, std::uint64_t seed) const {
+    const Eigen::Matrix3d to_board = pose.rotation().transpose();
+    const Eigen::Vector3d from = -(to_board * pose.shift_mm);
+    cv::Mat picture(size_, CV_32F);
+    std::size_t next = 0;
+    for (int v = 0; v < size_.height; ++v)
+      for (int u = 0; u < size_.width; ++u) {
+        double sum = 0;
+        for (int part = 0; part < 4; ++part) {
+          const Eigen::Vector3d way = to_board * rays_[next++];
+          const double far = -from.z() / way.z();
+          sum += far > 0 ? ink(from.x() + far * way.x(), from.y() + far * way.y()) : 60.0;
+        }
+        picture.at<float>(v, u) = static_cast<float>(sum / 4);
+      }
+    cv::GaussianBlur(picture, picture, {5, 5}, 0.7);
+    cv::Mat noise(size_, CV_32F);
+    cv::RNG random(seed);
+    random.fill(noise, cv::RNG::NORMAL, 0, 1.5);
+    cv::Mat grey;
+    cv::Mat(picture + noise).convertTo(grey, CV_8U);
+    return grey;
+  }
+
+ private:
+  cv::Size size_;
+  std::vector<Eigen::Vector3d> rays_;
+};
+
+/// Squares with the first inner corner at (0, 0), and a white border.
+inline double chessboard_ink(const Board& board, double x_mm, double y_mm) {
+  const double x = x_mm / board.square_mm, y = y_mm / board.square_mm;
+  if (x < -2 || y < -2 || x > board.columns + 1 || y > board.rows + 1) return 60;
+  if (x < -1 || y < -1 || x > board.columns || y > board.rows) return 200;
+  const int parity = static_cast<int>(std::floor(x)) + static_cast<int>(std::floor(y));
+  return parity % 2 == 0 ? 25 : 200;
+}
+
+inline double dots_ink(const Board& board, double dot_part, double x_mm, double y_mm) {
+  const double x = x_mm / board.square_mm, y = y_mm / board.square_mm;
+  if (x < -1 || y < -1 || x > board.columns || y > board.rows) return 60;
+  const double du = x - std::round(x), dv = y - std::round(y);
+  const bool is_dot = std::hypot(du, dv) < 0.5 * dot_part && std::round(x) >= 0 &&
+                      std::round(y) >= 0 && std::round(x) < board.columns &&
+                      std::round(y) < board.rows;
+  return is_dot ? 25 : 200;
+}
+
+}  // namespace alltact::made
