@@ -1,7 +1,7 @@
 #include "core/sensing/face_edges.h"
 
-#include "core/numerics/dispatch.h"
 #include "core/numerics/picture_noise.h"
+#include "core/sensing/rough_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -12,163 +12,6 @@
 
 namespace alltact {
 namespace {
-
-// ---- roughly: one path through a small picture for each edge
-// --------------------------------------
-
-constexpr int kSmallWidth = 120;  // columns of the small picture, about
-constexpr int kLargestJump = 3;   // rows from one small column to the next
-constexpr float kJumpPenalty = 0.03F;
-
-/// Rows of the small picture along one edge.
-struct Path {
-  std::vector<float> row;  // of the border between two rows
-};
-
-/// sums += the row.
-ALLTACT_WIDE void add_grey_row(const std::uint8_t* __restrict row,
-                               int width,
-                               std::uint32_t* __restrict sums) {
-  for (int u = 0; u < width; ++u) sums[u] += row[u];
-}
-
-/// Means of whole blocks, a row of the result for each column of blocks: what is left over at the
-/// right and below is left out.
-cv::Mat block_columns(const cv::Mat& grey, int block) {
-  const int width = grey.cols / block, height = grey.rows / block;
-  cv::Mat small(width, height, CV_32FC1);
-  std::vector<std::uint32_t> sums(static_cast<std::size_t>(width * block));
-  for (int r = 0; r < height; ++r) {
-    std::fill(sums.begin(), sums.end(), 0U);
-    for (int k = 0; k < block; ++k)
-      add_grey_row(grey.ptr<std::uint8_t>(r * block + k), width * block, sums.data());
-    for (int c = 0; c < width; ++c) {
-      std::uint32_t sum = 0;
-      for (int k = 0; k < block; ++k) sum += sums[static_cast<std::size_t>(c * block + k)];
-      small.at<float>(c, r) = static_cast<float>(sum) / static_cast<float>(block * block);
-    }
-  }
-  return small;
-}
-
-/// Change of brightness downwards across the border below each row, in parts of the column's range.
-/// Columns are rows of both pictures.
-cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
-  const int rows = small.cols;
-  cv::Mat contrast(small.rows, rows - 1, CV_32FC1);
-  for (int c = 0; c < small.rows; ++c) {
-    const float* column = small.ptr<float>(c);
-    float* out = contrast.ptr<float>(c);
-    const auto [low, high] = std::minmax_element(column, column + rows);
-    const float range = std::max(*high - *low, static_cast<float>(4.0 * noise_sd));
-    for (int r = 0; r + 1 < rows; ++r) {
-      const float above = column[r] + column[std::max(r - 1, 0)];
-      const float below = column[r + 1] + column[std::min(r + 2, rows - 1)];
-      out[r] = (below - above) / (2.0F * range);
-    }
-  }
-  return contrast;
-}
-
-/// The best place to come from, for every row of a column: `before` holds the scores of the column
-/// before with kLargestJump values beyond both ends.
-ALLTACT_WIDE void best_jumps(const float* __restrict before,
-                             const float* __restrict contrast,
-                             float sign,
-                             int rows,
-                             float* __restrict score,
-                             float* __restrict jump) {
-  for (int r = 0; r < rows; ++r) {
-    float best = before[r], best_jump = 0.0F;
-    for (int j = 1; j <= kLargestJump; ++j) {
-      const auto step = static_cast<float>(j);
-      const float cost = kJumpPenalty * step * step;
-      const float up = before[r - j] - cost, down = before[r + j] - cost;
-      best_jump = up > best ? -step : best_jump;
-      best = up > best ? up : best;
-      best_jump = down > best ? step : best_jump;
-      best = down > best ? down : best;
-    }
-    const float gain = sign * contrast[r];
-    score[r] = best + (gain > 0.0F ? gain : 0.0F);
-    jump[r] = best_jump;
-  }
-}
-
-/// The path from the first to the last column that collects the most sign * contrast, jumps
-/// costing.
-Path best_path(const cv::Mat& contrast, float sign) {
-  const int rows = contrast.cols, cols = contrast.rows;
-  constexpr float kNever = -1e9F;
-  const auto padded = static_cast<std::size_t>(rows + 2 * kLargestJump);
-  std::vector<float> before(padded, kNever), score(padded, kNever);
-  cv::Mat jumps(cols, rows, CV_32FC1);
-  std::fill_n(before.begin() + kLargestJump, rows, 0.0F);
-  for (int c = 0; c < cols; ++c) {
-    best_jumps(before.data() + kLargestJump,
-               contrast.ptr<float>(c),
-               sign,
-               rows,
-               score.data() + kLargestJump,
-               jumps.ptr<float>(c));
-    std::swap(before, score);
-  }
-  Path path;
-  path.row.resize(static_cast<std::size_t>(cols));
-  auto r = static_cast<int>(std::max_element(before.begin(), before.end()) - before.begin()) -
-           kLargestJump;
-  for (int c = cols - 1; c >= 0; --c) {
-    path.row[static_cast<std::size_t>(c)] = static_cast<float>(r) + 0.5F;
-    r += static_cast<int>(jumps.at<float>(c, r));
-  }
-  return path;
-}
-
-struct Rough {
-  Path upper, lower;
-  int block = 1;  // picture pixels to one small pixel
-  bool bright_inside = true;
-
-  /// The path's place and slope in the picture, smoothed over a few small columns.
-  static std::pair<double, double> place(const Path& path, int block, double u) {
-    const double column = (u + 0.5) / block - 0.5;
-    const int centre = static_cast<int>(std::lround(column));
-    const int count = static_cast<int>(path.row.size());
-    // least-squares line through the neighbours
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (int c = std::max(0, centre - 3); c <= std::min(count - 1, centre + 3); ++c) {
-      const double x = c - column;
-      const double y = static_cast<double>(path.row[static_cast<std::size_t>(c)]);
-      n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
-    }
-    const double determinant = n * sxx - sx * sx;
-    const double slope = determinant > 0.0 ? (n * sxy - sx * sy) / determinant : 0.0;
-    const double row = (sy - slope * sx) / n;
-    return {(row + 0.5) * block - 0.5, slope};
-  }
-};
-
-std::optional<Rough> find_roughly(const cv::Mat& grey, double noise_sd) {
-  Rough rough;
-  rough.block = std::max(1, grey.cols / kSmallWidth);
-  if (grey.cols / rough.block < 8 || grey.rows / rough.block < 8) return std::nullopt;
-  const cv::Mat contrast = downward_contrast(block_columns(grey, rough.block), noise_sd);
-  const Path rising = best_path(contrast, 1.0F), falling = best_path(contrast, -1.0F);
-  std::size_t above = 0;  // columns where brightness rises before it falls
-  for (std::size_t c = 0; c < rising.row.size(); ++c) above += rising.row[c] < falling.row[c];
-  if (10 * above >= 9 * rising.row.size()) {
-    rough.upper = rising, rough.lower = falling;
-  } else if (10 * above <= rising.row.size()) {
-    rough.upper = falling, rough.lower = rising;
-    rough.bright_inside = false;
-  } else {
-    return std::nullopt;
-  }
-  return rough;
-}
-
-// ---- exactly: the band around the path
-// ------------------------------------------------------------
 
 constexpr int kWide = 19;     // rows searched on each side of the rough path
 constexpr int kSeedStep = 6;  // of the samples, these may be where following an edge begins
@@ -352,48 +195,78 @@ class Ahead {
   std::vector<std::pair<double, double>> points_;
 };
 
-/// Follows the edge from the sample of most contrast to both sides, each time looking only where it
-/// goes on. The rough path alone may leave the face for a side face's outer border where that has
-/// more contrast.
-void find_edge(const EdgeReader& reader,
-               const Rough& rough,
-               const Path& path,
-               const std::vector<double>& columns,
-               Edge& edge) {
+/// A sample where following an edge may begin.
+struct Seed {
+  int sample = 0;
+  double v = 0, slope = 0, contrast = 0;
+};
+
+/// Follows the edge from a seed to both sides, each time looking only where it goes on. The number
+/// of samples where it was seen.
+int follow(const EdgeReader& reader,
+           const Seed& seed,
+           const std::vector<double>& columns,
+           Edge& edge) {
   const auto count = static_cast<int>(columns.size());
   edge.v.assign(columns.size(), 0.0);
   edge.sd.assign(columns.size(), 1.0);
   edge.valid.assign(columns.size(), 0);
-  int seed = -1;
-  double most = 0;
-  Crossing start{};
-  for (int i = kSeedStep / 2; i < count; i += kSeedStep) {
-    const auto k = static_cast<std::size_t>(i);
-    const auto [v, slope] = Rough::place(path, rough.block, columns[k]);
-    edge.v[k] = v;
-    const auto crossing = reader.at(columns[k], v, slope, kWide);
-    if (!crossing || crossing->contrast <= most) continue;
-    most = crossing->contrast, seed = i, start = *crossing;
-  }
-  if (seed < 0) return;
-  const auto s = static_cast<std::size_t>(seed);
-  const double seed_slope = Rough::place(path, rough.block, columns[s]).second;
-  const double seed_v = edge.v[s] + start.offset;
+  int seen = 0;
   for (const int direction : {-1, 1}) {
     Ahead ahead;
-    ahead.add(columns[s], seed_v);
-    for (int i = direction < 0 ? seed : seed + 1; i >= 0 && i < count; i += direction) {
+    ahead.add(columns[static_cast<std::size_t>(seed.sample)], seed.v);
+    for (int i = direction < 0 ? seed.sample : seed.sample + 1; i >= 0 && i < count;
+         i += direction) {
       const auto k = static_cast<std::size_t>(i);
-      const auto [v, slope] = ahead.at(columns[k], seed_slope);
+      const auto [v, slope] = ahead.at(columns[k], seed.slope);
       edge.v[k] = v;
       const auto crossing = reader.at(columns[k], v, slope, kTight);
       if (!crossing) continue;
       edge.v[k] = v + crossing->offset;
       edge.sd[k] = crossing->sd;
       edge.valid[k] = 1;
-      if (i != seed) ahead.add(columns[k], edge.v[k]);
+      ++seen;
+      if (i != seed.sample) ahead.add(columns[k], edge.v[k]);
     }
   }
+  return seen;
+}
+
+/// Follows the edge from the sample of most contrast; from the next, some way off, where that leads
+/// along only a part of the picture, as a dot's own border does. The rough path alone may leave the
+/// face for a side face's outer border where that has more contrast.
+void find_edge(const EdgeReader& reader,
+               const RoughEdges& rough,
+               const RoughEdges::Path& path,
+               const std::vector<double>& columns,
+               Edge& edge) {
+  constexpr int kMostTries = 4;
+  const auto count = static_cast<int>(columns.size());
+  std::vector<Seed> seeds;
+  for (int i = kSeedStep / 2; i < count; i += kSeedStep) {
+    const double u = columns[static_cast<std::size_t>(i)];
+    const auto small = static_cast<std::size_t>(u / rough.block);
+    if (!rough.sure[std::min(small, rough.sure.size() - 1)]) continue;
+    const auto [v, slope] = RoughEdges::place(path, rough.block, u);
+    const auto crossing = reader.at(u, v, slope, kWide);
+    if (crossing) seeds.push_back({i, v + crossing->offset, slope, crossing->contrast});
+  }
+  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
+    return a.contrast > b.contrast;
+  });
+  int most = -1;
+  for (int tries = 0; tries < kMostTries && !seeds.empty() && 2 * most < count; ++tries) {
+    const Seed seed = seeds.front();
+    Edge tried;
+    const int seen = follow(reader, seed, columns, tried);
+    if (seen > most) most = seen, edge = std::move(tried);
+    std::erase_if(seeds,
+                  [&](const Seed& s) { return 8 * std::abs(s.sample - seed.sample) < count; });
+  }
+  if (most >= 0) return;
+  edge.v.assign(columns.size(), 0.0);
+  edge.sd.assign(columns.size(), 1.0);
+  edge.valid.assign(columns.size(), 0);
 }
 
 }  // namespace

@@ -122,6 +122,56 @@ TEST(FaceEdges, TheOuterBorderOfABrightSideFaceIsNotTheEdge) {
   }
 }
 
+/// Grows wide side faces, lit evenly, with bright or dark dots on them, and black beyond.
+void light_side_faces(const SyntheticFace& face, double part, bool bright_dots, cv::Mat& picture) {
+  for (int u = 0; u < picture.cols; ++u) {
+    const double side = part * (face.lower(u) - face.upper(u));
+    for (int v = 0; v < picture.rows; ++v)
+      if (v < face.upper(u) - side || v > face.lower(u) + side) picture.at<std::uint8_t>(v, u) /= 6;
+  }
+  for (double at = 0.3; at < 0.75; at += 0.1) {
+    const double u = at * picture.cols, half = 0.5 * part * (face.lower(u) - face.upper(u));
+    const double radius = 0.5 * half;
+    for (const double v : {face.upper(u) - half, face.lower(u) + half})
+      cv::circle(picture,
+                 {static_cast<int>(u), static_cast<int>(v)},
+                 static_cast<int>(radius),
+                 bright_dots ? cv::Scalar(190) : cv::Scalar(15),
+                 cv::FILLED);
+  }
+}
+
+TEST(FaceEdges, WideSideFacesThatAreLitAreNoPartOfTheFace) {
+  // Their outer borders have more contrast than the face's edges along the whole finger, or from
+  // the middle to the tip.
+  std::mt19937 engine(22);
+  for (unsigned run = 0; run < 24; ++run) {
+    SyntheticFace face = random_face(engine);
+    const double part = std::uniform_real_distribution<double>(0.12, 0.22)(engine);
+    const bool base_at_low_u =
+        face.lower(0) - face.upper(0) > face.lower(face.width) - face.upper(face.width);
+    const double near = run % 2 == 0 ? 190.0 : 130.0, far = run % 2 == 0 ? 105.0 : 90.0;
+    face.bright = [=, w = face.width](double u) {
+      const double t = base_at_low_u ? u / w : 1.0 - u / w;
+      return near + (far - near) * t;
+    };
+    face.beside = 60.0;
+    cv::Mat picture = face.draw(run);
+    light_side_faces(face, part, run % 4 < 2, picture);
+    // Something presses on the face.
+    const double u = 0.6 * face.width, v = 0.5 * (face.upper(u) + face.lower(u));
+    cv::circle(picture, {static_cast<int>(u), static_cast<int>(v)}, 25, cv::Scalar(50), cv::FILLED);
+    const auto edges = FaceEdgeFinder()(picture);
+    ASSERT_TRUE(edges.ok()) << "run " << run;
+    for (const auto& [edge, truth] :
+         {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {
+      const Errors e = errors(*edges, *edge, *truth);
+      EXPECT_GT(e.valid, 0.9 * e.count) << "run " << run;
+      EXPECT_LT(e.rms, 0.3) << "run " << run;
+    }
+  }
+}
+
 TEST(FaceEdges, AFaceDarkerThanItsSurroundingsIsAFaceToo) {
   std::mt19937 engine(8);
   SyntheticFace face = random_face(engine);
