@@ -121,6 +121,8 @@ Status run_record(const RecordOptions& options, Console& console);
 
 /// Says what a finger is fit for. Error: it is not fit to use.
 Status run_check(const Path& finger, Console& console);
+/// Shows what this computer makes of hard calculations (hard_cases.h). Error: one is out of bounds.
+Status run_check_numerics(Console& console);
 
 struct ExportOptions {
   Path finger;

@@ -1,13 +1,13 @@
 #include "core/numerics/robust_polynomial.h"
 
 #include "core/numerics/chebyshev.h"
+#include "core/numerics/least_squares.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 namespace alltact {
 namespace {
@@ -78,8 +78,7 @@ std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>&
   Eigen::VectorXd residuals;
   for (int round = 0; round < kCauchyRounds + kTukeyRounds; ++round) {
     const Eigen::VectorXd root = weights.cwiseSqrt();
-    fit.coefficients =
-        (root.asDiagonal() * design).householderQr().solve(root.cwiseProduct(target));
+    fit.coefficients = least_squares(root.asDiagonal() * design, root.cwiseProduct(target));
     residuals = target - design * fit.coefficients;
     fit.scale = spread(residuals);
     const Eigen::VectorXd before = weights;

@@ -1,6 +1,7 @@
 #include "core/sensing/face_shape.h"
 
 #include "core/numerics/chebyshev.h"
+#include "core/numerics/least_squares.h"
 #include "core/numerics/robust_polynomial.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
   const auto curve = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& y) -> Eigen::VectorXd {
     Eigen::MatrixXd design(used, n);
     for (int i = 0; i < used; ++i) design.row(i) = chebyshev_row((x[i] - x_mid_) / x_half_, n);
-    return design.householderQr().solve(y.head(used));
+    return least_squares(design, y.head(used));
   };
   inverse_z_ = (curve(lower_x, lower_y) - curve(upper_x, upper_y)) / face_.width_mm;
   know_across();

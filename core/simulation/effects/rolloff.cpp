@@ -4,25 +4,13 @@
 //           the ball at a. `length_mm` fades it by exp(-(r - a) / length), as a thin layer does.
 //   smooth: the press is blurred with a Gaussian of standard deviation `length_mm`.
 #include "core/simulation/effect.h"
-
-#include <numbers>
+#include "core/simulation/hertz.h"
 
 namespace alltact {
 
 namespace {
 
 constexpr double kNegligible_mm = 1e-5;
-
-// The half space's deflection over delta, at q = a/r <= 1; 0.5 at the rim. Far out the closed
-// form is a difference of large numbers, so its series takes over.
-double hertz_tail(double q) {
-  if (q < 0.05) {
-    const double q2 = q * q;
-    return q * (4.0 / 3 + q2 * (2.0 / 15 + q2 * (3.0 / 70 + q2 * 5.0 / 252))) / std::numbers::pi;
-  }
-  const double r = 1 / q;
-  return ((2 - r * r) * std::asin(q) + std::sqrt(std::max(0.0, r * r - 1))) / std::numbers::pi;
-}
 
 void hertz(BallPress& press, double fade_length_mm, double greatest_reach_mm) {
   const double depth = press.place.normal_depth_mm();

@@ -1,0 +1,98 @@
+#include "calibration/hard_cases/groups.h"
+#include "core/sensing/local_depth.h"
+#include "core/sensing/reference_weights.h"
+
+#include <random>
+
+namespace alltact {
+namespace {
+
+/// Every pair of grey levels: a number that is right, or a flag.
+HardCase grey_pairs() {
+  HardCase one{"brightness differences of all 65536 pairs of grey levels: wrong ones",
+               "bytes subtracted and divided",
+               "pairs",
+               0,
+               0,
+               0};
+  CameraParameters p;
+  p.model = CameraModel::kOrthographic;
+  p.width_px = p.height_px = 256;
+  p.cx_px = p.cy_px = 127.5;
+  p.mm_per_px = 0.05;
+  Face face;
+  face.kind = FaceKind::kFlat;
+  face.layer_mm = 1.5;
+  face.plane_z_mm = 20.0;
+  cv::Mat live(256, 256, CV_8UC1), untouched(256, 256, CV_32FC1);
+  for (int i = 0; i < 256; ++i)
+    for (int k = 0; k < 256; ++k)
+      live.at<std::uint8_t>(i, k) = static_cast<std::uint8_t>(i),
+                               untouched.at<float>(i, k) = static_cast<float>(k);
+  Reference reference;
+  reference.picture = ReferencePicture(untouched);
+  const FaceShape shape = FaceShape::plane(Camera::create(p).value(), face);
+  const Difference ours = difference(live, reference, shape, {.smoothing_px = 0.0});
+  for (int i = 0; i < 256; ++i)
+    for (int k = 0; k < 256; ++k) {
+      const double truth = static_cast<double>(k - i) / std::max(k, 1);
+      const auto x = static_cast<double>(ours.x.at<float>(i, k));
+      const bool measured = ours.flags.at<std::uint8_t>(i, k) == kMeasured;
+      if (measured ? !(std::abs(x - truth) < 1e-6 * (1.0 + std::abs(truth))) : std::isfinite(x))
+        ++one.our_error;
+      const auto wrapped = static_cast<std::uint8_t>(k - i);
+      if (k == 0 || std::abs(static_cast<double>(wrapped) / k - truth) > 1e-6) ++one.plain_error;
+    }
+  return one;
+}
+
+/// Brightness that follows three modes of the pose, smoothly.
+double brightness_at(const Eigen::Vector3d& pose) {
+  const Eigen::Vector3d m = pose / 60.0;
+  return 100.0 + 25.0 * m[0] - 12.0 * m[1] + 8.0 * m[2] + 6.0 * m[0] * m[0] - 4.0 * m[0] * m[1];
+}
+
+HardCase reference_brightness() {
+  HardCase one{"brightness of a pose between 1650 recorded ones, against that of the nearest",
+               "nearest frame",
+               "of its error",
+               1,
+               0,
+               0.25};
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-60.0, 60.0);
+  constexpr int kRecorded = 1650, kNear = 12;
+  std::vector<Eigen::Vector3d> poses;
+  for (int i = 0; i < kRecorded; ++i)
+    poses.emplace_back(place(random), place(random), place(random));
+  double ours = 0, nearest = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Vector3d query =
+        0.9 * Eigen::Vector3d(place(random), place(random), place(random));
+    std::partial_sort(poses.begin(),
+                      poses.begin() + kNear,
+                      poses.end(),
+                      [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                        return (a - query).squaredNorm() < (b - query).squaredNorm();
+                      });
+    Eigen::MatrixXd points(kNear, 3);
+    for (int k = 0; k < kNear; ++k) points.row(k) = poses[static_cast<std::size_t>(k)].transpose();
+    const Eigen::VectorXd weights = local_linear_weights(points, query, 0.5, 3.0);
+    double mixed = 0;
+    for (int k = 0; k < kNear; ++k)
+      mixed += weights[k] * brightness_at(poses[static_cast<std::size_t>(k)]);
+    const double truth = brightness_at(query);
+    ours += std::abs(mixed - truth);
+    nearest += std::abs(brightness_at(poses.front()) - truth);
+  }
+  one.our_error = ours / nearest;
+  return one;
+}
+
+}  // namespace
+
+std::vector<HardCase> hard_brightness() {
+  return {grey_pairs(), reference_brightness()};
+}
+
+}  // namespace alltact

@@ -1,0 +1,22 @@
+// How a soft half space gives way beside a ball that presses on it (Hertz).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace alltact {
+
+/// Deflection of the surface over that under the ball's middle, at q = a/r in (0, 1], a the radius
+/// of contact: ((2 - r^2/a^2) asin(a/r) + sqrt(r^2/a^2 - 1)) / pi, 0.5 at the rim. Far out that is
+/// a difference of large numbers, so its series takes over.
+[[nodiscard]] inline double hertz_tail(double q) {
+  if (q < 0.05) {
+    const double q2 = q * q;
+    return q * (4.0 / 3 + q2 * (2.0 / 15 + q2 * (3.0 / 70 + q2 * 5.0 / 252))) / std::numbers::pi;
+  }
+  const double r = 1 / q;
+  return ((2 - r * r) * std::asin(q) + std::sqrt(std::max(0.0, r * r - 1))) / std::numbers::pi;
+}
+
+}  // namespace alltact
