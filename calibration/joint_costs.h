@@ -16,9 +16,18 @@ namespace alltact {
 struct Weighted {
   std::vector<const Sample*> samples;
   std::vector<double> root_weight;  ///< 1 / sigma with the robust and the zone's weight, 1/mm
+  /// By what the robust loss bends less than a square of the same weight, in (0, 1]: its second
+  /// derivative over the weight.
+  std::vector<double> bend;
   std::vector<const OutlinePoint*> outline;
   std::vector<double> outline_root_weight;  ///< 1 / sigma with the robust weight, 1/rad
 };
+
+/// The samples in the zone around a ball, robustly weighted by their residuals, and the outline.
+[[nodiscard]] Weighted weigh(const PressSamples& press,
+                             const MappingCurve& curve,
+                             const Eigen::Vector3d& centre,
+                             const JointOptions& options);
 
 /// Brightness: w (M(x) - d(c)), one residual a sample. Parameter blocks: the ball's centre, the
 /// mapping's numbers. Keeps references to what it is made from.

@@ -13,11 +13,10 @@
 namespace alltact {
 namespace {
 
-constexpr double kFloorMm = 0.003;  // no sample is believed better than this, across the ball
-constexpr double kGrazing = 0.25;   // cosine; lines that meet the ball flatter than this say little
-constexpr double kRobustAt = 2.0;   // standard deviations where the loss turns linear
-constexpr double kTaper = 0.02;     // half width of the zone's soft border
-constexpr int kMostRounds = 40;     // of reweighting
+constexpr double kGrazing = 0.25;  // cosine; lines that meet the ball flatter than this say little
+constexpr double kRobustAt = 2.0;  // standard deviations where the loss turns linear
+constexpr double kTaper = 0.02;    // half width of the zone's soft border
+constexpr int kMostRounds = 40;    // of reweighting
 
 /// Cosine of the angle at which a sample's line meets the ball; NaN where it misses. Along a line
 /// that grazes, a small error across the ball's surface is a large one of depth.
@@ -48,42 +47,6 @@ void weigh_outline(const PressSamples& press,
     weighted->outline_root_weight.push_back(
         each / (point.sd_rad * std::pow(1.0 + z * z / (kRobustAt * kRobustAt), 0.25)));
   }
-}
-
-Weighted weigh(const PressSamples& press,
-               const MappingCurve& curve,
-               const Eigen::Vector3d& centre,
-               const JointOptions& options) {
-  const ContactDisc disc(press, options.along, centre, options.ball_radius_mm);
-  Weighted weighted;
-  std::vector<double> normed;
-  std::vector<double> taper;
-  std::vector<double> sigma;
-  for (const Sample& sample : press.samples) {
-    const double inside = (options.zone + kTaper - disc.place_of(sample).radius) / (2.0 * kTaper);
-    if (!(inside > 0.0)) continue;
-    const double depth = ball_depth_mm(sample, options.along, centre, options.ball_radius_mm);
-    const double read = curve.depth_mm(sample.x);
-    if (!std::isfinite(depth) || !std::isfinite(read)) continue;
-    const double facing = facing_of(sample, options.along, centre, options.ball_radius_mm);
-    if (!(facing > kGrazing)) continue;
-    const double sd = std::hypot(curve.slope_mm(sample.x) * press.x_sd, kFloorMm);
-    weighted.samples.push_back(&sample);
-    taper.push_back(std::min(1.0, inside));
-    sigma.push_back(sd);
-    normed.push_back((read - depth) / sd);
-  }
-  std::vector<double> sizes;
-  sizes.reserve(normed.size());
-  for (const double z : normed) sizes.push_back(std::abs(z));
-  const double scale = std::max(1.0, 1.4826 * upper_median(sizes));
-  for (std::size_t i = 0; i < normed.size(); ++i) {
-    const double z = normed[i] / (scale * kRobustAt);
-    const double weight = taper[i] / std::sqrt(1.0 + z * z);
-    weighted.root_weight.push_back(std::sqrt(weight) / (sigma[i] * scale));
-  }
-  weigh_outline(press, centre, options.ball_radius_mm, &weighted);
-  return weighted;
 }
 
 class StopWithJob final : public ceres::IterationCallback {
@@ -145,6 +108,43 @@ bool is_finite(const JointFit& fit) {
 }
 
 }  // namespace
+
+Weighted weigh(const PressSamples& press,
+               const MappingCurve& curve,
+               const Eigen::Vector3d& centre,
+               const JointOptions& options) {
+  const ContactDisc disc(press, options.along, centre, options.ball_radius_mm);
+  Weighted weighted;
+  std::vector<double> normed;
+  std::vector<double> taper;
+  std::vector<double> sigma;
+  for (const Sample& sample : press.samples) {
+    const double inside = (options.zone + kTaper - disc.place_of(sample).radius) / (2.0 * kTaper);
+    if (!(inside > 0.0)) continue;
+    const double depth = ball_depth_mm(sample, options.along, centre, options.ball_radius_mm);
+    const double read = curve.depth_mm(sample.x);
+    if (!std::isfinite(depth) || !std::isfinite(read)) continue;
+    const double facing = facing_of(sample, options.along, centre, options.ball_radius_mm);
+    if (!(facing > kGrazing)) continue;
+    const double sd = std::hypot(curve.slope_mm(sample.x) * press.x_sd, kFloorMm);
+    weighted.samples.push_back(&sample);
+    taper.push_back(std::min(1.0, inside));
+    sigma.push_back(sd);
+    normed.push_back((read - depth) / sd);
+  }
+  std::vector<double> sizes;
+  sizes.reserve(normed.size());
+  for (const double z : normed) sizes.push_back(std::abs(z));
+  const double scale = std::max(1.0, 1.4826 * upper_median(sizes));
+  for (std::size_t i = 0; i < normed.size(); ++i) {
+    const double z = normed[i] / (scale * kRobustAt);
+    const double weight = taper[i] / std::sqrt(1.0 + z * z);
+    weighted.root_weight.push_back(std::sqrt(weight) / (sigma[i] * scale));
+    weighted.bend.push_back(1.0 / (1.0 + z * z));
+  }
+  weigh_outline(press, centre, options.ball_radius_mm, &weighted);
+  return weighted;
+}
 
 double ball_depth_mm(const Sample& sample,
                      MappingAlong along,
@@ -285,79 +285,6 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
                                    static_cast<double>(presses.size()));
   }
   return quality;
-}
-
-JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
-                              const JointFit& fit,
-                              const JointOptions& options) {
-  const Eigen::Index n_map = fit.curve.values().size();
-  const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size());
-  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(n, n);
-  // What the rings' means show besides is no chance: the skin leaving the ball, the mapping's own
-  // form. It is the same in every press, so that more presses do not average it away.
-  const double systematic_mm = std::hypot(kFloorMm, quality_of(presses, fit, options).ring_mm);
-  Eigen::MatrixXd ring_pull = Eigen::MatrixXd::Zero(n, ContactDisc::kRings);
-  int observations = 0;
-  std::vector<double> by_values(static_cast<std::size_t>(n_map));
-  for (std::size_t i = 0; i < presses.size(); ++i) {
-    const Weighted weighted = weigh(*presses[i], fit.curve, fit.centres_mm[i], options);
-    const ContactDisc disc(*presses[i], options.along, fit.centres_mm[i], options.ball_radius_mm);
-    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(n, ContactDisc::kPatches);
-    std::vector<bool> seen(ContactDisc::kPatches, false);
-    Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-    for (std::size_t k = 0; k < weighted.samples.size(); ++k) {
-      const Sample& sample = *weighted.samples[k];
-      const double weight = weighted.root_weight[k];
-      Eigen::Vector3d by_centre;
-      const double depth = ball_depth_mm(
-          sample, options.along, fit.centres_mm[i], options.ball_radius_mm, &by_centre);
-      const double residual = weight * (fit.curve.depth_mm(sample.x, by_values.data()) - depth);
-      row.head(n_map) = weight * Eigen::Map<const Eigen::VectorXd>(by_values.data(), n_map);
-      row.segment<3>(n_map + 3 * static_cast<Eigen::Index>(i)) = -weight * by_centre;
-      hessian.selfadjointView<Eigen::Lower>().rankUpdate(row);
-      const int patch = disc.place_of(sample).patch;
-      pull.col(patch) += residual * row;
-      ring_pull.col(patch / ContactDisc::kSectors) += systematic_mm * weight * row;
-      seen[static_cast<std::size_t>(patch)] = true;
-    }
-    // The outline is one observation more: what it is off by, it is off by as a whole.
-    Eigen::VectorXd outline_pull = Eigen::VectorXd::Zero(n);
-    for (std::size_t k = 0; k < weighted.outline.size(); ++k) {
-      Eigen::Vector3d by_centre;
-      const double weight = weighted.outline_root_weight[k];
-      const double angle = outline_angle_rad(
-          weighted.outline[k]->direction, fit.centres_mm[i], options.ball_radius_mm, &by_centre);
-      row.setZero();
-      row.segment<3>(n_map + 3 * static_cast<Eigen::Index>(i)) = weight * by_centre;
-      hessian.selfadjointView<Eigen::Lower>().rankUpdate(row);
-      outline_pull += weight * angle * row;
-    }
-    if (!weighted.outline.empty()) ++observations;
-    spread += pull * pull.transpose() + outline_pull * outline_pull.transpose();
-    observations += static_cast<int>(std::count(seen.begin(), seen.end(), true));
-  }
-  JointCovariance result;
-  const Eigen::MatrixXd full = hessian.selfadjointView<Eigen::Lower>();
-  const Eigen::VectorXd scale = full.diagonal().cwiseSqrt();
-  if (!(scale.minCoeff() > 0.0) || observations <= n) return result;
-  const Eigen::MatrixXd scaled =
-      scale.cwiseInverse().asDiagonal() * full * scale.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-  const double smallest = eigen.eigenvalues().minCoeff();
-  const double largest = eigen.eigenvalues().maxCoeff();
-  if (!(smallest > 1e-14 * largest)) return result;
-  result.condition = std::sqrt(largest / smallest);
-  const Eigen::MatrixXd inverse =
-      scale.cwiseInverse().asDiagonal() *
-      (eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
-       eigen.eigenvectors().transpose()) *
-      scale.cwiseInverse().asDiagonal();
-  const double few = static_cast<double>(observations) / static_cast<double>(observations - n);
-  spread = few * spread + ring_pull * ring_pull.transpose();
-  result.covariance = inverse * spread * inverse;
-  result.covariance = (0.5 * (result.covariance + result.covariance.transpose())).eval();
-  return result;
 }
 
 }  // namespace alltact

@@ -52,6 +52,8 @@ class ContactDisc {
   double rim2_ = 1;  ///< squared radius of the cap's rim
 };
 
+constexpr double kFloorMm = 0.003;  ///< no sample is believed better than this, across the ball
+
 struct JointOptions {
   MappingAlong along = MappingAlong::kZ;
   double ball_radius_mm = 0;
@@ -86,12 +88,13 @@ struct FitQuality {
 
 /// Covariance of (mapping values, centres in order) and the condition of the scaled problem.
 struct JointCovariance {
-  Eigen::MatrixXd covariance;  ///< empty when the problem is singular
+  Eigen::MatrixXd covariance;  ///< empty when the problem is singular; 0 for what was fixed
   double condition = 0;
 };
-/// Spread of the solution as the residuals themselves show it: neighbouring samples share their
-/// errors, so that each patch of the contact counts as one observation, and each ring may be off
-/// as a whole, in all presses alike, by what its mean residuals are.
+/// Spread of the solution as the residuals themselves show it. Neighbouring samples share their
+/// noise, by as much as their residuals do; each patch of a contact may be off as a whole, by what
+/// the patches scatter beyond that; and each ring, in all presses alike, by what the rings' mean
+/// residuals are and at least by 0.003 mm, which no press would show.
 [[nodiscard]] JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
                                             const JointFit& fit,
                                             const JointOptions& options);
