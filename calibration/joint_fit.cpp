@@ -1,6 +1,7 @@
 #include "calibration/joint_fit.h"
 
 #include "calibration/joint_costs.h"
+#include "calibration/solver_settings.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
@@ -78,14 +79,7 @@ bool solve(const std::vector<Weighted>& weighted,
           new OutlineCost(weighted[i], options.ball_radius_mm), nullptr, fit->centres_mm[i].data());
   }
   if (options.fix_mapping) problem.SetParameterBlockConstant(fit->curve.values().data());
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_QR;
-  solver.max_num_iterations = 200;
-  solver.function_tolerance = 1e-14;
-  solver.parameter_tolerance = 1e-12;
-  solver.gradient_tolerance = 1e-14;
-  solver.logging_type = ceres::SILENT;
-  solver.num_threads = 1;
+  ceres::Solver::Options solver = solver_settings();
   StopWithJob stop(job);
   solver.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;

@@ -1,5 +1,6 @@
 #include "calibration/lens/lens_fit.h"
 
+#include "calibration/solver_settings.h"
 #include "core/numerics/median.h"
 
 #include <limits>
@@ -54,15 +55,10 @@ BoardPose pose_of(const PoseNumbers& numbers, const ViewCost::Units& units) {
   return {numbers.head<3>(), numbers.tail<3>() * units.mm};
 }
 
-void set_tolerances(ceres::Solver::Options& solver) {
+ceres::Solver::Options lens_solver() {
   // Steps that the solver takes back are no news for a person; what it gives up on is told by us.
   FLAGS_minloglevel = google::GLOG_FATAL;
-  solver.max_num_iterations = 300;
-  solver.function_tolerance = 1e-14;
-  solver.parameter_tolerance = 1e-12;
-  solver.gradient_tolerance = 1e-14;
-  solver.logging_type = ceres::SILENT;
-  solver.num_threads = 1;
+  return solver_settings();
 }
 
 /// The problem in the solver's units, with what is needed to go there and back.
@@ -100,8 +96,7 @@ class LensProblem {
       problem.SetManifold(numbers_.data(),
                           new ceres::SubsetManifold(static_cast<int>(numbers_.size()), fixed));
     if (!options_.free_shape) problem.SetParameterBlockConstant(shape_.numbers.data());
-    ceres::Solver::Options solver;
-    set_tolerances(solver);
+    ceres::Solver::Options solver = lens_solver();
     solver.linear_solver_type = ceres::DENSE_SCHUR;
     solver.linear_solver_ordering.reset(order);
     StopWithJob stop(job);
@@ -278,9 +273,7 @@ double fit_pose(const BoardView& view,
                            shape.numbers.data());
   problem.SetParameterBlockConstant(numbers.data());
   if (free_shape == nullptr) problem.SetParameterBlockConstant(shape.numbers.data());
-  ceres::Solver::Options solver;
-  set_tolerances(solver);
-  solver.linear_solver_type = ceres::DENSE_QR;
+  const ceres::Solver::Options solver = lens_solver();
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
   const double used = static_cast<double>(

@@ -1,6 +1,7 @@
 #include "calibration/lens/port_camera.h"
 
 #include "calibration/lens/view_cost.h"
+#include "calibration/solver_settings.h"
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>
@@ -64,14 +65,7 @@ std::optional<PortCamera> fitted(const CameraParameters& air,
   if (!fixed.empty())
     problem.SetManifold(numbers.data(),
                         new ceres::SubsetManifold(static_cast<int>(numbers.size()), fixed));
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_QR;
-  solver.max_num_iterations = 300;
-  solver.function_tolerance = 1e-14;
-  solver.parameter_tolerance = 1e-12;
-  solver.gradient_tolerance = 1e-14;
-  solver.logging_type = ceres::SILENT;
-  solver.num_threads = 1;
+  const ceres::Solver::Options solver = solver_settings();
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
   if (!summary.IsSolutionUsable()) return std::nullopt;
