@@ -239,5 +239,44 @@ TEST(Nist, FilipWithTheCurvesOfOurFits) {
   EXPECT_NEAR((design * fit - target).squaredNorm(), 0.795851382172941e-3, 1e-16);
 }
 
+// Six columns that nearly depend on each other, of sizes from 80 to half a million.
+TEST(Nist, LongleyWithOurLeastSquares) {
+  constexpr double kData[16][7] = {{60323, 83.0, 234289, 2356, 1590, 107608, 1947},
+                                   {61122, 88.5, 259426, 2325, 1456, 108632, 1948},
+                                   {60171, 88.2, 258054, 3682, 1616, 109773, 1949},
+                                   {61187, 89.5, 284599, 3351, 1650, 110929, 1950},
+                                   {63221, 96.2, 328975, 2099, 3099, 112075, 1951},
+                                   {63639, 98.1, 346999, 1932, 3594, 113270, 1952},
+                                   {64989, 99.0, 365385, 1870, 3547, 115094, 1953},
+                                   {63761, 100.0, 363112, 3578, 3350, 116219, 1954},
+                                   {66019, 101.2, 397469, 2904, 3048, 117388, 1955},
+                                   {67857, 104.6, 419180, 2822, 2857, 118734, 1956},
+                                   {68169, 108.4, 442769, 2936, 2798, 120445, 1957},
+                                   {66513, 110.8, 444546, 4681, 2637, 121950, 1958},
+                                   {68655, 112.6, 482704, 3813, 2552, 123366, 1959},
+                                   {69564, 114.2, 502601, 3931, 2514, 125368, 1960},
+                                   {69331, 115.7, 518173, 4806, 2572, 127852, 1961},
+                                   {70551, 116.9, 554894, 4007, 2827, 130081, 1962}};
+  Eigen::MatrixXd design(16, 7);
+  Eigen::VectorXd target(16);
+  for (Eigen::Index i = 0; i < 16; ++i) {
+    target[i] = kData[i][0];
+    design(i, 0) = 1;
+    for (Eigen::Index k = 1; k < 7; ++k) design(i, k) = kData[i][k];
+  }
+  Eigen::VectorXd certified(7);
+  certified << -3482258.63459582, 15.0618722713733, -0.0358191792925910, -2.02022980381683,
+      -1.03322686717359, -0.0511041056535807, 1829.15146461355;
+  const Eigen::VectorXd ours = least_squares(design, target);
+  const Eigen::VectorXd plain =
+      (design.transpose() * design).ldlt().solve(design.transpose() * target);
+  std::printf("[ figures  ] Longley: %.1f digits, by normal equations %.1f\n",
+              digits(ours, certified),
+              digits(plain, certified));
+  EXPECT_GE(digits(ours, certified), 10.0);
+  EXPECT_LT(digits(plain, certified), 9.0);
+  EXPECT_NEAR(std::sqrt((design * ours - target).squaredNorm() / (16 - 7)), 304.854073561965, 1e-8);
+}
+
 }  // namespace
 }  // namespace alltact
