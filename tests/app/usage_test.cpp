@@ -137,6 +137,22 @@ TEST(Usage, JsonIsOneObjectAlsoForAFailure) {
               HasSubstr("finger.yaml"));
 }
 
+TEST(Usage, ChecksTheComputersOwnNumbers) {
+  const ProgramRun run = run_alltact({"check", "--numerics"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("as exact on this computer as they must be"));
+  EXPECT_THAT(run.output, testing::Not(HasSubstr("  NO ")));
+  const ProgramRun json = run_alltact({"check", "--numerics", "--json"});
+  EXPECT_EQ(json.status, 0);
+  const auto answer = nlohmann::json::parse(json.output);
+  EXPECT_GT(answer.at("numerics").size(), 30U);
+  for (const auto& row : answer.at("numerics")) {
+    EXPECT_TRUE(row.at("holds").get<bool>()) << row;
+    EXPECT_LE(row.at("our_error").get<double>(), row.at("bound").get<double>()) << row;
+  }
+  EXPECT_EQ(run_alltact({"check", "finger", "--numerics"}).status, 2);
+}
+
 TEST(Usage, ProgressStaysAwayFromFiles) {
   const TemporaryFolder folder;
   const auto presses = write_flat_sensor(folder.path());
