@@ -23,7 +23,8 @@ struct CellSums {
 /// own spread of (4^2 - 1) / 12 px^2 is the same in every direction and left out.
 class RegionSums {
  public:
-  RegionSums(const FaceShape& shape, const Face& face) : shape_(shape), face_(face) {
+  RegionSums(const FaceShape& shape, const Face& face, double threshold_mm)
+      : shape_(shape), face_(face), threshold_mm_(threshold_mm) {
     region_.place_mm.setZero();
     region_.place_px.setZero();
   }
@@ -45,11 +46,14 @@ class RegionSums {
     region_.place_mm += volume * pressed_mm;
     region_.place_px += volume * middle;
     region_.area_mm2 += cell.pixels * local->area_mm2;
-    const double weight = cell.depth * local->area_mm2;
+    // The axis is that of what rises above the threshold: a weight that begins at nothing, so that
+    // pixels of the rim which noise takes in or leaves out do not move it.
+    const double weight = (cell.depth - threshold_mm_ * cell.pixels) * local->area_mm2;
     const Eigen::Vector2d off = on_face_mm - origin_mm_;
     weight_ += weight;
     first_ += weight * off;
     second_ += weight * off * off.transpose();
+    cells_.push_back({off, cell.pixels * local->area_mm2 * local->area_mm2});
   }
 
   /// A pixel that may be the deepest.
@@ -63,36 +67,57 @@ class RegionSums {
   }
 
   [[nodiscard]] bool empty() const { return region_.pixels == 0; }
-  [[nodiscard]] ContactRegion region(double smoothing_px) const {
+  [[nodiscard]] ContactRegion region(const RegionOptions& options) const {
     ContactRegion region = region_;
     region.place_mm /= region.volume_mm3;
     region.place_px /= region.volume_mm3;
-    find_angle(smoothing_px, region);
+    find_angle(options, region);
     return region;
   }
 
  private:
-  /// Principal axis; its sd from the eigenvalues and the number of independent pixels:
-  /// sqrt(l1 l2 / n) / (l1 - l2).
-  void find_angle(double smoothing_px, ContactRegion& region) const {
+  /// Principal axis, where one can be told: where points drawn from the contact, as many as it has
+  /// independent pixels, would show it to kLargestAngleSdDeg, sqrt(l1 l2 / n) / (l1 - l2).
+  void find_angle(const RegionOptions& options, ContactRegion& region) const {
     const Eigen::Vector2d mean = first_ / weight_;
     const Eigen::Matrix2d covariance = second_ / weight_ - mean * mean.transpose();
     const double xx = covariance(0, 0), xy = covariance(0, 1), yy = covariance(1, 1);
     const double difference = std::hypot(xx - yy, 2.0 * xy);  // l1 - l2
     const double product = std::max(0.0, xx * yy - xy * xy);  // l1 l2
-    const double correlated = std::max(1.0, 4.0 * M_PI * smoothing_px * smoothing_px);
+    const double correlated =
+        std::max(1.0, 4.0 * M_PI * options.smoothing_px * options.smoothing_px);
     const double independent = std::max(1.0, region.pixels / correlated);
     if (!(difference > 0.0)) return;
-    const double sd_deg = std::sqrt(product / independent) / difference * 180.0 / M_PI;
+    constexpr double kDegPerRad = 180.0 / M_PI;
+    if (kDegPerRad * std::sqrt(product / independent) / difference > kLargestAngleSdDeg) return;
+    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
+    const double sd_deg = kDegPerRad * options.noise_mm *
+                          std::sqrt(correlated * sum_of_squares(mean, angle)) /
+                          (weight_ * difference);
     if (sd_deg > kLargestAngleSdDeg) return;
-    region.angle_deg = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / M_PI;
+    region.angle_deg = angle * kDegPerRad;
     if (*region.angle_deg <= -90.0) *region.angle_deg += 180.0;
     region.angle_sd_deg = sd_deg;
   }
 
+  /// How independent noise of each pixel's depth turns the axis: by the sum of (x y area)^2 with x
+  /// along the axis and y across it, from the first-order change of the mixed second moment.
+  [[nodiscard]] double sum_of_squares(const Eigen::Vector2d& mean, double angle) const {
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+    double sum = 0;
+    for (const auto& [off, area_square] : cells_) {
+      const Eigen::Vector2d d = off - mean;
+      const double x = along.dot(d), y = along.x() * d.y() - along.y() * d.x();
+      sum += area_square * x * x * y * y;
+    }
+    return sum;
+  }
+
   const FaceShape& shape_;
   const Face& face_;
-  ContactRegion region_;  // places not yet divided by the volume
+  double threshold_mm_;
+  std::vector<std::pair<Eigen::Vector2d, double>> cells_;  // place; pixels times area squared
+  ContactRegion region_;                                   // places not yet divided by the volume
   Eigen::Vector2d origin_mm_ = Eigen::Vector2d::Zero(), first_ = Eigen::Vector2d::Zero();
   Eigen::Matrix2d second_ = Eigen::Matrix2d::Zero();
   double weight_ = 0;
@@ -134,7 +159,7 @@ RegionSums sums_of(const DepthMap& depth,
                    const FaceShape& shape,
                    const Face& face,
                    double threshold_mm) {
-  RegionSums sums(shape, face);
+  RegionSums sums(shape, face, threshold_mm);
   const cv::Rect picture({0, 0}, depth.depth_mm.size());
   for (int y = cells.y; y < cells.y + cells.height; ++y) {
     const int* row = labels.ptr<int>(y);
@@ -185,7 +210,7 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                            cv::Rect(0, 0, labels.cols, labels.rows);
     const RegionSums sums = sums_of(depth, wide, label, cells, box.tl(), shape, face, threshold);
     if (sums.empty()) continue;
-    const ContactRegion region = sums.region(options.smoothing_px);
+    const ContactRegion region = sums.region(options);
     if (region.area_mm2 >= options.minimum_area_mm2) regions.push_back(region);
   }
   std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) {

@@ -19,14 +19,14 @@ struct ContactRegion {
   double volume_mm3 = 0;  ///< displaced, along z
   int pixels = 0;
   /// Principal axis on the face from the finger's length (base to tip) towards +y, in
-  /// (-90, 90]; absent when the region is round (sd above 15 degrees).
+  /// (-90, 90]; absent when the region is round, or the sd above 15 degrees.
   std::optional<double> angle_deg;
-  std::optional<double> angle_sd_deg;
+  std::optional<double> angle_sd_deg;  ///< from the depth's noise alone
 };
 
 struct RegionOptions {
   double threshold_mm = 0.1;  ///< depth that counts as touched
-  double noise_mm = 0.0;      ///< sd of the untouched depth; the threshold is at least 4 of it
+  double noise_mm = 0.0;      ///< sd of a pixel's depth; the threshold is at least 4 of it
   double minimum_area_mm2 = 0.25;
   double smoothing_px = 1.0;  ///< correlation length of the depth map, for the angle's sd
 };

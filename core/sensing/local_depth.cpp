@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <span>
 
 namespace alltact {
@@ -326,6 +327,27 @@ void compare(const cv::Mat& grey,
   }
 }
 
+/// One frame's noise and the reference's own, averaged over the kernel: sd / (2 sqrt(pi) s).
+double smoothed_sd(const Reference& reference, const DifferenceOptions& options) {
+  const double averaging = options.smoothing_px > 0.0
+                               ? std::min(1.0, 1.0 / (2.0 * std::sqrt(M_PI) * options.smoothing_px))
+                               : 1.0;
+  return averaging * options.noise_sd * std::hypot(1.0, reference.noise_gain);
+}
+
+/// Mean brightness of the face, grey levels, from some of its rows; 1 where there is no face.
+double brightness_of(const cv::Mat& grey, const FaceRuns& face) {
+  constexpr int kEvery = 16;
+  double sum = 0, count = 0;
+  for (int row = kEvery / 2; row < grey.rows; row += kEvery)
+    for (const FaceRun& run : face.of_row(row)) {
+      const std::uint8_t* values = grey.ptr<std::uint8_t>(row);
+      sum += std::accumulate(values + run.first, values + run.end, 0);
+      count += run.size();
+    }
+  return std::max(1.0, sum / std::max(1.0, count));
+}
+
 }  // namespace
 
 Difference difference(const cv::Mat& grey,
@@ -337,11 +359,7 @@ Difference difference(const cv::Mat& grey,
   result.x = pooled_picture(grey.size(), CV_32FC1);
   result.flags = pooled_picture(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size());
-  // One frame's noise and the reference's own, averaged over the kernel: sd / (2 sqrt(pi) s).
-  const double averaging = options.smoothing_px > 0.0
-                               ? std::min(1.0, 1.0 / (2.0 * std::sqrt(M_PI) * options.smoothing_px))
-                               : 1.0;
-  result.grey_sd = averaging * options.noise_sd * std::hypot(1.0, reference.noise_gain);
+  result.grey_sd = smoothed_sd(reference, options);
   compare(
       grey,
       reference,
@@ -356,7 +374,7 @@ Difference difference(const cv::Mat& grey,
 }
 
 DepthMap depth_map(const Difference& difference, const Mapping& mapping, const FaceShape& shape) {
-  DepthMap map{pooled_picture(difference.x.size(), CV_32FC1), difference.flags.clone(), {}};
+  DepthMap map{pooled_picture(difference.x.size(), CV_32FC1), difference.flags.clone(), {}, 0.0};
   Mapper mapper(mapping, difference.face, map);
   for (int row = 0; row < difference.x.rows; ++row) mapper(row, difference.x.ptr<float>(row));
   mapper.finish(shape);
@@ -369,7 +387,8 @@ DepthMap depth_map(const cv::Mat& grey,
                    const DifferenceOptions& options,
                    const Mapping& mapping) {
   CV_Assert(shape.width_px() == grey.cols);
-  DepthMap map{pooled_picture(grey.size(), CV_32FC1), pooled_picture(grey.size(), CV_8UC1), {}};
+  DepthMap map{
+      pooled_picture(grey.size(), CV_32FC1), pooled_picture(grey.size(), CV_8UC1), {}, 0.0};
   const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size());
   Mapper mapper(mapping, face, map);
   std::vector<float> x(static_cast<std::size_t>(grey.cols));
@@ -382,6 +401,8 @@ DepthMap depth_map(const cv::Mat& grey,
       [&](int) { return x.data(); },
       [&](int row) { mapper(row, x.data()); });
   mapper.finish(shape);
+  map.noise_mm =
+      mapping.slope_mm(0.0) * smoothed_sd(reference, options) / brightness_of(grey, face);
   return map;
 }
 

@@ -33,6 +33,8 @@ struct DepthMap {
   cv::Mat depth_mm;  ///< CV_32FC1 along z, >= 0, NaN where flags say so
   cv::Mat flags;     ///< CV_8UC1 of PixelFlag
   cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell (depth_cells.h)
+  double noise_mm =
+      0;  ///< sd of a pixel's depth where little presses, at the face's mean brightness
 };
 
 struct DifferenceOptions {

@@ -127,6 +127,7 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   RegionOptions options;
   options.threshold_mm = settings.contact_threshold_mm;
   options.smoothing_px = settings.smoothing_px;
+  options.noise_mm = result.depth->noise_mm;
   result.regions = contact_regions(*result.depth, *result.shape, finger.face, options);
   watch.lap(result.times_ms.contact);
 }
