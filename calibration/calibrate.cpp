@@ -176,10 +176,6 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
   return with_outlines.converged ? with_outlines : fit;
 }
 
-bool is_mapping(const JointFit& fit, const ModelChoice& choice) {
-  return Mapping::create(mapping_parameters(fit.curve, choice.options.along)).ok();
-}
-
 Result<Calibration> solve_jointly(std::vector<Found> found,
                                   double ball_radius_mm,
                                   const CalibrationSettings& settings,
@@ -201,7 +197,8 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   choice->options.settled_mm = JointOptions{}.settled_mm;
   JointFit fit = fit_finely(found, *choice, job);
   if (settings.family == FamilyChoice::kAuto && settings.degree == 0 && !job.stop_requested() &&
-      fit.curve.family().kind == MappingKind::kPolynomial && !is_mapping(fit, *choice)) {
+      fit.curve.family().kind == MappingKind::kPolynomial &&
+      !increases(fit.curve, choice->options.along)) {
     // A polynomial that just increased on some of the samples may not on all of them.
     CalibrationSettings simple = settings;
     simple.family = FamilyChoice::kMoebius;

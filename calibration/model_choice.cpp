@@ -22,10 +22,6 @@ constexpr double kSettledMm = 1e-5;  // enough to choose by
 
 constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};
 
-bool increases(const MappingCurve& curve, MappingAlong along) {
-  return Mapping::create(mapping_parameters(curve, along)).ok();
-}
-
 /// The largest difference at which the contacts' inner parts are seen: the end of the domain.
 double domain_of(const ChoiceInput& input, MappingAlong along) {
   double x_max = 0;
@@ -266,6 +262,10 @@ MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong alo
     parameters.chebyshev.assign(curve.values().begin(), curve.values().end());
   }
   return parameters;
+}
+
+bool increases(const MappingCurve& curve, MappingAlong along) {
+  return Mapping::create(mapping_parameters(curve, along)).ok();
 }
 
 std::optional<ModelChoice> choose_model(const ChoiceInput& input,

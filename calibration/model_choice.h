@@ -38,4 +38,7 @@ struct ModelChoice {
 /// What is stored of a fitted curve.
 [[nodiscard]] MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong along);
 
+/// Whether a fitted curve is a mapping: increasing over its whole domain.
+[[nodiscard]] bool increases(const MappingCurve& curve, MappingAlong along);
+
 }  // namespace alltact

@@ -201,6 +201,12 @@ struct Seed {
   double v = 0, slope = 0, contrast = 0;
 };
 
+Edge unseen(std::size_t samples) {
+  return {std::vector<double>(samples, 0.0),
+          std::vector<double>(samples, 1.0),
+          std::vector<char>(samples, 0)};
+}
+
 /// Follows the edge from a seed to both sides, each time looking only where it goes on. The number
 /// of samples where it was seen.
 int follow(const EdgeReader& reader,
@@ -208,9 +214,7 @@ int follow(const EdgeReader& reader,
            const std::vector<double>& columns,
            Edge& edge) {
   const auto count = static_cast<int>(columns.size());
-  edge.v.assign(columns.size(), 0.0);
-  edge.sd.assign(columns.size(), 1.0);
-  edge.valid.assign(columns.size(), 0);
+  edge = unseen(columns.size());
   int seen = 0;
   for (const int direction : {-1, 1}) {
     Ahead ahead;
@@ -254,6 +258,7 @@ void find_edge(const EdgeReader& reader,
   std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
     return a.contrast > b.contrast;
   });
+  edge = unseen(columns.size());
   int most = -1;
   for (int tries = 0; tries < kMostTries && !seeds.empty() && 2 * most < count; ++tries) {
     const Seed seed = seeds.front();
@@ -263,10 +268,6 @@ void find_edge(const EdgeReader& reader,
     std::erase_if(seeds,
                   [&](const Seed& s) { return 8 * std::abs(s.sample - seed.sample) < count; });
   }
-  if (most >= 0) return;
-  edge.v.assign(columns.size(), 0.0);
-  edge.sd.assign(columns.size(), 1.0);
-  edge.valid.assign(columns.size(), 0);
 }
 
 }  // namespace

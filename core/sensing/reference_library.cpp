@@ -119,19 +119,13 @@ Status read_faces(const std::filesystem::path& video_file,
           video_file);
     const auto frame = video->frame(number);
     if (!frame) return wrong(frame.error().what, video_file);
-    const cv::Mat turned = oriented((*frame)->grey, camera.parameters().orientation);
-    if (turned.size() != camera.size())
-      return wrong(
-          fmt::format("the recording's pictures are {} x {}, the finger's camera gives {} x {}",
-                      turned.cols,
-                      turned.rows,
-                      camera.size().width,
-                      camera.size().height),
-          video_file);
-    const auto edges = finder(turned);
+    const auto turned =
+        oriented_for(finger.camera, (*frame)->grey, "the recording's picture", "", "");
+    if (!turned) return wrong(turned.error().what, video_file);
+    const auto edges = finder(*turned);
     if (!edges) continue;
     const auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
-    if (shape) keeper.add(row, keep_face(turned, *shape, kFaceMarginPx));
+    if (shape) keeper.add(row, keep_face(*turned, *shape, kFaceMarginPx));
   }
   return {};
 }
