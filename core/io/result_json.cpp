@@ -89,7 +89,7 @@ Json times_json(const FrameResult& result) {
   }
   if (result.markers) put(entry, "markers", times.markers, 3);
   if (result.reference) put(entry, "reference", times.reference, 3);
-  if (result.difference) put(entry, "local", times.local, 3);
+  if (result.difference || result.depth) put(entry, "local", times.local, 3);
   if (result.depth) put(entry, "contact", times.contact, 3);
   put(entry, "total", times.total, 3);
   return entry;

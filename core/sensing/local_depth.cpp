@@ -189,18 +189,24 @@ class RowSmoother {
   std::vector<std::int16_t> sums_, smooth_;
 };
 
+/// `light`: what live pixels are to be multiplied with, in powers of u - first_column.
 ALLTACT_WIDE void divide_row(const std::int16_t* __restrict live,
                              const std::int16_t* __restrict reference,
                              const std::uint8_t* __restrict flags,
+                             const std::array<float, 3>& light,
+                             int first_column,
                              int count,
                              float* __restrict x) {
   constexpr float measured = kMeasured;
+  const float constant = light[0], slope = light[1], bow = light[2];
   in_blocks(
       count, [=](int first, auto size) __attribute__((always_inline)) {
         for (int u = first; u < first + size; ++u) {
           const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+          const auto column = static_cast<float>(first_column + u);
+          const float correction = constant + column * (slope + column * bow);
           const float below = flag == measured ? static_cast<float>(reference[u]) : 1.0F;
-          const float value = (below - static_cast<float>(live[u])) / below;
+          const float value = (below - correction * static_cast<float>(live[u])) / below;
           x[u] = flag == measured ? value : kNaN;
         }
       });
@@ -278,6 +284,7 @@ void compare(const cv::Mat& grey,
              const Reference& reference,
              const FaceRuns& face,
              const DifferenceOptions& options,
+             const LightGain& light,
              cv::Mat& flags,
              RowOfX row_of_x,
              Done done) {
@@ -316,10 +323,13 @@ void compare(const cv::Mat& grey,
     const auto runs = face.of_row(row);
     float* x = row_of_x(row);
     auto* row_flags = flags.ptr<std::uint8_t>(row);
+    const std::array<float, 3> light_here = light.of_row(row);
     for (const FaceRun& run : runs)
       divide_row(live.smoothed(row, run),
                  untouched.smoothed(row, run),
                  row_flags + run.first,
+                 light_here,
+                 run.first,
                  run.size(),
                  x + run.first);
     clear_outside(runs, grey.cols, row_flags, fill_off_face);
@@ -333,6 +343,14 @@ double smoothed_sd(const Reference& reference, const DifferenceOptions& options)
                                ? std::min(1.0, 1.0 / (2.0 * std::sqrt(M_PI) * options.smoothing_px))
                                : 1.0;
   return averaging * options.noise_sd * std::hypot(1.0, reference.noise_gain);
+}
+
+LightGain light_now(const cv::Mat& grey,
+                    const Reference& reference,
+                    const FaceRuns& face,
+                    const DifferenceOptions& options) {
+  if (!options.correct_light) return {};
+  return light_gain(grey, reference.picture, face, options.noise_sd, reference.noise_gain);
 }
 
 /// Mean brightness of the face, grey levels, from some of its rows; 1 where there is no face.
@@ -360,11 +378,13 @@ Difference difference(const cv::Mat& grey,
   result.flags = pooled_picture(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size());
   result.grey_sd = smoothed_sd(reference, options);
+  result.light = light_now(grey, reference, result.face, options);
   compare(
       grey,
       reference,
       result.face,
       options,
+      result.light,
       result.flags,
       [&](int row) { return result.x.ptr<float>(row); },
       [&](int row) {
@@ -374,7 +394,11 @@ Difference difference(const cv::Mat& grey,
 }
 
 DepthMap depth_map(const Difference& difference, const Mapping& mapping, const FaceShape& shape) {
-  DepthMap map{pooled_picture(difference.x.size(), CV_32FC1), difference.flags.clone(), {}, 0.0};
+  DepthMap map{pooled_picture(difference.x.size(), CV_32FC1),
+               difference.flags.clone(),
+               {},
+               0.0,
+               difference.light};
   Mapper mapper(mapping, difference.face, map);
   for (int row = 0; row < difference.x.rows; ++row) mapper(row, difference.x.ptr<float>(row));
   mapper.finish(shape);
@@ -388,8 +412,9 @@ DepthMap depth_map(const cv::Mat& grey,
                    const Mapping& mapping) {
   CV_Assert(shape.width_px() == grey.cols);
   DepthMap map{
-      pooled_picture(grey.size(), CV_32FC1), pooled_picture(grey.size(), CV_8UC1), {}, 0.0};
+      pooled_picture(grey.size(), CV_32FC1), pooled_picture(grey.size(), CV_8UC1), {}, 0.0, {}};
   const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size());
+  map.light = light_now(grey, reference, face, options);
   Mapper mapper(mapping, face, map);
   std::vector<float> x(static_cast<std::size_t>(grey.cols));
   compare(
@@ -397,6 +422,7 @@ DepthMap depth_map(const cv::Mat& grey,
       reference,
       face,
       options,
+      map.light,
       map.flags,
       [&](int) { return x.data(); },
       [&](int row) { mapper(row, x.data()); });

@@ -4,6 +4,7 @@
 #include "core/finger/mapping.h"
 #include "core/sensing/face_runs.h"
 #include "core/sensing/face_shape.h"
+#include "core/sensing/light_gain.h"
 #include "core/sensing/reference_library.h"
 
 #include <opencv2/core.hpp>
@@ -19,7 +20,8 @@ enum PixelFlag : std::uint8_t {
   kExtrapolated = 4,  ///< darker than anything calibrated: depth goes on with the end slope
 };
 
-/// x = (I_ref - I) / I_ref after smoothing, CV_32FC1, NaN where there is no measurement; and why.
+/// x = (I_ref - q I) / I_ref after smoothing, q the correction for the light's change if asked for,
+/// CV_32FC1, NaN where there is no measurement; and why.
 struct Difference {
   cv::Mat x;
   cv::Mat flags;  ///< CV_8UC1 of PixelFlag
@@ -27,6 +29,7 @@ struct Difference {
   /// Noise of both pictures after smoothing, grey levels: sd(x) of an untouched pixel is
   /// grey_sd / I_ref.
   double grey_sd = 0;
+  LightGain light;  ///< how the light has changed, if that was asked for
 };
 
 struct DepthMap {
@@ -34,13 +37,15 @@ struct DepthMap {
   cv::Mat flags;     ///< CV_8UC1 of PixelFlag
   cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell (depth_cells.h)
   double noise_mm =
-      0;  ///< sd of a pixel's depth where little presses, at the face's mean brightness
+      0;            ///< sd of a pixel's depth where little presses, at the face's mean brightness
+  LightGain light;  ///< how the light has changed, if that was asked for
 };
 
 struct DifferenceOptions {
   double smoothing_px = 1.0;    ///< sd of the Gaussian over x; 0: none
   double edge_margin_px = 2.0;  ///< pixels this near the face's edges are off the face
   double noise_sd = 1.0;        ///< grey levels, from the picture
+  bool correct_light = false;   ///< take out what the light has changed (light_gain.h)
 };
 
 /// Compares a picture with its reference on the face.

@@ -113,6 +113,7 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
 void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   DifferenceOptions options;
   options.smoothing_px = settings.smoothing_px;
+  options.correct_light = settings.light == LightChange::kCorrected;
   options.noise_sd = result.edges ? result.edges->noise_sd : plane_noise_sd;
   if (mapping) {
     result.depth = depth_map(result.grey, *result.reference, *result.shape, options, *mapping);

@@ -27,6 +27,12 @@ const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
           "computed from the nearest several",
           &S::reference,
           {{"nearest", ReferenceMethod::kNearest}, {"local", ReferenceMethod::kLocal}}),
+      choice_setting<S, LightChange>(
+          "light-change",
+          "whether a change of the light since the reference is read from the untouched skin and "
+          "taken out",
+          &S::light,
+          {{"corrected", LightChange::kCorrected}, {"ignored", LightChange::kIgnored}}),
       number_setting<S>(
           "smoothing-px",
           "standard deviation of the smoothing before depth is read, in pixels; 0: none",
@@ -47,6 +53,7 @@ PipelineSettings paper_settings() {
   settings.edge_method = EdgeMethod::kInteger;
   settings.edge_columns = 1;
   settings.reference = ReferenceMethod::kNearest;
+  settings.light = LightChange::kIgnored;
   settings.smoothing_px = 0.0;
   return settings;
 }

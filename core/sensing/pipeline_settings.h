@@ -7,11 +7,18 @@
 
 namespace alltact {
 
+/// Whether the light is taken to be that of the recording.
+enum class LightChange {
+  kIgnored = 1,  ///< the light of the recording is that of now (the paper)
+  kCorrected,    ///< the untouched skin tells how it has changed (light_gain.h)
+};
+
 struct PipelineSettings {
   EdgeMethod edge_method = EdgeMethod::kCrossing;
   int edge_columns = 8;
   int profile_degree = 7;
   ReferenceMethod reference = ReferenceMethod::kLocal;
+  LightChange light = LightChange::kCorrected;
   double smoothing_px = 1.0;
   double contact_threshold_mm = 0.1;
 };

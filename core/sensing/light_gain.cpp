@@ -1,0 +1,177 @@
+#include "core/sensing/light_gain.h"
+
+#include "core/sensing/grey_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace alltact {
+namespace {
+
+constexpr double kBlocks = 1500;     // enough for six numbers, few enough to cost nothing
+constexpr double kFloor = 0.002;     // what references are off by apart from noise
+constexpr double kTukey = 4.0;       // sigmas beyond which a block says nothing
+constexpr double kBrightest = 250;   // levels from here on are clipped
+constexpr double kLeastLevel = 8;    // darker than this nothing can be divided by
+constexpr double kConstantSd = 0.5;  // what changes are to be expected
+constexpr double kShapeSd = 0.05;
+constexpr int kLeastBlocks = 20;
+
+using Terms = Eigen::Matrix<double, LightGain::kTerms, 1>;
+
+struct Block {
+  Terms basis;
+  double ratio, sd;  // live over reference, and its noise
+};
+
+cv::Rect bounds_of(const FaceRuns& face) {
+  if (face.runs.empty()) return {};
+  int left = face.runs.front().first, right = face.runs.front().end;
+  for (const FaceRun& run : face.runs)
+    left = std::min(left, run.first), right = std::max(right, run.end);
+  const int top = face.runs.front().row;
+  return {left, top, right - left, face.runs.back().row + 1 - top};
+}
+
+Terms basis_at(double s, double t) {
+  Terms basis;
+  basis << 1.0, s, t, s * s, s * t, t * t;
+  return basis;
+}
+
+std::vector<Block> blocks_of(const cv::Mat& grey,
+                             const ReferencePicture& reference,
+                             const FaceRuns& face,
+                             const cv::Rect& bounds,
+                             double noise_sd,
+                             double noise_gain) {
+  std::vector<Block> blocks;
+  const int step = std::max(2, static_cast<int>(std::sqrt(face.pixels() / kBlocks)));
+  const double half_u = 0.5 * bounds.width, half_v = 0.5 * bounds.height;
+  ReferencePicture::Reader reader(reference);
+  for (int v = bounds.y + step / 2; v < bounds.br().y; v += step) {
+    const auto runs = face.of_row(v);
+    if (runs.empty()) continue;
+    const std::int16_t* untouched = reader.row(v);
+    const auto* live = grey.ptr<std::uint8_t>(v);
+    for (const FaceRun& run : runs)
+      for (int first = run.first; first + step <= run.end; first += step) {
+        int sum = 0, reference_sum = 0, count = 0;
+        for (int u = first; u < first + step; ++u) {
+          if (live[u] >= kBrightest || untouched[u] < kLeastLevel * kGreySteps ||
+              untouched[u] >= kBrightest * kGreySteps)
+            continue;
+          sum += live[u];
+          reference_sum += untouched[u];
+          ++count;
+        }
+        if (2 * count < step) continue;
+        const double level = static_cast<double>(reference_sum) / kGreySteps;
+        const double sd = noise_sd * std::sqrt(count * (1.0 + noise_gain * noise_gain)) / level;
+        const double s = (first + 0.5 * (step - 1) - bounds.x) / half_u - 1.0;
+        blocks.push_back(
+            {basis_at(s, (v - bounds.y) / half_v - 1.0), sum / level, std::hypot(sd, kFloor)});
+      }
+  }
+  return blocks;
+}
+
+/// The middle and half the length of the shortest interval that holds two fifths of the ratios:
+/// untouched skin looks alike, pressed skin does not.
+std::pair<double, double> commonest(const std::vector<Block>& blocks) {
+  std::vector<double> ratios;
+  for (const Block& block : blocks) ratios.push_back(block.ratio);
+  std::sort(ratios.begin(), ratios.end());
+  const std::size_t held = 2 * ratios.size() / 5;
+  std::size_t best = 0;
+  for (std::size_t i = 0; i + held < ratios.size(); ++i)
+    if (ratios[i + held] - ratios[i] < ratios[best + held] - ratios[best]) best = i;
+  return {0.5 * (ratios[best] + ratios[best + held]), 0.5 * (ratios[best + held] - ratios[best])};
+}
+
+double ramp(double value, double from, double to) {
+  return std::clamp((value - from) / (to - from), 1e-3, 1.0);
+}
+
+/// One step of the re-weighted least squares; gives the part of the blocks that is believed.
+double refit(const std::vector<Block>& blocks, double widening, double believed, Terms* terms) {
+  Eigen::Matrix<double, LightGain::kTerms, LightGain::kTerms> normal;
+  Terms pull = Terms::Zero();
+  normal.setZero();
+  double weights = 0;
+  for (const Block& block : blocks) {
+    const double sd = std::hypot(block.sd, widening);
+    const double off = 1.0 - block.ratio * (1.0 + block.basis.dot(*terms));
+    const double z = off / (kTukey * sd);
+    if (std::abs(z) >= 1.0) continue;
+    const double share = (1.0 - z * z) * (1.0 - z * z), weight = share / (sd * sd);
+    const Terms row = block.ratio * block.basis;
+    normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
+    pull += weight * (1.0 - block.ratio) * row;
+    weights += share;
+  }
+  normal.diagonal()[0] += 1.0 / (kConstantSd * kConstantSd);
+  const double tilt_sd = kShapeSd * ramp(believed, 0.2, 0.5),
+               bow_sd = kShapeSd * ramp(believed, 0.35, 0.65);
+  for (int k = 1; k < LightGain::kTerms; ++k) {
+    const double sd = k < 3 ? tilt_sd : bow_sd;
+    normal.diagonal()[k] += 1.0 / (sd * sd);
+  }
+  *terms = normal.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
+  return weights / static_cast<double>(blocks.size());
+}
+
+}  // namespace
+
+LightGain::LightGain(const cv::Rect& face, const std::array<double, kTerms>& terms, double believed)
+    : terms_(terms),
+      middle_u_(face.x + 0.5 * face.width),
+      middle_v_(face.y + 0.5 * face.height),
+      half_u_(0.5 * face.width),
+      half_v_(0.5 * face.height),
+      believed_(believed) {}
+
+std::array<float, 3> LightGain::of_row(int v) const {
+  const double t = (v - middle_v_) / half_v_, m = middle_u_ / half_u_;
+  // In powers of s = u / half - m first.
+  const double a = 1.0 + terms_[0] + terms_[2] * t + terms_[5] * t * t,
+               b = terms_[1] + terms_[4] * t, c = terms_[3];
+  return {static_cast<float>(a - b * m + c * m * m),
+          static_cast<float>((b - 2.0 * c * m) / half_u_),
+          static_cast<float>(c / (half_u_ * half_u_))};
+}
+
+double LightGain::at(double u, double v) const {
+  const double s = (u - middle_u_) / half_u_, t = (v - middle_v_) / half_v_;
+  return 1.0 + basis_at(s, t).dot(Eigen::Map<const Terms>(terms_.data()));
+}
+
+LightGain light_gain(const cv::Mat& grey,
+                     const ReferencePicture& reference,
+                     const FaceRuns& face,
+                     double noise_sd,
+                     double noise_gain) {
+  CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.size());
+  const cv::Rect bounds = bounds_of(face);
+  if (bounds.empty()) return {};
+  const auto blocks = blocks_of(grey, reference, face, bounds, noise_sd, noise_gain);
+  if (static_cast<int>(blocks.size()) < kLeastBlocks) return {};
+  const auto [ratio, half] = commonest(blocks);
+  if (!(ratio > 0.0)) return {};
+  Terms terms = Terms::Zero();
+  terms[0] = 1.0 / ratio - 1.0;
+  double believed = 0.4;
+  // From wide to narrow: a change that tilts over the face must not look like a contact.
+  for (double widening = half; widening > 0.5 * kFloor; widening *= 0.5)
+    believed = refit(blocks, widening, believed, &terms);
+  for (int last = 0; last < 2; ++last) believed = refit(blocks, 0.0, believed, &terms);
+  if (!terms.allFinite()) return {};
+  std::array<double, LightGain::kTerms> values;
+  std::copy(terms.begin(), terms.end(), values.begin());
+  return {bounds, values, believed};
+}
+
+}  // namespace alltact
