@@ -261,10 +261,14 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
           "degree", "degree of the polynomial; 0: chosen by leaving presses out", &S::degree, 0, 8),
       choice_setting<S, AlongChoice>(
           "along",
-          "which thickness of the layer brightness follows; auto: along z unless presses left out "
-          "say otherwise",
+          "which thickness of the layer brightness follows: along z, along its normal, or that "
+          "along "
+          "z projected onto the normal; auto: along z unless presses left out say otherwise",
           &S::along,
-          {{"auto", AlongChoice::kAuto}, {"z", AlongChoice::kZ}, {"normal", AlongChoice::kNormal}}),
+          {{"auto", AlongChoice::kAuto},
+           {"z", AlongChoice::kZ},
+           {"normal", AlongChoice::kNormal},
+           {"projected", AlongChoice::kProjected}}),
   };
   return settings;
 }

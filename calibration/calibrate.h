@@ -19,7 +19,7 @@ enum class CalibrationMethod {
   kPaper,  ///< the source paper: circle on each press, ball depth from its radius, one polynomial
 };
 enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius };
-enum class AlongChoice { kAuto = 1, kZ, kNormal };
+enum class AlongChoice { kAuto = 1, kZ, kNormal, kProjected };
 
 struct CalibrationSettings {
   CalibrationMethod method = CalibrationMethod::kJoint;

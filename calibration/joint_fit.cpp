@@ -155,8 +155,9 @@ double ball_depth_mm(const Sample& sample,
   const double half2 = (radius_mm - distance) * (radius_mm + distance);
   if (!(half2 > 0.0)) return std::numeric_limits<double>::quiet_NaN();
   const double half = std::sqrt(half2);
-  if (by_centre != nullptr) *by_centre = aside / half - direction;
-  return ahead + half;
+  const double scale = along == MappingAlong::kProjected ? sample.cos_incline : 1.0;
+  if (by_centre != nullptr) *by_centre = scale * (aside / half - direction);
+  return scale * (ahead + half);
 }
 
 ContactDisc::ContactDisc(const PressSamples& press,
@@ -180,9 +181,10 @@ ContactDisc::ContactDisc(const PressSamples& press,
 }
 
 ContactDisc::Place ContactDisc::place_of(const Sample& sample) const {
-  const double depth = ball_depth_mm(sample, along_, centre_mm_, radius_mm_);
-  if (!std::isfinite(depth)) return {std::numeric_limits<double>::infinity(), kPatches - 1};
   const bool normal = along_ == MappingAlong::kNormal;
+  const double depth = ball_depth_mm(
+      sample, normal ? MappingAlong::kNormal : MappingAlong::kZ, centre_mm_, radius_mm_);
+  if (!std::isfinite(depth)) return {std::numeric_limits<double>::infinity(), kPatches - 1};
   Eigen::Vector3d touched = normal ? sample.untouched_n : sample.untouched_z;
   touched -= depth * (normal ? sample.normal : Eigen::Vector3d(0.0, 0.0, 1.0));
   const Eigen::Vector3d from = touched - centre_mm_;

@@ -16,7 +16,7 @@
 
 namespace alltact {
 
-/// How deep a ball presses in at a sample, mm, in the direction of `along`, negative where the ball
+/// How deep a ball presses in at a sample, mm, in the sense of `along`, negative where the ball
 /// is off the face; with its derivative by the centre. NaN where the line misses the ball.
 [[nodiscard]] double ball_depth_mm(const Sample& sample,
                                    MappingAlong along,

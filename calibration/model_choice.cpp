@@ -273,22 +273,29 @@ std::optional<ModelChoice> choose_model(const ChoiceInput& input,
                                         const Job& job) {
   if (settings.along == AlongChoice::kNormal)
     return choose_family(input, settings, MappingAlong::kNormal, job);
-  auto by_z = choose_family(input, settings, MappingAlong::kZ, job);
+  if (settings.along == AlongChoice::kProjected)
+    return choose_family(input, settings, MappingAlong::kProjected, job);
+  const auto by_z = choose_family(input, settings, MappingAlong::kZ, job);
   const bool told_apart = input.presses.size() > 1 && steepest_deg(input) > kInclineDeg;
-  if (settings.along == AlongChoice::kZ || !by_z || !told_apart || job.stop_requested())
+  if (settings.along == AlongChoice::kZ || !by_z || by_z->held_out_mm.empty() || !told_apart)
     return by_z;
-  auto by_normal = choose_family(input, settings, MappingAlong::kNormal, job);
-  if (!by_normal || by_normal->held_out_mm.size() != by_z->held_out_mm.size() ||
-      by_z->held_out_mm.empty())
-    return by_z;
-  const Excess excess = excess_of(by_z->held_out_mm, by_normal->held_out_mm);
-  if (!(excess.mean > excess.standard_error)) return by_z;
-  by_normal->remarks.push_back(
-      fmt::format("brightness follows the layer's thickness along its normal: {:.4f} mm on presses "
-                  "left out, against {:.4f} mm along z",
-                  mean_of(by_normal->held_out_mm),
-                  mean_of(by_z->held_out_mm)));
-  return by_normal;
+  auto best = by_z;
+  for (const MappingAlong along : {MappingAlong::kNormal, MappingAlong::kProjected}) {
+    if (job.stop_requested()) break;
+    auto other = choose_family(input, settings, along, job);
+    if (!other || other->held_out_mm.size() != by_z->held_out_mm.size()) continue;
+    const Excess excess = excess_of(best->held_out_mm, other->held_out_mm);
+    if (excess.mean > excess.standard_error) best = std::move(other);
+  }
+  if (best->options.along != MappingAlong::kZ)
+    best->remarks.push_back(fmt::format(
+        "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
+        "{:.4f} mm along z",
+        best->options.along == MappingAlong::kNormal ? "along its normal"
+                                                     : "along z projected onto its normal",
+        mean_of(best->held_out_mm),
+        mean_of(by_z->held_out_mm)));
+  return best;
 }
 
 }  // namespace alltact

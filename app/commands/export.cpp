@@ -72,7 +72,7 @@ Json mapping_json(const Mapping& mapping, const std::optional<MappingRecord>& re
   const MappingParameters& parameters = mapping.parameters();
   Json json;
   json["formula"] = "depth_mm = M(x), x = (reference - picture) / reference";
-  json["along"] = parameters.along == MappingAlong::kZ ? "z" : "normal";
+  json["along"] = to_string(parameters.along);
   json["domain"] = {0.0, parameters.x_max};
   if (parameters.kind == MappingKind::kPolynomial) {
     json["kind"] = "polynomial";

@@ -16,7 +16,7 @@ using Words = std::vector<std::string_view>;
 const Words kFaceKinds{"fin_ray", "flat"};
 const Words kPolarities{"bright", "dark", "auto"};
 const Words kMappingKinds{"polynomial", "moebius"};
-const Words kAlongs{"z", "normal"};
+const Words kAlongs{"z", "normal", "projected"};
 
 template <class E>
 E read_word(YamlSection& section, const std::string& key, const Words& words) {
@@ -203,7 +203,7 @@ std::string mapping_text(const MappingParameters& parameters,
                          const UnknownKeys& unknown) {
   YamlBlock block("mapping");
   block.add("kind", word_of(kMappingKinds, parameters.kind));
-  block.add("along", word_of(kAlongs, parameters.along));
+  block.add("along", std::string(to_string(parameters.along)));
   block.add("domain", yaml_numbers({0, parameters.x_max}));
   if (parameters.kind == MappingKind::kMoebius) {
     block.add("a_mm", yaml_number(parameters.a_mm));

@@ -2,6 +2,8 @@
 
 #include "core/numerics/dispatch.h"
 
+#include <array>
+
 namespace alltact {
 namespace {
 
@@ -147,6 +149,11 @@ std::optional<Error> coefficient_problem(const MappingParameters& p) {
 }
 
 }  // namespace
+
+std::string_view to_string(MappingAlong along) {
+  constexpr std::array<std::string_view, 3> words{"z", "normal", "projected"};
+  return words[static_cast<std::size_t>(along) - 1];
+}
 
 Mapping::Mapping(MappingParameters parameters) : parameters_(std::move(parameters)) {
   const double x_max = parameters_.x_max;

@@ -11,9 +11,16 @@
 namespace alltact {
 
 enum class MappingKind { kPolynomial = 1, kMoebius };
-/// Which thickness of the layer the brightness follows: along z, or along its normal. With kNormal,
-/// M gives the depth along the normal and the depth along z is M(x) / cos(incline).
-enum class MappingAlong { kZ = 1, kNormal };
+/// Which thickness of the layer the brightness follows. What M gives is a depth in that sense; what
+/// is reported is the depth along z.
+enum class MappingAlong {
+  kZ = 1,      ///< along z, above the view point
+  kNormal,     ///< along the face's normal, from the view point
+  kProjected,  ///< along z, above the view point, times the cosine of the face's incline: the same
+               ///< untouched layer everywhere, however the finger bends
+};
+/// As files say it: "z", "normal", "projected".
+[[nodiscard]] std::string_view to_string(MappingAlong along);
 
 /// What is stored of a mapping.
 ///   polynomial: d = x * sum_k c_k T_k(2 x / x_max - 1), T_k Chebyshev polynomials: zero at zero by

@@ -18,16 +18,13 @@ constexpr int kSteps = 6;            // each at least halves the error
 struct Profile {
   std::vector<double> foot_x_mm;  ///< x of the untouched face seen along the normal, ascending
   std::vector<double> z_mm, normal_x, normal_z;
-  std::vector<float> along_z;  ///< by the picture's column: depth along z of one along the normal
 
-  explicit Profile(const FaceShape& shape)
-      : along_z(static_cast<std::size_t>(shape.width_px()), 1.0F) {
+  explicit Profile(const FaceShape& shape) {
     const double layer_mm = shape.face().layer_mm;
     for (int u = 0; u < shape.width_px(); ++u) {
       const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
       const auto local = shape.at(u, 0.5 * (column.upper_v + column.lower_v));
       if (!local) continue;
-      along_z[static_cast<std::size_t>(u)] = static_cast<float>(1.0 / local->cos_incline);
       const double foot = local->view_point_mm.x() + layer_mm * local->normal.x();
       if (!foot_x_mm.empty() && foot <= foot_x_mm.back()) continue;
       foot_x_mm.push_back(foot);
@@ -100,13 +97,14 @@ cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
   CV_Assert(depth_normal_mm.type() == CV_32FC1 && depth_normal_mm.cols == shape.width_px());
   cv::Mat depth_mm = depth_normal_mm.clone();
   const Profile profile(shape);
+  const std::vector<float> along_z = shape.along_z_per_normal();
   const cv::Mat touched = touched_cells(cells_mm, shape);
   for (int row = 0; row < depth_mm.rows; ++row) {
     const std::uint8_t* cell = touched.ptr<std::uint8_t>(row / kDepthCellPx);
     float* depth = depth_mm.ptr<float>(row);
     for (int u = 0; u < depth_mm.cols; ++u) {
       // Where the face is even, along the normal or along z is a matter of scale alone.
-      depth[u] *= profile.along_z[static_cast<std::size_t>(u)];
+      depth[u] *= along_z[static_cast<std::size_t>(u)];
       if (cell[u / kDepthCellPx] == 0 || !std::isfinite(depth[u]) || profile.foot_x_mm.size() < 2)
         continue;
       const auto here = shape.at(u, row);

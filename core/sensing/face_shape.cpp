@@ -246,6 +246,16 @@ std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
   return local;
 }
 
+std::vector<float> FaceShape::along_z_per_normal() const {
+  std::vector<float> factors(columns_.size(), 1.0F);
+  for (int u = 0; u < width_px(); ++u) {
+    const FaceColumn& column = columns_[static_cast<std::size_t>(u)];
+    if (const auto local = at(u, 0.5 * (column.upper_v + column.lower_v)))
+      factors[static_cast<std::size_t>(u)] = static_cast<float>(1.0 / local->cos_incline);
+  }
+  return factors;
+}
+
 // With q = 1/z a function of x: p = (x, y, 1) / q, so dp/dx is along (q - x q', -y q', -q') and the
 // normal across y is along (q', 0, q - x q'): no division by a slope, no cosine.
 std::optional<FaceShape::Across> FaceShape::across_from(double x, double q, double q_slope) {

@@ -64,6 +64,10 @@ class FaceShape {
   };
   [[nodiscard]] std::optional<Local> at(double u, double v) const;
 
+  /// 1 / cos(incline) on the middle of the face, by column: how much longer a way is along z than
+  /// along the normal. 1 where the column is not valid.
+  [[nodiscard]] std::vector<float> along_z_per_normal() const;
+
   /// Arc length along the face from the first valid column on the base's side to column u, mm,
   /// measured on the middle of the face; grows from base to tip.
   [[nodiscard]] double length_at(double u) const;

@@ -227,6 +227,10 @@ ALLTACT_WIDE void flag_row(const float* __restrict x,
       });
 }
 
+ALLTACT_WIDE void scale_row(const float* __restrict factors, int count, float* __restrict values) {
+  for (int u = 0; u < count; ++u) values[u] *= factors[u];
+}
+
 /// What of a row lies outside the face's runs has no measurement.
 template <class Value, class Clear>
 void clear_outside(std::span<const FaceRun> runs, int width, Value* values, Clear clear) {
@@ -245,8 +249,11 @@ void fill_off_face(std::uint8_t* flags, int count) {
 /// Makes a depth map row by row from rows of differences.
 class Mapper {
  public:
-  Mapper(const Mapping& mapping, const FaceRuns& face, DepthMap& map)
-      : mapping_(mapping), face_(face), map_(map), cells_(map.depth_mm.size()) {}
+  Mapper(const Mapping& mapping, const FaceShape& shape, const FaceRuns& face, DepthMap& map)
+      : mapping_(mapping), shape_(shape), face_(face), map_(map), cells_(map.depth_mm.size()) {
+    if (mapping.parameters().along == MappingAlong::kProjected)
+      along_z_ = shape.along_z_per_normal();
+  }
 
   /// Rows in turn; completes the row's flags.
   void operator()(int row, const float* x) {
@@ -257,22 +264,25 @@ class Mapper {
     for (const FaceRun& run : runs) {
       mapping_.depths_mm(x + run.first, depth + run.first, run.size());
       flag_row(x + run.first, x_max, run.size(), flags + run.first);
+      if (!along_z_.empty()) scale_row(along_z_.data() + run.first, run.size(), depth + run.first);
     }
     clear_outside(runs, map_.depth_mm.cols, depth, fill_nan);
     cells_.add_row(row, runs, depth);
   }
 
-  void finish(const FaceShape& shape) {
+  void finish() {
     map_.cells_mm = cells_.mean_mm();
-    if (mapping_.parameters().along == MappingAlong::kZ) return;
-    map_.depth_mm = depth_along_z(map_.depth_mm, map_.cells_mm, shape);
+    if (mapping_.parameters().along != MappingAlong::kNormal) return;
+    map_.depth_mm = depth_along_z(map_.depth_mm, map_.cells_mm, shape_);
     map_.cells_mm = depth_cells(map_.depth_mm);
   }
 
  private:
   const Mapping& mapping_;
+  const FaceShape& shape_;
   const FaceRuns& face_;
   DepthMap& map_;
+  std::vector<float> along_z_;  // by column; empty when M gives depths along z already
   DepthCells cells_;
 };
 
@@ -399,9 +409,9 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
                {},
                0.0,
                difference.light};
-  Mapper mapper(mapping, difference.face, map);
+  Mapper mapper(mapping, shape, difference.face, map);
   for (int row = 0; row < difference.x.rows; ++row) mapper(row, difference.x.ptr<float>(row));
-  mapper.finish(shape);
+  mapper.finish();
   return map;
 }
 
@@ -415,7 +425,7 @@ DepthMap depth_map(const cv::Mat& grey,
       pooled_picture(grey.size(), CV_32FC1), pooled_picture(grey.size(), CV_8UC1), {}, 0.0, {}};
   const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size());
   map.light = light_now(grey, reference, face, options);
-  Mapper mapper(mapping, face, map);
+  Mapper mapper(mapping, shape, face, map);
   std::vector<float> x(static_cast<std::size_t>(grey.cols));
   compare(
       grey,
@@ -426,7 +436,7 @@ DepthMap depth_map(const cv::Mat& grey,
       map.flags,
       [&](int) { return x.data(); },
       [&](int row) { mapper(row, x.data()); });
-  mapper.finish(shape);
+  mapper.finish();
   map.noise_mm =
       mapping.slope_mm(0.0) * smoothed_sd(reference, options) / brightness_of(grey, face);
   return map;
