@@ -192,11 +192,20 @@ bool invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd* inverse, double* con
   return true;
 }
 
-}  // namespace
+/// What rings are off by in all presses alike, root mean square. Few rings tell little of that:
+/// only what is clearly more than is always reckoned with counts.
+double ring_error_mm(const std::vector<const PressSamples*>& presses,
+                     const JointFit& fit,
+                     const JointOptions& options) {
+  const FitQuality quality = quality_of(presses, fit, options);
+  const double shown_mm2 = std::pow(quality.ring_mm, 2) - std::pow(quality.scatter_mm, 2);
+  return shown_mm2 > 2.0 * kFloorMm * kFloorMm ? std::sqrt(shown_mm2) : kFloorMm;
+}
 
-JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
-                              const JointFit& fit,
-                              const JointOptions& options) {
+JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
+                          const JointFit& fit,
+                          const JointOptions& options,
+                          double ring_mm) {
   const Eigen::Index n_map = fit.curve.values().size();
   const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size());
   const Eigen::Index first = options.fix_mapping ? n_map : 0;
@@ -228,11 +237,6 @@ JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
   // Only what is more than chance: twice the standard deviation of a sum of squares.
   const double chance = 1.0 + 2.0 * std::sqrt(2.0 / std::max(1.0, patch_count));
   const double patch_mm2 = scatter > chance * by_noise ? (scatter - by_noise) / reach : 0.0;
-  const FitQuality quality = quality_of(presses, fit, options);
-  // Few rings tell little of how much rings are off: only what is clearly more than is always
-  // reckoned with counts.
-  const double shown_mm2 = std::pow(quality.ring_mm, 2) - std::pow(quality.scatter_mm, 2);
-  const double ring_mm = shown_mm2 > 2.0 * kFloorMm * kFloorMm ? std::sqrt(shown_mm2) : kFloorMm;
 
   // Hessian of the robust loss, and what the errors pull at it.
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n), spread = hessian;
@@ -266,6 +270,20 @@ JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
   result.covariance = Eigen::MatrixXd::Zero(n, n);
   result.covariance.bottomRightCorner(unknowns, unknowns) = 0.5 * (free + free.transpose());
   return result;
+}
+
+}  // namespace
+
+JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
+                              const JointFit& fit,
+                              const JointOptions& options) {
+  return spread_of(presses, fit, options, ring_error_mm(presses, fit, options));
+}
+
+JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
+                                     const JointFit& fit,
+                                     const JointOptions& options) {
+  return spread_of(presses, fit, options, 0.0);
 }
 
 }  // namespace alltact

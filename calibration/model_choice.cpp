@@ -11,6 +11,7 @@ namespace {
 constexpr double kInnerZone = 0.65;     // skin and ball touch here on any material (Hertz: 0.71)
 constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is never held against it
 constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
+constexpr double kCertainPart = 0.01;   // of the depth: what chance leaves open is little enough
 constexpr double kInclineDeg = 3.0;     // needed to tell thickness along z from along the normal
 constexpr int kMostCoefficients = 6;
 // Held-out errors closer than this are the same: the balls, which take up ten times as much of a
@@ -64,17 +65,47 @@ JointFit as_family(const JointFit& fit, CurveFamily family) {
   return {curve, fit.centres_mm, false};
 }
 
-/// Fits with a growing zone; leaves the largest believable one in `options`.
-JointFit grow_zone(const ChoiceInput& input, JointFit fit, JointOptions* options, const Job& job) {
+/// What chance alone leaves uncertain of the depth at the end of the domain, as a part of it.
+double uncertain_part(const ChoiceInput& input, const JointFit& fit, const JointOptions& options) {
+  const Eigen::MatrixXd all = chance_covariance_of(input.presses, fit, options).covariance;
+  if (all.size() == 0) return std::numeric_limits<double>::infinity();
+  Eigen::VectorXd gradient(fit.curve.values().size());
+  const double depth = fit.curve.depth_mm(fit.curve.x_max(), gradient.data());
+  const auto n = gradient.size();
+  return std::sqrt(std::max(0.0, gradient.dot(all.topLeftCorner(n, n) * gradient))) / depth;
+}
+
+/// Fits with a zone that grows outward as long as the inner part leaves too much to chance and skin
+/// and ball are seen to touch; leaves the zone in `options`. What the skin is off the ball by near
+/// the rim is taken up by the scale, ten times larger: no more of it is read than is needed.
+JointFit grow_zone(const ChoiceInput& input,
+                   JointFit fit,
+                   JointOptions* options,
+                   std::string* remark,
+                   const Job& job) {
   options->zone = kInnerZone;
   fit = fit_jointly(input.presses, as_family(fit, kMoebiusFamily), *options, job);
+  const auto inner = [&] { return 100.0 * options->zone; };
   for (const double zone : {0.75, 0.85, 0.93, 1.0}) {
+    if (fit.converged && uncertain_part(input, fit, *options) < kCertainPart) {
+      *remark = fmt::format(
+          "the inner {:.0f} % of each contact's radius was used, where the skin surely touches the "
+          "ball: that is enough to tell the mapping",
+          inner());
+      return fit;
+    }
     JointOptions wider = *options;
     wider.zone = zone;
     const JointFit next = fit_jointly(input.presses, fit, wider, job);
     if (!next.converged || job.stop_requested()) break;
     const FitQuality quality = quality_of(input.presses, next, wider);
-    if (quality.ring_mm > std::max(kQuietRingMm, kRingExcess * quality.scatter_mm)) break;
+    if (quality.ring_mm > std::max(kQuietRingMm, kRingExcess * quality.scatter_mm)) {
+      *remark = fmt::format(
+          "the skin leaves the ball before the rim of its cap: the inner {:.0f} % of each "
+          "contact's radius was used",
+          inner());
+      break;
+    }
     *options = wider;
     fit = next;
   }
@@ -183,7 +214,8 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
   choice.options.zone = kInnerZone;
   choice.options.settled_mm = kSettledMm;
   JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
-  start = grow_zone(input, std::move(start), &choice.options, job);
+  std::string zone_remark;
+  start = grow_zone(input, std::move(start), &choice.options, &zone_remark, job);
 
   struct Candidate {
     JointFit fit;
@@ -240,11 +272,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
                              candidates[best].fit.curve.family().name(),
                              mean_of(candidates[best].errors));
   }
-  if (choice.options.zone < 0.99)
-    choice.remarks.push_back(fmt::format(
-        "the skin leaves the ball before the rim of its cap: the inner {:.0f} % of each "
-        "contact's radius was used",
-        100.0 * choice.options.zone));
+  if (!zone_remark.empty()) choice.remarks.push_back(std::move(zone_remark));
   return choice;
 }
 
