@@ -18,6 +18,7 @@ constexpr double kBrightest = 250;   // levels from here on are clipped
 constexpr double kLeastLevel = 8;    // darker than this nothing can be divided by
 constexpr double kConstantSd = 0.5;  // what changes are to be expected
 constexpr double kShapeSd = 0.05;
+constexpr double kAlike = 2.0;  // times the shortest stretch of ratios
 constexpr int kLeastBlocks = 20;
 
 using Terms = Eigen::Matrix<double, LightGain::kTerms, 1>;
@@ -79,17 +80,21 @@ std::vector<Block> blocks_of(const cv::Mat& grey,
   return blocks;
 }
 
-/// The middle and half the length of the shortest interval that holds two fifths of the ratios:
-/// untouched skin looks alike, pressed skin does not.
-std::pair<double, double> commonest(const std::vector<Block>& blocks) {
+/// The middle and half the length of the brightest stretch of ratios that holds a fifth of them and
+/// is not much longer than the shortest that does: untouched skin looks alike, and what presses on
+/// it, however wide, is darker.
+std::pair<double, double> untouched_ratio(const std::vector<Block>& blocks) {
   std::vector<double> ratios;
   for (const Block& block : blocks) ratios.push_back(block.ratio);
   std::sort(ratios.begin(), ratios.end());
-  const std::size_t held = 2 * ratios.size() / 5;
-  std::size_t best = 0;
+  const std::size_t held = ratios.size() / 5;
+  const auto length = [&](std::size_t first) { return ratios[first + held] - ratios[first]; };
+  std::size_t shortest = 0, brightest = 0;
   for (std::size_t i = 0; i + held < ratios.size(); ++i)
-    if (ratios[i + held] - ratios[i] < ratios[best + held] - ratios[best]) best = i;
-  return {0.5 * (ratios[best] + ratios[best + held]), 0.5 * (ratios[best + held] - ratios[best])};
+    if (length(i) < length(shortest)) shortest = i;
+  for (std::size_t i = 0; i + held < ratios.size(); ++i)
+    if (length(i) <= kAlike * length(shortest)) brightest = i;
+  return {0.5 * (ratios[brightest] + ratios[brightest + held]), length(brightest)};
 }
 
 double ramp(double value, double from, double to) {
@@ -159,13 +164,13 @@ LightGain light_gain(const cv::Mat& grey,
   if (bounds.empty()) return {};
   const auto blocks = blocks_of(grey, reference, face, bounds, noise_sd, noise_gain);
   if (static_cast<int>(blocks.size()) < kLeastBlocks) return {};
-  const auto [ratio, half] = commonest(blocks);
+  const auto [ratio, spread] = untouched_ratio(blocks);
   if (!(ratio > 0.0)) return {};
   Terms terms = Terms::Zero();
   terms[0] = 1.0 / ratio - 1.0;
-  double believed = 0.4;
+  double believed = 0.5;
   // From wide to narrow: a change that tilts over the face must not look like a contact.
-  for (double widening = half; widening > 0.5 * kFloor; widening *= 0.5)
+  for (double widening = spread; widening > 0.5 * kFloor; widening *= 0.5)
     believed = refit(blocks, widening, believed, &terms);
   for (int last = 0; last < 2; ++last) believed = refit(blocks, 0.0, believed, &terms);
   if (!terms.allFinite()) return {};
