@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace alltact {
 namespace {
@@ -23,7 +24,8 @@ LayoutSearch::LayoutSearch(const Eigen::MatrixXd& layouts)
     : frames_(static_cast<std::size_t>(layouts.rows())),
       places_(layouts.data(), layouts.data() + layouts.size()) {}  // column by column already
 
-LayoutSearch::Found LayoutSearch::nearest(const Markers& markers, std::size_t except) const {
+LayoutSearch::Found LayoutSearch::nearest(const Markers& markers,
+                                          const std::vector<char>& without) const {
   std::vector<float> sum(frames_, 0.0F);
   const auto seen = [](const Marker& m) { return m.seen; };
   const bool any_seen = std::any_of(markers.begin(), markers.end(), seen);
@@ -39,20 +41,24 @@ LayoutSearch::Found LayoutSearch::nearest(const Markers& markers, std::size_t ex
                   sum.data());
     ++used;
   }
-  if (except < sum.size()) sum[except] = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < without.size(); ++i)
+    if (without[i] != 0) sum[i] = std::numeric_limits<float>::infinity();
   const auto least = std::min_element(sum.begin(), sum.end());
   return {static_cast<int>(least - sum.begin()), static_cast<double>(*least) / std::max(1, used)};
 }
 
 double LayoutSearch::median_step_px() const {
   std::vector<double> steps;
+  std::vector<char> without(frames_, 0);
   const std::size_t markers_count = places_.size() / (2 * frames_);
   const std::size_t every = std::max<std::size_t>(1, frames_ / 200);
   for (std::size_t i = 0; i < frames_; i += every) {
     Markers markers(markers_count);
     for (std::size_t m = 0; m < markers_count; ++m)
       markers[m] = {places_[2 * m * frames_ + i], places_[(2 * m + 1) * frames_ + i], true, 0};
-    steps.push_back(nearest(markers, i).distance_px);
+    without[i] = 1;
+    steps.push_back(nearest(markers, without).distance_px);
+    without[i] = 0;
   }
   return upper_median(steps);
 }

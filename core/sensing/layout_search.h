@@ -3,7 +3,6 @@
 
 #include "core/sensing/markers.h"
 
-#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,10 +18,10 @@ class LayoutSearch {
     int row;
     double distance_px;  ///< mean over the markers that count
   };
-  /// The row with the least mean distance over the markers that are seen (all, when none is),
-  /// without row `except`. Row 0 on a tie, and so on upwards.
-  [[nodiscard]] Found nearest(const Markers& markers,
-                              std::size_t except = std::numeric_limits<std::size_t>::max()) const;
+  /// The row with the least mean distance over the markers that are seen (all, when none is). Row 0
+  /// on a tie, and so on upwards. `without` (by row) marks those that take no part, empty: all do;
+  /// with none left the distance is infinite.
+  [[nodiscard]] Found nearest(const Markers& markers, const std::vector<char>& without = {}) const;
 
   /// Median over the rows (at most about 200 of them) of the distance to the nearest other row.
   [[nodiscard]] double median_step_px() const;

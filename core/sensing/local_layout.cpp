@@ -11,13 +11,14 @@ namespace alltact {
 std::vector<int> nearest_rows(const Eigen::MatrixXd& points,
                               const Eigen::VectorXd& query,
                               int count,
-                              Eigen::Index except) {
+                              const std::vector<char>& without) {
   Eigen::VectorXd square = Eigen::VectorXd::Zero(points.rows());
   for (Eigen::Index k = 0; k < points.cols(); ++k)
     square.array() += (points.col(k).array() - query[k]).square();
   std::vector<int> rows(static_cast<std::size_t>(points.rows()));
   std::iota(rows.begin(), rows.end(), 0);
-  if (except >= 0) rows.erase(rows.begin() + except);
+  if (!without.empty())
+    std::erase_if(rows, [&](int row) { return without[static_cast<std::size_t>(row)] != 0; });
   const auto kept = std::min(rows.size(), static_cast<std::size_t>(std::max(0, count)));
   const auto nearer = [&](int a, int b) {
     return square[a] < square[b] || (square[a] == square[b] && a < b);

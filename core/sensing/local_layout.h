@@ -12,12 +12,12 @@ namespace alltact {
 
 inline constexpr int kLocalNeighbours = 20;
 
-/// Indices of the `count` rows of `points` nearest to `query`, nearest first, without row `except`
-/// (-1: all take part).
+/// Indices of the `count` rows of `points` nearest to `query`, nearest first; `without` (by row)
+/// marks those that take no part, empty: all do.
 [[nodiscard]] std::vector<int> nearest_rows(const Eigen::MatrixXd& points,
                                             const Eigen::VectorXd& query,
                                             int count,
-                                            Eigen::Index except);
+                                            const std::vector<char>& without = {});
 
 /// The mixture (weights that sum to 1) of recorded layouts that lies nearest to the markers seen,
 /// by ridge regression: deviations from the neighbours' mean are drawn from a normal distribution

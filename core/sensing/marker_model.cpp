@@ -136,6 +136,7 @@ void MarkerModel::learn_noise() {
   // frames.
   const Eigen::Index step = std::max<Eigen::Index>(1, layouts_.rows() / 60);
   noise_px_ = kFloorPx;
+  std::vector<char> without(static_cast<std::size_t>(layouts_.rows()), 0);
   for (int pass = 0; pass < 3; ++pass) {
     double square = 0;
     int count = 0;
@@ -144,8 +145,10 @@ void MarkerModel::learn_noise() {
       for (int m = 0; m < marker_count(); ++m)
         markers[static_cast<std::size_t>(m)] = {
             layouts_(i, 2 * m), layouts_(i, 2 * m + 1), true, 0};
+      without[static_cast<std::size_t>(i)] = 1;
       const auto neighbours =
-          nearest_rows(places_, places_.row(i).transpose(), kLocalNeighbours, i);
+          nearest_rows(places_, places_.row(i).transpose(), kLocalNeighbours, without);
+      without[static_cast<std::size_t>(i)] = 0;
       if (neighbours.size() < 2) continue;
       const LocalLayout local(layouts_, neighbours, markers, noise_px_);
       for (int m = 0; m < marker_count(); ++m) {
@@ -263,10 +266,8 @@ std::optional<Markers> MarkerModel::number(const std::vector<Dot>& dots) const {
 }
 
 LocalLayout MarkerModel::local_layout(const Markers& markers) const {
-  return {layouts_,
-          nearest_rows(places_, fit_modes(markers), kLocalNeighbours, -1),
-          markers,
-          noise_px_};
+  return {
+      layouts_, nearest_rows(places_, fit_modes(markers), kLocalNeighbours), markers, noise_px_};
 }
 
 std::optional<Markers> MarkerModel::complete(Markers markers) const {

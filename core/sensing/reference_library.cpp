@@ -182,15 +182,24 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& fin
                  (finger_folder / Finger::kFileName).string(),
                  "record the bending, untouched finger and make its reference"};
   const auto table_file = finger_folder / finger.reference->markers;
-  const auto video_file = finger_folder / finger.reference->video;
   const auto table = MarkerTable::load(table_file, finger.marker_count());
   if (!table) return table.error();
-  auto model = MarkerModel::learn(seen_layouts(*table), table->typical);
-  if (!model) return Error{model.error().what, table_file.string(), model.error().advice};
+  return from_recording(
+      finger_folder / finger.reference->video, *table, finger, camera, job, memory_limit_bytes);
+}
+
+Result<ReferenceLibrary> ReferenceLibrary::from_recording(const std::filesystem::path& video_file,
+                                                          const MarkerTable& table,
+                                                          const Finger& finger,
+                                                          const Camera& camera,
+                                                          const Job& job,
+                                                          std::size_t memory_limit_bytes) {
+  auto model = MarkerModel::learn(seen_layouts(table), table.typical);
+  if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
   auto content = std::make_shared<Content>();
-  Keeper keeper(*table, memory_limit_bytes);
+  Keeper keeper(table, memory_limit_bytes);
   try {
-    const Status read = read_faces(video_file, *table, finger, camera, job, keeper);
+    const Status read = read_faces(video_file, table, finger, camera, job, keeper);
     if (!read) return read.error();
   } catch (const std::exception& problem) {
     return wrong(fmt::format("the recording cannot be read ({})", problem.what()), video_file);
@@ -199,15 +208,15 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& fin
   if (rows.size() < 2)
     return wrong(fmt::format("the face was found in {} of {} recorded pictures; 2 are needed",
                              rows.size(),
-                             table->frames.size()),
+                             table.frames.size()),
                  video_file);
   content->size = camera.size();
   content->bytes = keeper.bytes();
-  Eigen::MatrixXd layouts(static_cast<Eigen::Index>(rows.size()), table->layouts.cols());
+  Eigen::MatrixXd layouts(static_cast<Eigen::Index>(rows.size()), table.layouts.cols());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     layouts.row(static_cast<Eigen::Index>(i)) =
-        table->layouts.row(static_cast<Eigen::Index>(rows[i]));
-    content->frames.push_back(table->frames[rows[i]]);
+        table.layouts.row(static_cast<Eigen::Index>(rows[i]));
+    content->frames.push_back(table.frames[rows[i]]);
     content->faces.push_back(keeper.take(rows[i]));
   }
   content->model = std::move(*model);
@@ -250,14 +259,21 @@ const MarkerModel* ReferenceLibrary::marker_model() const {
   return content_->model ? &*content_->model : nullptr;
 }
 
-ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers) const {
+const std::vector<int>& ReferenceLibrary::frame_numbers() const {
+  return content_->frames;
+}
+
+ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers,
+                                                    const std::vector<char>& without) const {
   if (!content_->search || static_cast<int>(markers.size()) != content_->model->marker_count())
     return {0, 0.0};
-  const auto found = content_->search->nearest(markers);
+  const auto found = content_->search->nearest(markers, without);
   return {found.row, found.distance_px};
 }
 
-Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMethod method) const {
+Reference ReferenceLibrary::reference_for(const Markers& markers,
+                                          ReferenceMethod method,
+                                          const std::vector<char>& without) const {
   Reference reference;
   const Content& content = *content_;
   if (!content.search) {
@@ -265,7 +281,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMetho
     reference.frame = 0;
     return reference;
   }
-  const Nearest found = nearest(markers);
+  const Nearest found = nearest(markers, without);
   reference.frame = content.frames[static_cast<std::size_t>(found.index)];
   reference.distance_px = found.distance_px;
   reference.known_pose = found.distance_px <= content.known_px;
@@ -273,7 +289,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers, ReferenceMetho
   std::vector<float> weights{1.0F};
   if (method == ReferenceMethod::kLocal) {
     const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
-    const auto rows = nearest_rows(content.modes, place, kNeighbours, -1);
+    const auto rows = nearest_rows(content.modes, place, kNeighbours, without);
     Eigen::MatrixXd points(static_cast<Eigen::Index>(rows.size()), place.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       points.row(static_cast<Eigen::Index>(i)) = content.modes.row(rows[i]);

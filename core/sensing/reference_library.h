@@ -60,6 +60,15 @@ class ReferenceLibrary {
                                        const Job& job,
                                        std::size_t memory_limit_bytes = std::size_t{512} << 20);
 
+  /// The same from a recording and its marker table wherever they are.
+  static Result<ReferenceLibrary> from_recording(const std::filesystem::path& video,
+                                                 const MarkerTable& table,
+                                                 const Finger& finger,
+                                                 const Camera& camera,
+                                                 const Job& job,
+                                                 std::size_t memory_limit_bytes = std::size_t{512}
+                                                                                  << 20);
+
   /// The one untouched picture of a flat sensor.
   static Result<ReferenceLibrary> single(const cv::Mat& grey);
 
@@ -74,14 +83,21 @@ class ReferenceLibrary {
     int index;
     double distance_px;
   };
-  [[nodiscard]] Nearest nearest(const Markers& markers) const;
+  [[nodiscard]] Nearest nearest(const Markers& markers,
+                                const std::vector<char>& without = {}) const;
 
-  /// The reference for a pose. `markers` is ignored by a single picture.
+  /// The number in the video of each frame, ascending; by index.
+  [[nodiscard]] const std::vector<int>& frame_numbers() const;
+
+  /// The reference for a pose. `markers` is ignored by a single picture. `without` marks frames (by
+  /// index) that take no part, as if they had not been recorded; empty: all do. At least two must.
   ///
-  /// kLocal: local linear regression over the 16 frames nearest in the finger's modes of motion.
+  /// kLocal: local linear regression over the 8 frames nearest in the finger's modes of motion.
   /// known_pose: distance_px is at most three times the median distance of the recording's frames
   /// to their nearest other, and at least 1.5 px is always allowed.
-  [[nodiscard]] Reference reference_for(const Markers& markers, ReferenceMethod method) const;
+  [[nodiscard]] Reference reference_for(const Markers& markers,
+                                        ReferenceMethod method,
+                                        const std::vector<char>& without = {}) const;
 
  private:
   struct Content;

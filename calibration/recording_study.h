@@ -1,0 +1,50 @@
+// What a reference recording is worth: every frame compared with what the others say it should look
+// like.
+#pragma once
+
+#include "core/job.h"
+#include "core/recording/video_file.h"
+#include "core/result.h"
+#include "core/sensing/reference_library.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+/// One frame against the reference that the rest of the recording makes of its pose.
+struct StudiedFrame {
+  int number = 0;         ///< in the video
+  bool compared = false;  ///< false: no face was found, or no other frame is near
+  double error = 0;       ///< mean |x| over the face in patches of a millimetre or so, less noise
+  double nearest_error = 0;  ///< the same with the nearest frame alone
+  /// The darkest patch: how much darker than it should be (0.1: by 10 %), and where, in mm along
+  /// the face from its base and across it from its middle.
+  double darkest = 0;
+  double along_mm = 0, across_mm = 0;
+};
+
+struct RecordingStudy {
+  std::vector<StudiedFrame> frames;  ///< by the library's index
+  std::vector<char> touched;         ///< by the library's index: something pressed on the face
+  /// Over the frames that are not touched: what references of this recording are off by in
+  /// brightness, as parts of it.
+  double error_median = 0, error_p95 = 0;
+  double nearest_error_median = 0;
+};
+
+/// Compares every frame with the local regression over the others, leaving out those taken shortly
+/// before and after, which show the same pose and the same touch (an eighth of the recording, at
+/// most two seconds of it). A frame counts as touched where a patch is darker by 3 % and by four
+/// times what the recording's patches typically differ, also when no other touched frame has part
+/// in its reference. `numbered`: the markers of the library's frames, by index. Errors: a stopped
+/// job; a frame that cannot be read.
+[[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
+                                                     const std::vector<Markers>& numbered,
+                                                     VideoFile& video,
+                                                     const Finger& finger,
+                                                     const Camera& camera,
+                                                     const Job& job);
+
+}  // namespace alltact
