@@ -181,6 +181,13 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
                                   const CalibrationSettings& settings,
                                   const Job& job,
                                   Calibration calibration) {
+  std::vector<const PressSamples*> fine;
+  for (const Found& f : found) fine.push_back(&f.fine);
+  const PressedPart part = pressed_part(fine);
+  for (Found& f : found) {
+    place_within(part, &f.fine);
+    place_within(part, &f.coarse);
+  }
   ChoiceInput coarse{{}, {}, ball_radius_mm};
   for (const Found& f : found) {
     coarse.presses.push_back(&f.coarse);
@@ -211,11 +218,9 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
       fit = fit_finely(found, *choice, job);
     }
   }
-  std::vector<const PressSamples*> fine;
-  for (const Found& f : found) fine.push_back(&f.fine);
   const JointCovariance covariance = covariance_of(fine, fit, choice->options);
 
-  calibration.mapping = mapping_parameters(fit.curve, choice->options.along);
+  calibration.mapping = mapping_parameters(fit.curve, choice->options.along, part);
   const Eigen::Index n = fit.curve.values().size();
   if (covariance.covariance.size() > 0)
     calibration.mapping.covariance = covariance.covariance.topLeftCorner(n, n);
@@ -269,6 +274,12 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
            {"z", AlongChoice::kZ},
            {"normal", AlongChoice::kNormal},
            {"projected", AlongChoice::kProjected}}),
+      choice_setting<S, OverFaceChoice>(
+          "over-face",
+          "whether the mapping may vary slowly over the face, for uneven light or an uneven layer; "
+          "auto: when presses left out agree clearly better then",
+          &S::over_face,
+          {{"auto", OverFaceChoice::kAuto}, {"even", OverFaceChoice::kEven}}),
   };
   return settings;
 }

@@ -19,6 +19,8 @@ enum class CalibrationMethod {
   kPaper,  ///< the source paper: circle on each press, ball depth from its radius, one polynomial
 };
 enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius };
+/// Whether the mapping may vary over the face.
+enum class OverFaceChoice { kAuto = 1, kEven };
 enum class AlongChoice { kAuto = 1, kZ, kNormal, kProjected };
 
 struct CalibrationSettings {
@@ -26,6 +28,7 @@ struct CalibrationSettings {
   FamilyChoice family = FamilyChoice::kAuto;
   int degree = 0;  ///< number of Chebyshev coefficients, 1..8; 0: chosen by leaving presses out
   AlongChoice along = AlongChoice::kAuto;
+  OverFaceChoice over_face = OverFaceChoice::kAuto;
 };
 [[nodiscard]] const std::vector<Setting<CalibrationSettings>>& calibration_settings();
 

@@ -16,14 +16,14 @@ PressCost::PressCost(const Weighted& weighted,
     : weighted_(weighted), curve_(curve), options_(options) {
   set_num_residuals(static_cast<int>(weighted.samples.size()));
   mutable_parameter_block_sizes()->push_back(3);
-  mutable_parameter_block_sizes()->push_back(curve.family().coefficients);
+  mutable_parameter_block_sizes()->push_back(curve.family().numbers());
 }
 
 bool PressCost::Evaluate(double const* const* parameters,
                          double* residuals,
                          double** jacobians) const {
   const Eigen::Vector3d centre(parameters[0]);
-  const int n = curve_.family().coefficients;
+  const int n = curve_.family().numbers();
   std::array<double, 16> by_values{};
   for (std::size_t i = 0; i < weighted_.samples.size(); ++i) {
     const Sample& sample = *weighted_.samples[i];
@@ -31,7 +31,7 @@ bool PressCost::Evaluate(double const* const* parameters,
     Eigen::Vector3d by_centre;
     const double depth =
         ball_depth_mm(sample, options_.along, centre, options_.ball_radius_mm, &by_centre);
-    const double read = curve_.evaluate(parameters[1], sample.x, by_values.data());
+    const double read = curve_.evaluate(parameters[1], sample.x, sample.place, by_values.data());
     if (!std::isfinite(depth) || !std::isfinite(read)) return false;
     residuals[i] = weight * (read - depth);
     if (jacobians == nullptr) continue;

@@ -44,7 +44,8 @@ Linear linearised(const PressSamples& press,
     const double depth =
         ball_depth_mm(sample, options.along, centre, options.ball_radius_mm, &by_centre);
     const double weight = linear.weight[k];
-    linear.residual[k] = weight * (fit.curve.depth_mm(sample.x, by_values.data()) - depth);
+    linear.residual[k] =
+        weight * (fit.curve.depth_mm(sample.x, sample.place, by_values.data()) - depth);
     linear.rows.row(k).head(n_map) = weight * by_values.transpose();
     linear.rows.row(k).tail<3>() = -weight * by_centre.transpose();
     linear.patch.push_back(disc.place_of(sample).patch);

@@ -116,7 +116,7 @@ Weighted weigh(const PressSamples& press,
     const double inside = (options.zone + kTaper - disc.place_of(sample).radius) / (2.0 * kTaper);
     if (!(inside > 0.0)) continue;
     const double depth = ball_depth_mm(sample, options.along, centre, options.ball_radius_mm);
-    const double read = curve.depth_mm(sample.x);
+    const double read = curve.depth_mm(sample.x, sample.place);
     if (!std::isfinite(depth) || !std::isfinite(read)) continue;
     const double facing = facing_of(sample, options.along, centre, options.ball_radius_mm);
     if (!(facing > kGrazing)) continue;
@@ -237,7 +237,7 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
       const ContactDisc::Place place = disc.place_of(sample);
       if (!(place.radius <= options.zone)) continue;
       const double residual =
-          fit.curve.depth_mm(sample.x) -
+          fit.curve.depth_mm(sample.x, sample.place) -
           ball_depth_mm(sample, options.along, fit.centres_mm[i], options.ball_radius_mm);
       if (!std::isfinite(residual)) continue;
       absolute += std::abs(residual);

@@ -8,11 +8,29 @@
 namespace alltact {
 
 std::string CurveFamily::name() const {
-  if (kind == MappingKind::kMoebius) return "Moebius curve";
-  return fmt::format("polynomial of degree {}", coefficients);
+  const std::string curve = kind == MappingKind::kMoebius
+                                ? "Moebius curve"
+                                : fmt::format("polynomial of degree {}", coefficients);
+  return varies ? curve + " that varies over the face" : curve;
 }
 
-double MappingCurve::evaluate(const double* values, double x, double* gradient) const {
+double MappingCurve::evaluate(const double* values,
+                              double x,
+                              const Eigen::Vector2d& place,
+                              double* gradient) const {
+  const double depth = curve(values, x, gradient);
+  if (!family_.varies) return depth;
+  const double* part = values + family_.coefficients;
+  const double factor = 1.0 + part[0] * place.x() + part[1] * place.y();
+  if (gradient != nullptr) {
+    for (int k = 0; k < family_.coefficients; ++k) gradient[k] *= factor;
+    gradient[family_.coefficients] = depth * place.x();
+    gradient[family_.coefficients + 1] = depth * place.y();
+  }
+  return depth * factor;
+}
+
+double MappingCurve::curve(const double* values, double x, double* gradient) const {
   const double at = std::max(x, 0.0);  // below zero: slope at zero times x
   if (family_.kind == MappingKind::kMoebius) {
     const double below = 1.0 + values[1] * at;

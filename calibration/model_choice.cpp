@@ -14,6 +14,7 @@ constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
 constexpr double kCertainPart = 0.01;   // of the depth: what chance leaves open is little enough
 constexpr double kInclineDeg = 3.0;     // needed to tell thickness along z from along the normal
 constexpr int kMostCoefficients = 6;
+constexpr std::size_t kVaryingPresses = 5;  // two numbers more want two presses more
 // Held-out errors closer than this are the same: the balls, which take up ten times as much of a
 // wrong scale as they leave to be seen, must not be led by noise.
 constexpr double kTieMm = 0.001;
@@ -61,6 +62,12 @@ JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_m
 JointFit as_family(const JointFit& fit, CurveFamily family) {
   if (fit.curve.family() == family) return fit;
   MappingCurve curve(family, fit.curve.x_max());
+  if (fit.curve.family().kind == family.kind &&
+      fit.curve.values().size() <= curve.values().size() &&
+      fit.curve.family().coefficients == family.coefficients) {
+    curve.values().head(fit.curve.values().size()) = fit.curve.values();
+    return {curve, fit.centres_mm, false};
+  }
   curve.set_line(fit.curve.depth_mm(fit.curve.x_max()) / fit.curve.x_max());
   return {curve, fit.centres_mm, false};
 }
@@ -278,7 +285,9 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
 
 }  // namespace
 
-MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong along) {
+MappingParameters mapping_parameters(const MappingCurve& curve,
+                                     MappingAlong along,
+                                     const PressedPart& part) {
   MappingParameters parameters;
   parameters.kind = curve.family().kind;
   parameters.along = along;
@@ -287,8 +296,11 @@ MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong alo
     parameters.a_mm = curve.values()[0];
     parameters.b = curve.values()[1];
   } else {
-    parameters.chebyshev.assign(curve.values().begin(), curve.values().end());
+    const auto numbers = curve.values().head(curve.family().coefficients);
+    parameters.chebyshev.assign(numbers.begin(), numbers.end());
   }
+  if (curve.family().varies)
+    parameters.variation = {curve.values().tail<2>(), part.middle_mm, part.half_mm};
   return parameters;
 }
 
@@ -296,7 +308,10 @@ bool increases(const MappingCurve& curve, MappingAlong along) {
   return Mapping::create(mapping_parameters(curve, along)).ok();
 }
 
-std::optional<ModelChoice> choose_model(const ChoiceInput& input,
+namespace {
+
+/// The best way of measuring thickness, with the best family for it.
+std::optional<ModelChoice> choose_along(const ChoiceInput& input,
                                         const CalibrationSettings& settings,
                                         const Job& job) {
   if (settings.along == AlongChoice::kNormal)
@@ -324,6 +339,43 @@ std::optional<ModelChoice> choose_model(const ChoiceInput& input,
         mean_of(best->held_out_mm),
         mean_of(by_z->held_out_mm)));
   return best;
+}
+
+/// Lets the mapping vary over the face where the presses ask for it.
+void let_vary(const ChoiceInput& input, ModelChoice* choice, const Job& job) {
+  if (input.presses.size() < kVaryingPresses || choice->held_out_mm.size() < kVaryingPresses)
+    return;
+  CurveFamily family = choice->fit.curve.family();
+  family.varies = true;
+  job.report(1.0, fmt::format("trying a {}", family.name()));
+  const JointFit varying =
+      fit_jointly(input.presses, as_family(choice->fit, family), choice->options, job);
+  if (!varying.converged || !increases(varying.curve, choice->options.along)) return;
+  std::vector<double> errors = held_out_errors(input, varying, choice->options, job);
+  if (errors.size() < choice->held_out_mm.size() || as_good(choice->held_out_mm, errors)) return;
+  const Eigen::Vector2d part = varying.curve.values().tail<2>();
+  choice->remarks.push_back(fmt::format(
+      "the mapping varies over the face, as uneven light or an uneven layer make it: by {:+.0f} % "
+      "from the presses nearest to the base to those nearest to the tip, by {:+.0f} % from side to "
+      "side; {:.4f} mm on presses left out, against {:.4f} mm with one mapping for all",
+      200.0 * part.x(),
+      200.0 * part.y(),
+      mean_of(errors),
+      mean_of(choice->held_out_mm)));
+  choice->sentence =
+      fmt::format("{}: least error on presses left out, {:.4f} mm", family.name(), mean_of(errors));
+  choice->fit = varying;
+  choice->held_out_mm = std::move(errors);
+}
+
+}  // namespace
+
+std::optional<ModelChoice> choose_model(const ChoiceInput& input,
+                                        const CalibrationSettings& settings,
+                                        const Job& job) {
+  auto choice = choose_along(input, settings, job);
+  if (choice && settings.over_face == OverFaceChoice::kAuto) let_vary(input, &*choice, job);
+  return choice;
 }
 
 }  // namespace alltact

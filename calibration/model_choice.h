@@ -31,14 +31,17 @@ struct ModelChoice {
 /// Contacts are read within 0.65 of their rim, where skin and ball touch on any material (Hertz:
 /// 0.71). Only where chance would leave more than 1 % of the depth uncertain that part grows, ring
 /// by ring, as long as the rings' mean residuals stay within what the rest of the contact scatters:
-/// where the skin leaves the ball before the rim they do not. nullopt when no family gave an
-/// increasing curve, or the job was stopped before one had.
+/// where the skin leaves the ball before the rim they do not. With five presses and more the
+/// mapping may vary over the face, when presses left out agree clearly better then. nullopt when no
+/// family gave an increasing curve, or the job was stopped before one had.
 [[nodiscard]] std::optional<ModelChoice> choose_model(const ChoiceInput& input,
                                                       const CalibrationSettings& settings,
                                                       const Job& job);
 
 /// What is stored of a fitted curve.
-[[nodiscard]] MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong along);
+[[nodiscard]] MappingParameters mapping_parameters(const MappingCurve& curve,
+                                                   MappingAlong along,
+                                                   const PressedPart& part = {});
 
 /// Whether a fitted curve is a mapping: increasing over its whole domain.
 [[nodiscard]] bool increases(const MappingCurve& curve, MappingAlong along);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <opencv2/imgproc.hpp>
 
@@ -61,6 +62,7 @@ PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box
       sample.normal = local->normal;
       sample.cos_incline = local->cos_incline;
       sample.x = x;
+      sample.place_mm = press.shape.place_mm(pixel.x(), pixel.y());
       result.samples.push_back(sample);
     }
   }
@@ -74,6 +76,24 @@ void keep_near(const Eigen::Vector3d& middle, double radius_mm, PressSamples* pr
 }
 
 }  // namespace
+
+PressedPart pressed_part(const std::vector<const PressSamples*>& presses) {
+  constexpr double kLeastMm = 1.0;
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  for (const PressSamples* press : presses)
+    for (const Sample& sample : press->samples) {
+      low = low.cwiseMin(sample.place_mm);
+      high = high.cwiseMax(sample.place_mm);
+    }
+  if (!low.allFinite()) return {};
+  return {0.5 * (low + high), (0.5 * (high - low)).cwiseMax(kLeastMm)};
+}
+
+void place_within(const PressedPart& part, PressSamples* press) {
+  for (Sample& sample : press->samples)
+    sample.place = (sample.place_mm - part.middle_mm).cwiseQuotient(part.half_mm);
+}
 
 PressSamples sample_press(const Press& press, const Face& face, int block_px) {
   return sample_in(press, face, {{0, 0}, press.difference.x.size()}, block_px);

@@ -17,6 +17,8 @@ struct Sample {
   Eigen::Vector3d normal;       ///< outward, away from the camera
   double cos_incline = 1;
   double x = 0;
+  Eigen::Vector2d place_mm;  ///< along the face and across it (FaceShape::place_mm)
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< the same within a PressedPart, -1 to 1
 };
 
 /// A place in the picture where the line of sight grazes the ball (see tangent_arc.h).
@@ -31,6 +33,14 @@ struct PressSamples {
   int block_px = 1;
   double x_sd = 0;  ///< noise of a block's mean, from second differences along rows
 };
+
+/// The rectangle of the face, mm along and across it, in which there are samples.
+struct PressedPart {
+  Eigen::Vector2d middle_mm = Eigen::Vector2d::Zero(), half_mm = Eigen::Vector2d::Ones();
+};
+[[nodiscard]] PressedPart pressed_part(const std::vector<const PressSamples*>& presses);
+/// Sets `place` of every sample.
+void place_within(const PressedPart& part, PressSamples* press);
 
 /// Block means of side `block_px`. A block with any pixel that has no measurement is left out.
 [[nodiscard]] PressSamples sample_press(const Press& press, const Face& face, int block_px);

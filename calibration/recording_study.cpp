@@ -89,6 +89,7 @@ class Study {
                                    const std::vector<char>& touched) const {
     StudiedFrame studied;
     studied.number = library_.frame_numbers()[index];
+    studied.tip = tip_place(numbered_[index], looked.shape);
     std::vector<char> without = touched;
     const std::size_t first = index > gap_ ? index - gap_ : 0;
     for (std::size_t i = first; i <= index + gap_ && i < without.size(); ++i) without[i] = 1;
@@ -189,8 +190,10 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                fmt::format("comparing frame {} of {}", i + 1, count));
     const auto looked = looked_at(i);
     if (!looked) return looked.error();
-    result.frames.push_back(*looked ? study.frame(i, **looked, result.touched)
-                                    : StudiedFrame{library.frame_numbers()[i]});
+    StudiedFrame studied;
+    studied.number = library.frame_numbers()[i];
+    if (*looked) studied = study.frame(i, **looked, result.touched);
+    result.frames.push_back(std::move(studied));
   }
   // Suspects are looked at again without each other: an untouched frame that was compared with
   // touched ones is none.

@@ -2,6 +2,7 @@
 // like.
 #pragma once
 
+#include "calibration/motion_coverage.h"
 #include "core/job.h"
 #include "core/recording/video_file.h"
 #include "core/result.h"
@@ -23,6 +24,7 @@ struct StudiedFrame {
   /// the face from its base and across it from its middle.
   double darkest = 0;
   double along_mm = 0, across_mm = 0;
+  std::optional<TipPlace> tip;
 };
 
 struct RecordingStudy {

@@ -1,17 +1,14 @@
 #include "calibration/reference_recording.h"
 
 #include "calibration/recording_layouts.h"
+#include "calibration/recording_pass.h"
+#include "calibration/recording_study.h"
 #include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/recording/video_file.h"
-#include "core/recording/video_writer.h"
-#include "core/sensing/face_edges.h"
-#include "core/sensing/face_shape.h"
 #include "core/sensing/layout_search.h"
 #include "core/sensing/reference_library.h"
-
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -22,131 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kVideo = "reference.mkv";
 constexpr const char* kTable = "reference.csv";
-constexpr int kProfileDegree = 7;
 constexpr double kTouchSigmas = 5.0;
-constexpr double kTouchFloorPx = 0.2;  // of every marker at once: a camera that moves or warms up
-
-// The reference video, made with its first frame.
-class ReferenceVideo {
- public:
-  ReferenceVideo(fs::path file, double frames_per_s)
-      : file_(std::move(file)), frames_per_s_(frames_per_s) {}
-
-  Status add(const Frame& frame) {
-    if (!writer_) {
-      auto made = VideoWriter::create(file_, frame, VideoCodec::kFfv1, frames_per_s_);
-      if (!made) return made.error();
-      writer_ = std::move(*made);
-    }
-    return writer_->add(frame);
-  }
-  Status finish() { return writer_ ? writer_->finish() : Status(); }
-
- private:
-  fs::path file_;
-  double frames_per_s_;
-  std::optional<VideoWriter> writer_;
-};
-
-// All that the first pass over a recording leaves.
-struct Pass {
-  std::vector<FrameDots> frames;
-  std::vector<int> in_video;  // number in the video just written, -1: never got there
-  int written = 0;
-  SettingsSeen settings;
-};
-
-FrameDots look_at(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
-  FrameDots found;
-  const auto edges = FaceEdgeFinder()(grey);
-  if (!edges) {
-    found.problem = edges.error().what;
-    return found;
-  }
-  const auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
-  if (!shape) {
-    found.problem = shape.error().what;
-    return found;
-  }
-  found.base_at_low_u = shape->base_at_low_u();
-  for (const Polarity polarity : {Polarity::kBright, Polarity::kDark}) {
-    if (finger.markers.polarity != Polarity::kAuto && finger.markers.polarity != polarity) continue;
-    auto& dots = polarity == Polarity::kBright ? found.bright : found.dark;
-    dots = MarkerDetector({finger.markers.per_row, polarity})(grey, *shape).dots;
-  }
-  return found;
-}
-
-Result<Pass> first_pass(Source& source,
-                        const Camera& camera,
-                        const Finger& finger,
-                        const Job& job,
-                        const fs::path& video) {
-  Pass pass;
-  ReferenceVideo writer(video, source.frames_per_s());
-  const auto total = source.count();
-  for (;;) {
-    if (job.stop_requested())
-      return Error{"stopped before the recording was read", video.parent_path().string(), ""};
-    const auto frame = source.next();
-    if (frame && !*frame) break;
-    const std::size_t number = pass.frames.size();
-    if (total && *total > 0)
-      job.report(0.8 * static_cast<double>(number) / static_cast<double>(*total),
-                 fmt::format("reading frame {} of {}", number + 1, *total));
-    if (!frame) {
-      pass.frames.push_back({{}, {}, true, frame.error().what});
-      pass.in_video.push_back(-1);
-      // A source that fails for ever must not keep us here.
-      if (total && pass.frames.size() > *total) return frame.error();
-      if (!total && pass.written == 0 && pass.frames.size() > 100) return frame.error();
-      continue;
-    }
-    const auto grey = oriented_for(
-        finger.camera,
-        (*frame)->grey,
-        "the picture",
-        (*frame)->origin.empty() ? (*frame)->name : (*frame)->origin,
-        "a recording made with this finger's camera, or the right camera.size and orientation");
-    if (!grey) return grey.error();
-    pass.settings.add(**frame);
-    pass.frames.push_back(look_at(*grey, camera, finger));
-    const Status written = writer.add(**frame);
-    if (!written) return written.error();
-    pass.in_video.push_back(pass.written++);
-  }
-  if (const Status finished = writer.finish(); !finished) return finished.error();
-  return pass;
-}
-
-// Rewrites the video with only some of its frames, in order.
-Status keep_frames(const fs::path& video, const std::vector<char>& keep, const Job& job) {
-  fs::path whole = video;
-  whole.replace_filename(video.stem().string() + ".whole" + video.extension().string());
-  std::error_code problem;
-  fs::rename(video, whole, problem);
-  if (problem)
-    return Error{"the recording cannot be renamed: " + problem.message(), video.string(), ""};
-  struct Remove {
-    const fs::path& file;
-    ~Remove() {
-      std::error_code ignored;
-      fs::remove(file, ignored);
-    }
-  } remove{whole};
-  auto reader = VideoFile::open(whole, job);
-  if (!reader) return reader.error();
-  ReferenceVideo writer(video, reader->frames_per_s());
-  for (std::size_t i = 0; i < keep.size(); ++i) {
-    if (job.stop_requested())
-      return Error{"stopped before the recording was written", video.string(), ""};
-    if (!keep[i]) continue;
-    const auto frame = reader->frame(i);
-    if (!frame) return frame.error();
-    if (const Status written = writer.add(**frame); !written) return written;
-  }
-  return writer.finish();
-}
+constexpr double kRepeatSigmas = 2.0;    // of marker noise: poses nearer than that are the same
+constexpr std::size_t kFewFrames = 100;  // so few that even repetitions help against noise
+constexpr double kTouchFloorPx = 0.2;    // of every marker at once: a camera that moves or warms up
 
 MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::size_t>& kept) {
   MarkerTable table;
@@ -175,19 +51,131 @@ double touch_threshold_px(double marker_noise_px, std::size_t markers) {
   return std::max(kTouchSigmas * marker_noise_px * std::sqrt(2 * count), kTouchFloorPx * count);
 }
 
-// Fills `temporary` with the video and `table` and `report` with what goes with it.
+// What installing goes through and leaves.
+struct Installed {
+  MarkerTable table;
+  NumberedRecording numbered;
+  SettingsSeen settings;
+  ReferenceReport report;
+};
+
+// The frames of the video just written that may be kept, by their number in the recording.
+std::vector<std::size_t> numbered_frames(const RecordingPass& pass, Installed& installed) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < pass.frames.size(); ++i) {
+    if (installed.numbered.markers[i])
+      kept.push_back(i);
+    else
+      installed.report.rejected.push_back(
+          fmt::format("frame {}: {}", i, installed.numbered.problems[i]));
+  }
+  return kept;
+}
+
+Error too_few(const ReferenceReport& report, std::size_t kept) {
+  return {fmt::format("only {} of {} frames can be used ({})",
+                      kept,
+                      report.frames_read,
+                      report.rejected.front()),
+          "recording",
+          "record again with every marker in view and nothing on the contact face"};
+}
+
+// Depth that a difference in brightness is taken for.
+double mm_per_part(const Finger& finger) {
+  if (finger.mapping)
+    if (const auto mapping = Mapping::create(*finger.mapping)) return mapping->slope_mm(0.0);
+  // Kubelka and Munk's layer over black, with the scattering of ordinary white silicone, 0.6 / mm.
+  return finger.face.layer_mm * (1.0 + 0.6 * finger.face.layer_mm);
+}
+
+// Compares the frames with each other; takes out those that are touched and says what the rest is
+// worth.
+Status study(const fs::path& video,
+             const RecordingPass& pass,
+             const Camera& camera,
+             const Finger& finger,
+             const Job& job,
+             std::vector<std::size_t>& kept,
+             Installed& installed) {
+  MarkerTable table = table_of(installed.numbered, kept);
+  for (std::size_t i = 0; i < kept.size(); ++i) table.frames[i] = pass.in_video[kept[i]];
+  const auto library =
+      ReferenceLibrary::from_recording(video, table, finger, camera, Job(job, 0.0, 0.4));
+  if (!library) return library.error();
+  std::vector<std::size_t> of_library;  // by the library's index, the number in the recording
+  std::vector<Markers> markers;
+  for (std::size_t i = 0, row = 0; row < library->frame_count(); ++i) {
+    if (table.frames[i] != library->frame_numbers()[row]) continue;
+    of_library.push_back(kept[i]);
+    markers.push_back(*installed.numbered.markers[kept[i]]);
+    ++row;
+  }
+  auto reader = VideoFile::open(video, job);
+  if (!reader) return reader.error();
+  const auto studied =
+      study_recording(*library, markers, *reader, finger, camera, Job(job, 0.4, 1.0));
+  if (!studied) return studied.error();
+  ReferenceReport& report = installed.report;
+  kept.clear();
+  std::optional<TipPlace> rest;
+  for (std::size_t row = 0; row < of_library.size(); ++row) {
+    const StudiedFrame& frame = studied->frames[row];
+    if (studied->touched[row]) {
+      report.rejected.push_back(
+          fmt::format("frame {}: something pressed on the contact face, {:.0f} mm from its base "
+                      "({:.0f} % darker than untouched)",
+                      of_library[row],
+                      frame.along_mm,
+                      100.0 * frame.darkest));
+      continue;
+    }
+    kept.push_back(of_library[row]);
+    if (!rest) rest = frame.tip;
+    if (frame.tip) report.coverage.add(motion_between(*rest, *frame.tip));
+  }
+  report.error_median = studied->error_median;
+  report.error_p95 = studied->error_p95;
+  report.nearest_error_median = studied->nearest_error_median;
+  report.by_own_mapping = finger.mapping.has_value();
+  report.error_median_mm = report.error_median * mm_per_part(finger);
+  report.error_p95_mm = report.error_p95 * mm_per_part(finger);
+  return {};
+}
+
+// Of frames in the same pose the first stays: a finger that rests for a while would fill the
+// neighbourhood of that pose with copies of one picture.
+void thin(std::vector<std::size_t>& kept, Installed& installed) {
+  if (kept.size() <= kFewFrames) return;
+  const MarkerTable all = table_of(installed.numbered, kept);
+  const double apart = kRepeatSigmas * installed.numbered.marker_noise_px *
+                       std::sqrt(static_cast<double>(all.layouts.cols()));
+  std::vector<std::size_t> spread;
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const bool repeats = std::any_of(rows.begin(), rows.end(), [&](Eigen::Index other) {
+      return (all.layouts.row(other) - all.layouts.row(row)).norm() < apart;
+    });
+    if (repeats && kept.size() - i + spread.size() > kFewFrames) continue;
+    spread.push_back(kept[i]);
+    rows.push_back(row);
+  }
+  installed.report.repeated = static_cast<int>(kept.size() - spread.size());
+  kept = std::move(spread);
+}
+
+// Fills `temporary` with the video, and gives what goes with it.
 Status make_reference(Source& source,
                       const Camera& camera,
                       const Finger& finger,
                       const Job& job,
                       const fs::path& temporary,
-                      MarkerTable& table,
-                      NumberedRecording& numbered,
-                      SettingsSeen& settings,
-                      ReferenceReport& report) {
-  const auto pass = first_pass(source, camera, finger, job, temporary);
+                      Installed& installed) {
+  const auto pass = read_recording(source, camera, finger, Job(job, 0.0, 0.5), temporary);
   if (!pass) return pass.error();
-  settings = pass->settings;
+  installed.settings = pass->settings;
+  ReferenceReport& report = installed.report;
   report.frames_read = static_cast<int>(pass->frames.size());
   if (pass->frames.size() < 2)
     return Error{fmt::format("the recording holds {} frame{}; at least 2 are needed",
@@ -195,35 +183,26 @@ Status make_reference(Source& source,
                              pass->frames.size() == 1 ? "" : "s"),
                  "recording",
                  "record the finger while it bends slowly in every direction, untouched"};
-  job.report(0.8, "numbering the markers");
+  job.report(0.5, "numbering the markers");
   auto result = number_recording(pass->frames, finger.markers);
   if (!result) return result.error();
-  numbered = std::move(*result);
-  std::vector<std::size_t> kept;
-  std::vector<char> keep(static_cast<std::size_t>(pass->written), 0);
-  for (std::size_t i = 0; i < pass->frames.size(); ++i) {
-    if (!numbered.markers[i]) {
-      report.rejected.push_back(fmt::format("frame {}: {}", i, numbered.problems[i]));
-      continue;
-    }
-    kept.push_back(i);
-    keep[static_cast<std::size_t>(pass->in_video[i])] = 1;
-  }
-  if (kept.size() < 2)
-    return Error{fmt::format("only {} of {} frames can be used ({})",
-                             kept.size(),
-                             report.frames_read,
-                             report.rejected.front()),
-                 "recording",
-                 "record again with every marker in view"};
+  installed.numbered = std::move(*result);
+  std::vector<std::size_t> kept = numbered_frames(*pass, installed);
+  if (kept.size() < 2) return too_few(report, kept.size());
+  const Status studied =
+      study(temporary, *pass, camera, finger, Job(job, 0.5, 0.9), kept, installed);
+  if (!studied) return studied;
+  if (kept.size() < 2) return too_few(report, kept.size());
+  thin(kept, installed);
   if (static_cast<int>(kept.size()) < pass->written) {
-    job.report(0.9, "writing the frames that are kept");
-    const Status rewritten = keep_frames(temporary, keep, job);
+    std::vector<char> keep(static_cast<std::size_t>(pass->written), 0);
+    for (const std::size_t i : kept) keep[static_cast<std::size_t>(pass->in_video[i])] = 1;
+    const Status rewritten = keep_frames(temporary, keep, Job(job, 0.9, 1.0));
     if (!rewritten) return rewritten;
   }
-  table = table_of(numbered, kept);
+  installed.table = table_of(installed.numbered, kept);
   report.frames_kept = static_cast<int>(kept.size());
-  report.median_step_px = LayoutSearch(table.layouts).median_step_px();
+  report.median_step_px = LayoutSearch(installed.table.layouts).median_step_px();
   return {};
 }
 
@@ -237,11 +216,13 @@ void remark(const MarkerTable& table, ReferenceReport& report) {
                     "covered or not found",
                     estimated,
                     report.frames_kept));
-  if (report.frames_kept < 100)
+  if (report.frames_kept + report.repeated < 100)
     report.remarks.push_back(
         fmt::format("{} frames are few: a recording of a minute (about 1500 frames) over all "
                     "directions of bending gives closer references",
                     report.frames_kept));
+  for (const std::string& missing : report.coverage.missing())
+    report.remarks.push_back("Not yet seen: " + missing);
 }
 
 }  // namespace
@@ -249,25 +230,23 @@ void remark(const MarkerTable& table, ReferenceReport& report) {
 Result<ReferenceReport> install_reference(Source& source,
                                           const fs::path& folder,
                                           Finger& finger,
-                                          const Job& job) {
+                                          const Job& job,
+                                          const MotionNeed& need) {
   if (finger.face.kind != FaceKind::kFinRay || finger.markers.per_row < 2)
     return Error{"this finger has no markers to record a reference with",
                  folder.string(),
                  "a flat sensor takes one untouched picture; for a Fin Ray set markers.per_row"};
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
-  ReferenceReport report;
-  MarkerTable table;
-  NumberedRecording numbered;
-  SettingsSeen settings;
+  Installed installed;
+  installed.report.coverage = MotionCoverage(need);
   const Status written =
       write_file_atomically(folder / kVideo, [&](const fs::path& temporary) -> Status {
         try {
-          const Status made = make_reference(
-              source, *camera, finger, job, temporary, table, numbered, settings, report);
+          const Status made = make_reference(source, *camera, finger, job, temporary, installed);
           // The table first: should the disk fill up here, the old video still stands beside the
           // old table.
-          return made ? table.save(folder / kTable) : made;
+          return made ? installed.table.save(folder / kTable) : made;
         } catch (const std::exception& problem) {
           return Error{fmt::format("the recording could not be processed ({})", problem.what()),
                        folder.string(),
@@ -275,17 +254,20 @@ Result<ReferenceReport> install_reference(Source& source,
         }
       });
   if (!written) return written.error();
+  const MarkerTable& table = installed.table;
+  ReferenceReport& report = installed.report;
   finger.reference = ReferenceFiles{kVideo, kTable, ""};
-  finger.markers.polarity = numbered.polarity;
+  finger.markers.polarity = installed.numbered.polarity;
   ContactSettings contact;
   for (Eigen::Index k = 0; k < table.layouts.cols(); k += 2)
     contact.rest_markers.emplace_back(table.layouts(0, k), table.layouts(0, k + 1));
-  contact.threshold_px = touch_threshold_px(numbered.marker_noise_px, contact.rest_markers.size());
+  contact.threshold_px =
+      touch_threshold_px(installed.numbered.marker_noise_px, contact.rest_markers.size());
   finger.contact = std::move(contact);
-  report.warnings = record_settings(settings, RecordingKind::kReference, finger);
+  report.warnings = record_settings(installed.settings, RecordingKind::kReference, finger);
   remark(table, report);
   job.report(1.0, "reference installed");
-  return report;
+  return std::move(report);
 }
 
 Result<std::vector<std::string>> install_flat_reference(const fs::path& picture,

@@ -1,6 +1,7 @@
 // From a recording of the bending, untouched finger to its reference library.
 #pragma once
 
+#include "calibration/motion_coverage.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
 #include "core/result.h"
@@ -19,10 +20,20 @@ struct ReferenceReport {
   std::vector<std::string> remarks;
   std::vector<std::string> warnings;  ///< sentences: settings of camera and light that do not fit
   double median_step_px = 0;          ///< mean marker distance from a frame to its nearest other
+  int repeated = 0;                   ///< frames left out because others show the same pose
+  /// What references made from this recording are off by: half of the frames by less than the
+  /// first, 95 % by less than the second. Parts of the brightness, and what that is in depth, by
+  /// the finger's mapping or, before there is one, by that of a usual layer.
+  double error_median = 0, error_p95 = 0;
+  double error_median_mm = 0, error_p95_mm = 0;
+  bool by_own_mapping = false;
+  double nearest_error_median = 0;  ///< the same for the nearest frame alone
+  MotionCoverage coverage{MotionNeed{}};
 };
 
 /// Tracks the markers through the recording (numbering them from the frames where all are seen),
-/// rejects frames that cannot be used, and installs what is left in the finger's folder:
+/// rejects frames that cannot be used or in which something presses on the contact face (see
+/// recording_study.h), thins those that repeat a pose, and installs what is left in the folder:
 /// reference.mkv (lossless, grey, as the source gave it), reference.csv, and in `finger` the file
 /// names, the marker polarity, the rest layout (first frame), the touch threshold (from the
 /// recording's own marker noise) and what the camera was set to. The files are written whole or not
@@ -31,7 +42,8 @@ struct ReferenceReport {
 [[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
                                                         const std::filesystem::path& folder,
                                                         Finger& finger,
-                                                        const Job& job);
+                                                        const Job& job,
+                                                        const MotionNeed& need = {});
 
 /// A flat sensor's one untouched picture: copied into the folder as reference.png. Gives warnings
 /// as above.

@@ -18,16 +18,25 @@ class Job {
 
   Job() = default;
   explicit Job(Listener listener) : listener_(std::move(listener)) {}
+  /// A stretch of `whole`, from one fraction of it to another: reports there, and stops with it.
+  Job(const Job& whole, double from, double to)
+      : listener_([&whole, from, to](double fraction, std::string_view what) {
+          whole.report(from + fraction * (to - from), what);
+        }),
+        whole_(&whole) {}
 
   void report(double fraction, std::string_view what) const {
     if (listener_) listener_(fraction, what);
   }
   void request_stop() { stop_.store(true, std::memory_order_relaxed); }
-  [[nodiscard]] bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool stop_requested() const {
+    return stop_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->stop_requested());
+  }
 
  private:
   Listener listener_;
   std::atomic<bool> stop_{false};
+  const Job* whole_ = nullptr;
 };
 
 }  // namespace alltact

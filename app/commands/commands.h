@@ -5,6 +5,7 @@
 #include "app/console.h"
 #include "calibration/calibrate.h"
 #include "calibration/lens/calibrate_lens.h"
+#include "calibration/motion_coverage.h"
 #include "core/camera/flat_port.h"
 #include "core/finger/finger.h"
 #include "core/recording/recorder.h"
@@ -67,6 +68,7 @@ Status run_lens(const LensOptions& options, Console& console);
 struct ReferenceOptions {
   Path finger;
   std::vector<Path> inputs;
+  MotionNeed need;  ///< how far the finger is to have been bent
 };
 /// Installs a reference recording in a finger.
 Status run_reference(const ReferenceOptions& options, Console& console);

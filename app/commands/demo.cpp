@@ -104,7 +104,7 @@ class Demo {
     for (const Contender& contender : contenders_) fs::remove_all(contender.finger, failed);
     if (const Status status = run_new(description, console_); !status) return status;
     const Status status =
-        run_reference({description.finger, {folder("reference/frames.mkv")}}, console_);
+        run_reference({description.finger, {folder("reference/frames.mkv")}, {}}, console_);
     if (!status) return status;
     if (const Status made = make_folder(folder("paper")); !made) return made;
     fs::copy(description.finger, contenders_.back().finger, fs::copy_options::recursive, failed);

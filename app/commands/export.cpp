@@ -83,6 +83,16 @@ Json mapping_json(const Mapping& mapping, const std::optional<MappingRecord>& re
     json["a_mm"] = parameters.a_mm;
     json["b"] = parameters.b;
   }
+  if (const FaceVariation& varies = parameters.variation; !varies.is_none()) {
+    json["varies"] = {
+        {"formula",
+         "depth_mm = M(x) (1 + along s + across t), (s, t) = (place - middle) / half, "
+         "each from -1 to 1, place in mm along the face from its base and across it"},
+        {"along", varies.part.x()},
+        {"across", varies.part.y()},
+        {"middle_mm", {varies.middle_mm.x(), varies.middle_mm.y()}},
+        {"half_mm", {varies.half_mm.x(), varies.half_mm.y()}}};
+  }
   if (parameters.covariance.size() > 0) json["covariance"] = covariance_json(parameters.covariance);
   if (record) {
     json["method"] = record->method;

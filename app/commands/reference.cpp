@@ -37,6 +37,28 @@ void tell(const ReferenceReport& report, Console& console) {
   if (report.rejected.size() > kShown)
     console.say(
         fmt::format("  left out: {} more; --json lists them all", report.rejected.size() - kShown));
+  if (report.repeated > 0)
+    console.say(fmt::format("  {} frames repeat a pose that is already held and were left out",
+                            report.repeated));
+  const MotionCoverage& seen = report.coverage;
+  console.say(fmt::format(
+      "The tip was bent by {:+.1f} to {:+.1f} mm, pushed aside by {:+.1f} to {:+.1f} mm, twisted "
+      "by "
+      "{:+.1f} to {:+.1f} degrees; of bending together with pushing aside {:.0f} % was seen.",
+      seen.bend_mm().least,
+      seen.bend_mm().most,
+      seen.sway_mm().least,
+      seen.sway_mm().most,
+      seen.twist_deg().least,
+      seen.twist_deg().most,
+      100.0 * seen.covered()));
+  console.say(fmt::format(
+      "References made from it are off by {:.4f} mm of depth (half of the poses less; 95 % less "
+      "than "
+      "{:.4f} mm{}).",
+      report.error_median_mm,
+      report.error_p95_mm,
+      report.by_own_mapping ? "" : "; reckoned with a usual layer until the finger is calibrated"));
   for (const std::string& remark : report.remarks) console.say("  " + remark);
   for (const std::string& warning : report.warnings) console.warn("Warning: " + warning);
   Console::Json& answer = console.answer();
@@ -44,6 +66,19 @@ void tell(const ReferenceReport& report, Console& console) {
   answer["frames_kept"] = report.frames_kept;
   answer["median_step_px"] = report.median_step_px;
   answer["rejected"] = report.rejected;
+  answer["repeated"] = report.repeated;
+  answer["error_median"] = report.error_median;
+  answer["error_p95"] = report.error_p95;
+  answer["nearest_error_median"] = report.nearest_error_median;
+  answer["error_median_mm"] = report.error_median_mm;
+  answer["error_p95_mm"] = report.error_p95_mm;
+  const auto range = [](const MotionCoverage::Reach& reach) {
+    return Console::Json{reach.least, reach.most};
+  };
+  answer["bend_mm"] = range(seen.bend_mm());
+  answer["sway_mm"] = range(seen.sway_mm());
+  answer["twist_deg"] = range(seen.twist_deg());
+  answer["covered"] = seen.covered();
   answer["remarks"] = report.remarks;
   answer["warnings"] = report.warnings;
 }
@@ -56,7 +91,8 @@ Status run_reference(const ReferenceOptions& options, Console& console) {
   if (finger->face.kind == FaceKind::kFlat) return run_flat(options, *finger, console);
   auto source = open_source(options.inputs);
   if (!source) return source.error();
-  const auto report = install_reference(**source, options.finger, *finger, console.job());
+  const auto report =
+      install_reference(**source, options.finger, *finger, console.job(), options.need);
   if (!report) return report.error();
   finger->provenance["reference_date"] = utc_now();
   if (const Status status = finger->save(options.finger); !status) return status;
@@ -71,6 +107,14 @@ void add_reference(CLI::App& program, Chosen& chosen) {
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   command->add_option("RECORDING", options->inputs, "Video, folder of pictures, or pictures")
       ->required();
+  const auto need = [&](const char* flag, double& value, const char* help) {
+    command->add_option(flag, value, help)->check(CLI::Range(0.1, 100.0))->capture_default_str();
+  };
+  need("--bend-mm",
+       options->need.bend_mm,
+       "How far grasping bends the tip, to and from the camera, mm; what is missing is told");
+  need("--sway-mm", options->need.sway_mm, "How far it pushes the tip aside, each way, mm");
+  need("--twist-deg", options->need.twist_deg, "How far it turns the tip, each way, degrees");
   command->callback([=, &chosen] {
     chosen = [=](Console& console) { return run_reference(*options, console); };
   });

@@ -78,6 +78,22 @@ void check_powers(YamlSection& section, const MappingParameters& parameters) {
                    "remove this line: it is only for people to read");
 }
 
+FaceVariation read_variation(YamlSection section) {
+  FaceVariation variation;
+  variation.part = {section.number("along", "a part of the depth"),
+                    section.number("across", "a part of the depth")};
+  const auto read_pair = [&](const char* key) {
+    const std::vector<double> numbers = section.numbers(key);
+    if (numbers.size() != 2)
+      section.refuse(key, "must be two numbers: mm along and across the face", "");
+    return Eigen::Vector2d(numbers[0], numbers[1]);
+  };
+  variation.middle_mm = read_pair("middle_mm");
+  variation.half_mm = read_pair("half_mm");
+  section.keep_the_rest();
+  return variation;
+}
+
 MappingParameters read_mapping(YamlSection& section) {
   MappingParameters parameters;
   parameters.kind = read_word<MappingKind>(section, "kind", kMappingKinds);
@@ -86,6 +102,7 @@ MappingParameters read_mapping(YamlSection& section) {
   if (domain.size() != 2 || domain[0] != 0)
     section.refuse("domain", "must be two numbers, the first of them 0", "for example [0.0, 0.62]");
   parameters.x_max = domain[1];
+  if (section.has("varies")) parameters.variation = read_variation(section.section("varies"));
   if (section.has("covariance")) parameters.covariance = read_covariance(section);
   if (parameters.kind == MappingKind::kMoebius) {
     parameters.a_mm = section.number("a_mm", "a depth in mm");
@@ -211,6 +228,15 @@ std::string mapping_text(const MappingParameters& parameters,
   } else {
     block.add("chebyshev", yaml_numbers(parameters.chebyshev));
     block.add("powers", yaml_numbers(Mapping::create(parameters)->powers()));
+  }
+  if (const FaceVariation& varies = parameters.variation; !varies.is_none()) {
+    YamlBlock inner("mapping.varies");
+    inner.add("along", yaml_number(varies.part.x()));
+    inner.add("across", yaml_number(varies.part.y()));
+    inner.add("middle_mm", yaml_numbers({varies.middle_mm.x(), varies.middle_mm.y()}));
+    inner.add("half_mm", yaml_numbers({varies.half_mm.x(), varies.half_mm.y()}));
+    inner.add_unknown(unknown);
+    block.add("varies", inner.in_braces());
   }
   if (const Eigen::MatrixXd& covariance = parameters.covariance; covariance.size() != 0) {
     std::vector<std::string> rows;

@@ -125,6 +125,16 @@ std::optional<Error> covariance_problem(const Eigen::MatrixXd& covariance, Eigen
   return std::nullopt;
 }
 
+std::optional<Error> variation_problem(const FaceVariation& variation) {
+  const bool is_one = variation.part.allFinite() && variation.part.lpNorm<1>() <= 0.5 &&
+                      variation.middle_mm.allFinite() && variation.half_mm.allFinite() &&
+                      variation.half_mm.minCoeff() > 0;
+  if (is_one) return std::nullopt;
+  return Error{"must hold finite numbers, half_mm above 0, along and across together at most 0.5",
+               "mapping.varies",
+               "leave it out, or calibrate again"};
+}
+
 std::optional<Error> coefficient_problem(const MappingParameters& p) {
   if (p.kind == MappingKind::kMoebius) {
     if (!(p.a_mm > 0 && std::isfinite(p.a_mm)))
@@ -173,7 +183,9 @@ Result<Mapping> Mapping::create(MappingParameters parameters) {
                  "calibrate again"};
   if (auto problem = coefficient_problem(parameters)) return *problem;
   const bool is_moebius = parameters.kind == MappingKind::kMoebius;
-  const auto unknowns = is_moebius ? 2 : static_cast<Eigen::Index>(parameters.chebyshev.size());
+  if (auto problem = variation_problem(parameters.variation)) return *problem;
+  const auto unknowns = (is_moebius ? 2 : static_cast<Eigen::Index>(parameters.chebyshev.size())) +
+                        (parameters.variation.is_none() ? 0 : 2);
   if (auto problem = covariance_problem(parameters.covariance, unknowns)) return *problem;
 
   const std::string key = is_moebius ? "mapping.a_mm" : "mapping.chebyshev";
@@ -223,7 +235,7 @@ double Mapping::slope_mm(double x) const {
   return value + (t + 1) * derivative;  // x dt/dx = t + 1
 }
 
-double Mapping::depth_sd_mm(double x) const {
+double Mapping::depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const {
   const Eigen::MatrixXd& covariance = parameters_.covariance;
   const double pressed = at_least(0.0, x);
   if (covariance.size() == 0) return std::isnan(x) ? x : 0;
@@ -231,6 +243,7 @@ double Mapping::depth_sd_mm(double x) const {
   const double inside = at_most(x_max, pressed);
   const double excess = pressed - inside;
   Eigen::VectorXd gradient(covariance.rows());  // of the depth in each coefficient
+  const Eigen::Index numbers = gradient.size() - (parameters_.variation.is_none() ? 0 : 2);
   if (parameters_.kind == MappingKind::kMoebius) {
     const double a = parameters_.a_mm, b = parameters_.b;
     const double root = 1 + b * inside;
@@ -240,12 +253,16 @@ double Mapping::depth_sd_mm(double x) const {
   } else {
     const double t = 2 * inside / x_max - 1;
     double before = t, now = 1;  // T_{-1} = T_1
-    for (Eigen::Index k = 0; k < gradient.size(); ++k) {
+    for (Eigen::Index k = 0; k < numbers; ++k) {
       // The line beyond the domain: T_k(1) = 1 and T_k'(1) = k^2.
       gradient[k] = inside * now + excess * (1 + 2.0 * static_cast<double>(k * k));
       const double next = 2 * t * now - before;
       before = now, now = next;
     }
+  }
+  if (numbers < gradient.size()) {
+    gradient.head(numbers) *= parameters_.variation.at(place_mm);
+    gradient.tail<2>() = depth_mm(x) * parameters_.variation.within(place_mm);
   }
   return std::sqrt(std::max(0.0, gradient.dot(covariance * gradient)));
 }

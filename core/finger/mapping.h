@@ -22,6 +22,24 @@ enum class MappingAlong {
 /// As files say it: "z", "normal", "projected".
 [[nodiscard]] std::string_view to_string(MappingAlong along);
 
+/// How a mapping varies over the face, where light or layer are uneven: the depth is M(x) f with
+///   f = 1 + part . p,  p = (place - middle) / half, each within -1 to 1,
+/// place in mm along the face from its base and across it from its middle line. Beyond where it was
+/// calibrated f stays as it is at the border.
+struct FaceVariation {
+  Eigen::Vector2d part = Eigen::Vector2d::Zero();  ///< along, across; magnitudes add to at most 0.5
+  Eigen::Vector2d middle_mm = Eigen::Vector2d::Zero();
+  Eigen::Vector2d half_mm = Eigen::Vector2d::Ones();  ///< > 0
+
+  [[nodiscard]] bool is_none() const { return part.isZero(0.0); }
+  [[nodiscard]] Eigen::Vector2d within(const Eigen::Vector2d& place_mm) const {
+    return (place_mm - middle_mm).cwiseQuotient(half_mm).cwiseMax(-1.0).cwiseMin(1.0);
+  }
+  [[nodiscard]] double at(const Eigen::Vector2d& place_mm) const {
+    return 1.0 + part.dot(within(place_mm));
+  }
+};
+
 /// What is stored of a mapping.
 ///   polynomial: d = x * sum_k c_k T_k(2 x / x_max - 1), T_k Chebyshev polynomials: zero at zero by
 ///               construction and well conditioned on [0, x_max].
@@ -32,7 +50,9 @@ struct MappingParameters {
   double x_max = 0;               ///< end of the calibrated domain [0, x_max], 0 < x_max <= 1
   std::vector<double> chebyshev;  ///< polynomial: c_0 .. c_n, at most 12, mm
   double a_mm = 0, b = 0;         ///< moebius
-  Eigen::MatrixXd covariance;     ///< of chebyshev, or of (a, b); empty when unknown
+  FaceVariation variation;
+  /// Of chebyshev, or of (a, b), and then of variation.part if there is one; empty when unknown.
+  Eigen::MatrixXd covariance;
 };
 
 /// A valid mapping: finite and strictly increasing on its domain.
@@ -54,9 +74,13 @@ class Mapping {
   [[nodiscard]] double depth_mm(double x) const;
   /// dM/dx at x clamped to [0, x_max]; > 0.
   [[nodiscard]] double slope_mm(double x) const;
-  /// Standard deviation of M(x) from the covariance, 0 where that is unknown. Above x_max it is
-  /// that of the straight line, whatever the limit.
-  [[nodiscard]] double depth_sd_mm(double x) const;
+  /// Standard deviation of M(x), in the middle of the face, from the covariance; 0 where that is
+  /// unknown. Above x_max it is that of the straight line, whatever the limit.
+  [[nodiscard]] double depth_sd_mm(double x) const {
+    return depth_sd_mm(x, parameters_.variation.middle_mm);
+  }
+  /// The same of M(x) f at a place on the face, mm along and across it.
+  [[nodiscard]] double depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const;
   /// The x in [0, x_max] whose depth is depth_mm, by bisection; clamped to the domain.
   [[nodiscard]] double difference_at(double depth_mm) const;
 

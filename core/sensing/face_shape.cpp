@@ -286,6 +286,15 @@ double FaceShape::length_at(double u) const {
   return length_mm_[left] + part * (length_mm_[right] - length_mm_[left]);
 }
 
+Eigen::Vector2d FaceShape::place_mm(double u, double v) const {
+  const auto nearest = std::clamp<long>(std::lround(u), 0, width_px() - 1);
+  const FaceColumn& column = columns_[static_cast<std::size_t>(nearest)];
+  const double across = column.valid ? (v - 0.5 * (column.upper_v + column.lower_v)) *
+                                           camera_.mm_per_px_at(column.z_mm)
+                                     : 0.0;
+  return {length_at(u), across};
+}
+
 Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local,
                                    double layer_mm,
                                    MappingAlong along) {

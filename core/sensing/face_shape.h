@@ -68,6 +68,10 @@ class FaceShape {
   /// along the normal. 1 where the column is not valid.
   [[nodiscard]] std::vector<float> along_z_per_normal() const;
 
+  /// Where a pixel lies on the face: mm along it from its base (length_at) and across it from its
+  /// middle line. For pixels on the face or near it; across is 0 off the valid columns.
+  [[nodiscard]] Eigen::Vector2d place_mm(double u, double v) const;
+
   /// Arc length along the face from the first valid column on the base's side to column u, mm,
   /// measured on the middle of the face; grows from base to tip.
   [[nodiscard]] double length_at(double u) const;

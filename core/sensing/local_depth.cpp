@@ -4,6 +4,7 @@
 #include "core/numerics/dispatch.h"
 #include "core/sensing/depth_along_z.h"
 #include "core/sensing/depth_cells.h"
+#include "core/sensing/depth_scale.h"
 #include "core/sensing/grey_steps.h"
 #include "core/sensing/picture_pool.h"
 
@@ -227,10 +228,6 @@ ALLTACT_WIDE void flag_row(const float* __restrict x,
       });
 }
 
-ALLTACT_WIDE void scale_row(const float* __restrict factors, int count, float* __restrict values) {
-  for (int u = 0; u < count; ++u) values[u] *= factors[u];
-}
-
 /// What of a row lies outside the face's runs has no measurement.
 template <class Value, class Clear>
 void clear_outside(std::span<const FaceRun> runs, int width, Value* values, Clear clear) {
@@ -250,10 +247,12 @@ void fill_off_face(std::uint8_t* flags, int count) {
 class Mapper {
  public:
   Mapper(const Mapping& mapping, const FaceShape& shape, const FaceRuns& face, DepthMap& map)
-      : mapping_(mapping), shape_(shape), face_(face), map_(map), cells_(map.depth_mm.size()) {
-    if (mapping.parameters().along == MappingAlong::kProjected)
-      along_z_ = shape.along_z_per_normal();
-  }
+      : mapping_(mapping),
+        shape_(shape),
+        face_(face),
+        map_(map),
+        scale_(mapping.parameters(), shape),
+        cells_(map.depth_mm.size()) {}
 
   /// Rows in turn; completes the row's flags.
   void operator()(int row, const float* x) {
@@ -264,7 +263,7 @@ class Mapper {
     for (const FaceRun& run : runs) {
       mapping_.depths_mm(x + run.first, depth + run.first, run.size());
       flag_row(x + run.first, x_max, run.size(), flags + run.first);
-      if (!along_z_.empty()) scale_row(along_z_.data() + run.first, run.size(), depth + run.first);
+      if (!scale_.is_one()) scale_.scale(row, run.first, run.size(), depth + run.first);
     }
     clear_outside(runs, map_.depth_mm.cols, depth, fill_nan);
     cells_.add_row(row, runs, depth);
@@ -282,7 +281,7 @@ class Mapper {
   const FaceShape& shape_;
   const FaceRuns& face_;
   DepthMap& map_;
-  std::vector<float> along_z_;  // by column; empty when M gives depths along z already
+  DepthScale scale_;
   DepthCells cells_;
 };
 
