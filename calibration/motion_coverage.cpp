@@ -29,12 +29,17 @@ void widen(MotionCoverage::Reach& reach, double value) {
 
 }  // namespace
 
-std::optional<TipPlace> tip_place(const Markers& markers, const FaceShape& shape) {
-  const std::size_t n = markers.size() / 2;
-  if (n < 2) return std::nullopt;
-  const Marker& upper = markers[n - 1];
-  const Marker& lower = markers[2 * n - 1];
-  const auto local = shape.at(0.5 * (upper.u + lower.u), 0.5 * (upper.v + lower.v));
+std::optional<TipPlace> tip_place(const Markers& markers,
+                                  std::size_t pair,
+                                  const FaceShape& shape) {
+  const Marker& upper = markers[pair];
+  const Marker& lower = markers[pair + markers.size() / 2];
+  // The dots lie before the face; its own middle is where the picture shows it between them.
+  const double u = 0.5 * (upper.u + lower.u);
+  const auto column = std::lround(u);
+  if (column < 0 || column >= shape.width_px()) return std::nullopt;
+  const FaceColumn& face = shape.columns()[static_cast<std::size_t>(column)];
+  const auto local = shape.at(u, 0.5 * (face.upper_v + face.lower_v));
   if (!local) return std::nullopt;
   return TipPlace{
       local->view_point_mm, local->normal, std::atan2(upper.u - lower.u, lower.v - upper.v)};

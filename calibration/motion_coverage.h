@@ -13,21 +13,23 @@
 
 namespace alltact {
 
-/// How a pose differs from the finger at rest, told by the last dot of each row.
+/// How a pose differs from the finger at rest, told by a pair of dots near the tip.
 struct Motion {
   double bend_mm = 0;    ///< of the tip at right angles to the face, > 0 away from the camera
   double sway_mm = 0;    ///< of the tip across the finger, > 0 towards +y
   double twist_deg = 0;  ///< of the line through both dots, as the camera sees it turn
 };
 
-/// Where both outermost dots are in the picture, and the face between them.
+/// Where the picture shows the face between the two dots of a pair, and how their line lies.
 struct TipPlace {
-  Eigen::Vector3d middle_mm;  ///< on the view face between the dots
+  Eigen::Vector3d middle_mm;  ///< on the middle line of the view face
   Eigen::Vector3d normal;     ///< of the face there
   double turn_rad = 0;        ///< of the line from the upper to the lower dot, from +v towards -u
 };
-/// nullopt where the face does not reach the dots. markers: 2n, at least 4.
-[[nodiscard]] std::optional<TipPlace> tip_place(const Markers& markers, const FaceShape& shape);
+/// pair: 0 at the base to n - 1 at the tip. nullopt where the face is not seen between the dots.
+[[nodiscard]] std::optional<TipPlace> tip_place(const Markers& markers,
+                                                std::size_t pair,
+                                                const FaceShape& shape);
 [[nodiscard]] Motion motion_between(const TipPlace& rest, const TipPlace& now);
 
 /// What a grasp asks for: the finger must have been seen this far, both ways.

@@ -15,11 +15,13 @@ namespace alltact {
 namespace {
 
 constexpr int kProfileDegree = 7;
-constexpr double kPatchMm = 1.5;       // a side: no ball that matters dents less
-constexpr double kDarker = 0.03;       // about 0.08 mm of a usual layer
-constexpr double kTimesTypical = 4.0;  // of the recording's own darkest patches
+constexpr double kPatchMm = 1.5;  // a side: no ball that matters dents less
+constexpr double kDarker = 0.04;  // about 0.1 mm of a usual layer
+constexpr double kSigmas = 8.0;   // of what patches of a zone differ by from frame to frame
 constexpr double kMostSeconds = 2.0;
 constexpr double kMostPart = 0.125;
+constexpr int kSurroundings = 5;  // times a patch's side
+constexpr double kEndMm = 4.0;  // of the face's length at both ends, where light ends with the face
 constexpr double kRimPx = 4.0;  // beside the face's edges a shift of a tenth of a pixel shows
 
 struct Looked {
@@ -36,11 +38,33 @@ std::optional<Looked> look(const cv::Mat& grey, const Camera& camera, const Fing
   return Looked{grey, std::move(shape).value(), edges->noise_sd};
 }
 
-/// Means over patches of the face, NaN where less than half of a patch is measured; centred on
-/// every pixel of the picture.
+/// Means of a picture over squares, of what is known of it.
+class Means {
+ public:
+  explicit Means(const cv::Mat& x) : known_(x == x) {
+    known_.convertTo(weight_, CV_32FC1, 1.0 / 255.0);
+    filled_ = x.clone();
+    filled_.setTo(0.0F, ~known_);
+  }
+  /// NaN where less than half of the square is known, or the middle is not.
+  [[nodiscard]] cv::Mat over(int side) const {
+    cv::Mat sum, weight;
+    cv::boxFilter(filled_, sum, CV_32F, {side, side}, {-1, -1}, true, cv::BORDER_CONSTANT);
+    cv::boxFilter(weight_, weight, CV_32F, {side, side}, {-1, -1}, true, cv::BORDER_CONSTANT);
+    cv::Mat mean = sum / weight;
+    mean.setTo(std::numeric_limits<float>::quiet_NaN(), (weight < 0.25F) | ~known_);
+    return mean;
+  }
+
+ private:
+  cv::Mat known_, weight_, filled_;
+};
+
+/// What patches of the face differ by from the reference, around every pixel.
 struct Patches {
   cv::Mat mean;
-  double noise;  ///< sd of a patch's mean by noise alone
+  cv::Mat standing_out;  ///< the same against their surroundings: what presses is a dent
+  double noise;          ///< sd of a patch's mean by noise alone
 };
 
 Patches patches_of(const Difference& difference, const FaceShape& shape, double grey_level) {
@@ -49,16 +73,10 @@ Patches patches_of(const Difference& difference, const FaceShape& shape, double 
     if (column.valid) z.push_back(column.z_mm);
   const int side =
       std::max(3, static_cast<int>(kPatchMm / shape.camera().mm_per_px_at(upper_median(z))));
-  const cv::Mat known = difference.x == difference.x;
-  cv::Mat filled = difference.x.clone(), weight, sum;
-  filled.setTo(0.0F, ~known);
-  known.convertTo(weight, CV_32FC1, 1.0 / 255.0);
-  cv::boxFilter(filled, sum, CV_32F, {side, side}, {-1, -1}, true, cv::BORDER_CONSTANT);
-  cv::boxFilter(weight, weight, CV_32F, {side, side}, {-1, -1}, true, cv::BORDER_CONSTANT);
+  const Means means(difference.x);
   Patches patches;
-  patches.mean = sum / weight;
-  patches.mean.setTo(std::numeric_limits<float>::quiet_NaN(), weight < 0.5F);
-  patches.mean.setTo(std::numeric_limits<float>::quiet_NaN(), ~known);
+  patches.mean = means.over(side);
+  patches.standing_out = patches.mean - means.over(kSurroundings * side);
   // Smoothing has already averaged over neighbours; a patch is wider than that.
   patches.noise = difference.grey_sd * 2.0 * std::sqrt(M_PI) / (side * grey_level);
   return patches;
@@ -89,7 +107,9 @@ class Study {
                                    const std::vector<char>& touched) const {
     StudiedFrame studied;
     studied.number = library_.frame_numbers()[index];
-    studied.tip = tip_place(numbered_[index], looked.shape);
+    const Markers& markers = numbered_[index];
+    for (std::size_t pair = 0; pair < markers.size() / 2; ++pair)
+      studied.pairs.push_back(tip_place(markers, pair, looked.shape));
     std::vector<char> without = touched;
     const std::size_t first = index > gap_ ? index - gap_ : 0;
     for (std::size_t i = first; i <= index + gap_ && i < without.size(); ++i) without[i] = 1;
@@ -98,7 +118,7 @@ class Study {
     if (!local) return studied;
     studied.compared = true;
     studied.error = mean_error(*local);
-    find_darkest(*local, looked.shape, studied);
+    studied.darkest = darkest_by_zone(*local, looked.shape);
     if (const auto nearest = compare(index, looked, ReferenceMethod::kNearest, without))
       studied.nearest_error = mean_error(*nearest);
     return studied;
@@ -110,7 +130,8 @@ class Study {
                                                ReferenceMethod method,
                                                const std::vector<char>& without) const {
     const Reference reference = library_.reference_for(numbered_[index], method, without);
-    if (!reference.known_pose) return std::nullopt;
+    // Beyond the others' poses the reference is a guess, and no frame is to be judged by it.
+    if (!reference.known_pose || reference.noise_gain > 1.0) return std::nullopt;
     DifferenceOptions options;
     options.edge_margin_px = kRimPx;
     options.noise_sd = looked.noise_sd;
@@ -131,17 +152,29 @@ class Study {
     return 0.8 * std::sqrt(std::max(0.0, square / count - patches.noise * patches.noise));
   }
 
-  static void find_darkest(const Patches& patches, const FaceShape& shape, StudiedFrame& studied) {
-    cv::Mat mean = patches.mean.clone();
-    mean.setTo(-1.0F, mean != mean);
-    double darkest = 0;
-    cv::Point place;
-    cv::minMaxLoc(mean, nullptr, &darkest, nullptr, &place);
-    studied.darkest = std::max(0.0, darkest);
-    if (const auto local = shape.at(place.x, place.y)) {
-      studied.along_mm = shape.length_at(place.x);
-      studied.across_mm = local->view_point_mm.y();
+  static std::vector<float> darkest_by_zone(const Patches& patches, const FaceShape& shape) {
+    const FaceZones zones;
+    std::vector<float> darkest(static_cast<std::size_t>(zones.count()),
+                               std::numeric_limits<float>::quiet_NaN());
+    const double last_mm = std::max(shape.length_at(0), shape.length_at(shape.width_px() - 1));
+    for (int u = 0; u < patches.mean.cols; u += 2) {
+      const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
+      const double along_mm = shape.length_at(u);
+      const int piece = static_cast<int>(along_mm / zones.piece_mm);
+      if (!column.valid || piece >= zones.pieces || along_mm < kEndMm ||
+          along_mm > last_mm - kEndMm)
+        continue;
+      const double height = (column.lower_v - column.upper_v) / FaceZones::kAcross;
+      for (int v = 0; v < patches.mean.rows; v += 2) {
+        const float x = patches.standing_out.at<float>(v, u);
+        if (!std::isfinite(x)) continue;
+        const int third =
+            std::clamp(static_cast<int>((v - column.upper_v) / height), 0, FaceZones::kAcross - 1);
+        float& here = darkest[static_cast<std::size_t>(piece * FaceZones::kAcross + third)];
+        here = std::isfinite(here) ? std::max(here, x) : x;
+      }
     }
+    return darkest;
   }
 
   const ReferenceLibrary& library_;
@@ -149,11 +182,43 @@ class Study {
   std::size_t gap_;
 };
 
-double typical_darkest(const std::vector<StudiedFrame>& frames) {
-  std::vector<double> darkest;
-  for (const StudiedFrame& frame : frames)
-    if (frame.compared) darkest.push_back(frame.darkest);
-  return upper_median(darkest);
+/// By zone, how dark a patch may be: what the zone's patches usually show and how far they scatter.
+std::vector<double> limits_of(const std::vector<StudiedFrame>& frames) {
+  const FaceZones zones;
+  std::vector<double> limits(static_cast<std::size_t>(zones.count()), kDarker);
+  for (std::size_t zone = 0; zone < limits.size(); ++zone) {
+    std::vector<float> values;
+    for (const StudiedFrame& frame : frames)
+      if (frame.compared && std::isfinite(frame.darkest[zone]))
+        values.push_back(frame.darkest[zone]);
+    const float median = upper_median(values);
+    for (float& value : values) value = std::abs(value - median);
+    const double sd = 1.4826 * static_cast<double>(upper_median(values));
+    limits[zone] = std::max(kDarker, static_cast<double>(median) + kSigmas * sd);
+  }
+  return limits;
+}
+
+std::optional<TouchSeen> touch_in(const StudiedFrame& frame, const std::vector<double>& limits) {
+  std::optional<TouchSeen> touch;
+  if (!frame.compared) return touch;
+  for (std::size_t zone = 0; zone < limits.size(); ++zone) {
+    const auto darker = static_cast<double>(frame.darkest[zone]);
+    if (!(darker > limits[zone]) || (touch && darker < touch->darker)) continue;
+    touch = TouchSeen{darker, FaceZones().along_mm(static_cast<int>(zone))};
+  }
+  return touch;
+}
+
+/// Frames that could be compared with no other and lie between touched ones in time, or next to
+/// them, count as touched as well.
+void spread_to_neighbours(RecordingStudy& study) {
+  const auto pass = [&](std::size_t from, std::size_t to) {
+    if (study.touched[from] && !study.touched[to] && !study.frames[to].compared)
+      study.touched[to] = study.touched[from];
+  };
+  for (std::size_t i = 1; i < study.frames.size(); ++i) pass(i - 1, i);
+  for (std::size_t i = study.frames.size(); i-- > 1;) pass(i, i - 1);
 }
 
 double part_of(std::vector<double> values, double part) {
@@ -174,7 +239,7 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
   const std::size_t count = library.frame_count();
   const Study study(library, numbered, video.frames_per_s());
   RecordingStudy result;
-  result.touched.assign(count, 0);
+  const std::vector<char> none(count, 0);
   const auto looked_at = [&](std::size_t index) -> Result<std::optional<Looked>> {
     const int number = library.frame_numbers()[index];
     const auto frame = video.frame(static_cast<std::size_t>(number));
@@ -192,23 +257,27 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
     if (!looked) return looked.error();
     StudiedFrame studied;
     studied.number = library.frame_numbers()[i];
-    if (*looked) studied = study.frame(i, **looked, result.touched);
+    if (*looked) studied = study.frame(i, **looked, none);
     result.frames.push_back(std::move(studied));
+  }
+  const std::vector<double> limits = limits_of(result.frames);
+  std::vector<char> suspects(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    result.touched.push_back(touch_in(result.frames[i], limits));
+    suspects[i] = result.touched[i].has_value();
   }
   // Suspects are looked at again without each other: an untouched frame that was compared with
   // touched ones is none.
-  const double limit = std::max(kDarker, kTimesTypical * typical_darkest(result.frames));
-  for (std::size_t i = 0; i < count; ++i) result.touched[i] = result.frames[i].darkest > limit;
-  const std::vector<char> suspects = result.touched;
   for (std::size_t i = 0; i < count; ++i) {
     if (!suspects[i]) continue;
     const auto looked = looked_at(i);
     if (!looked) return looked.error();
-    const StudiedFrame again = study.frame(i, **looked, suspects);
+    StudiedFrame again = study.frame(i, **looked, suspects);
     if (!again.compared) continue;
-    result.frames[i] = again;
-    result.touched[i] = again.darkest > limit;
+    result.touched[i] = touch_in(again, limits);
+    result.frames[i] = std::move(again);
   }
+  spread_to_neighbours(result);
   std::vector<double> errors, nearest;
   for (std::size_t i = 0; i < count; ++i) {
     if (result.touched[i] || !result.frames[i].compared) continue;

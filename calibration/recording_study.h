@@ -20,16 +20,32 @@ struct StudiedFrame {
   bool compared = false;  ///< false: no face was found, or no other frame is near
   double error = 0;       ///< mean |x| over the face in patches of a millimetre or so, less noise
   double nearest_error = 0;  ///< the same with the nearest frame alone
-  /// The darkest patch: how much darker than it should be (0.1: by 10 %), and where, in mm along
-  /// the face from its base and across it from its middle.
-  double darkest = 0;
-  double along_mm = 0, across_mm = 0;
-  std::optional<TipPlace> tip;
+  /// /// The darkest patch in each zone of the face (FaceZones): how much darker than it should be
+  /// (0.1: by 10 %); NaN where the zone is not seen.
+  std::vector<float> darkest;
+  std::vector<std::optional<TipPlace>> pairs;  ///< by pair of dots, from base to tip
+};
+
+/// Zones of the face in which frames are compared: pieces of its length, each in thirds across.
+struct FaceZones {
+  static constexpr int kAcross = 3;
+  double piece_mm = 5.0;
+  int pieces = 40;
+
+  [[nodiscard]] int count() const { return pieces * kAcross; }
+  [[nodiscard]] double along_mm(int zone) const { return (zone / kAcross + 0.5) * piece_mm; }
+};
+
+/// Something that pressed on the face in a frame.
+struct TouchSeen {
+  double darker = 0;    ///< 0.1: by 10 %
+  double along_mm = 0;  ///< from the base
 };
 
 struct RecordingStudy {
   std::vector<StudiedFrame> frames;  ///< by the library's index
-  std::vector<char> touched;         ///< by the library's index: something pressed on the face
+  /// By the library's index: something pressed on the face.
+  std::vector<std::optional<TouchSeen>> touched;
   /// Over the frames that are not touched: what references of this recording are off by in
   /// brightness, as parts of it.
   double error_median = 0, error_p95 = 0;
@@ -38,10 +54,10 @@ struct RecordingStudy {
 
 /// Compares every frame with the local regression over the others, leaving out those taken shortly
 /// before and after, which show the same pose and the same touch (an eighth of the recording, at
-/// most two seconds of it). A frame counts as touched where a patch is darker by 3 % and by four
-/// times what the recording's patches typically differ, also when no other touched frame has part
-/// in its reference. `numbered`: the markers of the library's frames, by index. Errors: a stopped
-/// job; a frame that cannot be read.
+/// /// most two seconds of it). A frame counts as touched where a patch is darker by 3 % and by far
+/// more than patches of its zone typically are (the dark end of a finger is told less well), also
+/// when no other touched frame has part in its reference. `numbered`: the markers of the library's
+/// frames, by index. Errors: a stopped job; a frame that cannot be read.
 [[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                                      const std::vector<Markers>& numbered,
                                                      VideoFile& video,

@@ -89,6 +89,20 @@ double mm_per_part(const Finger& finger) {
   return finger.face.layer_mm * (1.0 + 0.6 * finger.face.layer_mm);
 }
 
+// Told by the pair of dots nearest to the tip between which the face is seen in nearly all frames.
+void add_motion(const std::vector<const StudiedFrame*>& frames, MotionCoverage& coverage) {
+  constexpr double kNearlyAll = 0.8;
+  const std::size_t pairs = frames.empty() ? 0 : frames.front()->pairs.size();
+  for (std::size_t pair = pairs; pair-- > 0;) {
+    std::vector<TipPlace> places;
+    for (const StudiedFrame* frame : frames)
+      if (pair < frame->pairs.size() && frame->pairs[pair]) places.push_back(*frame->pairs[pair]);
+    if (places.size() < kNearlyAll * static_cast<double>(frames.size()) || places.empty()) continue;
+    for (const TipPlace& place : places) coverage.add(motion_between(places.front(), place));
+    return;
+  }
+}
+
 // Compares the frames with each other; takes out those that are touched and says what the rest is
 // worth.
 Status study(const fs::path& video,
@@ -118,22 +132,21 @@ Status study(const fs::path& video,
   if (!studied) return studied.error();
   ReferenceReport& report = installed.report;
   kept.clear();
-  std::optional<TipPlace> rest;
+  std::vector<const StudiedFrame*> untouched;
   for (std::size_t row = 0; row < of_library.size(); ++row) {
-    const StudiedFrame& frame = studied->frames[row];
-    if (studied->touched[row]) {
+    if (const auto& touch = studied->touched[row]) {
       report.rejected.push_back(
           fmt::format("frame {}: something pressed on the contact face, {:.0f} mm from its base "
                       "({:.0f} % darker than untouched)",
                       of_library[row],
-                      frame.along_mm,
-                      100.0 * frame.darkest));
+                      touch->along_mm,
+                      100.0 * touch->darker));
       continue;
     }
     kept.push_back(of_library[row]);
-    if (!rest) rest = frame.tip;
-    if (frame.tip) report.coverage.add(motion_between(*rest, *frame.tip));
+    untouched.push_back(&studied->frames[row]);
   }
+  add_motion(untouched, report.coverage);
   report.error_median = studied->error_median;
   report.error_p95 = studied->error_p95;
   report.nearest_error_median = studied->nearest_error_median;

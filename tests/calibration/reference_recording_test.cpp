@@ -1,7 +1,7 @@
 #include "calibration/reference_recording.h"
 
 #include "core/sensing/reference_library.h"
-#include "tests/support/marked_finger.h"
+#include "tests/support/marked_recording.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,58 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::Bend;
+using testing::described;
 using testing::MarkedFinger;
-
-class MemorySource : public Source {
- public:
-  std::vector<cv::Mat> pictures;
-  std::shared_ptr<const std::string> settings;
-  Result<FramePtr> next() override {
-    if (at_ >= pictures.size()) return FramePtr{};
-    auto frame = std::make_shared<Frame>();
-    frame->grey = pictures[at_];
-    frame->name = "frame";
-    frame->controls = settings;
-    frame->sequence = at_++;
-    return FramePtr(frame);
-  }
-  std::optional<std::size_t> count() const override { return pictures.size(); }
-  bool is_continuous() const override { return true; }
-
- private:
-  std::size_t at_ = 0;
-};
-
-fs::path scratch_folder(const std::string& name) {
-  const fs::path folder = fs::path(::testing::TempDir()) / ("alltact_" + name);
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
-
-// Small, so that a recording of many frames is quick.
-MarkedFinger small_finger() {
-  MarkedFinger f;
-  f.width = 480, f.height = 270, f.focal = 262;
-  f.dot_mm = 0.9;
-  f.noise = 0.4;  // little, so that what the mixture itself gets wrong is seen
-  return f;
-}
-
-Finger described(const MarkedFinger& f) {
-  Finger finger;
-  finger.name = "drawn";
-  finger.camera = f.camera();
-  finger.face = f.face();
-  finger.markers = {f.per_row, Polarity::kAuto};
-  return finger;
-}
-
-Bend pose(int i, int frames) {
-  const double t = 2 * M_PI * i / frames;
-  return {
-      0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0.03 * std::sin(5 * t)};
-}
+using testing::MemorySource;
+using testing::pose;
+using testing::scratch_folder;
+using testing::small_finger;
 
 // The furthest marker, among those that were seen or among the estimates.
 double truth_error(
