@@ -134,6 +134,9 @@ struct Layer {
   double s = 0.6, k = 0.02;
   double thickness_mm = 1.5;
   MappingAlong along = MappingAlong::kZ;
+  /// Uneven light or scattering: it takes (1 + uneven . p) times the depth to get as dark, p from
+  /// -1 to 1 over the picture's width and height.
+  Eigen::Vector2d uneven = Eigen::Vector2d::Zero();
 
   double reflectance(double t_mm) const {
     const double scatter = s / thickness_mm;
@@ -239,7 +242,10 @@ inline Made make_press(const Scene& scene,
         }
         depth = std::abs(here) > std::abs(depth) ? here : depth;
       }
-      x.at<float>(v, u) = static_cast<float>(layer.difference_at(depth));
+      if (layer.along == MappingAlong::kProjected) depth *= local->cos_incline;
+      const Eigen::Vector2d place(2.0 * u / size.width - 1.0, 2.0 * v / size.height - 1.0);
+      x.at<float>(v, u) =
+          static_cast<float>(layer.difference_at(depth / (1.0 + layer.uneven.dot(place))));
     }
   }
   return {{name, noisy_difference(x, grain, noise), scene.shape},

@@ -44,7 +44,8 @@ mapping:
   domain: [0.0, 0.5]
   chebyshev: [2.0, 0.5]
   powers: [0.0, 1.5, 2.0]
-  covariance: [[0.0001, 0.00001], [0.00001, 0.0002]]
+  varies: {along: 0.05, across: -0.01, middle_mm: [52.0, 0.5], half_mm: [30.0, 6.0]}
+  covariance: [[0.0001, 0.00001, 0.0, 0.0], [0.00001, 0.0002, 0.0, 0.0], [0.0, 0.0, 0.0004, 0.0], [0.0, 0.0, 0.0, 0.0005]]
   method: joint
   presses: [press_000, press_001]
   residual_mm: 0.012
@@ -93,6 +94,7 @@ const std::set<std::string> kOptional{"camera.distortion",
                                       "mapping.along",
                                       "mapping.powers",
                                       "mapping.covariance",
+                                      "mapping.varies",
                                       "mapping.method",
                                       "mapping.presses",
                                       "mapping.residual_mm",
@@ -197,6 +199,9 @@ TEST_F(FingerFile, EveryValueIsRead) {
   EXPECT_EQ(finger->mapping->x_max, 0.5);
   EXPECT_THAT(finger->mapping->chebyshev, ElementsAre(2.0, 0.5));
   EXPECT_EQ(finger->mapping->covariance(1, 1), 0.0002);
+  EXPECT_EQ(finger->mapping->variation.part, Eigen::Vector2d(0.05, -0.01));
+  EXPECT_EQ(finger->mapping->variation.middle_mm, Eigen::Vector2d(52.0, 0.5));
+  EXPECT_EQ(finger->mapping->variation.half_mm, Eigen::Vector2d(30.0, 6.0));
   ASSERT_TRUE(finger->mapping_record);
   EXPECT_EQ(finger->mapping_record->method, "joint");
   EXPECT_THAT(finger->mapping_record->presses, ElementsAre("press_000", "press_001"));

@@ -29,7 +29,11 @@ MappingParameters random_parameters(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   MappingParameters p;
   p.x_max = 0.1 + 0.9 * unit(random);
-  p.along = unit(random) < 0.5 ? MappingAlong::kZ : MappingAlong::kNormal;
+  p.along = static_cast<MappingAlong>(1 + static_cast<int>(3 * unit(random)));
+  if (unit(random) < 0.5)
+    p.variation = {{0.25 - 0.5 * unit(random), 0.25 - 0.5 * unit(random)},
+                   {100 * unit(random), 10 * unit(random)},
+                   {1 + 50 * unit(random), 1 + 10 * unit(random)}};
   if (unit(random) < 0.3) {
     p.kind = MappingKind::kMoebius;
     p.a_mm = 0.1 + 5 * unit(random);
@@ -228,6 +232,34 @@ TEST(Mapping, SpreadOfAMoebiusIsThatOfItsLinearisation) {
         (depth(p.a_mm, p.b + h, x) - depth(p.a_mm, p.b - h, x)) / (2 * h));
     EXPECT_NEAR(mapping.depth_sd_mm(x), std::sqrt(gradient.dot(p.covariance * gradient)), 1e-8);
   }
+}
+
+TEST(Mapping, SpreadOverTheFaceIsThatOfItsLinearisation) {
+  MappingParameters p;
+  p.kind = MappingKind::kMoebius;
+  p.x_max = 0.7, p.a_mm = 2.5, p.b = 1.3;
+  p.variation = {{0.1, -0.05}, {50.0, 1.0}, {30.0, 6.0}};
+  Eigen::Matrix4d root = Eigen::Matrix4d::Identity() * 0.02;
+  root(2, 0) = root(3, 1) = 0.01;
+  p.covariance = root * root.transpose();
+  const Mapping mapping = *Mapping::create(p);
+  const auto depth = [&](const Eigen::Vector4d& step, double x, const Eigen::Vector2d& place) {
+    MappingParameters moved = p;
+    moved.a_mm += step[0], moved.b += step[1], moved.variation.part += step.tail<2>();
+    return Mapping::create(moved)->depth_mm(x) * moved.variation.at(place);
+  };
+  for (const Eigen::Vector2d& place :
+       {Eigen::Vector2d(50, 1), Eigen::Vector2d(70, -4), Eigen::Vector2d(200, 3)})
+    for (const double x : {0.1, 0.6, 0.8}) {
+      Eigen::Vector4d gradient;
+      for (int k = 0; k < 4; ++k) {
+        const Eigen::Vector4d h = 1e-6 * Eigen::Vector4d::Unit(k);
+        gradient[k] = (depth(h, x, place) - depth(-h, x, place)) / 2e-6;
+      }
+      EXPECT_NEAR(
+          mapping.depth_sd_mm(x, place), std::sqrt(gradient.dot(p.covariance * gradient)), 1e-8);
+    }
+  EXPECT_EQ(mapping.depth_sd_mm(0.3), mapping.depth_sd_mm(0.3, {50.0, 1.0}));
 }
 
 TEST(Mapping, RefusesWhatIsNoMapping) {
