@@ -44,8 +44,7 @@ mapping:
   domain: [0.0, 0.5]
   chebyshev: [2.0, 0.5]
   powers: [0.0, 1.5, 2.0]
-  varies: {along: 0.05, across: -0.01, middle_mm: [52.0, 0.5], half_mm: [30.0, 6.0]}
-  covariance: [[0.0001, 0.00001, 0.0, 0.0], [0.00001, 0.0002, 0.0, 0.0], [0.0, 0.0, 0.0004, 0.0], [0.0, 0.0, 0.0, 0.0005]]
+  covariance: [[0.0001, 0.00001], [0.00001, 0.0002]]
   method: joint
   presses: [press_000, press_001]
   residual_mm: 0.012
@@ -94,7 +93,6 @@ const std::set<std::string> kOptional{"camera.distortion",
                                       "mapping.along",
                                       "mapping.powers",
                                       "mapping.covariance",
-                                      "mapping.varies",
                                       "mapping.method",
                                       "mapping.presses",
                                       "mapping.residual_mm",
@@ -199,9 +197,6 @@ TEST_F(FingerFile, EveryValueIsRead) {
   EXPECT_EQ(finger->mapping->x_max, 0.5);
   EXPECT_THAT(finger->mapping->chebyshev, ElementsAre(2.0, 0.5));
   EXPECT_EQ(finger->mapping->covariance(1, 1), 0.0002);
-  EXPECT_EQ(finger->mapping->variation.part, Eigen::Vector2d(0.05, -0.01));
-  EXPECT_EQ(finger->mapping->variation.middle_mm, Eigen::Vector2d(52.0, 0.5));
-  EXPECT_EQ(finger->mapping->variation.half_mm, Eigen::Vector2d(30.0, 6.0));
   ASSERT_TRUE(finger->mapping_record);
   EXPECT_EQ(finger->mapping_record->method, "joint");
   EXPECT_THAT(finger->mapping_record->presses, ElementsAre("press_000", "press_001"));
@@ -213,6 +208,40 @@ TEST_F(FingerFile, EveryValueIsRead) {
   EXPECT_EQ(finger->force_model, "force.yaml");
   EXPECT_EQ(finger->provenance.at("ball_radius_mm"), "3");
   EXPECT_EQ(finger->provenance.at("operator"), "null");
+}
+
+TEST_F(FingerFile, AMappingThatVariesOverTheFaceComesBack) {
+  std::string text = kFinRay;
+  const std::string plain = "  covariance: [[0.0001, 0.00001], [0.00001, 0.0002]]\n";
+  const auto place = text.find(plain);
+  ASSERT_NE(place, std::string::npos);
+  text.replace(place,
+               plain.size(),
+               "  varies: {along: 0.05, across: -0.01, middle_mm: [52.0, 0.5], half_mm: [30.0, "
+               "6.0]}\n  covariance: [[0.0001, 0.0, 0.0, 0.0], [0.0, 0.0002, 0.0, 0.0], [0.0, 0.0, "
+               "0.0004, 0.0], [0.0, 0.0, 0.0, 0.0005]]\n");
+  const auto finger = load(text);
+  ASSERT_TRUE(finger.ok()) << finger.error().sentence();
+  const FaceVariation& varies = finger->mapping->variation;
+  EXPECT_EQ(varies.part, Eigen::Vector2d(0.05, -0.01));
+  EXPECT_EQ(varies.middle_mm, Eigen::Vector2d(52.0, 0.5));
+  EXPECT_EQ(varies.half_mm, Eigen::Vector2d(30.0, 6.0));
+  const auto written = finger->to_yaml();
+  ASSERT_TRUE(written.ok());
+  const auto again = load(*written);
+  ASSERT_TRUE(again.ok()) << again.error().sentence();
+  EXPECT_EQ(again->mapping->variation.part, varies.part);
+  EXPECT_EQ(*again->to_yaml(), *written);
+
+  const auto refused = [&](const std::string& from, const std::string& to) {
+    std::string spoilt = text;
+    spoilt.replace(spoilt.find(from), from.size(), to);
+    const auto result = load(spoilt);
+    return result.ok() ? std::string("accepted") : result.error().sentence();
+  };
+  EXPECT_THAT(refused("along: 0.05", "along: 0.6"), HasSubstr("mapping.varies"));
+  EXPECT_THAT(refused("half_mm: [30.0, ", "half_mm: [0.0, "), HasSubstr("mapping.varies"));
+  EXPECT_THAT(refused("middle_mm: [52.0, 0.5]", "middle_mm: [52.0]"), HasSubstr("middle_mm"));
 }
 
 TEST_F(FingerFile, FlatSensorsHaveNoMarkersAndDefaults) {
