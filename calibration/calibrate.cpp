@@ -140,6 +140,15 @@ std::vector<BallFit> balls_of(const std::vector<Found>& found,
   return balls;
 }
 
+double face_length_mm(const std::vector<Found>& found) {
+  double length = 0;
+  for (const Found& f : found) {
+    const FaceShape& shape = f.press->shape;
+    length = std::max({length, shape.length_at(0), shape.length_at(shape.width_px() - 1)});
+  }
+  return length;
+}
+
 double mean_of(const std::vector<BallFit>& balls, double BallFit::*member) {
   double mean = 0;
   for (const BallFit& ball : balls) mean += ball.*member / static_cast<double>(balls.size());
@@ -228,6 +237,10 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
     return Error{"the solution is no mapping: " + mapping.error().what,
                  "",
                  "more presses of different depth, or a lower degree"};
+  if (covariance.covariance.size() > 0)
+    calibration.weakness = weakest_direction(fit.curve, calibration.mapping.covariance);
+  if (!job.stop_requested())
+    calibration.next_press = advise(coarse.presses, fit, choice->options, face_length_mm(found));
   calibration.balls = balls_of(found, *choice, fit, covariance);
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);

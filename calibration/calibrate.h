@@ -2,11 +2,13 @@
 #pragma once
 
 #include "calibration/press.h"
+#include "calibration/press_advice.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
 #include "core/result.h"
 #include "core/settings.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,8 @@ struct Calibration {
   std::string degree_choice;          ///< why this family and degree, a sentence
   std::vector<std::string> left_out;  ///< presses not used, each with the reason
   std::vector<std::string> remarks;   ///< what the user should know (one press only, ...)
+  std::optional<Weakness> weakness;   ///< joint method, when the presses determine every unknown
+  std::optional<PressAdvice> next_press;  ///< joint method; absent when stopped before
 };
 
 /// Errors: no usable press (with each press's reason), a solution that is not finite or not
