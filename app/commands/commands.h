@@ -89,7 +89,7 @@ struct ReconstructOptions {
   Path finger;
   std::vector<Path> inputs;
   Path folder;
-  bool depth = true, points = true, ply = false;
+  bool depth = true, depth_sd = false, points = true, ply = false;
   int threads = 1;
   bool live = false;  ///< lines on standard output instead of files, until stopped
   PipelineSettings pipeline;

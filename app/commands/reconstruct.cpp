@@ -5,6 +5,7 @@
 #include "core/io/picture.h"
 #include "core/io/ply.h"
 #include "core/io/result_json.h"
+#include "core/sensing/depth_sd.h"
 #include "core/sensing/pipeline.h"
 #include "core/sources/newest_source.h"
 #include "core/sources/source.h"
@@ -33,6 +34,14 @@ Status write_files(const FrameResult& result,
   const cv::Mat& depth = result.depth->depth_mm;
   if (options.depth) {
     const Status status = write_picture(options.folder / (name + ".depth.tiff"), depth);
+    if (!status) return status;
+  }
+  if (options.depth_sd) {
+    const auto mapping = Mapping::create(*finger.mapping);
+    if (!mapping) return mapping.error();
+    const Status status =
+        write_picture(options.folder / (name + ".depth_sd.tiff"),
+                      depth_sd_mm(*result.depth, *result.reference, *result.shape, *mapping));
     if (!status) return status;
   }
   if (!options.points && !options.ply) return {};
@@ -245,13 +254,14 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->add_option(
           "--format",
           *formats,
-          "Files per frame, with commas: depth (float TIFF, mm), points (float TIFF, x y z in mm), "
-          "ply (mesh) (default depth,points)")
+          "Files per frame, with commas: depth (float TIFF, mm), depth_sd (how sure each pixel is, "
+          "one standard deviation in mm), points (float TIFF, x y z in mm), ply (mesh) (default "
+          "depth,points)")
       ->type_name("LIST")
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->check(CLI::IsMember({"depth", "points", "ply"}))
+      ->check(CLI::IsMember({"depth", "depth_sd", "points", "ply"}))
       ->excludes(live);
   command
       ->add_option("--method",
@@ -268,6 +278,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       return std::find(formats->begin(), formats->end(), word) != formats->end();
     };
     options->depth = wants("depth");
+    options->depth_sd = wants("depth_sd");
     options->points = wants("points");
     options->ply = wants("ply");
     options->pipeline =

@@ -346,12 +346,12 @@ void compare(const cv::Mat& grey,
   }
 }
 
-/// One frame's noise and the reference's own, averaged over the kernel: sd / (2 sqrt(pi) s).
-double smoothed_sd(const Reference& reference, const DifferenceOptions& options) {
+/// One frame's noise averaged over the kernel: sd / (2 sqrt(pi) s).
+double smoothed_sd(const DifferenceOptions& options) {
   const double averaging = options.smoothing_px > 0.0
                                ? std::min(1.0, 1.0 / (2.0 * std::sqrt(M_PI) * options.smoothing_px))
                                : 1.0;
-  return averaging * options.noise_sd * std::hypot(1.0, reference.noise_gain);
+  return averaging * options.noise_sd;
 }
 
 LightGain light_now(const cv::Mat& grey,
@@ -386,7 +386,7 @@ Difference difference(const cv::Mat& grey,
   result.x = pooled_picture(grey.size(), CV_32FC1);
   result.flags = pooled_picture(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size());
-  result.grey_sd = smoothed_sd(reference, options);
+  result.grey_sd = smoothed_sd(options) * std::hypot(1.0, reference.noise_gain);
   result.light = light_now(grey, reference, result.face, options);
   compare(
       grey,
@@ -407,6 +407,7 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
                difference.flags.clone(),
                {},
                0.0,
+               0.0,
                difference.light};
   Mapper mapper(mapping, shape, difference.face, map);
   for (int row = 0; row < difference.x.rows; ++row) mapper(row, difference.x.ptr<float>(row));
@@ -420,8 +421,12 @@ DepthMap depth_map(const cv::Mat& grey,
                    const DifferenceOptions& options,
                    const Mapping& mapping) {
   CV_Assert(shape.width_px() == grey.cols);
-  DepthMap map{
-      pooled_picture(grey.size(), CV_32FC1), pooled_picture(grey.size(), CV_8UC1), {}, 0.0, {}};
+  DepthMap map{pooled_picture(grey.size(), CV_32FC1),
+               pooled_picture(grey.size(), CV_8UC1),
+               {},
+               0.0,
+               0.0,
+               {}};
   const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size());
   map.light = light_now(grey, reference, face, options);
   Mapper mapper(mapping, shape, face, map);
@@ -436,8 +441,9 @@ DepthMap depth_map(const cv::Mat& grey,
       [&](int) { return x.data(); },
       [&](int row) { mapper(row, x.data()); });
   mapper.finish();
-  map.noise_mm =
-      mapping.slope_mm(0.0) * smoothed_sd(reference, options) / brightness_of(grey, face);
+  map.live_sd = smoothed_sd(options);
+  map.noise_mm = mapping.slope_mm(0.0) * map.live_sd * std::hypot(1.0, reference.noise_gain) /
+                 brightness_of(grey, face);
   return map;
 }
 

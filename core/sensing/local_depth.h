@@ -36,9 +36,10 @@ struct DepthMap {
   cv::Mat depth_mm;  ///< CV_32FC1 along z, >= 0, NaN where flags say so
   cv::Mat flags;     ///< CV_8UC1 of PixelFlag
   cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell (depth_cells.h)
-  double noise_mm =
-      0;            ///< sd of a pixel's depth where little presses, at the face's mean brightness
-  LightGain light;  ///< how the light has changed, if that was asked for
+  /// Standard deviation of a pixel's depth where little presses, at the face's mean brightness.
+  double noise_mm = 0;
+  double live_sd = 0;  ///< noise of the picture alone after smoothing, grey levels
+  LightGain light;     ///< how the light has changed, if that was asked for
 };
 
 struct DifferenceOptions {
