@@ -23,23 +23,26 @@ BoardView whole_view(const Board& board, const std::vector<cv::Point2f>& corners
   return view;
 }
 
-/// Half windows for the refinement of each corner: up to the middle of the shortest edge that meets
+constexpr double kHalfWay = 0.5;
+
+/// Half windows for the refinement of each corner, `reach` of the way to the next corner at most:
+/// on a chessboard up to the middle of the shortest edge that meets
 /// in it, where the next corner's own edges begin to pull. A longer edge tells a place better, but
 /// a lens bends it, which kLongest bounds.
-std::vector<int> windows_px(const std::vector<cv::Point2f>& corners) {
+std::vector<int> windows_px(const std::vector<cv::Point2f>& corners, double reach) {
   constexpr int kShortest = 2, kLongest = 10;
   std::vector<int> windows;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    double nearest = 2.0 * kLongest;
+    double nearest = kLongest / reach;
     for (std::size_t k = 0; k < corners.size(); ++k)
       if (k != i) nearest = std::min(nearest, cv::norm(corners[i] - corners[k]));
-    windows.push_back(std::max(kShortest, static_cast<int>(0.5 * nearest)));
+    windows.push_back(std::max(kShortest, static_cast<int>(reach * nearest)));
   }
   return windows;
 }
 
-void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners) {
-  const std::vector<int> windows = windows_px(corners);
+void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners, double reach) {
+  const std::vector<int> windows = windows_px(corners, reach);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     std::vector<cv::Point2f> one{corners[i]};
     const cv::Size window(windows[i], windows[i]);
@@ -54,14 +57,14 @@ bool find_corners(const cv::Mat& grey, cv::Size size, std::vector<cv::Point2f>& 
   if (cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_EXHAUSTIVE) ||
       cv::findChessboardCornersSB(
           grey, size, corners, cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_NORMALIZE_IMAGE)) {
-    refine(grey, corners);
+    refine(grey, corners, kHalfWay);
     return true;
   }
   // The classic finder sees some strongly bent boards that the other misses.
   constexpr int kClassic = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE |
                            cv::CALIB_CB_FILTER_QUADS | cv::CALIB_CB_FAST_CHECK;
   if (!cv::findChessboardCorners(grey, size, corners, kClassic)) return false;
-  refine(grey, corners);
+  refine(grey, corners, kHalfWay);
   return true;
 }
 
@@ -171,7 +174,8 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
                              kFewestCorners),
                  "",
                  "more of the board in the picture, sharp and evenly lit"};
-  refine(grey, corners);
+  // Its markers stand in the squares around: up to them.
+  refine(grey, corners, 0.5 * (1 - board.marker_part));
   BoardView view;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const cv::Point3f& place = charuco->chessboardCorners[static_cast<std::size_t>(ids[i])];
