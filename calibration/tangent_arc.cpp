@@ -151,7 +151,7 @@ std::vector<HorizonPoint> hiding_horizon(const FaceShape& shape,
                                          double step_deg) {
   std::vector<HorizonPoint> hiding;
   const Camera& camera = shape.camera();
-  if (!camera.is_perspective()) return hiding;
+  if (!camera.is_central()) return hiding;
   const auto middle = camera.project(centre_mm);
   const int count = static_cast<int>(std::lround(360.0 / step_deg));
   const auto horizon = ball_horizon_mm(true, centre_mm, radius_mm, count);

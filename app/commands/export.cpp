@@ -17,6 +17,10 @@ Result<std::string> opencv_camera(const Finger& finger, const Path& finger_folde
                  finger_folder.string(),
                  "--to json"};
   }
+  if (camera.port)
+    return Error{"a camera behind a window has no camera matrix, so OpenCV has no form for it",
+                 finger_folder.string(),
+                 "--to json"};
   // OpenCV wants all five coefficients (fisheye: four); those not given are zero.
   const bool fisheye = camera.model == CameraModel::kFisheye;
   cv::Mat distortion = cv::Mat::zeros(1, fisheye ? 4 : 5, CV_64F);
@@ -55,6 +59,11 @@ Json camera_json(const CameraParameters& camera) {
   json["cy_px"] = camera.cy_px;
   json["distortion"] = camera.distortion;
   json["orientation"] = to_string(camera.orientation);
+  if (camera.port)
+    json["port"] = {{"gap_mm", camera.port->gap_mm},
+                    {"plate_mm", camera.port->plate_mm},
+                    {"plate_index", camera.port->plate_index},
+                    {"medium_index", camera.port->medium_index}};
   return json;
 }
 

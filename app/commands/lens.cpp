@@ -2,15 +2,11 @@
 #include "app/flags.h"
 #include "calibration/calibrate_finger.h"
 #include "calibration/lens/lens_views.h"
-#include "calibration/lens/port_camera.h"
 
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
-
-/// The finger reaches from about half its middle's distance to five thirds of it.
-constexpr double kNearPart = 0.5, kFarPart = 5.0 / 3;
 
 void tell_views(const LensViews& found, const LensCalibration& done, Console& console) {
   console.say(fmt::format(
@@ -146,11 +142,9 @@ LensRecord record_of(const LensOptions& options, const LensCalibration& done) {
   return record;
 }
 
-/// The camera that is written: the lens itself, or what stands for it and the window.
+/// The camera that is written: the lens, and the window that it looks through.
 Result<CameraParameters> seen_through(const LensOptions& options,
                                       const CameraParameters& lens,
-                                      double* shift_mm,
-                                      LensRecord& record,
                                       Console& console) {
   if (!options.port) {
     console.warn(
@@ -160,51 +154,39 @@ Result<CameraParameters> seen_through(const LensOptions& options,
         "index.");
     return lens;
   }
-  const double distance = options.settings.distance_mm;
   const FlatPort& port = *options.port;
-  const double near_mm =
-      std::max(kNearPart * distance, port.gap_mm + port.plate_mm + 0.05 * distance);
-  const auto behind = camera_behind_port(lens, port, near_mm, kFarPart * distance);
-  if (!behind) return behind.error();
-  *shift_mm = behind->shift_mm;
-  const double mm_per_px = distance / behind->camera.fx_px;
+  const double distance = options.settings.distance_mm;
+  const double behind_mm = distance - port.gap_mm - port.plate_mm;
+  if (!(behind_mm > 0))
+    return Error{fmt::format("the finger must lie behind the window, which ends {:g} mm from the "
+                             "lens",
+                             port.gap_mm + port.plate_mm),
+                 "--distance-mm",
+                 "the distance from the lens to the finger's middle"};
+  CameraParameters camera = lens;
+  camera.port = port;
+  const double seems_mm = apparent_distance_mm(port, distance);
+  // By how much z moves for what a caliper or a table may be off by, near the axis.
+  const double by_gap_mm = port.medium_index - 1;
+  const double by_index_mm = 0.01 * behind_mm / port.medium_index;
   console.say(fmt::format(
-      "Window: seen through it fx is {:.2f} px, and z is counted from {:.2f} mm behind the lens; "
-      "from {:.0f} to {:.0f} mm this is the path of light within {:.2f} px ({:.2g} mm), and within "
-      "{:.2f} px ({:.2g} mm) at the worst place",
-      behind->camera.fx_px,
-      behind->shift_mm,
-      near_mm,
-      kFarPart * distance,
-      behind->rms_px,
-      behind->rms_px * mm_per_px,
-      behind->worst_px,
-      behind->worst_px * mm_per_px));
-  constexpr double kTrustedMm = 0.2;
-  if (behind->rms_px * mm_per_px > kTrustedMm)
-    console.warn(
-        "Warning: so wide a view through a window does not come from one point; this camera stands "
-        "for it only as well as said. Calibrate through the window, with the board in a liquid of "
-        "the silicone's index.");
-  Console::Json& json = console.answer();
-  json["port"] = {{"fx", behind->camera.fx_px},
-                  {"shift_mm", behind->shift_mm},
-                  {"rms_px", behind->rms_px},
-                  {"worst_px", behind->worst_px},
-                  {"air_depth_part", apparent_distance_mm(port, distance) / distance}};
-  record["port"] = fmt::format("gap {:g} mm, plate {:g} mm of index {:g}, medium of index {:g}",
-                               port.gap_mm,
-                               port.plate_mm,
-                               port.plate_index,
-                               port.medium_index);
-  record["port_shift_mm"] = fmt::format("{:.3f}", behind->shift_mm);
-  return behind->camera;
+      "Window: light is followed through it exactly; what lies {:g} mm from the lens seems to lie "
+      "at {:.1f} mm. A gap wrong by 1 mm moves the finger by {:.2f} mm, an index behind the window "
+      "wrong by 0.01 by {:.2f} mm",
+      distance,
+      seems_mm,
+      by_gap_mm,
+      by_index_mm));
+  console.answer()["port"] = {{"seems_mm", seems_mm},
+                              {"air_depth_part", seems_mm / distance},
+                              {"mm_per_gap_mm", by_gap_mm},
+                              {"mm_per_hundredth_of_index", by_index_mm}};
+  return camera;
 }
 
 /// A length on the finger that a caliper knows, against what this camera makes of it.
 Status check_scale(const LensOptions& options,
                    const CameraParameters& parameters,
-                   double shift_mm,
                    Console& console) {
   if (!options.known_length_mm) return {};
   const auto camera = Camera::create(parameters);
@@ -216,7 +198,7 @@ Status check_scale(const LensOptions& options,
     return Error{"an end of the known length lies where this lens sees nothing",
                  "--known-ends",
                  "its ends in pixels of the picture after orientation"};
-  const double z_mm = options.settings.distance_mm + shift_mm;
+  const double z_mm = options.settings.distance_mm;
   const double seen_mm = (a->point_at(z_mm) - b->point_at(z_mm)).norm();
   const double ratio = seen_mm / *options.known_length_mm;
   std::string text = fmt::format("Scale: a length of {:g} mm at {:g} mm measures {:.2f} mm",
@@ -229,11 +211,12 @@ Status check_scale(const LensOptions& options,
   } else if (ratio > 1) {
     text += fmt::format(
         ", {:.2f} times too large: as if seen through a medium with an index of about {:.2f}. "
-        "Depths would come out {:.0f} % too small; give --port with what lies between lens and "
-        "finger",
+        "Depths would come out {:.0f} % too small; {}",
         ratio,
         ratio,
-        100 * (1 - 1 / ratio));
+        100 * (1 - 1 / ratio),
+        options.port ? "look at the numbers of --port, at the distance and at the ends"
+                     : "give --port with what lies between lens and finger");
   } else {
     text += fmt::format(
         ", {:.2f} times: too small. Look at --square-mm, at the distance (from the lens, not from "
@@ -280,13 +263,11 @@ Status run_lens(const LensOptions& options, Console& console) {
   tell_lens(*done, options.settings, console);
   for (const std::string& remark : done->remarks) console.say("Remark: " + remark + ".");
   answer(*found, *done, console.answer());
-  LensRecord record = record_of(with_board, *done);
-  double shift_mm = 0;
-  auto camera = seen_through(options, done->fit.lens, &shift_mm, record, console);
+  const LensRecord record = record_of(with_board, *done);
+  auto camera = seen_through(options, done->fit.lens, console);
   if (!camera) return camera.error();
   camera->orientation = options.orientation;
-  if (const Status status = check_scale(options, *camera, shift_mm, console); !status)
-    return status;
+  if (const Status status = check_scale(options, *camera, console); !status) return status;
   if (const Status status = save_camera(options.camera, *camera, record); !status) return status;
   console.say(fmt::format("Verdict: {}.", done->verdict.sentence));
   console.say(fmt::format("{} written. Next: alltact new with --camera", options.camera.string()));

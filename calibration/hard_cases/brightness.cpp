@@ -15,15 +15,6 @@ HardCase grey_pairs() {
                0,
                0,
                0};
-  CameraParameters p;
-  p.model = CameraModel::kOrthographic;
-  p.width_px = p.height_px = 256;
-  p.cx_px = p.cy_px = 127.5;
-  p.mm_per_px = 0.05;
-  Face face;
-  face.kind = FaceKind::kFlat;
-  face.layer_mm = 1.5;
-  face.plane_z_mm = 20.0;
   cv::Mat live(256, 256, CV_8UC1), untouched(256, 256, CV_32FC1);
   for (int i = 0; i < 256; ++i)
     for (int k = 0; k < 256; ++k)
@@ -31,7 +22,7 @@ HardCase grey_pairs() {
                                untouched.at<float>(i, k) = static_cast<float>(k);
   Reference reference;
   reference.picture = ReferencePicture(untouched);
-  const FaceShape shape = FaceShape::plane(Camera::create(p).value(), face);
+  const FaceShape shape = flat_sensor({256, 256}, 0.05);
   const Difference ours = difference(live, reference, shape, {.smoothing_px = 0.0});
   for (int i = 0; i < 256; ++i)
     for (int k = 0; k < 256; ++k) {
@@ -43,6 +34,43 @@ HardCase grey_pairs() {
       const auto wrapped = static_cast<std::uint8_t>(k - i);
       if (k == 0 || std::abs(static_cast<double>(wrapped) / k - truth) > 1e-6) ++one.plain_error;
     }
+  return one;
+}
+
+/// A press that takes a fifth of the brightness, on faces from 12 to 40 grey levels bright, 1 grey
+/// level of noise in both pictures: the mean of the quotient is not the quotient of the means.
+HardCase dark_reference() {
+  HardCase one{
+      "mean difference where the untouched face has 12 to 40 grey levels, truth 0.2: error",
+      "(I_ref - I) / I_ref of each pixel",
+      "of x",
+      0,
+      0,
+      0.0015};
+  constexpr double kTruth = 0.2, kNoise = 1.0;
+  constexpr int kSide = 512, kLeast = 12, kMost = 40;
+  const FaceShape shape = flat_sensor({kSide, kSide}, 0.05);
+  std::mt19937 random(17);
+  std::normal_distribution<double> noise(0.0, kNoise);
+  for (int level = kLeast; level <= kMost; level += 4) {
+    cv::Mat live(kSide, kSide, CV_8UC1), untouched(kSide, kSide, CV_32FC1);
+    double plain = 0;
+    for (int v = 0; v < kSide; ++v)
+      for (int u = 0; u < kSide; ++u) {
+        const double below = std::round(level + noise(random));
+        live.at<std::uint8_t>(v, u) =
+            cv::saturate_cast<std::uint8_t>((1.0 - kTruth) * level + noise(random));
+        untouched.at<float>(v, u) = static_cast<float>(std::max(0.0, below));
+        plain += (below - live.at<std::uint8_t>(v, u)) / below / (kSide * kSide);
+      }
+    keep_worst(std::abs(plain - kTruth), one.plain_error);
+    Reference reference;
+    reference.picture = ReferencePicture(untouched);
+    const Difference ours = difference(live, reference, shape, {});
+    const cv::Mat measured = ours.flags == kMeasured;
+    const bool enough = cv::countNonZero(measured) > 0.99 * kSide * kSide;
+    keep_worst(enough ? std::abs(cv::mean(ours.x, measured)[0] - kTruth) : NAN, one.our_error);
+  }
   return one;
 }
 
@@ -92,7 +120,7 @@ HardCase reference_brightness() {
 }  // namespace
 
 std::vector<HardCase> hard_brightness() {
-  return {grey_pairs(), reference_brightness()};
+  return {grey_pairs(), dark_reference(), reference_brightness()};
 }
 
 }  // namespace alltact

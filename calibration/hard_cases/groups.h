@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calibration/hard_cases/hard_cases.h"
+#include "core/sensing/face_shape.h"
 
 #include <cmath>
 #include <limits>
@@ -15,6 +16,9 @@ namespace alltact {
 [[nodiscard]] std::vector<HardCase> hard_lenses();      ///< distortion and its inverse
 [[nodiscard]] std::vector<HardCase> hard_brightness();  ///< differences, references
 [[nodiscard]] std::vector<HardCase> hard_contacts();    ///< angle, direction, markers
+
+/// A rigid flat sensor under a telecentric lens; the whole picture is face.
+[[nodiscard]] FaceShape flat_sensor(const cv::Size& size, double mm_per_px);
 
 /// |value - truth| / |truth|.
 [[nodiscard]] inline double relative_error(double value, double truth) {

@@ -22,7 +22,7 @@ struct HardCase {
   [[nodiscard]] bool plain_fails() const { return !(plain_error <= bound); }
 };
 
-/// Works out all of them, in one or two seconds. Truth is arithmetic in 50 digits, or what the
+/// Works out all of them, in a few seconds. Truth is arithmetic in 50 digits, or what the
 /// data were made from; every random number has a fixed seed.
 [[nodiscard]] std::vector<HardCase> hard_cases();
 

@@ -23,19 +23,33 @@ BoardView whole_view(const Board& board, const std::vector<cv::Point2f>& corners
   return view;
 }
 
-void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners) {
-  std::vector<Eigen::Vector2d> pixels;
-  for (const cv::Point2f& corner : corners) pixels.emplace_back(corner.x, corner.y);
-  // Wide enough for the blur of a poor lens, and well inside the squares around: there the next
-  // corners pull. Of the windows tried on real fisheye pictures this one scatters least.
-  const double half = half_spacing_px(pixels);
-  const int window =
-      std::clamp(static_cast<int>(std::min(std::max(0.4 * half, 4.0), 0.8 * half)), 2, 11);
-  cv::cornerSubPix(grey,
-                   corners,
-                   {window, window},
-                   {-1, -1},
-                   {cv::TermCriteria::EPS + cv::TermCriteria::COUNT, 100, 1e-4});
+constexpr double kHalfWay = 0.5;
+
+/// Half windows for the refinement of each corner, `reach` of the way to the next corner at most:
+/// on a chessboard up to the middle of the shortest edge that meets
+/// in it, where the next corner's own edges begin to pull. A longer edge tells a place better, but
+/// a lens bends it, which kLongest bounds.
+std::vector<int> windows_px(const std::vector<cv::Point2f>& corners, double reach) {
+  constexpr int kShortest = 2, kLongest = 10;
+  std::vector<int> windows;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    double nearest = kLongest / reach;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      if (k != i) nearest = std::min(nearest, cv::norm(corners[i] - corners[k]));
+    windows.push_back(std::max(kShortest, static_cast<int>(reach * nearest)));
+  }
+  return windows;
+}
+
+void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners, double reach) {
+  const std::vector<int> windows = windows_px(corners, reach);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    std::vector<cv::Point2f> one{corners[i]};
+    const cv::Size window(windows[i], windows[i]);
+    cv::cornerSubPix(
+        grey, one, window, {-1, -1}, {cv::TermCriteria::EPS + cv::TermCriteria::COUNT, 100, 1e-4});
+    corners[i] = one.front();
+  }
 }
 
 bool find_corners(const cv::Mat& grey, cv::Size size, std::vector<cv::Point2f>& corners) {
@@ -43,14 +57,14 @@ bool find_corners(const cv::Mat& grey, cv::Size size, std::vector<cv::Point2f>& 
   if (cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_EXHAUSTIVE) ||
       cv::findChessboardCornersSB(
           grey, size, corners, cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_NORMALIZE_IMAGE)) {
-    refine(grey, corners);
+    refine(grey, corners, kHalfWay);
     return true;
   }
   // The classic finder sees some strongly bent boards that the other misses.
   constexpr int kClassic = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE |
                            cv::CALIB_CB_FILTER_QUADS | cv::CALIB_CB_FAST_CHECK;
   if (!cv::findChessboardCorners(grey, size, corners, kClassic)) return false;
-  refine(grey, corners);
+  refine(grey, corners, kHalfWay);
   return true;
 }
 
@@ -160,7 +174,8 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
                              kFewestCorners),
                  "",
                  "more of the board in the picture, sharp and evenly lit"};
-  refine(grey, corners);
+  // Its markers stand in the squares around: up to them.
+  refine(grey, corners, 0.5 * (1 - board.marker_part));
   BoardView view;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const cv::Point3f& place = charuco->chessboardCorners[static_cast<std::size_t>(ids[i])];

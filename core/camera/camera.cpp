@@ -95,6 +95,19 @@ std::optional<Error> distortion_problem(const CameraParameters& p) {
   return std::nullopt;
 }
 
+std::optional<Error> port_problem(const CameraParameters& p) {
+  if (!p.port) return std::nullopt;
+  if (p.model == CameraModel::kOrthographic)
+    return Error{"belongs to a perspective camera; an orthographic one sees no nearer through it",
+                 "camera.port",
+                 "leave it out"};
+  const Status status = check_port(*p.port);
+  if (status) return std::nullopt;
+  Error error = status.error();
+  error.where = "camera.port." + error.where;
+  return error;
+}
+
 }  // namespace
 
 std::string_view to_string(CameraModel model) {
@@ -111,7 +124,8 @@ std::optional<Orientation> orientation_from(std::string_view word) {
 }
 
 Result<Camera> Camera::create(const CameraParameters& parameters) {
-  for (const auto check : {size_problem, scale_problem, centre_problem, distortion_problem})
+  for (const auto check :
+       {size_problem, scale_problem, centre_problem, distortion_problem, port_problem})
     if (auto problem = check(parameters)) return *problem;
   Camera camera(parameters);
   if (parameters.model == CameraModel::kBrown)
@@ -150,7 +164,7 @@ bool Camera::folds_in_picture() const {
 
 bool Camera::is_linear() const {
   const auto& k = parameters_.distortion;
-  return parameters_.model != CameraModel::kFisheye &&
+  return parameters_.model != CameraModel::kFisheye && !parameters_.port &&
          std::all_of(k.begin(), k.end(), [](double value) { return value == 0; });
 }
 
@@ -162,7 +176,9 @@ std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& point_mm) 
     pixel = point_mm.head<2>() / p.mm_per_px + centre;
   } else {
     if (!(point_mm.z() > 0)) return std::nullopt;
-    Eigen::Vector2d seen = point_mm.head<2>() / point_mm.z();
+    const auto direction = p.port ? direction_to(*p.port, point_mm) : std::optional(point_mm);
+    if (!direction) return std::nullopt;
+    Eigen::Vector2d seen = direction->head<2>() / direction->z();
     if (p.model == CameraModel::kBrown) {
       if (!(seen.norm() < max_radius_)) return std::nullopt;
       seen = BrownDistortion(p.distortion).distort(seen);
@@ -193,11 +209,19 @@ std::optional<Ray> Camera::unproject(const Eigen::Vector2d& pixel) const {
     straight = FisheyeDistortion(p.distortion).undistort(seen, max_radius_);
   if (!straight) return std::nullopt;
   ray.direction.head<2>() = *straight;
+  if (p.port) return ray_through(*p.port, ray.direction);
   return ray;
 }
 
 double Camera::mm_per_px_at(double z_mm) const {
-  return is_perspective() ? z_mm / parameters_.fy_px : parameters_.mm_per_px;
+  if (!is_perspective()) return parameters_.mm_per_px;
+  const auto& port = parameters_.port;
+  return (port ? apparent_distance_mm(*port, z_mm) : z_mm) / parameters_.fy_px;
+}
+
+double Camera::seen_from_mm(double z_mm) const {
+  const auto& port = parameters_.port;
+  return port ? port->medium_index * apparent_distance_mm(*port, z_mm) : z_mm;
 }
 
 cv::Mat oriented(const cv::Mat& raw, Orientation orientation) {

@@ -4,6 +4,8 @@
 // centre of the top-left pixel. All pixels here are those of the picture after orientation.
 #pragma once
 
+#include "core/camera/flat_port.h"
+#include "core/camera/ray.h"
 #include "core/result.h"
 
 #include <optional>
@@ -35,17 +37,10 @@ struct CameraParameters {
   double mm_per_px = 0;            ///< orthographic only
   std::vector<double> distortion;  ///< brown: k1 k2 p1 p2 k3; fisheye: k1 k2 k3 k4; may be shorter
   Orientation orientation = Orientation::kNone;
+  /// What the lens looks through, where the numbers above are its own in air; not orthographic.
+  std::optional<FlatPort> port;
 
   bool operator==(const CameraParameters&) const = default;
-};
-
-/// Points seen by one pixel: point(z) = origin + z * direction, with origin.z = 0 and
-/// direction.z = 1. A perspective ray starts at the origin; orthographic rays are parallel to z.
-struct Ray {
-  Eigen::Vector3d origin_mm = Eigen::Vector3d::Zero();
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-
-  [[nodiscard]] Eigen::Vector3d point_at(double z_mm) const { return origin_mm + z_mm * direction; }
 };
 
 /// A valid camera. A value: cheap to copy, no hidden state.
@@ -54,8 +49,9 @@ class Camera {
   /// Errors: size not in 16..16384, focal length not in 1..1e6 px or scale not in 1e-6..100 mm per
   /// px, principal point further than one picture size outside, wrong number of distortion
   /// coefficients for the model, or a distortion that folds over inside the picture (two rays would
-  /// meet in one pixel, and none in another). The error's `where` is the key ("camera.fx"). The
-  /// dark corners of a fisheye, where a ray would be 90 degrees off the axis, are no error.
+  /// meet in one pixel, and none in another), a window that is none (flat_port.h). The error's
+  /// `where` is the key ("camera.fx"). The dark corners of a fisheye, where a ray would be 90
+  /// degrees off the axis, are no error.
   static Result<Camera> create(const CameraParameters& parameters);
 
   [[nodiscard]] const CameraParameters& parameters() const { return parameters_; }
@@ -63,19 +59,25 @@ class Camera {
   [[nodiscard]] bool is_perspective() const {
     return parameters_.model != CameraModel::kOrthographic;
   }
+  /// True when all rays start at the camera's centre: perspective, and no window before it.
+  [[nodiscard]] bool is_central() const { return is_perspective() && !parameters_.port; }
   /// True when a column of pixels is one value of x/z, and the undistortion is affine.
   [[nodiscard]] bool is_linear() const;
 
-  /// The pixel that sees the point; nullopt when z <= 0 (perspective) or the ray lies beyond the
-  /// angle where the distortion is one to one. The pixel may lie outside the picture.
+  /// The pixel that sees the point; nullopt when z <= 0 (perspective), not behind the window,
+  /// or the ray lies beyond the angle where the distortion is one to one. The pixel may lie outside
+  /// the picture.
   [[nodiscard]] std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point_mm) const;
 
   /// The ray of a pixel, by Newton's method on the radial function bracketed by its fold
   /// (round trip < 1e-9 px); nullopt beyond the valid radius.
   [[nodiscard]] std::optional<Ray> unproject(const Eigen::Vector2d& pixel) const;
 
-  /// Size of one pixel step along v in mm at depth z, on the optical axis: z / fy, or mm_per_px.
+  /// Size of one pixel step along v in mm at depth z, on the optical axis: z / fy, or mm_per_px;
+  /// behind a window that of the distance at which z seems to be.
   [[nodiscard]] double mm_per_px_at(double z_mm) const;
+  /// Distance from z to where its rays seem to come from near the axis: z, or more behind a window.
+  [[nodiscard]] double seen_from_mm(double z_mm) const;
 
  private:
   explicit Camera(CameraParameters parameters) : parameters_(std::move(parameters)) {}

@@ -5,7 +5,8 @@
 // out by about a quarter too small.
 #pragma once
 
-#include "core/camera/camera.h"
+#include "core/camera/ray.h"
+#include "core/result.h"
 
 #include <optional>
 
@@ -18,6 +19,8 @@ struct FlatPort {
   double plate_mm = 0;         ///< thickness of the plate, 0 to 1000
   double plate_index = 1.49;   ///< of refraction, 1 to 3; acrylic
   double medium_index = 1.41;  ///< of refraction, 1 to 3; silicone
+
+  bool operator==(const FlatPort&) const = default;
 };
 
 /// Error: a number outside its range; `where` names it ("gap_mm").

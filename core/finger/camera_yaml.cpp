@@ -33,6 +33,25 @@ void read_size(YamlSection& section, CameraParameters& parameters) {
   parameters.height_px = static_cast<int>(size[1]);
 }
 
+FlatPort read_port(YamlSection& camera) {
+  YamlSection section = camera.section("port");
+  FlatPort port;
+  port.gap_mm = section.number("gap_mm", "the air between lens and window in mm");
+  port.plate_mm = section.number("plate_mm", "the window's thickness in mm");
+  port.plate_index = section.number("plate_index", "the window's index of refraction");
+  port.medium_index = section.number("medium_index", "the index of what lies behind it");
+  return port;
+}
+
+std::string in_braces(const FlatPort& port) {
+  YamlBlock block("camera.port");
+  block.add("gap_mm", yaml_number(port.gap_mm));
+  block.add("plate_mm", yaml_number(port.plate_mm));
+  block.add("plate_index", yaml_number(port.plate_index));
+  block.add("medium_index", yaml_number(port.medium_index));
+  return block.in_braces();
+}
+
 }  // namespace
 
 CameraParameters read_camera(YamlSection& section, LensRecord& record) {
@@ -50,6 +69,7 @@ CameraParameters read_camera(YamlSection& section, LensRecord& record) {
   if (section.has("distortion")) parameters.distortion = section.numbers("distortion");
   if (section.has("orientation"))
     parameters.orientation = read_word(section, "orientation", kOrientations);
+  if (section.has("port")) parameters.port = read_port(section);
   if (section.has("lens")) {
     YamlSection lens = section.section("lens");
     record = lens.all_texts();
@@ -75,6 +95,7 @@ void add_camera(const CameraParameters& parameters,
   block.add("cy", yaml_number(parameters.cy_px));
   block.add("distortion", yaml_numbers(parameters.distortion));
   block.add("orientation", std::string(to_string(parameters.orientation)));
+  if (parameters.port) block.add("port", in_braces(*parameters.port));
   YamlBlock lens("camera.lens");
   for (const auto& [key, value] : record) lens.add(key, yaml_text_or_number(value));
   lens.add_unknown(unknown);

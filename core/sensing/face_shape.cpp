@@ -14,6 +14,12 @@ namespace {
 
 constexpr double kMinimumWidthPx = 8.0;  // below, 1/width is biased by percents
 constexpr int kLensDegrees = 4;
+constexpr int kMostWindowSteps = 60;  // each brings z nearer by a factor of 5 or more
+
+/// Where a ray lies at depth z, over z: as a camera without a window would see the point.
+Eigen::Vector2d seen_at(const Ray& ray, double inverse_z) {
+  return ray.direction.head<2>() + inverse_z * ray.origin_mm.head<2>();
+}
 
 Error no_shape(std::string what) {
   return {std::move(what),
@@ -78,7 +84,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     column.valid = z_mm > 0.0 && std::isfinite(z_mm);
     if (!column.valid) continue;
     column.z_mm = z_mm;
-    column.z_sd_mm = column.z_mm * width_sd_px / (column.lower_v - column.upper_v);
+    column.z_sd_mm = camera.seen_from_mm(z_mm) * width_sd_px / (column.lower_v - column.upper_v);
     column.valid = column.z_sd_mm <= z_sd_limit_mm;
     valid += column.valid;
   }
@@ -92,8 +98,7 @@ bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
   // degree in u and this is exact.
   const Eigen::Index n = degree + 1;
   const int samples = 8 * static_cast<int>(n);
-  Eigen::VectorXd upper_x(samples), upper_y(samples), lower_x(samples), lower_y(samples);
-  int used = 0;
+  std::vector<Ray> uppers, lowers;
   for (int i = 0; i < samples; ++i) {
     const double node = -std::cos(M_PI * (i + 0.5) / samples);
     const double u = 0.5 * (first + last) + 0.5 * (last - first) * node;
@@ -103,25 +108,59 @@ bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
     const auto a = camera_.unproject({u, left.upper_v + part * (right.upper_v - left.upper_v)});
     const auto b = camera_.unproject({u, left.lower_v + part * (right.lower_v - left.lower_v)});
     if (!a || !b) continue;
-    upper_x[used] = a->direction.x(), upper_y[used] = a->direction.y();
-    lower_x[used] = b->direction.x(), lower_y[used] = b->direction.y();
-    ++used;
+    uppers.push_back(*a), lowers.push_back(*b);
   }
-  if (used < 2 * n) return false;
-  const double low = std::max(upper_x.head(used).minCoeff(), lower_x.head(used).minCoeff());
-  const double high = std::min(upper_x.head(used).maxCoeff(), lower_x.head(used).maxCoeff());
+  if (uppers.size() < static_cast<std::size_t>(2 * n)) return false;
+  // Behind a window where a point seems to be depends on how far it is.
+  const int rounds = camera_.is_central() ? 1 : kMostWindowSteps;
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::VectorXd before = inverse_z_;
+    if (!fit_to_rays(uppers, lowers, n)) return false;
+    if (before.size() > 0 && (inverse_z_ - before).norm() < 1e-15) break;
+  }
+  know_across();
+  return inverse_z_.allFinite();
+}
+
+bool FaceShape::fit_to_rays(const std::vector<Ray>& uppers,
+                            const std::vector<Ray>& lowers,
+                            Eigen::Index n) {
+  const auto used = static_cast<Eigen::Index>(uppers.size());
+  Eigen::VectorXd upper_x(used), upper_y(used), lower_x(used), lower_y(used);
+  for (Eigen::Index i = 0; i < used; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Eigen::Vector2d a = seen_at(uppers[k], inverse_z_of(uppers[k])),
+                          b = seen_at(lowers[k], inverse_z_of(lowers[k]));
+    upper_x[i] = a.x(), upper_y[i] = a.y();
+    lower_x[i] = b.x(), lower_y[i] = b.y();
+  }
+  const double low = std::max(upper_x.minCoeff(), lower_x.minCoeff());
+  const double high = std::min(upper_x.maxCoeff(), lower_x.maxCoeff());
   if (!(high > low)) return false;
   x_mid_ = 0.5 * (low + high);
   x_half_ = 0.5 * (high - low);
 
   const auto curve = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& y) -> Eigen::VectorXd {
     Eigen::MatrixXd design(used, n);
-    for (int i = 0; i < used; ++i) design.row(i) = chebyshev_row((x[i] - x_mid_) / x_half_, n);
-    return least_squares(design, y.head(used));
+    for (Eigen::Index i = 0; i < used; ++i)
+      design.row(i) = chebyshev_row((x[i] - x_mid_) / x_half_, n);
+    return least_squares(design, y);
   };
   inverse_z_ = (curve(lower_x, lower_y) - curve(upper_x, upper_y)) / face_.width_mm;
-  know_across();
   return inverse_z_.allFinite();
+}
+
+// 0 before there is a fit: then the ray is taken where it lies far away.
+double FaceShape::inverse_z_of(const Ray& ray) const {
+  if (inverse_z_.size() == 0) return 0.0;
+  double inverse_z = inverse_z_at(ray.direction.x());
+  if (camera_.is_central()) return inverse_z;
+  for (int step = 0; step < kMostWindowSteps; ++step) {
+    const double before = inverse_z;
+    inverse_z = inverse_z_at(seen_at(ray, inverse_z).x());
+    if (std::abs(inverse_z - before) <= 1e-15) break;
+  }
+  return inverse_z;
 }
 
 void FaceShape::know_across() {
@@ -148,7 +187,7 @@ double FaceShape::z_of_column(int u) const {
   if (!across_.empty()) return across_[k].z_mm;
   const double middle = 0.5 * (columns_[k].upper_v + columns_[k].lower_v);
   const auto ray = camera_.unproject({static_cast<double>(u), middle});
-  const double inverse_z = ray ? inverse_z_at(ray->direction.x()) : 0.0;
+  const double inverse_z = ray ? inverse_z_of(*ray) : 0.0;
   return inverse_z > 0.0 ? 1.0 / inverse_z : 0.0;
 }
 
@@ -232,15 +271,13 @@ std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
   const auto column = static_cast<std::size_t>(nearest);
   const auto found = !across_.empty() && u == static_cast<double>(nearest)
                          ? std::optional<Across>(across_[column])
-                         : across_from(ray->direction.x(),
-                                       inverse_z_at(ray->direction.x()),
-                                       inverse_z_slope_at(ray->direction.x()));
+                         : across_of(*ray);
   if (!found || !(found->z_mm > 0.0)) return std::nullopt;
   const double z = found->z_mm;
-  local.view_point_mm = ray->direction * z;
+  local.view_point_mm = ray->point_at(z);
   local.normal = {found->normal_x, 0.0, found->normal_z};
   local.cos_incline = found->normal_z;
-  const double pixel = ray_area(*ray, u, v) * z * z * z;
+  const double pixel = ray_area(*ray, u, v, 1.0 / z) * z * z * z;
   local.area_mm2 = pixel * found->length;
   local.flat_area_mm2 = pixel * found->along;
   return local;
@@ -266,15 +303,22 @@ std::optional<FaceShape::Across> FaceShape::across_from(double x, double q, doub
   return Across{1.0 / q, along, length, q_slope / length, along / length};
 }
 
-double FaceShape::ray_area(const Ray& ray, double u, double v) const {
+std::optional<FaceShape::Across> FaceShape::across_of(const Ray& ray) const {
+  const double inverse_z = inverse_z_of(ray);
+  const double x = seen_at(ray, inverse_z).x();
+  return across_from(x, inverse_z, inverse_z_slope_at(x));
+}
+
+double FaceShape::ray_area(const Ray& ray, double u, double v, double inverse_z) const {
   const CameraParameters& lens = camera_.parameters();
   if (camera_.is_linear()) return 1.0 / (lens.fx_px * lens.fy_px);
   constexpr double kStep = 0.5;
   const auto right = camera_.unproject({u + kStep, v});
   const auto below = camera_.unproject({u, v + kStep});
   if (!right || !below) return 1.0 / (lens.fx_px * lens.fy_px);
-  const Eigen::Vector3d du = right->direction - ray.direction;
-  const Eigen::Vector3d dv = below->direction - ray.direction;
+  const Eigen::Vector2d here = seen_at(ray, inverse_z);
+  const Eigen::Vector2d du = seen_at(*right, inverse_z) - here;
+  const Eigen::Vector2d dv = seen_at(*below, inverse_z) - here;
   return std::abs(du.x() * dv.y() - du.y() * dv.x()) / (kStep * kStep);
 }
 

@@ -79,6 +79,8 @@ class FaceShape {
  private:
   FaceShape(const Camera& camera, const Face& face) : camera_(camera), face_(face) {}
   bool fit_inverse_depth(double first, double last, int degree);
+  bool fit_to_rays(const std::vector<Ray>& uppers, const std::vector<Ray>& lowers, Eigen::Index n);
+  double inverse_z_of(const Ray& ray) const;
   void know_across();
   double z_of_column(int u) const;  // on the middle of the face; 0 where there is none
   void finish();
@@ -89,7 +91,8 @@ class FaceShape {
     double z_mm, along, length, normal_x, normal_z;
   };
   static std::optional<Across> across_from(double x, double inverse_z, double inverse_z_slope);
-  double ray_area(const Ray& ray, double u, double v) const;
+  std::optional<Across> across_of(const Ray& ray) const;
+  double ray_area(const Ray& ray, double u, double v, double inverse_z) const;
 
   Camera camera_;
   Face face_;

@@ -239,6 +239,71 @@ TEST(Nist, FilipWithTheCurvesOfOurFits) {
   EXPECT_NEAR((design * fit - target).squaredNorm(), 0.795851382172941e-3, 1e-16);
 }
 
+/// Wampler's problems: 1 + x + .. + x^5 at 0..20, with `size` times values that are exactly at
+/// right angles to it.
+struct Wampler {
+  Eigen::VectorXd x{21}, y{21}, certified = Eigen::VectorXd::Ones(6);
+
+  explicit Wampler(double size) {
+    constexpr double kDelta[] = {759,   -2048, 2048,  -2048, 2523,  -2048, 2048,
+                                 -2048, 1838,  -2048, 2048,  -2048, 1838,  -2048,
+                                 2048,  -2048, 2523,  -2048, 2048,  -2048, 759};
+    for (int i = 0; i <= 20; ++i) {
+      x[i] = i;
+      y[i] = size * kDelta[i];
+      for (int k = 0; k <= 5; ++k) y[i] += std::pow(i, k);
+    }
+  }
+  /// Wampler2: powers of a tenth.
+  static Wampler small() {
+    Wampler two(0);
+    two.y.setZero();
+    for (int k = 0; k <= 5; ++k) {
+      two.certified[k] = std::pow(0.1, k);
+      for (int i = 0; i <= 20; ++i) two.y[i] += std::pow(i, k) / std::pow(10.0, k);
+    }
+    return two;
+  }
+};
+
+/// Correct digits by the curves of our fits: Chebyshev columns on the data's range, then powers.
+double wampler_digits(const Wampler& problem) {
+  Eigen::MatrixXd design(21, 6);
+  for (Eigen::Index i = 0; i < 21; ++i) design.row(i) = chebyshev_row((problem.x[i] - 10) / 10, 6);
+  const Eigen::VectorXd fit = least_squares(design, problem.y);
+  return digits(Eigen::VectorXd::Map(exact::powers(fit, 10, 10).data(), 6), problem.certified);
+}
+
+/// The same by normal equations in powers.
+double wampler_plain_digits(const Wampler& problem) {
+  Eigen::MatrixXd powers(21, 6);
+  for (Eigen::Index i = 0; i < 21; ++i)
+    for (int k = 0; k <= 5; ++k) powers(i, k) = std::pow(problem.x[i], k);
+  return digits((powers.transpose() * powers).ldlt().solve(powers.transpose() * problem.y),
+                problem.certified);
+}
+
+TEST(Nist, WamplersFiveWithTheCurvesOfOurFits) {
+  struct Row {
+    const char* name;
+    Wampler problem;
+    double least;
+  };
+  for (const Row& row : {Row{"Wampler1", Wampler(0), 9.0},
+                         Row{"Wampler2", Wampler::small(), 9.0},
+                         Row{"Wampler3", Wampler(1), 8.5},
+                         Row{"Wampler4", Wampler(100), 7.5},
+                         Row{"Wampler5", Wampler(10000), 5.5}}) {
+    const double ours = wampler_digits(row.problem), plain = wampler_plain_digits(row.problem);
+    std::printf("[ figures  ] %s: %.1f digits, by normal equations in powers %.1f\n",
+                row.name,
+                ours,
+                plain);
+    EXPECT_GE(ours, row.least) << row.name;
+    EXPECT_LE(plain, ours) << row.name;  // Wampler2 is easy for both
+  }
+}
+
 // Six columns that nearly depend on each other, of sizes from 80 to half a million.
 TEST(Nist, LongleyWithOurLeastSquares) {
   constexpr double kData[16][7] = {{60323, 83.0, 234289, 2356, 1590, 107608, 1947},

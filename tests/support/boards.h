@@ -5,6 +5,8 @@
 #include "calibration/lens/view_cost.h"
 #include "core/camera/camera.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <random>
@@ -112,50 +114,66 @@ BoardScene board_scene(const Camera& camera,
   return scene;
 }
 
-/// The rays of a picture's pixels, four to each.
+/// Paints boards by the area that ink covers of each pixel.
 class BoardPainter {
  public:
   explicit BoardPainter(const Camera& camera) : size_(camera.size()) {
-    for (int v = 0; v < size_.height; ++v)
-      for (int u = 0; u < size_.width; ++u)
-        for (const Eigen::Vector2d& part : {Eigen::Vector2d(-0.25, -0.25),
-                                            Eigen::Vector2d(0.25, -0.25),
-                                            Eigen::Vector2d(-0.25, 0.25),
-                                            Eigen::Vector2d(0.25, 0.25)}) {
-          const auto ray = camera.unproject(Eigen::Vector2d(u, v) + part);
-          rays_.push_back(ray ? ray->direction : Eigen::Vector3d(0, 0, -1));
-        }
+    for (int v = 0; v <= size_.height; ++v)
+      for (int u = 0; u <= size_.width; ++u) {
+        const auto ray = camera.unproject({u - 0.5, v - 0.5});
+        corners_.push_back(ray ? ray->direction : Eigen::Vector3d(0, 0, -1));
+      }
   }
 
   /// `ink(x_mm, y_mm)`: brightness of the board there, 0 to 255; slightly blurred, with noise.
   template <class Ink>
-  [[nodiscard]] cv::Mat paint(const BoardPose& pose, const Ink& ink, std::uint64_t seed) const {
+  [[nodiscard]] cv::Mat paint(const BoardPose& pose,
+                              const Ink& ink,
+                              std::uint64_t seed,
+                              double noise_sd = 1.5) const {
     const Eigen::Matrix3d to_board = pose.rotation().transpose();
     const Eigen::Vector3d from = -(to_board * pose.shift_mm);
+    const auto seen = [&](const Eigen::Vector3d& ray) {
+      const Eigen::Vector3d way = to_board * ray;
+      const double far = -from.z() / way.z();
+      return far > 0 ? ink(from.x() + far * way.x(), from.y() + far * way.y()) : 60.0;
+    };
     cv::Mat picture(size_, CV_32F);
-    std::size_t next = 0;
     for (int v = 0; v < size_.height; ++v)
-      for (int u = 0; u < size_.width; ++u) {
-        double sum = 0;
-        for (int part = 0; part < 4; ++part) {
-          const Eigen::Vector3d way = to_board * rays_[next++];
-          const double far = -from.z() / way.z();
-          sum += far > 0 ? ink(from.x() + far * way.x(), from.y() + far * way.y()) : 60.0;
-        }
-        picture.at<float>(v, u) = static_cast<float>(sum / 4);
-      }
+      for (int u = 0; u < size_.width; ++u)
+        picture.at<float>(v, u) = static_cast<float>(mean_in(u, v, seen));
     cv::GaussianBlur(picture, picture, {5, 5}, 0.7);
     cv::Mat noise(size_, CV_32F);
     cv::RNG random(seed);
-    random.fill(noise, cv::RNG::NORMAL, 0, 1.5);
+    random.fill(noise, cv::RNG::NORMAL, 0, noise_sd);
     cv::Mat grey;
     cv::Mat(picture + noise).convertTo(grey, CV_8U);
     return grey;
   }
 
  private:
+  /// Rays within a pixel lie between those of its corners. Where those see one brightness, all do.
+  template <class Seen>
+  [[nodiscard]] double mean_in(int u, int v, const Seen& seen) const {
+    const auto at = static_cast<std::size_t>(v * (size_.width + 1) + u);
+    const auto below = at + static_cast<std::size_t>(size_.width) + 1;
+    const Eigen::Vector3d &a = corners_[at], &b = corners_[at + 1], &c = corners_[below],
+                          &d = corners_[below + 1];
+    const std::array<double, 4> levels{seen(a), seen(b), seen(c), seen(d)};
+    const auto [low, high] = std::minmax_element(levels.begin(), levels.end());
+    if (*high - *low < 5) return 0.25 * (levels[0] + levels[1] + levels[2] + levels[3]);
+    constexpr int kParts = 8;
+    double sum = 0;
+    for (int j = 0; j < kParts; ++j)
+      for (int i = 0; i < kParts; ++i) {
+        const double x = (i + 0.5) / kParts, y = (j + 0.5) / kParts;
+        sum += seen((1 - y) * ((1 - x) * a + x * b) + y * ((1 - x) * c + x * d));
+      }
+    return sum / (kParts * kParts);
+  }
+
   cv::Size size_;
-  std::vector<Eigen::Vector3d> rays_;
+  std::vector<Eigen::Vector3d> corners_;  // of the pixels
 };
 
 /// Squares with the first inner corner at (0, 0), and a white border.

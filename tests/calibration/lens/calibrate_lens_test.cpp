@@ -241,8 +241,14 @@ TEST(RealBoards, FisheyeFocalLengthIsThePublishedOne) {
   settings.model = CameraModel::kFisheye;
   const auto found = calibrate_lens(views->views, views->size, settings, {});
   ASSERT_TRUE(found) << found.error().sentence();
-  RecordProperty("fx_px", std::to_string(found->fit.lens.fx_px));
-  EXPECT_NEAR(found->fit.lens.fx_px, 284.3, 0.005 * 284.3);
+  std::printf("[ figures  ] real fisheye boards: %zu views, fx %.2f +- %.2f px, corners %.3f px\n",
+              found->used.size(),
+              found->fit.lens.fx_px,
+              found->focal_sd_px(),
+              found->fit.sigma_px);
+  // Published without an uncertainty; ours must cover it.
+  EXPECT_NEAR(found->fit.lens.fx_px, 284.3, 3 * found->focal_sd_px());
+  EXPECT_NEAR(found->fit.lens.fx_px, 284.3, 0.01 * 284.3);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/lens/lens_start.h"
-#include "calibration/lens/port_camera.h"
 #include "tests/support/boards.h"
 
 #include <random>
@@ -76,15 +75,17 @@ TEST(ViewCost, DerivativesAreThoseOfTheResiduals) {
         Eigen::VectorXd ignored(24);
         ASSERT_TRUE(cost.Evaluate(at, ignored.data(), jacobians));
         for (int i = 0; i < blocks[b]->size(); ++i) {
-          constexpr double kStep = 1e-5;
+          // Five places: what is left of the step's own error is below the residuals' roundings.
+          constexpr double kStep = 2e-3;
           const double kept = (*blocks[b])[i];
-          (*blocks[b])[i] = kept + kStep;
-          const Eigen::VectorXd after = residuals();
-          (*blocks[b])[i] = kept - kStep;
-          const Eigen::VectorXd before = residuals();
+          const auto moved = [&](double steps) {
+            (*blocks[b])[i] = kept + steps * kStep;
+            return residuals();
+          };
+          const Eigen::VectorXd numeric =
+              (8 * (moved(1) - moved(-1)) - (moved(2) - moved(-2))) / (12 * kStep);
           (*blocks[b])[i] = kept;
-          const Eigen::VectorXd numeric = (after - before) / (2 * kStep);
-          EXPECT_LT((numeric - analytic.col(i)).norm(), 1e-6 * (1 + numeric.norm()))
+          EXPECT_LT((numeric - analytic.col(i)).norm(), 1e-7 * (1 + numeric.norm()))
               << "block " << b << " number " << i;
         }
       }
@@ -196,52 +197,6 @@ TEST(LensFit, ViewsThatDoNotShowTheLensAreRefused) {
   start.lens.distortion.clear();
   const auto fit = fit_lens(views, start, none, {});
   EXPECT_TRUE(!fit || fit->sd(0) > 0.02 * fit->lens.fx_px);
-}
-
-TEST(PortCamera, StandsForLensAndWindow) {
-  const CameraParameters air = board_lens();
-  const Camera lens = Camera::create(air).value();
-  const FlatPort port{5, 3, 1.49, 1.41};
-  const auto behind = camera_behind_port(air, port, 30, 100);
-  ASSERT_TRUE(behind) << behind.error().sentence();
-  EXPECT_LT(behind->rms_px, 0.6);
-  EXPECT_LT(behind->worst_px, 4);  // in a corner at 30 mm: rays no longer meet in one point
-  EXPECT_NEAR(behind->camera.fx_px, 1.41 * air.fx_px, 0.02 * air.fx_px);
-  const Camera camera = Camera::create(behind->camera).value();
-  // A width of 24 mm at different distances, as the paper measures it: z = f W / dv.
-  for (const double z_mm : {40.0, 60.0, 90.0}) {
-    std::array<Eigen::Vector2d, 2> ends;
-    for (int i = 0; i < 2; ++i)
-      ends[static_cast<std::size_t>(i)] =
-          lens.project(*direction_to(port, {3.0, i == 0 ? -12.0 : 12.0, z_mm})).value();
-    const auto measured = [&](const Camera& by) {
-      return 24.0 / (by.unproject(ends[1])->direction - by.unproject(ends[0])->direction).norm();
-    };
-    EXPECT_NEAR(measured(camera) - behind->shift_mm, z_mm, 0.005 * z_mm);
-    EXPECT_LT(measured(lens), 0.8 * z_mm);
-    EXPECT_GT(measured(lens), 0.68 * z_mm);
-  }
-}
-
-TEST(PortCamera, AFisheyeBehindAWindowIsACameraToo) {
-  CameraParameters air = board_lens(CameraModel::kFisheye);
-  air.distortion = {0.02, 0.002};
-  const auto behind = camera_behind_port(air, {5, 3, 1.49, 1.41}, 30, 100);
-  ASSERT_TRUE(behind) << behind.error().sentence();
-  EXPECT_NEAR(behind->camera.fx_px, 1.41 * air.fx_px, 0.1 * air.fx_px);
-  EXPECT_GT(behind->worst_px, behind->rms_px);  // told, for it is not small
-}
-
-TEST(PortCamera, NoWindowIsTheLensItself) {
-  for (const CameraModel model : {CameraModel::kBrown, CameraModel::kFisheye}) {
-    const CameraParameters air = board_lens(model);
-    const auto behind = camera_behind_port(air, {5, 3, 1, 1}, 30, 100);
-    ASSERT_TRUE(behind) << behind.error().sentence();
-    EXPECT_NEAR(behind->camera.fx_px, air.fx_px, 1e-4);
-    EXPECT_NEAR(behind->shift_mm, 0, 1e-4);
-    EXPECT_LT(behind->worst_px, 1e-4);
-  }
-  EXPECT_FALSE(camera_behind_port(board_lens(), {5, 3, 1.49, 1.41}, 7, 100));
 }
 
 }  // namespace
