@@ -76,11 +76,16 @@ Status run_reference(const ReferenceOptions& options, Console& console);
 struct CalibrateOptions {
   Path finger;
   std::vector<Path> presses;
-  double ball_radius_mm = 0;
+  double ball_radius_mm = 0;  ///< with `again` 0 for the same
   std::optional<Path> reference;
-  std::string operator_name;  ///< kept with the calibration; empty: not told
+  std::string operator_name;          ///< kept with the calibration; empty: not told
+  std::vector<std::string> excluded;  ///< NAME or NAME=WHY
   CalibrationSettings calibration;
   PipelineSettings pipeline;
+  bool again = false;                 ///< from what the finger keeps, and with it:
+  std::vector<std::string> included;  ///< names that are excluded no longer
+  /// Applies the settings that were given to those that are kept; may be empty.
+  std::function<void(CalibrationSettings&, PipelineSettings&)> change;
 };
 /// Learns a finger's depth mapping from ball presses.
 Status run_calibrate(const CalibrateOptions& options, Console& console);
