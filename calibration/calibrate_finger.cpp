@@ -82,7 +82,7 @@ TakenPress press_of(const Frame& frame, FrameResult result, const CalibrationInp
 Status take_presses(Work& work, Pipeline& pipeline, FingerCalibration& done, const Job& job) {
   auto source = open_source(work.pictures);
   if (!source) return source.error();
-  if (!work.is_repetition) done.inputs.from_video = (*source)->is_continuous();
+  if (!work.is_repetition) done.inputs.is_continuous = (*source)->is_continuous();
   const double count = static_cast<double>((*source)->count().value_or(0));
   std::set<std::string> names;
   while (true) {
@@ -98,7 +98,7 @@ Status take_presses(Work& work, Pipeline& pipeline, FingerCalibration& done, con
     if (const Status status = check_kept(work, *frame, work.frames.size()); !status) return status;
     if (count > 0)
       job.report(0.5 * static_cast<double>(names.size() - 1) / count, "reading " + frame->name);
-    if (!done.inputs.from_video) pipeline.forget();
+    if (!done.inputs.is_continuous) pipeline.forget();
     auto result = pipeline(frame);
     if (!result) return result.error();
     done.presses.push_back(press_of(*frame, std::move(*result), done.inputs));

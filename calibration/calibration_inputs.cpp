@@ -137,7 +137,7 @@ CalibrationInputs read_inputs(YamlSection& top) {
     top.refuse("ball_radius_mm", "must be above 0 and at most 1000", "the ball's radius in mm");
   inputs.calibration = read_settings(top.section("calibration"), calibration_settings());
   inputs.pipeline = read_settings(top.section("pipeline"), pipeline_settings());
-  inputs.from_video = top.word("from_video", {"false", "true"}) == 1;
+  inputs.is_continuous = top.word("continuous", {"false", "true"}) == 1;
   inputs.finger_checksum = read_checksum(top, "finger");
   inputs.reference_checksum = read_checksum(top, "reference");
   read_presses(top, inputs);
@@ -200,7 +200,7 @@ std::string CalibrationInputs::to_yaml() const {
   text += settings_text("pipeline", pipeline, pipeline_settings(), unknown);
 
   YamlBlock rest("");
-  rest.add("from_video", from_video ? "true" : "false");
+  rest.add("continuous", is_continuous ? "true" : "false");
   rest.add("finger", '"' + finger_checksum + '"');
   rest.add("reference", '"' + reference_checksum + '"');
   if (!excluded.empty()) {

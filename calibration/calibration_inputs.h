@@ -9,7 +9,7 @@
 //   ball_radius_mm: 4.0
 //   calibration: {method: joint, ...} # the settings, by their names
 //   pipeline: {edge-method: crossing, ...}
-//   from_video: false                 # the presses followed each other in time
+//   continuous: false                 # markers were followed from press to press
 //   finger: 0123456789abcdef          # checksums: camera, face and markers; the reference's files
 //   reference: 0123456789abcdef
 //   excluded: [press_3]               # by name, and why
@@ -56,7 +56,7 @@ struct CalibrationInputs {
   double ball_radius_mm = 0;
   CalibrationSettings calibration;
   PipelineSettings pipeline;
-  bool from_video = false;
+  bool is_continuous = false;
   std::string finger_checksum, reference_checksum;
   std::vector<ExcludedPress> excluded;  ///< each names one of the presses
   std::vector<KeptPress> presses;

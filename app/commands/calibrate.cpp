@@ -2,6 +2,8 @@
 #include "app/flags.h"
 #include "calibration/calibrate_finger.h"
 #include "calibration/calibration_report.h"
+#include "widgets/report/calibration_pages.h"
+#include "widgets/report/offscreen.h"
 
 #include <fmt/format.h>
 
@@ -58,11 +60,20 @@ Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console&
   return inputs;
 }
 
+MakeReport report_maker(const CalibrateOptions& options) {
+  if (!options.pages) return {};
+  return [folder = options.finger](const FingerCalibration& done, const Job& job) {
+    const OffscreenDrawing drawing;
+    return make_calibration_pages(done, folder, job);
+  };
+}
+
 Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Console& console) {
   if (options.again) {
     const auto inputs = inputs_again(options, console);
     if (!inputs) return inputs.error();
-    return calibrate_finger_again(options.finger, *inputs, ALLTACT_VERSION, {}, console.job());
+    return calibrate_finger_again(
+        options.finger, *inputs, ALLTACT_VERSION, report_maker(options), console.job());
   }
   FingerCalibrationInput input;
   input.folder = options.finger;
@@ -74,6 +85,7 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   for (const std::string& text : options.excluded) input.excluded.push_back(excluded_press(text));
   input.program_version = ALLTACT_VERSION;
   input.operator_name = options.operator_name;
+  input.make_report = report_maker(options);
   return calibrate_finger(input, console.job());
 }
 
@@ -85,6 +97,8 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   for (const std::string& warning : done->warnings) console.warn("Warning: " + warning);
   for (const std::string& warning : done->about_settings) console.warn("Warning: " + warning);
   tell(*done, console);
+  if (options.pages)
+    console.say("Report: " + (options.finger / "calibration_report.html").string() + ", .pdf");
   console.say("Again, from what is kept with the finger: " + repeat_command(options.finger));
   Console::Json& answer = console.answer();
   answer["verdict"] = done->verdict.sentence;
@@ -141,6 +155,9 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
       ->allow_extra_args(false)
       ->take_all()
       ->needs(again);
+  command->add_flag("!--no-report",
+                    options->pages,
+                    "Only calibration_report.json, without the pages to read and print");
   SettingFlags<CalibrationSettings> calibration;
   calibration.add_to(*command, calibration_settings());
   SettingFlags<PipelineSettings> pipeline;

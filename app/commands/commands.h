@@ -82,6 +82,7 @@ struct CalibrateOptions {
   std::vector<std::string> excluded;  ///< NAME or NAME=WHY
   CalibrationSettings calibration;
   PipelineSettings pipeline;
+  bool pages = true;                  ///< calibration_report.html and .pdf
   bool again = false;                 ///< from what the finger keeps, and with it:
   std::vector<std::string> included;  ///< names that are excluded no longer
   /// Applies the settings that were given to those that are kept; may be empty.

@@ -143,6 +143,10 @@ TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {
             "--threads",
             "1"});
   const std::string finger_before = text_of(day.file("finger/calibration_report.json"));
+  // Again from what the finger keeps.
+  const auto kept_before = contents_of(day.file("finger"));
+  day.step({"calibrate", day.file("finger"), "--again"});
+  EXPECT_TRUE(contents_of(day.file("finger")) == kept_before);
   day.step({"calibrate", day.file("finger"), day.file("finger/presses"), "--ball-radius-mm", "4"});
   EXPECT_EQ(text_of(day.file("finger/calibration_report.json")), finger_before);
   day.step({"reconstruct",
