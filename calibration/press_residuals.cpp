@@ -67,7 +67,8 @@ std::optional<PressResiduals> residuals_of(const Press& press,
     if (!(rim <= 1.0)) continue;
     const double depth = ball_depth_mm(sample, along, ball.centre_mm, radius_mm);
     const Place place = place_of(press.shape, sample.pixel);
-    result.samples.push_back({sample.x,
+    result.samples.push_back({sample.pixel,
+                              sample.x,
                               depth,
                               mapping.depth_mm(sample.x) - depth,
                               place.along_mm,

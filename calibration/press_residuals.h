@@ -9,10 +9,13 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace alltact {
 
 /// A block of pixels under the ball. Depths are along z, or along the normal where the mapping is.
 struct ResidualSample {
+  Eigen::Vector2d pixel;     ///< its middle, in the oriented picture
   double x = 0;              ///< brightness difference
   double ball_depth_mm = 0;  ///< how deep the fitted ball is there
   double residual_mm = 0;    ///< mapping minus ball: positive where the mapping reads too deep

@@ -61,7 +61,6 @@ Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console&
 }
 
 MakeReport report_maker(const CalibrateOptions& options) {
-  if (!options.pages) return {};
   return [folder = options.finger](const FingerCalibration& done, const Job& job) {
     const OffscreenDrawing drawing;
     return make_calibration_pages(done, folder, job);
@@ -97,8 +96,7 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   for (const std::string& warning : done->warnings) console.warn("Warning: " + warning);
   for (const std::string& warning : done->about_settings) console.warn("Warning: " + warning);
   tell(*done, console);
-  if (options.pages)
-    console.say("Report: " + (options.finger / "calibration_report.html").string() + ", .pdf");
+  console.say("Report: " + (options.finger / "calibration_report.html").string() + ", .pdf");
   console.say("Again, from what is kept with the finger: " + repeat_command(options.finger));
   Console::Json& answer = console.answer();
   answer["verdict"] = done->verdict.sentence;
@@ -155,9 +153,6 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
       ->allow_extra_args(false)
       ->take_all()
       ->needs(again);
-  command->add_flag("!--no-report",
-                    options->pages,
-                    "Only calibration_report.json, without the pages to read and print");
   SettingFlags<CalibrationSettings> calibration;
   calibration.add_to(*command, calibration_settings());
   SettingFlags<PipelineSettings> pipeline;

@@ -6,6 +6,7 @@
 #include "calibration/calibrate.h"
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/motion_coverage.h"
+#include "calibration/press_check.h"
 #include "core/camera/flat_port.h"
 #include "core/finger/finger.h"
 #include "core/recording/recorder.h"
@@ -82,7 +83,6 @@ struct CalibrateOptions {
   std::vector<std::string> excluded;  ///< NAME or NAME=WHY
   CalibrationSettings calibration;
   PipelineSettings pipeline;
-  bool pages = true;                  ///< calibration_report.html and .pdf
   bool again = false;                 ///< from what the finger keeps, and with it:
   std::vector<std::string> included;  ///< names that are excluded no longer
   /// Applies the settings that were given to those that are kept; may be empty.
@@ -127,8 +127,10 @@ struct RecordOptions {
 /// had to end; the button or the light is missing or not allowed.
 Status run_record(const RecordOptions& options, Console& console);
 
-/// Says what a finger is fit for. Error: it is not fit to use.
+/// Says what a finger is fit for, and its last checks. Error: it is not fit to use.
 Status run_check(const Path& finger, Console& console);
+/// Holds new presses against the calibration and keeps the outcome. Error: calibrate again.
+Status run_check_presses(const PressCheckInput& input, Console& console);
 /// Shows what this computer makes of hard calculations (hard_cases.h). Error: one is out of bounds.
 Status run_check_numerics(Console& console);
 

@@ -109,7 +109,7 @@ bool FaceMapPlot::draw() {
       !(data_.length_mm > 0) || !(data_.width_mm > 0))
     return false;
   QColor nothing = palette().color(QPalette::Text);
-  nothing.setAlpha(28);
+  nothing.setAlpha(70);
   chart().axisRect()->setBackground(QBrush(nothing, Qt::BDiagPattern));
   draw_cells();
   draw_contacts();

@@ -51,9 +51,9 @@ void MappingPlot::draw_points(bool sure, const QString& name) {
 
 bool MappingPlot::draw() {
   if (data_.curve.empty()) return false;
+  draw_band();
   draw_points(false, tr("nearer the rim"));
   draw_points(true, tr("inner part of a contact"));
-  draw_band();
   auto* curve = chart().addGraph();
   for (const auto& point : data_.curve) curve->addData(point.x, point.depth_mm);
   curve->setPen(QPen(series_colour(1, palette()), 2));
@@ -66,8 +66,7 @@ bool MappingPlot::draw() {
     darkest = std::max(darkest, point.x);
   }
   chart().xAxis->setLabel(tr("Brightness difference x (share of the untouched brightness)"));
-  chart().yAxis->setLabel(data_.along_normal ? tr("Press depth along the normal (mm)")
-                                             : tr("Press depth (mm)"));
+  chart().yAxis->setLabel(data_.depth_axis.isEmpty() ? tr("Press depth (mm)") : data_.depth_axis);
   chart().xAxis->setRange(std::min(0.0, -0.02 * darkest), 1.06 * darkest);
   chart().yAxis->setRange(-0.04 * deepest, 1.12 * deepest);
   if (data_.x_max > 0) {

@@ -42,7 +42,7 @@ QString PressErrorPlot::empty_text() const {
 
 int PressErrorPlot::comfortable_height() const {
   const int shown = std::min(kShown, static_cast<int>(errors_.size()));
-  return 110 + 30 * std::max(2, shown);
+  return 130 + 30 * std::max(2, shown);
 }
 
 bool PressErrorPlot::draw() {
@@ -80,7 +80,7 @@ bool PressErrorPlot::draw() {
   chart().yAxis->setTickLength(0);
   chart().yAxis->grid()->setVisible(false);
   // Room for the legend above the bars, which would otherwise lie on the longest.
-  chart().yAxis->setRange(-0.6, shown - 0.4 + (any_held_out ? 1.5 : 0.9));
+  chart().yAxis->setRange(-0.6, shown - 0.4 + (any_held_out ? 2.1 : 1.2));
   chart().xAxis->setRange(0, 1.05 * std::max(worst_of(errors_.front()), 1e-6));
   const int cut = static_cast<int>(errors_.size()) - shown;
   chart().xAxis->setLabel(cut > 0 ? tr("Mean depth error inside the contact (mm); %n better "

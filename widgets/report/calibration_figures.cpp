@@ -42,7 +42,11 @@ MappingPlotData mapping_figure(const Calibration& calibration,
   const auto mapping = Mapping::create(calibration.mapping);
   if (!mapping) return data;
   data.x_max = mapping->x_max();
-  data.along_normal = calibration.mapping.along == MappingAlong::kNormal;
+  if (calibration.mapping.along != MappingAlong::kZ)
+    data.depth_axis = QCoreApplication::translate("Figures", "Press depth, %1 (mm)")
+                          .arg(calibration.mapping.along == MappingAlong::kNormal
+                                   ? QCoreApplication::translate("Figures", "along the normal")
+                                   : QCoreApplication::translate("Figures", "projected"));
   for (int i = 0; i <= kCurvePoints; ++i) {
     const double x = data.x_max * i / kCurvePoints;
     data.curve.push_back({x, mapping->depth_mm(x), mapping->depth_sd_mm(x)});

@@ -34,6 +34,11 @@ QString sentence(const std::string& text) {
   return line;
 }
 
+/// 2026-01-31 12:00:00 UTC
+QString when(QString date) {
+  return date.replace('T', ' ').replace('Z', " UTC");
+}
+
 QString mm(double value, int digits = 3) {
   return QString::number(value, 'f', digits);
 }
@@ -104,6 +109,13 @@ class Pages {
     plot.setFont(font);
     plot.setPalette(light_);
   }
+  [[nodiscard]] std::vector<Eigen::Vector2d> touched_by(const BallFit& ball) const {
+    std::vector<Eigen::Vector2d> pixels;
+    for (const PressResiduals& press : done_.residuals)
+      if (press.press == ball.press)
+        for (const ResidualSample& sample : press.samples) pixels.push_back(sample.pixel);
+    return pixels;
+  }
   [[nodiscard]] QString noted(const char* key) const {
     const auto found = done_.finger.provenance.find(key);
     return found == done_.finger.provenance.end() ? QString() : as_text(found->second);
@@ -155,8 +167,7 @@ void Pages::add_facts() {
   const auto add = [&](const QString& name, const QString& value) {
     if (!value.isEmpty()) rows.push_back({{name, {}, 0}, {value, {}, 0}});
   };
-  QString date = as_text(inputs.date);
-  add(tr("Date"), date.replace('T', ' ').replace("Z", " UTC"));
+  add(tr("Date"), when(as_text(inputs.date)));
   add(tr("Operator"),
       inputs.operator_name.empty() ? tr("not told") : as_text(inputs.operator_name));
   add(tr("Ball"), tr("radius %1 mm").arg(inputs.ball_radius_mm));
@@ -172,7 +183,7 @@ void Pages::add_facts() {
       taken_with.isEmpty() ? tr("the pictures do not tell what they were taken with") : taken_with);
   add(tr("Reference"),
       noted("reference_date").isEmpty() ? tr("installed with this calibration")
-                                        : tr("of %1").arg(noted("reference_date")));
+                                        : tr("of %1").arg(when(noted("reference_date"))));
   add(tr("Mapping"), sentence(done_.calibration.degree_choice));
   QStringList settings;
   for (const auto& setting : calibration_settings())
@@ -190,6 +201,7 @@ void Pages::add_facts() {
 }
 
 void Pages::add_presses() {
+  document_.new_page();
   document_.heading(tr("The presses, worst first"));
   std::map<std::string, const TakenPress*> taken;
   for (const TakenPress& press : done_.presses) taken[press.name] = &press;
@@ -208,8 +220,12 @@ void Pages::add_presses() {
     const auto press = taken.find(ball->press);
     QImage picture;
     if (camera && press != taken.end())
-      picture =
-          press_picture(press->second->grey, *camera, *ball, done_.inputs.ball_radius_mm, size);
+      picture = press_picture(press->second->grey,
+                              *camera,
+                              *ball,
+                              done_.inputs.ball_radius_mm,
+                              touched_by(*ball),
+                              size);
     rows.push_back(
         {{QString(), picture, kPictureWidth},
          {as_text(ball->press) + (ball->cut_by_edge ? "\n" + tr("cut by the edge") : ""), {}, 0},
@@ -223,14 +239,15 @@ void Pages::add_presses() {
                    tr("Depth (mm)"),
                    tr("Residual (mm)"),
                    tr("Left out (mm)"),
-                   tr("Ball's z, sd (mm)")},
+                   tr("Ball's distance, sd (mm)")},
                   rows,
                   {false, false, true, true, true, true});
-  document_.paragraph(
-      tr("The line is the outline of the ball as fitted, the cross its middle. Depth: the deepest "
-         "point. Residual: mean error inside the contact with the final mapping. Left out: the "
-         "same with a mapping made from the other presses; this is the figure that counts. A "
-         "line that does not sit on the ball means that something else was taken for it."));
+  document_.paragraph(tr(
+      "Orange: the outline of the ball as it was found, with its middle. Dashed: what the ball "
+      "touches; the dark contact must lie in there, or something else was taken for the ball. "
+      "Depth: the deepest point. Residual: mean error inside the contact with the final mapping. "
+      "Left out: the same with a mapping made from the other presses; this is the figure that "
+      "counts. Ball's distance, sd: how well the ball's distance from the camera is known."));
   add_left_out();
 }
 
@@ -260,6 +277,7 @@ void Pages::add_left_out() {
 }
 
 void Pages::add_mapping() {
+  document_.new_page();
   document_.heading(tr("From brightness to depth"));
   MappingPlot plot;
   dress(plot);
@@ -275,6 +293,8 @@ void Pages::add_mapping() {
 }
 
 void Pages::add_errors() {
+  constexpr std::size_t kFewPresses = 8;  // their bars fit below the mapping
+  if (done_.calibration.balls.size() > kFewPresses) document_.new_page();
   document_.heading(tr("Errors"));
   PressErrorPlot bars;
   dress(bars);
@@ -307,6 +327,7 @@ void Pages::add_map(FaceQuantity quantity, const QString& caption) {
 }
 
 void Pages::add_maps() {
+  document_.new_page();
   document_.heading(tr("Where on the face"));
   add_map(
       FaceQuantity::kResidual,

@@ -61,7 +61,9 @@ Document::Document(const QString& title) : title_(title) {
 }
 
 void Document::heading(const QString& text) {
-  body_ += "<h2>" + escaped(text) + "</h2>\n";
+  body_ += on_new_page_ ? "<h2 style=\"page-break-before: always;\">" : "<h2>";
+  on_new_page_ = false;
+  body_ += escaped(text) + "</h2>\n";
 }
 
 void Document::paragraph(const QString& text) {

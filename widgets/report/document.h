@@ -16,6 +16,8 @@ class Document {
  public:
   explicit Document(const QString& title);
 
+  /// The next heading begins a page of paper.
+  void new_page() { on_new_page_ = true; }
   void heading(const QString& text);
   void paragraph(const QString& text);
   /// A paragraph in a box that catches the eye; `colour` of its border.
@@ -46,6 +48,7 @@ class Document {
   QString image(const QImage& picture, int width);
   [[nodiscard]] QString whole(const QString& style) const;
 
+  bool on_new_page_ = false;
   QString title_, body_;
   std::vector<QImage> pictures_;  // "picture:N" in body_
 };

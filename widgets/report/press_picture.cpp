@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <opencv2/imgproc.hpp>
+
 namespace alltact {
 namespace {
 
@@ -19,12 +21,25 @@ QImage as_image(const cv::Mat& grey) {
                 QImage::Format_Grayscale8);
 }
 
+/// The hull of all pixels.
+QPolygonF border_of(const std::vector<Eigen::Vector2d>& pixels) {
+  std::vector<cv::Point2f> points, hull;
+  for (const Eigen::Vector2d& pixel : pixels)
+    points.emplace_back(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
+  QPolygonF border;
+  if (points.size() < 3) return border;
+  cv::convexHull(points, hull);
+  for (const cv::Point2f& point : hull)
+    border << QPointF(static_cast<double>(point.x), static_cast<double>(point.y));
+  return border;
+}
+
 /// Seen on any ground: a dark line below a light one.
-void draw_line(QPainter& painter, const QPainterPath& path) {
+void draw_line(QPainter& painter, const QPainterPath& path, Qt::PenStyle style) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(0, 0, 0, 160), 4));
   painter.drawPath(path);
-  painter.setPen(QPen(QColor("#ffb000"), 2));
+  painter.setPen(QPen(QColor(style == Qt::SolidLine ? "#ffb000" : "#ffffff"), 2, style));
   painter.drawPath(path);
 }
 
@@ -34,6 +49,7 @@ QImage press_picture(const cv::Mat& grey,
                      const Camera& camera,
                      const BallFit& ball,
                      double ball_radius_mm,
+                     const std::vector<Eigen::Vector2d>& touched,
                      const QSize& size) {
   const auto outline = ball_outline_px(camera, ball.centre_mm, ball_radius_mm, 180);
   if (outline.size() < 3) return whole_picture(grey, size);
@@ -66,7 +82,12 @@ QImage press_picture(const cv::Mat& grey,
     path.moveTo(at - QPointF(0, 5));
     path.lineTo(at + QPointF(0, 5));
   }
-  draw_line(painter, path);
+  draw_line(painter, path, Qt::SolidLine);
+  const QPolygonF border = to_image.map(border_of(touched));
+  QPainterPath contact;
+  contact.addPolygon(border);
+  contact.closeSubpath();
+  if (border.size() > 2) draw_line(painter, contact, Qt::DashLine);
   return image;
 }
 
