@@ -67,7 +67,9 @@ Status check_kept(const Work& work, const Frame& frame, std::size_t index) {
 }
 
 TakenPress press_of(const Frame& frame, FrameResult result, const CalibrationInputs& inputs) {
-  TakenPress press{frame.name, result.grey, std::nullopt, ""};
+  TakenPress press{frame.name, result.grey, std::nullopt, "", {}};
+  if (result.difference) press.sign.light_change = result.difference->light.change();
+  if (result.reference) press.sign.known_pose = result.reference->known_pose;
   if (result.difference && result.shape) {
     press.press = Press{frame.name, std::move(*result.difference), std::move(*result.shape)};
   } else {
@@ -167,6 +169,10 @@ Status solve(FingerCalibration& done, const Job& job) {
   for (const Press& press : used) presses.push_back(&press);
   done.residuals = press_residuals(presses, done.finger.face, done.calibration, radius_mm);
   done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
+  std::vector<PressSign> signs;
+  for (const TakenPress& press : done.presses)
+    if (press.left_out.empty()) signs.push_back(press.sign);
+  done.fault_signs = fault_signs(signs);
   done.verdict = verdict(done.calibration.residual_mm,
                          done.calibration.held_out_mm,
                          static_cast<int>(done.calibration.balls.size()));

@@ -4,6 +4,7 @@
 
 #include "calibration/calibrate.h"
 #include "calibration/calibration_inputs.h"
+#include "calibration/fault_signs.h"
 #include "calibration/press_residuals.h"
 #include "calibration/verdict.h"
 #include "core/finger/finger.h"
@@ -25,6 +26,7 @@ struct TakenPress {
   cv::Mat grey;                ///< oriented
   std::optional<Press> press;  ///< absent: nothing could be measured in it
   std::string left_out;        ///< why it is not used; empty: it is
+  PressSign sign;
 };
 
 struct FingerCalibration {
@@ -35,6 +37,7 @@ struct FingerCalibration {
   std::vector<PressResiduals> residuals;
   std::vector<ZoneError> zones;
   Verdict verdict;
+  std::vector<std::string> fault_signs;     ///< see fault_signs.h
   std::vector<std::string> warnings;        ///< about files and how it was called
   std::vector<std::string> about_settings;  ///< of camera and light that do not fit together
 };

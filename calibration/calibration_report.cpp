@@ -58,6 +58,7 @@ std::string calibration_report_json(const FingerCalibration& done) {
     excluded.push_back({{"press", press.name}, {"because", press.because}});
   report["excluded"] = std::move(excluded);
   report["left_out"] = calibration.left_out;
+  report["fault_signs"] = done.fault_signs;
   report["remarks"] = calibration.remarks;
   // A file name may be anything but UTF-8.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -207,11 +207,12 @@ void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck&
 std::string reason_of(const PressCheck& check) {
   std::string text;
   if (check.error_mm > check.drifting_above_mm)
-    text += fmt::format(
-        "; the mapping reads {:.0f} % too {}: layer, ball or camera are not what "
-        "they were",
-        100 * std::abs(1 - 1 / check.factor),
-        check.factor > 1 ? "shallow" : "deep");
+    text += std::abs(check.factor - 1) < kFactorSeen
+                ? std::string("; the contacts have no ball's shape: is ball or face dirty?")
+                : fmt::format("; the mapping reads {:.0f} % too {}: layer, ball or camera are not "
+                              "what they were",
+                              100 * std::abs(1 - 1 / check.factor),
+                              check.factor > 1 ? "shallow" : "deep");
   if (std::abs(check.light_change) > check.light_limit)
     text += fmt::format("; the face is {:.1f} % {} than it was: look at lamps, exposure and layer",
                         100 * std::abs(check.light_change),

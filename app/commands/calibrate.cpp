@@ -23,6 +23,7 @@ void tell(const FingerCalibration& done, Console& console) {
   }
   for (const std::string& reason : calibration.left_out) console.warn("Left out: " + reason);
   for (const std::string& remark : calibration.remarks) console.say("Remark: " + remark);
+  for (const std::string& sign : done.fault_signs) console.warn("Warning: " + sign + ".");
   console.say("Mapping: " + calibration.degree_choice);
   console.say("Verdict: " + done.verdict.sentence + ".");
   console.say("By zone of the face: " + zone_sentence(done.zones) + ".");

@@ -39,7 +39,7 @@ void MappingPlot::draw_points(bool sure, const QString& name) {
   auto* cloud = chart().addGraph();
   QColor colour =
       sure ? series_colour(0, palette()) : palette().color(QPalette::Disabled, QPalette::Text);
-  colour.setAlpha(sure ? 110 : 80);
+  colour.setAlpha(sure ? 170 : 120);
   cloud->setLineStyle(QCPGraph::lsNone);
   cloud->setScatterStyle(QCPScatterStyle(
       sure ? QCPScatterStyle::ssDisc : QCPScatterStyle::ssCross, colour, sure ? 3.0 : 4.0));
