@@ -68,6 +68,7 @@ std::string repeat_command(const std::filesystem::path& finger_folder) {
   std::error_code failed;
   std::filesystem::path whole = std::filesystem::weakly_canonical(finger_folder, failed);
   if (failed) whole = finger_folder;
+  if (whole.filename().empty()) whole = whole.parent_path();  // it ended in a slash
   return "alltact calibrate " + shell_quoted(whole.filename().string()) + " --again";
 }
 

@@ -32,7 +32,7 @@ std::vector<std::string> fault_signs(const std::vector<PressSign>& presses) {
   }
   const auto unknown = std::count_if(
       presses.begin(), presses.end(), [](const PressSign& press) { return !press.known_pose; });
-  if (unknown > 0)
+  if (2 * unknown > static_cast<std::ptrdiff_t>(presses.size()))
     signs.push_back(fmt::format(
         "in {} of {} presses the finger is bent in a way that the reference recording does not "
         "hold, or it has moved in its mount since: record a reference that bends as far, or press "

@@ -4,7 +4,8 @@
 // reference (light_gain.h). Presses that all differ alike were taken in another light; presses that
 // differ among each other were taken with an exposure or gain that is not locked, or beside a light
 // that changes. Pose. A bending finger is compared with a reference of its own pose; where the
-// recording holds none the reference is a guess.
+// recording holds none the reference is a guess: now and then a press
+// just beyond the recording does no harm, most of them do.
 //
 // What no picture of a calibration gives away is a wrong radius of the ball: a cap is nearly a
 // paraboloid, depth = D - r^2 / (2 R), so that with a radius 10 % too large every depth comes out

@@ -83,9 +83,11 @@ TEST(FaultSigns, AreTheSameEveryTime) {
 }
 
 TEST(FaultSigns, PosesThatWereNeverRecordedAreCounted) {
-  EXPECT_THAT(fault_signs({{0, true}, {0, false}, {0, true}}), ElementsAre(HasSubstr("in 1 of 3")));
+  EXPECT_THAT(fault_signs({{0, true}, {0, false}, {0, false}}),
+              ElementsAre(HasSubstr("in 2 of 3")));
   EXPECT_THAT(fault_signs({{0.05, false}}),
               ElementsAre(HasSubstr("brighter"), HasSubstr("in 1 of 1")));
+  EXPECT_THAT(fault_signs({{0, true}, {0, false}}), IsEmpty());
   EXPECT_THAT(fault_signs({}), IsEmpty());
 }
 

@@ -65,7 +65,9 @@ bool MappingPlot::draw() {
     deepest = std::max(deepest, point.depth_mm);
     darkest = std::max(darkest, point.x);
   }
-  chart().xAxis->setLabel(tr("Brightness difference x (share of the untouched brightness)"));
+  chart().xAxis->setLabel(data_.is_small
+                              ? tr("Brightness difference x (no unit)")
+                              : tr("Brightness difference x (share of the untouched brightness)"));
   chart().yAxis->setLabel(data_.depth_axis.isEmpty() ? tr("Press depth (mm)") : data_.depth_axis);
   chart().xAxis->setRange(std::min(0.0, -0.02 * darkest), 1.06 * darkest);
   chart().yAxis->setRange(-0.04 * deepest, 1.12 * deepest);
@@ -74,9 +76,10 @@ bool MappingPlot::draw() {
     end->start->setCoords(data_.x_max, chart().yAxis->range().lower);
     end->end->setCoords(data_.x_max, chart().yAxis->range().upper);
     end->setPen(QPen(palette().color(QPalette::Text), 1, Qt::DashLine));
-    add_note(data_.x_max, 0, tr("end of the calibrated range"), Qt::AlignRight | Qt::AlignBottom);
+    if (!data_.is_small)
+      add_note(data_.x_max, 0, tr("end of the calibrated range"), Qt::AlignRight | Qt::AlignBottom);
   }
-  show_legend(Qt::AlignTop | Qt::AlignLeft);
+  if (!data_.is_small) show_legend(Qt::AlignTop | Qt::AlignLeft);
   return true;
 }
 

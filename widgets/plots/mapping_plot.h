@@ -18,6 +18,7 @@ struct MappingPlotData {
   std::vector<Point> points;
   std::vector<CurvePoint> curve;  ///< in the order of x
   double x_max = 0;               ///< end of the calibrated range; 0: none
+  bool is_small = false;          ///< no room for legend and notes
   QString depth_axis;             ///< what depth is and its unit; empty: "Press depth (mm)"
 };
 

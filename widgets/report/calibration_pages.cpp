@@ -1,9 +1,12 @@
 #include "widgets/report/calibration_pages.h"
 
 #include "calibration/calibration_report.h"
+#include "calibration/check_history.h"
 #include "widgets/plots/histogram_plot.h"
+#include "widgets/plots/history_plot.h"
 #include "widgets/report/calibration_figures.h"
 #include "widgets/report/document.h"
+#include "widgets/report/fault_pages.h"
 #include "widgets/report/press_picture.h"
 #include "widgets/theme.h"
 
@@ -43,6 +46,10 @@ QString mm(double value, int digits = 3) {
   return QString::number(value, 'f', digits);
 }
 
+QString percent(double part) {
+  return (part < 0 ? QString() : QString("+")) + QString::number(100 * part, 'f', 1);
+}
+
 QString grade_word(Grade grade) {
   switch (grade) {
     case Grade::kGood:
@@ -80,10 +87,12 @@ class Pages {
                             &Pages::add_errors,
                             &Pages::add_maps,
                             &Pages::add_remarks,
+                            &Pages::add_history,
                             &Pages::add_repetition}) {
       if (job.stop_requested()) return std::nullopt;
       (this->*part)();
     }
+    if (!add_typical_faults(document_, light_, plot_font(), job)) return std::nullopt;
     return std::move(document_);
   }
 
@@ -98,15 +107,19 @@ class Pages {
   void add_maps();
   void add_map(FaceQuantity quantity, const QString& caption);
   void add_remarks();
+  void add_history();
   void add_repetition();
 
   void add_plot(Plot& plot, int height, const QString& caption) {
     document_.figure(plot.picture({kFigureWidth, height}, kSharpness), kFigureWidth, caption);
   }
-  void dress(Plot& plot) const {
+  static QFont plot_font() {
     QFont font("DejaVu Sans");
     font.setPixelSize(12);
-    plot.setFont(font);
+    return font;
+  }
+  void dress(Plot& plot) const {
+    plot.setFont(plot_font());
     plot.setPalette(light_);
   }
   [[nodiscard]] std::vector<Eigen::Vector2d> touched_by(const BallFit& ball) const {
@@ -138,6 +151,13 @@ void Pages::add_verdict() {
       tr("Good means at most %1 mm, usable at most %2 mm of mean error of press depth inside a "
          "contact, on presses that the mapping was made without.")
           .arg(mm(kGoodErrorMm, 2), mm(kUsableErrorMm, 2)));
+  if (!done_.fault_signs.empty()) {
+    QStringList signs;
+    for (const std::string& sign : done_.fault_signs) signs << sentence(sign);
+    document_.box(tr("The presses show a fault"),
+                  signs.join('\n'),
+                  meaning_colour(Meaning::kDoubtful, light_));
+  }
   add_zones();
 }
 
@@ -232,22 +252,25 @@ void Pages::add_presses() {
          {mm(ball->depth_mm), {}, 0},
          {mm(ball->residual_mm), {}, 0},
          {ball->held_out_mm > 0 ? mm(ball->held_out_mm) : tr("none"), {}, 0},
-         {mm(ball->centre_sd_mm.z()), {}, 0}});
+         {mm(ball->centre_sd_mm.z()), {}, 0},
+         {press == taken.end() ? QString() : percent(press->second->sign.light_change), {}, 0}});
   }
   document_.table({tr("Picture"),
                    tr("Press"),
                    tr("Depth (mm)"),
                    tr("Residual (mm)"),
                    tr("Left out (mm)"),
-                   tr("Ball's distance, sd (mm)")},
+                   tr("Ball's distance, sd (mm)"),
+                   tr("Light (%)")},
                   rows,
-                  {false, false, true, true, true, true});
+                  {false, false, true, true, true, true, true});
   document_.paragraph(tr(
       "Orange: the outline of the ball as it was found, with its middle. Dashed: what the ball "
       "touches; the dark contact must lie in there, or something else was taken for the ball. "
       "Depth: the deepest point. Residual: mean error inside the contact with the final mapping. "
       "Left out: the same with a mapping made from the other presses; this is the figure that "
-      "counts. Ball's distance, sd: how well the ball's distance from the camera is known."));
+      "counts. Ball's distance, sd: how well the ball's distance from the camera is known. Light: "
+      "how much brighter the untouched face is than in the reference; it should be 0 within 1 %."));
   add_left_out();
 }
 
@@ -349,6 +372,29 @@ void Pages::add_remarks() {
   if (remarks.isEmpty()) return;
   document_.heading(tr("Remarks"));
   document_.list(remarks);
+}
+
+/// Only what was there when it was calibrated: made again it must be the same.
+void Pages::add_history() {
+  const auto checks = load_checks(folder_, nullptr);
+  if (!checks) return;
+  HistoryData data;
+  for (const CheckEntry& check : *checks) {
+    if (check.time > done_.inputs.date) continue;
+    data.points.push_back({seconds_of(check.time).value_or(0), check.error_mm});
+    data.drifting_above_mm = check.drifting_above_mm;
+    data.recalibrate_above_mm = check.recalibrate_above_mm;
+  }
+  if (data.points.empty()) return;
+  document_.heading(tr("Checks before this calibration"));
+  HistoryPlot plot;
+  dress(plot);
+  plot.set_data(std::move(data));
+  add_plot(
+      plot,
+      250,
+      tr("What alltact check --presses found over time. The bands are those of the last check. A "
+         "line that climbs: lamps that age, or a layer that wears."));
 }
 
 void Pages::add_repetition() {

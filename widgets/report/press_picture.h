@@ -13,8 +13,8 @@
 namespace alltact {
 
 /// The part of an oriented grey picture around the ball, enlarged or reduced to `size` px, with the
-/// ball's exact outline as the camera sees it, its middle, and dashed the border of what it touches.
-/// `touched`: pixels of that part; may be empty. Parts beyond the picture are grey.
+/// ball's exact outline as the camera sees it, its middle, and dashed the border of what it
+/// touches. `touched`: pixels of that part; may be empty. Parts beyond the picture are grey.
 [[nodiscard]] QImage press_picture(const cv::Mat& grey,
                                    const Camera& camera,
                                    const BallFit& ball,
