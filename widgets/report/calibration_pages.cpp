@@ -4,10 +4,12 @@
 #include "calibration/check_history.h"
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/plots/history_plot.h"
+#include "widgets/plots/press_light_plot.h"
 #include "widgets/report/calibration_figures.h"
 #include "widgets/report/document.h"
 #include "widgets/report/fault_pages.h"
 #include "widgets/report/press_picture.h"
+#include "widgets/report/report_words.h"
 #include "widgets/theme.h"
 
 #include <QCoreApplication>
@@ -23,31 +25,6 @@ constexpr double kSharpness = 2.0;  // pixels to each of these, for paper and fo
 
 QString tr(const char* text) {
   return QCoreApplication::translate("CalibrationReport", text);
-}
-
-QString as_text(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
-/// A sentence of ours, as one to begin a line with.
-QString sentence(const std::string& text) {
-  QString line = as_text(text);
-  if (!line.isEmpty()) line[0] = line[0].toUpper();
-  if (!line.isEmpty() && !line.endsWith('.')) line += '.';
-  return line;
-}
-
-/// 2026-01-31 12:00:00 UTC
-QString when(QString date) {
-  return date.replace('T', ' ').replace('Z', " UTC");
-}
-
-QString mm(double value, int digits = 3) {
-  return QString::number(value, 'f', digits);
-}
-
-QString percent(double part) {
-  return (part < 0 ? QString() : QString("+")) + QString::number(100 * part, 'f', 1);
 }
 
 QString grade_word(Grade grade) {
@@ -86,6 +63,8 @@ class Pages {
                             &Pages::add_mapping,
                             &Pages::add_errors,
                             &Pages::add_maps,
+                            &Pages::add_spread,
+                            &Pages::add_light,
                             &Pages::add_remarks,
                             &Pages::add_history,
                             &Pages::add_repetition}) {
@@ -106,6 +85,8 @@ class Pages {
   void add_errors();
   void add_maps();
   void add_map(FaceQuantity quantity, const QString& caption);
+  void add_spread();
+  void add_light();
   void add_remarks();
   void add_history();
   void add_repetition();
@@ -255,15 +236,15 @@ void Pages::add_presses() {
          {mm(ball->centre_sd_mm.z()), {}, 0},
          {press == taken.end() ? QString() : percent(press->second->sign.light_change), {}, 0}});
   }
-  document_.table({tr("Picture"),
-                   tr("Press"),
-                   tr("Depth (mm)"),
-                   tr("Residual (mm)"),
-                   tr("Left out (mm)"),
-                   tr("Ball's distance, sd (mm)"),
-                   tr("Light (%)")},
-                  rows,
-                  {false, false, true, true, true, true, true});
+  document_.pictured_table({tr("Picture"),
+                            tr("Press"),
+                            tr("Depth (mm)"),
+                            tr("Residual (mm)"),
+                            tr("Left out (mm)"),
+                            tr("Ball's distance, sd (mm)"),
+                            tr("Light (%)")},
+                           rows,
+                           {false, false, true, true, true, true, true});
   document_.paragraph(tr(
       "Orange: the outline of the ball as it was found, with its middle. Dashed: what the ball "
       "touches; the dark contact must lie in there, or something else was taken for the ball. "
@@ -294,8 +275,9 @@ void Pages::add_left_out() {
     if (!shown) reasons << sentence(reason);
   }
   if (rows.empty() && reasons.isEmpty()) return;
+  document_.new_page();
   document_.heading(tr("Presses that were left out"));
-  if (!rows.empty()) document_.table({tr("Picture"), tr("Press"), tr("Why")}, rows, {});
+  if (!rows.empty()) document_.pictured_table({tr("Picture"), tr("Press"), tr("Why")}, rows, {});
   if (!reasons.isEmpty()) document_.list(reasons);
 }
 
@@ -328,14 +310,6 @@ void Pages::add_errors() {
       tr("Good: all bars alike. One bar much longer than the others: look at that press' picture "
          "above, and leave it out if it shows anything but one clean ball. Left out much longer "
          "than residual: this press tells something that no other does; press more like it."));
-  HistogramPlot histogram;
-  dress(histogram);
-  histogram.set_data(all_errors(done_.residuals), tr("Mapping minus ball (mm)"));
-  add_plot(
-      histogram,
-      260,
-      tr("Errors of all blocks in the inner part of the contacts. Good: one hill around zero. A "
-         "second hill or a hill beside zero: something differs between presses."));
 }
 
 void Pages::add_map(FaceQuantity quantity, const QString& caption) {
@@ -346,7 +320,7 @@ void Pages::add_map(FaceQuantity quantity, const QString& caption) {
       face_figure(quantity, done_.calibration, done_.residuals, done_.finger.face.kind);
   // The face in its proportions, within reason.
   const double ratio = data.length_mm > 0 ? data.width_mm / data.length_mm : 0.4;
-  add_plot(plot, 62 + static_cast<int>(470 * std::clamp(ratio, 0.2, 0.8)), caption);
+  add_plot(plot, 62 + static_cast<int>(470 * std::clamp(ratio, 0.2, 0.45)), caption);
 }
 
 void Pages::add_maps() {
@@ -363,6 +337,36 @@ void Pages::add_maps() {
   add_map(FaceQuantity::kCoverage,
           tr("How deep the presses went, and where. Press next where it is hatched, and as deep as "
              "you will measure."));
+}
+
+void Pages::add_spread() {
+  document_.new_page();
+  document_.heading(tr("How errors are spread"));
+  HistogramPlot histogram;
+  dress(histogram);
+  histogram.set_data(all_errors(done_.residuals), tr("Mapping minus ball (mm)"));
+  add_plot(
+      histogram,
+      260,
+      tr("Errors of all blocks in the inner part of the contacts. Good: one hill around zero. A "
+         "second hill or a hill beside zero: something differs between presses."));
+}
+
+void Pages::add_light() {
+  std::vector<PressLight> light;
+  for (const TakenPress& press : done_.presses)
+    if (press.left_out.empty()) light.push_back({press.name, 100 * press.sign.light_change});
+  document_.heading(tr("Light"));
+  PressLightPlot plot;
+  dress(plot);
+  plot.set_data(std::move(light), 100 * kOtherLight);
+  add_plot(
+      plot,
+      190,
+      tr("How much brighter the untouched face is than in its reference, in the order in which "
+         "the presses were given. Good: all near zero. All alike beyond a dashed line: other "
+         "light than when the reference was taken. Up and down: automatic exposure, or light "
+         "that gets in."));
 }
 
 void Pages::add_remarks() {

@@ -2,6 +2,7 @@
 
 #include <QBuffer>
 #include <QColor>
+#include <QCoreApplication>
 #include <QPageLayout>
 #include <QPdfWriter>
 #include <QStringList>
@@ -124,6 +125,21 @@ void Document::table(const QStringList& head,
     body_ += "</tr>\n";
   }
   body_ += "</table>\n";
+}
+
+void Document::pictured_table(const QStringList& head,
+                              const std::vector<Row>& rows,
+                              const std::vector<bool>& numbers) {
+  constexpr std::size_t kRowsOfPage = 7;
+  for (std::size_t first = 0; first < rows.size(); first += kRowsOfPage) {
+    if (first > 0) {
+      new_page();
+      heading(QCoreApplication::translate("Document", "Continued"));
+    }
+    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto count = std::min(kRowsOfPage, rows.size() - first);
+    table(head, {begin, begin + static_cast<std::ptrdiff_t>(count)}, numbers);
+  }
 }
 
 QString Document::whole(const QString& style) const {

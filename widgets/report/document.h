@@ -38,6 +38,12 @@ class Document {
              const std::vector<Row>& rows,
              const std::vector<bool>& numbers);
 
+  /// A table with a picture in every row, cut into one for each page of paper, which breaks such
+  /// rows in ugly ways.
+  void pictured_table(const QStringList& head,
+                      const std::vector<Row>& rows,
+                      const std::vector<bool>& numbers);
+
   /// One file without anything beside it. The same document gives the same bytes.
   [[nodiscard]] std::string html() const;
   /// A4. `date` (UTC, 2026-01-31T12:00:00Z) stands in the file as its time, so that the same

@@ -5,6 +5,7 @@
 #include "widgets/plots/history_plot.h"
 #include "widgets/plots/mapping_plot.h"
 #include "widgets/plots/press_error_plot.h"
+#include "widgets/plots/press_light_plot.h"
 #include "widgets/theme.h"
 
 #include <cmath>
@@ -122,6 +123,9 @@ TEST_P(PlotsInThemes, AreDrawn) {
   HistoryPlot history;
   history.set_data(some_history());
   expect_drawn(history, {600, 300}, "history");
+  PressLightPlot light;
+  light.set_data({{"a", 1.5}, {"b", -4}, {"c", 0.2}}, 2);
+  expect_drawn(light, {600, 190}, "light");
   HistogramPlot histogram;
   histogram.set_data(some_residuals(), "Mapping minus ball (mm)");
   expect_drawn(histogram, {600, 260}, "histogram");

@@ -87,7 +87,7 @@ TEST(CalibrationPages, StandAlone) {
   for (std::size_t at = html.find("<img src=\"data:image/png;base64,"); at != std::string::npos;
        at = html.find("<img src=\"data:image/png;base64,", at + 1))
     ++pictures;
-  EXPECT_EQ(pictures, 5U + 3U + 3U + 6U);  // presses, plots, maps, faults
+  EXPECT_EQ(pictures, 5U + 4U + 3U + 6U);  // presses, plots, maps, faults
 }
 
 TEST(CalibrationPages, AreTheSameBytesForTheSameCalibration) {
