@@ -53,8 +53,9 @@ TEST_F(Repetition, GivesTheSameBytes) {
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(run.errors, "");
   for (const auto& [name, bytes] : before)
-    if (!name.ends_with(".html") && !name.ends_with(".pdf"))  // these carry the date set back
+    if (!name.ends_with(".html") && !name.ends_with(".pdf")) {  // these carry the date set back
       EXPECT_EQ(kept(name), bytes) << name;
+    }
   // And from elsewhere, with another name for the folder.
   const auto second = contents_of(flat_.finger());
   const ProgramRun elsewhere =
@@ -78,7 +79,9 @@ TEST_F(Repetition, LeavesOutWhatIsExcludedAndTakesItBack) {
 
   ASSERT_EQ(again({"--include", "press_2"}).status, 0);
   for (const auto& [name, bytes] : before_)
-    if (name == "calibration_report.json") EXPECT_EQ(kept(name), bytes);
+    if (name == "calibration_report.json") {
+      EXPECT_EQ(kept(name), bytes);
+    }
   EXPECT_THAT(kept("calibration_inputs.yaml"), Not(HasSubstr("excluded")));
   EXPECT_THAT(kept("calibration_inputs.yaml"), Not(HasSubstr("2001")));
 
@@ -94,7 +97,9 @@ TEST_F(Repetition, ChangesWhatItIsToldTo) {
   EXPECT_THAT(kept("finger.yaml"), Not(HasSubstr("2001-"))) << "a new calibration has its own date";
   ASSERT_EQ(again({"--ball-radius-mm", "4", "--family", "auto"}).status, 0);
   for (const auto& [name, bytes] : before_)
-    if (name == "calibration_report.json") EXPECT_EQ(kept(name), bytes);
+    if (name == "calibration_report.json") {
+      EXPECT_EQ(kept(name), bytes);
+    }
 }
 
 TEST_F(Repetition, RefusesPicturesThatAreNotTheSame) {

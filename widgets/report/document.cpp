@@ -3,6 +3,7 @@
 #include <QBuffer>
 #include <QColor>
 #include <QCoreApplication>
+#include <QHashFunctions>
 #include <QPageLayout>
 #include <QPdfWriter>
 #include <QStringList>
@@ -167,6 +168,8 @@ Result<std::string> Document::pdf(const std::string& date) const {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
+  // Qt writes fonts in the order of a hash, which else differs from run to run.
+  QHashSeed::setDeterministicGlobalSeed();
   {
     QPdfWriter writer(&buffer);
     writer.setTitle(title_);
@@ -176,6 +179,7 @@ Result<std::string> Document::pdf(const std::string& date) const {
         QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
     document.print(&writer);
   }
+  QHashSeed::resetRandomGlobalSeed();
   if (bytes.isEmpty()) return Error{"the report could not be printed", "", ""};
   set_time(bytes, date);
   return bytes.toStdString();
