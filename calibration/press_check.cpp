@@ -77,7 +77,7 @@ Result<CheckedPress> measure(const Press& press,
   options.zone = kSureRim;
   double deepest = 0;
   for (Sample& sample : samples.samples) {
-    sample.x = reading_mm(mapping, sample.x);
+    sample.x = mapping.parameters().variation.at(sample.place_mm) * reading_mm(mapping, sample.x);
     deepest = std::max(deepest, sample.x);
   }
   // Noise in mm, where little presses: it only weighs samples against kFloorMm.
@@ -209,10 +209,11 @@ std::string reason_of(const PressCheck& check) {
   if (check.error_mm > check.drifting_above_mm)
     text += std::abs(check.factor - 1) < kFactorSeen
                 ? std::string("; the contacts have no ball's shape: is ball or face dirty?")
-                : fmt::format("; the mapping reads {:.0f} % too {}: layer, ball or camera are not "
-                              "what they were",
-                              100 * std::abs(1 - 1 / check.factor),
-                              check.factor > 1 ? "shallow" : "deep");
+                : fmt::format(
+                      "; the mapping reads {:.0f} % too {}: layer, ball or camera are not "
+                      "what they were",
+                      100 * std::abs(1 - 1 / check.factor),
+                      check.factor > 1 ? "shallow" : "deep");
   if (std::abs(check.light_change) > check.light_limit)
     text += fmt::format("; the face is {:.1f} % {} than it was: look at lamps, exposure and layer",
                         100 * std::abs(check.light_change),

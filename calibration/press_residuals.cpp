@@ -15,24 +15,6 @@ namespace {
 
 constexpr int kSamples = 800;  // a press: enough to see, few enough to draw
 
-struct Place {
-  double along_mm, across_mm;
-};
-
-/// Across is measured from the middle between the edges, in the face's own width.
-Place place_of(const FaceShape& shape, const Eigen::Vector2d& pixel) {
-  const int last = shape.width_px() - 1;
-  const int column = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, last);
-  const FaceShape::Rows rows = shape.rows(column, 0.0);
-  const double middle = 0.5 * (rows.first + rows.last);
-  const double mm_per_px = shape.at(pixel.x(), pixel.y()).has_value()
-                               ? shape.face().kind == FaceKind::kFinRay
-                                     ? shape.face().width_mm / std::max(1, rows.last - rows.first)
-                                     : std::sqrt(shape.at(pixel.x(), pixel.y())->area_mm2)
-                               : 0.0;
-  return {shape.length_at(pixel.x()), (pixel.y() - middle) * mm_per_px};
-}
-
 double face_width_mm(const FaceShape& shape, const Eigen::Vector2d& pixel) {
   if (shape.face().kind == FaceKind::kFinRay) return shape.face().width_mm;
   const auto local = shape.at(pixel.x(), pixel.y());
@@ -66,24 +48,24 @@ std::optional<PressResiduals> residuals_of(const Press& press,
     const double rim = disc.place_of(sample).radius;
     if (!(rim <= 1.0)) continue;
     const double depth = ball_depth_mm(sample, along, ball.centre_mm, radius_mm);
-    const Place place = place_of(press.shape, sample.pixel);
+    const double factor = mapping.parameters().variation.at(sample.place_mm);
     result.samples.push_back({sample.pixel,
                               sample.x,
                               depth,
-                              mapping.depth_mm(sample.x) - depth,
-                              place.along_mm,
-                              place.across_mm,
-                              rim});
+                              factor * mapping.depth_mm(sample.x) - depth,
+                              sample.place_mm.x(),
+                              sample.place_mm.y(),
+                              rim,
+                              factor});
     if (rim < nearest_rim) nearest_rim = rim, nearest = &sample;
   }
   if (nearest == nullptr) return std::nullopt;
-  const Place middle = place_of(press.shape, nearest->pixel);
-  result.along_mm = middle.along_mm;
-  result.across_mm = middle.across_mm;
+  result.along_mm = nearest->place_mm.x();
+  result.across_mm = nearest->place_mm.y();
   for (const ResidualSample& sample : result.samples)
     result.contact_radius_mm = std::max(
         result.contact_radius_mm,
-        std::hypot(sample.along_mm - middle.along_mm, sample.across_mm - middle.across_mm));
+        std::hypot(sample.along_mm - result.along_mm, sample.across_mm - result.across_mm));
   result.face_length_mm = face_length_mm(press.shape);
   result.face_width_mm = face_width_mm(press.shape, nearest->pixel);
   return result;

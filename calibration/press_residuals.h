@@ -22,6 +22,7 @@ struct ResidualSample {
   double along_mm = 0;       ///< from the base along the middle of the face
   double across_mm = 0;      ///< from the middle of the face towards large v
   double rim = 0;            ///< distance from the contact's middle, 1 at the rim of the ball's cap
+  double factor = 1;         ///< of the mapping at this place, where it varies over the face
 };
 
 /// Skin and ball touch up to here on any material: residuals further out may be the skin's own way.

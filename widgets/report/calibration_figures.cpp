@@ -53,7 +53,8 @@ MappingPlotData mapping_figure(const Calibration& calibration,
   }
   for (const PressResiduals& press : residuals)
     for (const ResidualSample& sample : press.samples)
-      data.points.push_back({sample.x, sample.ball_depth_mm, sample.rim <= kSureRim});
+      data.points.push_back(
+          {sample.x, sample.ball_depth_mm / sample.factor, sample.rim <= kSureRim});
   return data;
 }
 
@@ -89,7 +90,8 @@ FaceMapData face_figure(FaceQuantity quantity,
           if (sample.rim > kSureRim) continue;
           value = std::abs(sample.residual_mm);
         }
-        if (quantity == FaceQuantity::kDepthSd) value = mapping->depth_sd_mm(sample.x);
+        if (quantity == FaceQuantity::kDepthSd)
+          value = mapping->depth_sd_mm(sample.x, {sample.along_mm, sample.across_mm});
         if (quantity == FaceQuantity::kHeldOut) {
           if (ball == nullptr || !(ball->held_out_mm > 0)) continue;
           value = ball->held_out_mm;

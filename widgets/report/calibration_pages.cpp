@@ -284,6 +284,10 @@ void Pages::add_left_out() {
 void Pages::add_mapping() {
   document_.new_page();
   document_.heading(tr("From brightness to depth"));
+  if (!done_.calibration.mapping.variation.is_none())
+    document_.paragraph(
+        tr("The mapping varies over the face; shown is the middle of the face, the "
+           "points as they would be there."));
   MappingPlot plot;
   dress(plot);
   plot.set_data(mapping_figure(done_.calibration, done_.residuals));
