@@ -138,6 +138,30 @@ void expect_checked_well(const Day& day) {
       check(changed_presses(day, "layer", {{"scatter_per_mm: 0.6", "scatter_per_mm: 0.8"}}));
   EXPECT_EQ(layer.status, 1);
   EXPECT_THAT(layer.output, testing::HasSubstr("Verdict: recalibrate")) << layer.output;
+
+  // A wrong radius agrees with itself; a ball of another size gives it away.
+  const std::string small =
+      changed_presses(day,
+                      "small",
+                      {{"    radius_mm: 4.0", "    radius_mm: 3.0"},
+                       {"[0.8, 0.4, 1.2, 0.6, 1.0, 0.9]", "[0.8, 0.6, 1.0, 0.7, 0.9, 0.8]"}});
+  const auto check_small = [&] {
+    return nlohmann::json::parse(run_alltact({"check",
+                                              day.file("finger"),
+                                              "--presses",
+                                              small + "/frame_00000.png",
+                                              small + "/frame_00002.png",
+                                              small + "/frame_00004.png",
+                                              "--ball-radius-mm",
+                                              "3",
+                                              "--json"})
+                                     .output);
+  };
+  EXPECT_NEAR(check_small().at("factor").get<double>(), 1, 0.02);
+  const ProgramRun wrong =
+      run_alltact({"calibrate", day.file("finger"), "--again", "--ball-radius-mm", "4.4"});
+  EXPECT_THAT(wrong.output, testing::HasSubstr("Verdict: good"));
+  EXPECT_NEAR(check_small().at("factor").get<double>(), 1.1, 0.03);
 }
 
 TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {

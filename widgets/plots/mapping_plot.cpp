@@ -68,7 +68,9 @@ bool MappingPlot::draw() {
   chart().xAxis->setLabel(data_.is_small
                               ? tr("Brightness difference x (no unit)")
                               : tr("Brightness difference x (share of the untouched brightness)"));
-  chart().yAxis->setLabel(data_.depth_axis.isEmpty() ? tr("Press depth (mm)") : data_.depth_axis);
+  chart().yAxis->setLabel(data_.is_small               ? tr("Depth (mm)")
+                          : data_.depth_axis.isEmpty() ? tr("Press depth (mm)")
+                                                       : data_.depth_axis);
   chart().xAxis->setRange(std::min(0.0, -0.02 * darkest), 1.06 * darkest);
   chart().yAxis->setRange(-0.04 * deepest, 1.12 * deepest);
   if (data_.x_max > 0) {

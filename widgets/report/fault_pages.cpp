@@ -34,9 +34,7 @@ std::vector<Entry> catalogue() {
        Shown::kLight,
        tr("Other light than when the reference was taken"),
        tr("Here 5 % more: all bars alike and beyond the dashed lines. The program corrects it and "
-          "says "
-          "so. Left uncorrected it makes every press less deep, in mm as much as it is in "
-          "brightness.")},
+          "says so. Left uncorrected, every press would seem less deep.")},
       {Fault::kAutomaticExposure,
        Shown::kLight,
        tr("Automatic exposure"),
@@ -46,9 +44,9 @@ std::vector<Entry> catalogue() {
       {Fault::kMovedCamera,
        Shown::kCloud,
        tr("Finger or camera moved after the reference"),
-       tr("Here by 0.45 mm. On a flat sensor it hardly shows: the cloud grows a little wider. Of a "
-          "bending finger the program says when the reference does not hold the pose of most "
-          "presses.")},
+       tr("Here by 0.45 mm. On a flat sensor in even light it does not show. Of a bending finger "
+          "the "
+          "program says when the reference does not hold the pose of most presses.")},
       {Fault::kLooseSkin,
        Shown::kCloud,
        tr("Skin that leaves the ball, light at its edge"),
