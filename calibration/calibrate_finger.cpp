@@ -1,5 +1,6 @@
 #include "calibration/calibrate_finger.h"
 
+#include "calibration/calibration_report.h"
 #include "calibration/reference_recording.h"
 #include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
@@ -7,106 +8,121 @@
 #include "core/sensing/pipeline.h"
 #include "core/sources/source.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
-struct TakenPress {
-  FramePtr frame;
-  std::optional<Press> press;
-  std::string problem;  ///< why there is no press
+constexpr const char* kPressFolder = "presses";
+
+/// One calibration on its way, first or again.
+struct Work {
+  fs::path folder;
+  std::vector<fs::path> pictures;     ///< what open_source is given
+  std::optional<fs::path> reference;  ///< flat sensors: to be installed
+  bool is_repetition = false;         ///< of `inputs`, whose presses these are to be
+  CalibrationInputs kept;             ///< what is repeated, as it was stored
+  MakeReport make_report;
+  std::vector<FramePtr> frames;  ///< one a press, as they are to be kept
 };
 
-Result<Pipeline> make_pipeline(const FingerCalibrationInput& input,
-                               const Finger& finger,
-                               const Job& job) {
-  Finger blank = finger;  // the old mapping must not matter
+Error stopped() {
+  return {"stopped before the calibration was done", "", ""};
+}
+
+Result<Pipeline> make_pipeline(const Work& work, const FingerCalibration& done, const Job& job) {
+  Finger blank = done.finger;  // the old mapping must not matter
   blank.mapping.reset();
-  if (!input.reference) return Pipeline::create(input.folder, blank, input.pipeline, job);
-  const auto picture = read_grey_picture(*input.reference);
+  if (!work.reference) return Pipeline::create(work.folder, blank, done.inputs.pipeline, job);
+  const auto picture = read_grey_picture(*work.reference);
   if (!picture) return picture.error();
   const auto grey =
-      oriented_for(finger.camera,
+      oriented_for(blank.camera,
                    *picture,
                    "the reference picture",
-                   input.reference->string(),
+                   work.reference->string(),
                    "the untouched picture of this sensor, at the size of its presses");
   if (!grey) return grey.error();
   auto library = ReferenceLibrary::single(*grey);
   if (!library) return library.error();
-  return Pipeline::create(blank, std::move(library).value(), input.pipeline);
+  return Pipeline::create(blank, std::move(library).value(), done.inputs.pipeline);
 }
 
-Result<std::vector<TakenPress>> take_presses(const FingerCalibrationInput& input,
-                                             Pipeline& pipeline,
-                                             const Job& job) {
-  auto source = open_source(input.presses);
+/// The picture that was kept must be the one that was calibrated with.
+Status check_kept(const Work& work, const Frame& frame, std::size_t index) {
+  if (!work.is_repetition) return {};
+  const KeptPress& kept = work.kept.presses[index];
+  if (frame.name == kept.name && picture_checksum(frame.grey) == kept.checksum) return {};
+  return Error{"this is not the picture that the finger was calibrated with",
+               work.pictures[index].string(),
+               "calibrating anew with the pictures that are there"};
+}
+
+TakenPress press_of(const Frame& frame, FrameResult result, const CalibrationInputs& inputs) {
+  TakenPress press{frame.name, result.grey, std::nullopt, "", {}};
+  if (result.difference) press.sign.light_change = result.difference->light.change();
+  if (result.reference) press.sign.known_pose = result.reference->known_pose;
+  if (result.difference && result.shape) {
+    press.press = Press{frame.name, std::move(*result.difference), std::move(*result.shape)};
+  } else {
+    press.left_out = result.problems.empty() ? "no face was found" : result.problems.front();
+  }
+  if (const ExcludedPress* excluded = inputs.exclusion_of(frame.name))
+    press.left_out =
+        "excluded" + (excluded->because.empty() ? std::string() : ", " + excluded->because);
+  return press;
+}
+
+Status take_presses(Work& work, Pipeline& pipeline, FingerCalibration& done, const Job& job) {
+  auto source = open_source(work.pictures);
   if (!source) return source.error();
+  if (!work.is_repetition) done.inputs.is_continuous = (*source)->is_continuous();
   const double count = static_cast<double>((*source)->count().value_or(0));
-  std::vector<TakenPress> taken;
   std::set<std::string> names;
   while (true) {
-    if (job.stop_requested()) return Error{"stopped before the calibration was done", "", ""};
-    auto frame = (*source)->next();
-    if (!frame) return frame.error();
-    if (!*frame) break;
-    const std::string name = (*frame)->name;
-    if (!names.insert(name).second) {
-      return Error{fmt::format("two presses are called '{}'", name),
-                   (*frame)->origin,
+    if (job.stop_requested()) return stopped();
+    auto next = (*source)->next();
+    if (!next) return next.error();
+    if (!*next) break;
+    const FramePtr frame = *next;
+    if (!names.insert(frame->name).second)
+      return Error{fmt::format("two presses are called '{}'", frame->name),
+                   frame->origin,
                    "giving the pictures different names; they are kept by name with the finger"};
-    }
-    if (count > 0) job.report(0.5 * static_cast<double>(taken.size()) / count, "reading " + name);
-    if (!(*source)->is_continuous()) pipeline.forget();
-    auto result = pipeline(*frame);
+    if (const Status status = check_kept(work, *frame, work.frames.size()); !status) return status;
+    if (count > 0)
+      job.report(0.5 * static_cast<double>(names.size() - 1) / count, "reading " + frame->name);
+    if (!done.inputs.is_continuous) pipeline.forget();
+    auto result = pipeline(frame);
     if (!result) return result.error();
-    TakenPress press{*frame, std::nullopt, ""};
-    if (result->difference && result->shape) {
-      press.press = Press{name, std::move(*result->difference), std::move(*result->shape)};
-    } else {
-      press.problem = result->problems.empty() ? "no face was found" : result->problems.front();
-    }
-    taken.push_back(std::move(press));
+    done.presses.push_back(press_of(*frame, std::move(*result), done.inputs));
+    work.frames.push_back(frame);
   }
-  return taken;
+  return {};
 }
 
-Json report_of(const FingerCalibration& done, double ball_radius_mm) {
-  const Calibration& calibration = done.calibration;
-  Json report;
-  report["ball_radius_mm"] = ball_radius_mm;
-  report["verdict"] = done.verdict.sentence;
-  report["residual_mm"] = calibration.residual_mm;
-  if (calibration.held_out_mm > 0) report["held_out_mm"] = calibration.held_out_mm;
-  report["condition"] = calibration.condition;
-  report["degree_choice"] = calibration.degree_choice;
-  Json presses = Json::array();
-  for (const BallFit& ball : calibration.balls) {
-    Json entry;
-    entry["press"] = ball.press;
-    entry["centre_mm"] = {ball.centre_mm.x(), ball.centre_mm.y(), ball.centre_mm.z()};
-    entry["centre_sd_mm"] = {ball.centre_sd_mm.x(), ball.centre_sd_mm.y(), ball.centre_sd_mm.z()};
-    entry["depth_mm"] = ball.depth_mm;
-    entry["residual_mm"] = ball.residual_mm;
-    if (ball.held_out_mm > 0) entry["held_out_mm"] = ball.held_out_mm;
-    entry["tangent_arc_deg"] = ball.tangent_arc_deg;
-    entry["cut_by_edge"] = ball.cut_by_edge;
-    presses.push_back(std::move(entry));
+Status check_exclusions(const FingerCalibration& done) {
+  for (const ExcludedPress& excluded : done.inputs.excluded) {
+    const bool known =
+        std::any_of(done.presses.begin(), done.presses.end(), [&](const TakenPress& press) {
+          return press.name == excluded.name;
+        });
+    if (known) continue;
+    std::vector<std::string> names;
+    for (const TakenPress& press : done.presses) names.push_back(press.name);
+    return Error{fmt::format("no press is called '{}'", excluded.name),
+                 "",
+                 fmt::format("one of {}", fmt::join(names, ", "))};
   }
-  report["presses"] = std::move(presses);
-  report["left_out"] = calibration.left_out;
-  report["remarks"] = calibration.remarks;
-  return report;
+  return {};
 }
 
 /// What a person can see in the figures but a table of residuals does not say.
@@ -121,50 +137,176 @@ void add_remarks(Calibration& calibration) {
   }
 }
 
-void record(const FingerCalibrationInput& input, FingerCalibration& done) {
+Status solve(FingerCalibration& done, const Job& job) {
+  std::vector<Press> used;
+  std::vector<std::string> left_out;
+  for (const TakenPress& one : done.presses) {
+    if (one.left_out.empty()) {
+      used.push_back(*one.press);
+    } else {
+      left_out.push_back(one.name + ": " + one.left_out);
+    }
+  }
+  if (used.empty())
+    return Error{"no press can be used; " + fmt::format("{}", fmt::join(left_out, "; ")),
+                 "",
+                 "pictures of this finger with a ball pressed into its face"};
+  job.report(0.5, "solving");
+  const auto camera = Camera::create(done.finger.camera);
+  if (!camera) return camera.error();
+  const double radius_mm = done.inputs.ball_radius_mm;
+  auto calibration =
+      calibrate(used, *camera, done.finger.face, radius_mm, done.inputs.calibration, job);
+  if (!calibration) return calibration.error();
+  // Half a solution could not be repeated.
+  if (job.stop_requested()) return stopped();
+  done.calibration = std::move(calibration).value();
+  auto& all_left_out = done.calibration.left_out;
+  all_left_out.insert(all_left_out.begin(), left_out.begin(), left_out.end());
+  add_remarks(done.calibration);
+
+  std::vector<const Press*> presses;
+  for (const Press& press : used) presses.push_back(&press);
+  done.residuals = press_residuals(presses, done.finger.face, done.calibration, radius_mm);
+  done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
+  std::vector<PressSign> signs;
+  for (const TakenPress& press : done.presses)
+    if (press.left_out.empty()) signs.push_back(press.sign);
+  done.fault_signs = fault_signs(signs);
+  done.verdict = verdict(done.calibration.residual_mm,
+                         done.calibration.held_out_mm,
+                         static_cast<int>(done.calibration.balls.size()));
+  return {};
+}
+
+void record(FingerCalibration& done) {
   Finger& finger = done.finger;
+  const CalibrationInputs& inputs = done.inputs;
   const Calibration& calibration = done.calibration;
   finger.mapping = calibration.mapping;
   MappingRecord record;
-  record.method = input.calibration.method == CalibrationMethod::kPaper ? "paper" : "joint";
+  record.method = inputs.calibration.method == CalibrationMethod::kPaper ? "paper" : "joint";
   for (const BallFit& ball : calibration.balls) record.presses.push_back(ball.press);
   record.residual_mm = calibration.residual_mm;
   record.held_out_mm = calibration.held_out_mm;
   record.degree_choice = calibration.degree_choice;
   finger.mapping_record = std::move(record);
-  finger.provenance["calibration_date"] = utc_now();
-  finger.provenance["calibration_version"] = input.program_version;
-  if (!input.operator_name.empty()) finger.provenance["operator"] = input.operator_name;
-  finger.provenance["ball_radius_mm"] = fmt::format("{}", input.ball_radius_mm);
+  finger.provenance["calibration_date"] = inputs.date;
+  finger.provenance["calibration_inputs"] = CalibrationInputs::kFileName;
+  finger.provenance["calibration_version"] = inputs.program_version;
+  if (!inputs.operator_name.empty()) finger.provenance["operator"] = inputs.operator_name;
+  finger.provenance["ball_radius_mm"] = fmt::format("{}", inputs.ball_radius_mm);
 }
 
-Status write(const FingerCalibrationInput& input,
-             const std::vector<TakenPress>& taken,
-             FingerCalibration& done) {
+/// What all was taken with, and which reference it was.
+Status settle_finger(const Work& work, FingerCalibration& done) {
   // The presses before these do not matter any more, not to a new reference either.
   [[maybe_unused]] const auto none =
       record_settings(SettingsSeen(), RecordingKind::kPresses, done.finger);
-  if (input.reference) {
-    const auto warnings = install_flat_reference(*input.reference, input.folder, done.finger);
-    if (!warnings) return warnings.error();
-    done.warnings.insert(done.warnings.end(), warnings->begin(), warnings->end());
+  if (work.reference) {
+    Frame frame;
+    std::string note;
+    const auto grey = read_grey_picture(*work.reference, &note);
+    if (!grey) return grey.error();
+    if (!note.empty()) frame.controls = std::make_shared<const std::string>(note);
+    SettingsSeen settings;
+    settings.add(frame);
+    done.about_settings = record_settings(settings, RecordingKind::kReference, done.finger);
+    done.inputs.reference_checksum = picture_checksum(*grey);
+  } else {
+    auto checksum = reference_checksum(work.folder, done.finger);
+    if (!checksum) return checksum.error();
+    done.inputs.reference_checksum = *checksum;
   }
   SettingsSeen settings;
-  for (const TakenPress& press : taken) settings.add(*press.frame);
+  for (const FramePtr& frame : work.frames) settings.add(*frame);
   const auto warnings = record_settings(settings, RecordingKind::kPresses, done.finger);
-  done.warnings.insert(done.warnings.end(), warnings.begin(), warnings.end());
-  const fs::path kept = input.folder / "presses";
+  done.about_settings.insert(done.about_settings.end(), warnings.begin(), warnings.end());
+  return {};
+}
+
+/// Whatever a result depends on that does not stand in the inputs by itself.
+void sign_inputs(const Work& work, FingerCalibration& done) {
+  CalibrationInputs& inputs = done.inputs;
+  inputs.finger_checksum = finger_checksum(done.finger);
+  inputs.presses.clear();
+  for (const FramePtr& frame : work.frames)
+    inputs.presses.push_back({frame->name, picture_checksum(frame->grey)});
+  if (work.is_repetition && inputs.reference_checksum != work.kept.reference_checksum)
+    done.warnings.emplace_back(
+        "The finger has another reference than it was calibrated with: this is a new calibration.");
+  if (work.is_repetition && inputs.finger_checksum != work.kept.finger_checksum)
+    done.warnings.emplace_back(
+        "The finger's camera, face or markers are not what they were when it was calibrated: this "
+        "is a new calibration.");
+  if (work.is_repetition && inputs.program_version != work.kept.program_version)
+    done.warnings.push_back(fmt::format(
+        "The finger was calibrated by version {}: this is a new calibration, by version {}.",
+        work.kept.program_version,
+        inputs.program_version));
+  inputs.date =
+      work.is_repetition && same_but_for_date(inputs, work.kept) ? work.kept.date : utc_now();
+}
+
+Status write_presses(const Work& work) {
+  if (work.is_repetition) return {};
+  const fs::path kept = work.folder / kPressFolder;
   if (const Status status = make_folder(kept); !status) return status;
-  for (const TakenPress& press : taken) {
-    const Frame& frame = *press.frame;
-    const Status status = write_picture(
-        kept / (frame.name + ".png"), frame.grey, frame.controls ? *frame.controls : std::string());
+  for (const FramePtr& frame : work.frames) {
+    const Status status = write_picture(kept / (frame->name + ".png"),
+                                        frame->grey,
+                                        frame->controls ? *frame->controls : std::string());
     if (!status) return status;
   }
-  const Status status = write_file_atomically(input.folder / "calibration_report.json",
-                                              report_of(done, input.ball_radius_mm).dump(2) + "\n");
-  if (!status) return status;
-  return done.finger.save(input.folder);
+  return {};
+}
+
+/// finger.yaml last: until then the finger measures as before.
+Status write(const Work& work, FingerCalibration& done, const Job& job) {
+  if (const Status status = settle_finger(work, done); !status) return status;
+  sign_inputs(work, done);
+  record(done);
+  std::vector<ReportFile> files{{CalibrationInputs::kFileName, done.inputs.to_yaml()},
+                                {"calibration_report.json", calibration_report_json(done)}};
+  if (work.make_report) {
+    job.report(0.95, "writing the report");
+    auto reports = work.make_report(done, job);
+    if (!reports) return reports.error();
+    files.insert(files.end(), reports->begin(), reports->end());
+  }
+  if (job.stop_requested()) return stopped();
+  if (work.reference) {
+    const auto known = install_flat_reference(*work.reference, work.folder, done.finger);
+    if (!known) return known.error();
+  }
+  if (const Status status = write_presses(work); !status) return status;
+  for (const ReportFile& file : files) {
+    const Status status = write_file_atomically(work.folder / file.name, file.content);
+    if (!status) return status;
+  }
+  return done.finger.save(work.folder);
+}
+
+Result<FingerCalibration> run(Work work, CalibrationInputs inputs, const Job& job) {
+  FingerCalibration done;
+  done.inputs = std::move(inputs);
+  auto finger = Finger::load(work.folder, &done.warnings);
+  if (!finger) return finger.error();
+  done.finger = std::move(finger).value();
+  if (work.reference && done.finger.face.kind != FaceKind::kFlat) {
+    return Error{"only a flat sensor has one untouched picture",
+                 work.reference->string(),
+                 "leaving --reference out; this finger is compared with its reference recording"};
+  }
+  auto pipeline = make_pipeline(work, done, job);
+  if (!pipeline) return pipeline.error();
+  if (const Status status = take_presses(work, *pipeline, done, job); !status)
+    return status.error();
+  if (const Status status = check_exclusions(done); !status) return status.error();
+  if (const Status status = solve(done, job); !status) return status.error();
+  if (const Status status = write(work, done, job); !status) return status.error();
+  job.report(1.0, "done");
+  return done;
 }
 
 }  // namespace
@@ -175,51 +317,37 @@ std::string utc_now() {
 }
 
 Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, const Job& job) {
-  FingerCalibration done;
-  auto finger = Finger::load(input.folder, &done.warnings);
-  if (!finger) return finger.error();
-  done.finger = std::move(finger).value();
-  if (input.reference && done.finger.face.kind != FaceKind::kFlat) {
-    return Error{"only a flat sensor has one untouched picture",
-                 input.reference->string(),
-                 "leaving --reference out; this finger is compared with its reference recording"};
-  }
-  auto pipeline = make_pipeline(input, done.finger, job);
-  if (!pipeline) return pipeline.error();
-  auto taken = take_presses(input, *pipeline, job);
-  if (!taken) return taken.error();
+  Work work;
+  work.folder = input.folder;
+  work.pictures = input.presses;
+  work.reference = input.reference;
+  work.make_report = input.make_report;
+  CalibrationInputs inputs;
+  inputs.program_version = input.program_version;
+  inputs.operator_name = input.operator_name;
+  inputs.ball_radius_mm = input.ball_radius_mm;
+  inputs.calibration = input.calibration;
+  inputs.pipeline = input.pipeline;
+  inputs.excluded = input.excluded;
+  return run(std::move(work), std::move(inputs), job);
+}
 
-  std::vector<Press> presses;
-  std::vector<std::string> left_out;
-  for (const TakenPress& one : *taken) {
-    if (one.press) {
-      presses.push_back(*one.press);
-    } else {
-      left_out.push_back(one.frame->name + ": " + one.problem);
-    }
-  }
-  if (presses.empty()) {
-    return Error{"no press can be used; " + fmt::format("{}", fmt::join(left_out, "; ")),
-                 "",
-                 "pictures of this finger with a ball pressed into its face"};
-  }
-  job.report(0.5, "solving");
-  const auto camera = Camera::create(done.finger.camera);
-  if (!camera) return camera.error();
-  auto calibration =
-      calibrate(presses, *camera, done.finger.face, input.ball_radius_mm, input.calibration, job);
-  if (!calibration) return calibration.error();
-  done.calibration = std::move(calibration).value();
-  auto& all_left_out = done.calibration.left_out;
-  all_left_out.insert(all_left_out.begin(), left_out.begin(), left_out.end());
-  add_remarks(done.calibration);
-  done.verdict = verdict(done.calibration.residual_mm,
-                         done.calibration.held_out_mm,
-                         static_cast<int>(done.calibration.balls.size()));
-  record(input, done);
-  if (const Status status = write(input, *taken, done); !status) return status.error();
-  job.report(1.0, "done");
-  return done;
+Result<FingerCalibration> calibrate_finger_again(const fs::path& folder,
+                                                 CalibrationInputs inputs,
+                                                 const std::string& program_version,
+                                                 const MakeReport& make_report,
+                                                 const Job& job) {
+  auto kept = CalibrationInputs::load(folder);
+  if (!kept) return kept.error();
+  Work work;
+  work.folder = folder;
+  work.is_repetition = true;
+  work.make_report = make_report;
+  for (const KeptPress& press : kept->presses)
+    work.pictures.push_back(folder / kPressFolder / (press.name + ".png"));
+  work.kept = std::move(kept).value();
+  inputs.program_version = program_version;
+  return run(std::move(work), std::move(inputs), job);
 }
 
 }  // namespace alltact

@@ -1,5 +1,7 @@
 #include "calibration/finger_check.h"
 
+#include "calibration/calibration_inputs.h"
+#include "calibration/calibration_report.h"
 #include "calibration/verdict.h"
 #include "core/camera/camera.h"
 #include "core/sensing/reference_library.h"
@@ -93,20 +95,29 @@ CheckItem check_age(const Finger& finger) {
           "made " + (calibration.empty() ? "at an unknown date" : calibration)};
 }
 
-CheckItem check_presses(const fs::path& folder, const Finger& finger) {
-  const auto& names = finger.mapping_record->presses;
-  const auto missing = std::count_if(names.begin(), names.end(), [&](const std::string& name) {
-    std::error_code failed;
-    return !fs::exists(folder / "presses" / (name + ".png"), failed);
-  });
-  if (missing > 0) {
+CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
+  const auto inputs = CalibrationInputs::load(folder);
+  if (!inputs)
+    return {"presses",
+            CheckState::kWeak,
+            "the calibration cannot be repeated: " + inputs.error().sentence()};
+  const auto gone =
+      std::count_if(inputs->presses.begin(), inputs->presses.end(), [&](const KeptPress& press) {
+        std::error_code failed;
+        return !fs::exists(folder / "presses" / (press.name + ".png"), failed);
+      });
+  if (gone > 0)
     return {"presses",
             CheckState::kWeak,
             fmt::format("{} of {} press pictures are gone, so the calibration cannot be repeated",
-                        missing,
-                        names.size())};
-  }
-  return {"presses", CheckState::kFine, fmt::format("{} pictures kept", names.size())};
+                        gone,
+                        inputs->presses.size())};
+  if (inputs->date != value_or_empty(finger, "calibration_date"))
+    return {"presses",
+            CheckState::kStale,
+            "what is kept is of a calibration that was cut off; complete it with " +
+                repeat_command(folder)};
+  return {"presses", CheckState::kFine, fmt::format("{} pictures kept", inputs->presses.size())};
 }
 
 }  // namespace
@@ -142,7 +153,7 @@ FingerCheck check_finger(const fs::path& folder, const Finger& finger, const Job
   if (finger.face.kind == FaceKind::kFinRay) check.items.push_back(check_markers(finger));
   check.items.push_back(check_mapping(finger));
   if (finger.mapping) check.items.push_back(check_age(finger));
-  if (finger.mapping_record) check.items.push_back(check_presses(folder, finger));
+  if (finger.mapping_record) check.items.push_back(check_inputs(folder, finger));
   check.fit = std::none_of(check.items.begin(), check.items.end(), [](const CheckItem& item) {
     return item.state == CheckState::kMissing;
   });

@@ -1,6 +1,9 @@
 #include "app/commands/commands.h"
 #include "app/flags.h"
 #include "calibration/calibrate_finger.h"
+#include "calibration/calibration_report.h"
+#include "widgets/report/calibration_pages.h"
+#include "widgets/report/offscreen.h"
 
 #include <fmt/format.h>
 
@@ -20,13 +23,58 @@ void tell(const FingerCalibration& done, Console& console) {
   }
   for (const std::string& reason : calibration.left_out) console.warn("Left out: " + reason);
   for (const std::string& remark : calibration.remarks) console.say("Remark: " + remark);
+  for (const std::string& sign : done.fault_signs) console.warn("Warning: " + sign + ".");
   console.say("Mapping: " + calibration.degree_choice);
   console.say("Verdict: " + done.verdict.sentence + ".");
+  console.say("By zone of the face: " + zone_sentence(done.zones) + ".");
 }
 
-}  // namespace
+/// NAME or NAME=WHY.
+ExcludedPress excluded_press(const std::string& text) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string::npos) return {text, ""};
+  return {text.substr(0, sign), text.substr(sign + 1)};
+}
 
-Status run_calibrate(const CalibrateOptions& options, Console& console) {
+/// What a repetition starts from, changed by what was said on the command line.
+Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console& console) {
+  std::vector<std::string> warnings;
+  auto kept = CalibrationInputs::load(options.finger, &warnings);
+  if (!kept) return kept.error();
+  for (const std::string& warning : warnings) console.warn("Warning: " + warning);
+  CalibrationInputs inputs = std::move(kept).value();
+  if (options.change) options.change(inputs.calibration, inputs.pipeline);
+  if (options.ball_radius_mm > 0) inputs.ball_radius_mm = options.ball_radius_mm;
+  if (!options.operator_name.empty()) inputs.operator_name = options.operator_name;
+  for (const std::string& name : options.included) {
+    const auto removed =
+        std::erase_if(inputs.excluded, [&](const ExcludedPress& one) { return one.name == name; });
+    if (removed == 0)
+      return Error{fmt::format("'{}' is not excluded", name), options.finger.string(), ""};
+  }
+  for (const std::string& text : options.excluded) {
+    const ExcludedPress press = excluded_press(text);
+    std::erase_if(inputs.excluded,
+                  [&](const ExcludedPress& one) { return one.name == press.name; });
+    inputs.excluded.push_back(press);
+  }
+  return inputs;
+}
+
+MakeReport report_maker(const CalibrateOptions& options) {
+  return [folder = options.finger](const FingerCalibration& done, const Job& job) {
+    const OffscreenDrawing drawing;
+    return make_calibration_pages(done, folder, job);
+  };
+}
+
+Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Console& console) {
+  if (options.again) {
+    const auto inputs = inputs_again(options, console);
+    if (!inputs) return inputs.error();
+    return calibrate_finger_again(
+        options.finger, *inputs, ALLTACT_VERSION, report_maker(options), console.job());
+  }
   FingerCalibrationInput input;
   input.folder = options.finger;
   input.presses = options.presses;
@@ -34,11 +82,23 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   input.reference = options.reference;
   input.calibration = options.calibration;
   input.pipeline = options.pipeline;
+  for (const std::string& text : options.excluded) input.excluded.push_back(excluded_press(text));
   input.program_version = ALLTACT_VERSION;
-  const auto done = calibrate_finger(input, console.job());
+  input.operator_name = options.operator_name;
+  input.make_report = report_maker(options);
+  return calibrate_finger(input, console.job());
+}
+
+}  // namespace
+
+Status run_calibrate(const CalibrateOptions& options, Console& console) {
+  const auto done = calibrate_as_asked(options, console);
   if (!done) return done.error();
   for (const std::string& warning : done->warnings) console.warn("Warning: " + warning);
+  for (const std::string& warning : done->about_settings) console.warn("Warning: " + warning);
   tell(*done, console);
+  console.say("Report: " + (options.finger / "calibration_report.html").string() + ", .pdf");
+  console.say("Again, from what is kept with the finger: " + repeat_command(options.finger));
   Console::Json& answer = console.answer();
   answer["verdict"] = done->verdict.sentence;
   answer["residual_mm"] = done->calibration.residual_mm;
@@ -46,7 +106,9 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   answer["presses"] = done->calibration.balls.size();
   answer["left_out"] = done->calibration.left_out;
   answer["remarks"] = done->calibration.remarks;
-  answer["warnings"] = done->warnings;
+  std::vector<std::string> warnings = done->warnings;
+  warnings.insert(warnings.end(), done->about_settings.begin(), done->about_settings.end());
+  answer["warnings"] = warnings;
   answer["report"] = (options.finger / "calibration_report.json").string();
   return {};
 }
@@ -56,29 +118,61 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   CLI::App* command =
       program.add_subcommand("calibrate", "Learns depth from presses of a ball of known radius");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
-  command
-      ->add_option(
-          "PRESS", options->presses, "Pictures of the pressed ball, a folder of them, or a video")
-      ->required();
-  command->add_option("--ball-radius-mm", options->ball_radius_mm, "Radius of the ball, mm")
-      ->type_name("R")
-      ->check(CLI::PositiveNumber)
-      ->required();
-  command
-      ->add_option("--reference",
-                   options->reference,
-                   "Flat sensors: the untouched picture, kept with the finger")
-      ->type_name("IMAGE");
+  CLI::Option* presses = command->add_option(
+      "PRESS", options->presses, "Pictures of the pressed ball, a folder of them, or a video");
+  CLI::Option* radius =
+      command->add_option("--ball-radius-mm", options->ball_radius_mm, "Radius of the ball, mm")
+          ->type_name("R")
+          ->check(CLI::PositiveNumber);
+  CLI::Option* reference =
+      command
+          ->add_option("--reference",
+                       options->reference,
+                       "Flat sensors: the untouched picture, kept with the finger")
+          ->type_name("IMAGE");
   command->add_option("--operator", options->operator_name, "Who calibrates, for the record")
       ->type_name("NAME");
+  command
+      ->add_option("--exclude",
+                   options->excluded,
+                   "A press to keep but not to use, by its picture's name without the ending; "
+                   "may be given again for another, and may say why")
+      ->type_name("NAME[=WHY]")
+      ->allow_extra_args(false)
+      ->take_all();
+  CLI::Option* again =
+      command
+          ->add_flag("--again",
+                     options->again,
+                     "Calibrates from what the finger keeps: the same presses, settings and bytes; "
+                     "what else is said here is changed")
+          ->excludes(presses)
+          ->excludes(reference);
+  command
+      ->add_option("--include", options->included, "With --again: use an excluded press after all")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->needs(again);
   SettingFlags<CalibrationSettings> calibration;
   calibration.add_to(*command, calibration_settings());
   SettingFlags<PipelineSettings> pipeline;
   pipeline.add_to(*command, pipeline_settings(), {"contact-threshold-mm"});
   command->callback([=, &chosen] {
-    options->calibration = calibration.applied_to({});
-    const bool paper = options->calibration.method == CalibrationMethod::kPaper;
-    options->pipeline = pipeline.applied_to(paper ? paper_settings() : PipelineSettings{});
+    if (!options->again && presses->count() == 0) throw CLI::RequiredError("PRESS");
+    if (!options->again && radius->count() == 0) throw CLI::RequiredError("--ball-radius-mm");
+    const auto change = [=](CalibrationSettings& how, PipelineSettings& frames) {
+      const CalibrationMethod before = how.method;
+      how = calibration.applied_to(how);
+      // Each method has settings of its own to start from.
+      if (how.method != before)
+        frames = how.method == CalibrationMethod::kPaper ? paper_settings() : PipelineSettings{};
+      frames = pipeline.applied_to(frames);
+    };
+    options->calibration = {};
+    options->pipeline = {};
+    change(options->calibration, options->pipeline);
+    options->change = change;
     chosen = [=](Console& console) { return run_calibrate(*options, console); };
   });
 }

@@ -1,10 +1,104 @@
 #include "app/commands/commands.h"
+#include "calibration/calibrate_finger.h"
+#include "calibration/check_history.h"
 #include "calibration/finger_check.h"
 #include "calibration/hard_cases/hard_cases.h"
 
 #include <fmt/format.h>
 
 namespace alltact {
+
+namespace {
+
+Console::Json entry_json(const CheckEntry& entry) {
+  return {{"time", entry.time},
+          {"verdict", to_string(entry.verdict)},
+          {"error_mm", entry.error_mm},
+          {"drifting_above_mm", entry.drifting_above_mm},
+          {"recalibrate_above_mm", entry.recalibrate_above_mm},
+          {"light_percent", entry.light_percent},
+          {"presses", entry.presses},
+          {"ball_radius_mm", entry.ball_radius_mm},
+          {"calibration_date", entry.calibration_date},
+          {"program_version", entry.program_version}};
+}
+
+/// The last checks with presses, oldest first.
+Status tell_history(const Path& folder, Console& console) {
+  constexpr std::size_t kShown = 5;
+  std::vector<std::string> warnings;
+  const auto checks = load_checks(folder, &warnings);
+  if (!checks) return checks.error();
+  for (const std::string& warning : warnings) console.warn("Warning: " + warning);
+  Console::Json all = Console::Json::array();
+  for (const CheckEntry& entry : *checks) all.push_back(entry_json(entry));
+  console.answer()["checks"] = std::move(all);
+  const std::size_t first = checks->size() > kShown ? checks->size() - kShown : 0;
+  for (std::size_t i = first; i < checks->size(); ++i) {
+    const CheckEntry& entry = (*checks)[i];
+    console.say(
+        fmt::format("checked {}: {:<11} {:.3f} mm (passes up to {:.3f} mm), light {:+.1f} %",
+                    entry.time,
+                    to_string(entry.verdict),
+                    entry.error_mm,
+                    entry.drifting_above_mm,
+                    entry.light_percent));
+  }
+  return {};
+}
+
+void tell(const PressCheck& check, Console& console) {
+  console.say(fmt::format(
+      "{:<24} {:>9} {:>9} {:>9} {:>9}", "press", "depth mm", "error mm", "factor", "light %"));
+  Console::Json presses = Console::Json::array();
+  for (const CheckedPress& press : check.presses) {
+    console.say(fmt::format("{:<24} {:>9.3f} {:>9.4f} {:>9.3f} {:>9.1f}",
+                            press.name,
+                            press.depth_mm,
+                            press.error_mm,
+                            press.factor,
+                            100 * press.light_change));
+    presses.push_back({{"press", press.name},
+                       {"depth_mm", press.depth_mm},
+                       {"error_mm", press.error_mm},
+                       {"factor", press.factor},
+                       {"light_percent", 100 * press.light_change}});
+  }
+  for (const std::string& reason : check.left_out) console.warn("Left out: " + reason);
+  if (check.presses.size() < static_cast<std::size_t>(kCheckPresses))
+    console.say(fmt::format("Remark: {} presses at different places tell more.", kCheckPresses));
+  console.say("Verdict: " + check.sentence + ".");
+  Console::Json& answer = console.answer();
+  answer["verdict"] = to_string(check.verdict);
+  answer["sentence"] = check.sentence;
+  answer["error_mm"] = check.error_mm;
+  answer["drifting_above_mm"] = check.drifting_above_mm;
+  answer["recalibrate_above_mm"] = check.recalibrate_above_mm;
+  answer["factor"] = check.factor;
+  answer["light_percent"] = 100 * check.light_change;
+  answer["ball_radius_mm"] = check.ball_radius_mm;
+  answer["presses"] = std::move(presses);
+  answer["left_out"] = check.left_out;
+}
+
+}  // namespace
+
+Status run_check_presses(const PressCheckInput& input, Console& console) {
+  const auto finger = load_finger(input.folder, console);
+  if (!finger) return finger.error();
+  const auto check = check_with_presses(input, *finger, console.job());
+  if (!check) return check.error();
+  tell(*check, console);
+  console.answer()["finger"] = finger->name;
+  const Status kept =
+      append_check(input.folder, entry_of(*check, *finger, utc_now(), ALLTACT_VERSION));
+  if (!kept) return kept.error();
+  if (check->verdict == CheckVerdict::kRecalibrate)
+    return Error{"the finger must be calibrated again; the reason is above",
+                 input.folder.string(),
+                 "alltact calibrate with new presses"};
+  return {};
+}
 
 Status run_check(const Path& folder, Console& console) {
   const auto finger = load_finger(folder, console);
@@ -19,6 +113,7 @@ Status run_check(const Path& folder, Console& console) {
   console.answer()["finger"] = finger->name;
   console.answer()["fit"] = check.fit;
   console.answer()["items"] = std::move(items);
+  if (const Status told = tell_history(folder, console); !told) return told;
   if (!check.fit) return Error{"not fit to use; what is missing stands above", folder.string(), ""};
   console.say(fmt::format("{} is fit to use.", finger->name));
   return {};
@@ -68,9 +163,26 @@ Status run_check_numerics(Console& console) {
 void add_check(CLI::App& program, Chosen& chosen) {
   auto folder = std::make_shared<Path>();
   auto numerics = std::make_shared<bool>(false);
+  auto presses = std::make_shared<PressCheckInput>();
   CLI::App* command =
       program.add_subcommand("check", "Is this finger fit to use? What is missing, stale or weak");
   CLI::Option* finger = command->add_option("FINGER", *folder, "The finger's folder");
+  CLI::Option* pictures =
+      command
+          ->add_option(
+              "--presses",
+              presses->presses,
+              "Checks the calibration with new pictures of the pressed ball, three or more: "
+              "pass, drifting or recalibrate; kept in checks.csv")
+          ->type_name("PICTURE...")
+          ->needs(finger);
+  command
+      ->add_option("--ball-radius-mm",
+                   presses->ball_radius_mm,
+                   "Radius of the ball that was pressed, mm (default: that of the calibration)")
+      ->type_name("R")
+      ->check(CLI::PositiveNumber)
+      ->needs(pictures);
   command
       ->add_flag(
           "--numerics",
@@ -81,6 +193,10 @@ void add_check(CLI::App& program, Chosen& chosen) {
   command->callback([=, &chosen] {
     if (!*numerics && finger->count() == 0) throw CLI::RequiredError("FINGER");
     chosen = [=](Console& console) {
+      if (!presses->presses.empty()) {
+        presses->folder = *folder;
+        return run_check_presses(*presses, console);
+      }
       return *numerics ? run_check_numerics(console) : run_check(*folder, console);
     };
   });

@@ -6,6 +6,7 @@
 #include "calibration/calibrate.h"
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/motion_coverage.h"
+#include "calibration/press_check.h"
 #include "core/camera/flat_port.h"
 #include "core/finger/finger.h"
 #include "core/recording/recorder.h"
@@ -76,11 +77,16 @@ Status run_reference(const ReferenceOptions& options, Console& console);
 struct CalibrateOptions {
   Path finger;
   std::vector<Path> presses;
-  double ball_radius_mm = 0;
+  double ball_radius_mm = 0;  ///< with `again` 0 for the same
   std::optional<Path> reference;
-  std::string operator_name;  ///< kept with the calibration; empty: not told
+  std::string operator_name;          ///< kept with the calibration; empty: not told
+  std::vector<std::string> excluded;  ///< NAME or NAME=WHY
   CalibrationSettings calibration;
   PipelineSettings pipeline;
+  bool again = false;                 ///< from what the finger keeps, and with it:
+  std::vector<std::string> included;  ///< names that are excluded no longer
+  /// Applies the settings that were given to those that are kept; may be empty.
+  std::function<void(CalibrationSettings&, PipelineSettings&)> change;
 };
 /// Learns a finger's depth mapping from ball presses.
 Status run_calibrate(const CalibrateOptions& options, Console& console);
@@ -121,8 +127,10 @@ struct RecordOptions {
 /// had to end; the button or the light is missing or not allowed.
 Status run_record(const RecordOptions& options, Console& console);
 
-/// Says what a finger is fit for. Error: it is not fit to use.
+/// Says what a finger is fit for, and its last checks. Error: it is not fit to use.
 Status run_check(const Path& finger, Console& console);
+/// Holds new presses against the calibration and keeps the outcome. Error: calibrate again.
+Status run_check_presses(const PressCheckInput& input, Console& console);
 /// Shows what this computer makes of hard calculations (hard_cases.h). Error: one is out of bounds.
 Status run_check_numerics(Console& console);
 

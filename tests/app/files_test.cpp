@@ -31,7 +31,10 @@ TEST(Files, ACalibrationLeavesWhatTheDesignNames) {
   const ProgramRun run = flat.calibrate();
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(names_in(flat.finger()),
-              testing::UnorderedElementsAre("calibration_report.json",
+              testing::UnorderedElementsAre("calibration_inputs.yaml",
+                                            "calibration_report.html",
+                                            "calibration_report.json",
+                                            "calibration_report.pdf",
                                             "finger.yaml",
                                             "presses/press_0.png",
                                             "presses/press_1.png",

@@ -90,6 +90,80 @@ void print(const Evaluation& evaluation) {
       evaluation.time_ms.value_or(-1));
 }
 
+/// The presses of the demonstration, drawn anew and with another finger or light.
+std::string changed_presses(const Day& day,
+                            const std::string& name,
+                            const std::vector<std::pair<std::string, std::string>>& changes) {
+  std::string text = text_of(scene("demo_presses"));
+  for (const auto& [from, to] : changes) {
+    const auto place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    if (place != std::string::npos) text.replace(place, from.size(), to);
+  }
+  write_text(day.file(name + ".yaml"), text);
+  EXPECT_EQ(run_alltact({"simulate",
+                         day.file(name + ".yaml"),
+                         "-o",
+                         day.file(name),
+                         "--seed",
+                         "4",
+                         "--threads",
+                         "2"})
+                .status,
+            0);
+  return day.file(name);
+}
+
+/// The same finger passes; other light drifts; another layer needs a calibration.
+void expect_checked_well(const Day& day) {
+  const auto check = [&](const std::string& presses) {
+    return run_alltact({"check",
+                        day.file("finger"),
+                        "--presses",
+                        presses + "/frame_00000.png",
+                        presses + "/frame_00002.png",
+                        presses + "/frame_00004.png"});
+  };
+  const ProgramRun same = check(changed_presses(day, "same", {}));
+  EXPECT_EQ(same.status, 0) << same.errors;
+  EXPECT_THAT(same.output, testing::HasSubstr("Verdict: pass")) << same.output;
+  const std::vector<std::pair<std::string, std::string>> brighter = {
+      {"power: 270000.0", "power: 278100.0"},
+      {"power: 270000.0", "power: 278100.0"},
+      {"power: 3300000.0", "power: 3399000.0"}};
+  const ProgramRun warm = check(changed_presses(day, "warm", brighter));
+  EXPECT_EQ(warm.status, 0) << warm.errors;
+  EXPECT_THAT(warm.output, testing::HasSubstr("Verdict: drifting")) << warm.output;
+  const ProgramRun layer =
+      check(changed_presses(day, "layer", {{"scatter_per_mm: 0.6", "scatter_per_mm: 0.8"}}));
+  EXPECT_EQ(layer.status, 1);
+  EXPECT_THAT(layer.output, testing::HasSubstr("Verdict: recalibrate")) << layer.output;
+
+  // A wrong radius agrees with itself; a ball of another size gives it away.
+  const std::string small =
+      changed_presses(day,
+                      "small",
+                      {{"    radius_mm: 4.0", "    radius_mm: 3.0"},
+                       {"[0.8, 0.4, 1.2, 0.6, 1.0, 0.9]", "[0.8, 0.6, 1.0, 0.7, 0.9, 0.8]"}});
+  const auto check_small = [&] {
+    return nlohmann::json::parse(run_alltact({"check",
+                                              day.file("finger"),
+                                              "--presses",
+                                              small + "/frame_00000.png",
+                                              small + "/frame_00002.png",
+                                              small + "/frame_00004.png",
+                                              "--ball-radius-mm",
+                                              "3",
+                                              "--json"})
+                                     .output);
+  };
+  EXPECT_NEAR(check_small().at("factor").get<double>(), 1, 0.02);
+  const ProgramRun wrong =
+      run_alltact({"calibrate", day.file("finger"), "--again", "--ball-radius-mm", "4.4"});
+  EXPECT_THAT(wrong.output, testing::HasSubstr("Verdict: good"));
+  EXPECT_NEAR(check_small().at("factor").get<double>(), 1.1, 0.03);
+}
+
 TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {
   Day day;
   ASSERT_NO_FATAL_FAILURE(day.prepare(""));
@@ -110,6 +184,7 @@ TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {
     EXPECT_EQ(contact.at("face"), "contact") << line;
   }
   EXPECT_EQ(frames, 12);
+  expect_checked_well(day);
 }
 
 TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {
@@ -143,6 +218,10 @@ TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {
             "--threads",
             "1"});
   const std::string finger_before = text_of(day.file("finger/calibration_report.json"));
+  // Again from what the finger keeps.
+  const auto kept_before = contents_of(day.file("finger"));
+  day.step({"calibrate", day.file("finger"), "--again"});
+  EXPECT_TRUE(contents_of(day.file("finger")) == kept_before);
   day.step({"calibrate", day.file("finger"), day.file("finger/presses"), "--ball-radius-mm", "4"});
   EXPECT_EQ(text_of(day.file("finger/calibration_report.json")), finger_before);
   day.step({"reconstruct",

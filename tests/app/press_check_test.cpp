@@ -1,0 +1,157 @@
+// A calibrated finger held against new presses: what changed is told, what did not is not.
+#include "core/io/picture.h"
+#include "tests/support/flat_finger.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+class PressCheck : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(flat_.make().status, 0);
+    ASSERT_EQ(flat_.calibrate().status, 0);
+  }
+  /// Three presses that the calibration did not see; `layer` times the darkening, `light` times
+  /// all.
+  std::vector<std::string> presses(double layer, double light) {
+    ++set_;
+    const double places[3][3] = {{120, 90, 0.5}, {200, 150, 0.7}, {150, 140, 0.35}};
+    std::vector<std::string> files;
+    for (int i = 0; i < 3; ++i) {
+      cv::Mat pressed, untouched;
+      const auto seed = static_cast<std::uint64_t>(1000 * set_ + i);
+      pressed_picture(ball_depth_mm(places[i][0], places[i][1], places[i][2]), seed)
+          .convertTo(pressed, CV_32F);
+      untouched_picture(7).convertTo(untouched, CV_32F);
+      cv::GaussianBlur(untouched, untouched, {}, 2);
+      // Where it is darker than noise, the same relief under another layer.
+      for (int v = 0; v < pressed.rows; ++v)
+        for (int u = 0; u < pressed.cols; ++u) {
+          const float drop = untouched.at<float>(v, u) - pressed.at<float>(v, u);
+          pressed.at<float>(v, u) -= static_cast<float>(layer - 1) * drop;
+        }
+      cv::Mat picture;
+      cv::Mat(pressed * light).convertTo(picture, CV_8U);
+      files.push_back(
+          flat_.file("check_" + std::to_string(set_) + "_" + std::to_string(i) + ".png"));
+      EXPECT_TRUE(write_picture(files.back(), picture).ok());
+    }
+    return files;
+  }
+  [[nodiscard]] ProgramRun check(const std::vector<std::string>& files,
+                                 const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> words = {"check", flat_.finger(), "--presses"};
+    words.insert(words.end(), files.begin(), files.end());
+    words.insert(words.end(), options.begin(), options.end());
+    return run_alltact(words);
+  }
+  [[nodiscard]] json verdict(const std::vector<std::string>& files) const {
+    return json::parse(check(files, {"--json"}).output);
+  }
+  const FlatFinger flat_;
+  int set_ = 0;
+};
+
+TEST_F(PressCheck, AnUnchangedFingerPasses) {
+  for (int i = 0; i < 3; ++i) {
+    const json answer = verdict(presses(1, 1));
+    EXPECT_EQ(answer.at("verdict"), "pass") << answer.dump(1);
+    EXPECT_LT(answer.at("error_mm").get<double>(), 0.02);
+    EXPECT_NEAR(answer.at("factor").get<double>(), 1, 0.04);
+    EXPECT_NEAR(answer.at("light_percent").get<double>(), 0, 0.5);
+  }
+}
+
+TEST_F(PressCheck, LightThatDriftedIsTold) {
+  const ProgramRun brighter = check(presses(1, 1.03));
+  EXPECT_EQ(brighter.status, 0) << brighter.errors;
+  EXPECT_THAT(brighter.output, HasSubstr("Verdict: drifting"));
+  EXPECT_THAT(brighter.output, HasSubstr("% brighter than it was"));
+  const json darker = verdict(presses(1, 0.97));
+  EXPECT_EQ(darker.at("verdict"), "drifting");
+  EXPECT_NEAR(darker.at("light_percent").get<double>(), -3, 0.4);
+}
+
+TEST_F(PressCheck, MuchOtherLightOrAnotherLayerAsksForACalibration) {
+  const ProgramRun dark = check(presses(1, 0.9));
+  EXPECT_EQ(dark.status, 1);
+  EXPECT_THAT(dark.output, HasSubstr("Verdict: recalibrate"));
+  EXPECT_THAT(dark.errors, HasSubstr("must be calibrated again"));
+  const json thin = verdict(presses(1.3, 1));
+  EXPECT_EQ(thin.at("verdict"), "recalibrate") << thin.dump(1);
+  EXPECT_LT(thin.at("factor").get<double>(), 0.9) << "it reads too deep";
+}
+
+TEST_F(PressCheck, TheOrderOfThePressesDoesNotMatter) {
+  std::vector<std::string> files = presses(1.05, 1.01);
+  const json first = verdict(files);
+  std::sort(files.begin(), files.end());
+  do {
+    json other = verdict(files);
+    EXPECT_EQ(other, first);
+  } while (std::next_permutation(files.begin(), files.end()));
+}
+
+TEST_F(PressCheck, TheBallIsThatOfTheCalibrationUnlessTold) {
+  const auto files = presses(1, 1);
+  EXPECT_EQ(verdict(files).at("ball_radius_mm"), 4.0);
+  const json other = json::parse(check(files, {"--json", "--ball-radius-mm", "5"}).output);
+  EXPECT_EQ(other.at("ball_radius_mm"), 5.0);
+  EXPECT_LT(other.at("factor").get<double>(), 0.9) << "a larger ball is flatter";
+}
+
+TEST_F(PressCheck, IsKeptAndShown) {
+  const fs::path file = fs::path(flat_.finger()) / "checks.csv";
+  EXPECT_FALSE(fs::exists(file));
+  const auto finger = text_of(fs::path(flat_.finger()) / "finger.yaml");
+  const auto files = presses(1, 1);
+  ASSERT_EQ(check(files).status, 0);
+  const std::string one = text_of(file);
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 2);
+  ASSERT_EQ(check(presses(1, 0.97)).status, 0);
+  const std::string two = text_of(file);
+  EXPECT_THAT(two, testing::StartsWith(one));
+  EXPECT_EQ(std::count(two.begin(), two.end(), '\n'), 3);
+  EXPECT_EQ(text_of(fs::path(flat_.finger()) / "finger.yaml"), finger);
+
+  const ProgramRun shown = run_alltact({"check", flat_.finger()});
+  EXPECT_EQ(shown.status, 0) << shown.errors;
+  EXPECT_THAT(shown.output, HasSubstr(": pass "));
+  EXPECT_THAT(shown.output, HasSubstr(": drifting "));
+  const json answer = json::parse(run_alltact({"check", flat_.finger(), "--json"}).output);
+  ASSERT_EQ(answer.at("checks").size(), 2U);
+  EXPECT_EQ(answer.at("checks")[1].at("verdict"), "drifting");
+
+  // A line spoilt by hand costs that line only.
+  write_text(file, two + "2026-01-01T00:00:00Z,fine,1\n");
+  const ProgramRun spoilt = run_alltact({"check", flat_.finger(), "--json"});
+  EXPECT_EQ(json::parse(spoilt.output).at("checks").size(), 2U);
+  EXPECT_THAT(spoilt.errors, HasSubstr("checks.csv:4: this is no check"));
+}
+
+TEST_F(PressCheck, WhatCannotBeCheckedIsToldAndNotKept) {
+  const ProgramRun untouched = check({flat_.file("ref.png")});
+  EXPECT_EQ(untouched.status, 1);
+  EXPECT_THAT(untouched.errors, HasSubstr("no press can be used: ref"));
+  EXPECT_FALSE(fs::exists(fs::path(flat_.finger()) / "checks.csv"));
+  EXPECT_EQ(run_alltact({"check", flat_.finger(), "--ball-radius-mm", "4"}).status, 2);
+  EXPECT_EQ(run_alltact({"check", "--presses", "a.png"}).status, 2);
+  const FlatFinger other;
+  ASSERT_EQ(other.make().status, 0);
+  EXPECT_THAT(run_alltact({"check", other.finger(), "--presses", flat_.presses[0].string()}).errors,
+              HasSubstr("not calibrated"));
+}
+
+}  // namespace
+}  // namespace alltact::test

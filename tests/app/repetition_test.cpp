@@ -1,0 +1,171 @@
+// A finger keeps all that its calibration was made from: again gives the same bytes.
+#include "tests/support/flat_finger.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class Repetition : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(flat_.make().status, 0);
+    const ProgramRun run = flat_.calibrate();
+    ASSERT_EQ(run.status, 0) << run.errors;
+    before_ = contents_of(flat_.finger());
+  }
+  [[nodiscard]] ProgramRun again(const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> arguments = {"calibrate", flat_.finger(), "--again"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_alltact(arguments);
+  }
+  [[nodiscard]] std::string kept(const std::string& name) const {
+    return text_of(fs::path(flat_.finger()) / name);
+  }
+  /// Sets the clock of what is stored back, so that a new date can be seen.
+  void grow_old() const {
+    for (const char* name : {"finger.yaml", "calibration_inputs.yaml"}) {
+      std::string text = kept(name);
+      const std::size_t place = text.find("date: \"20") + 7;
+      ASSERT_NE(place, std::string::npos + 7);
+      text.replace(place, 4, "2001");
+      write_text(fs::path(flat_.finger()) / name, text);
+    }
+  }
+  const FlatFinger flat_;
+  std::vector<std::pair<std::string, std::string>> before_;
+};
+
+TEST_F(Repetition, GivesTheSameBytes) {
+  grow_old();
+  const auto before = contents_of(flat_.finger());
+  // Neither the pictures it was first given nor the untouched one are needed.
+  for (const fs::path& press : flat_.presses) fs::remove(press);
+  fs::remove(flat_.file("ref.png"));
+  const ProgramRun run = again();
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");
+  for (const auto& [name, bytes] : before)
+    if (!name.ends_with(".html") && !name.ends_with(".pdf")) {  // these carry the date set back
+      EXPECT_EQ(kept(name), bytes) << name;
+    }
+  // And from elsewhere, with another name for the folder.
+  const auto second = contents_of(flat_.finger());
+  const ProgramRun elsewhere =
+      run_shell(fmt::format("cd '{}' && '{}' calibrate ./finger/../finger --again",
+                            flat_.folder.path().string(),
+                            ALLTACT_PROGRAM));
+  ASSERT_EQ(elsewhere.status, 0) << elsewhere.errors;
+  for (const auto& [name, bytes] : second) EXPECT_TRUE(kept(name) == bytes) << name;
+}
+
+TEST_F(Repetition, LeavesOutWhatIsExcludedAndTakesItBack) {
+  const ProgramRun without = again({"--exclude", "press_2=glove in view"});
+  ASSERT_EQ(without.status, 0) << without.errors;
+  EXPECT_THAT(without.errors, HasSubstr("Left out: press_2: excluded, glove in view"));
+  EXPECT_THAT(kept("calibration_report.json"), HasSubstr("\"because\": \"glove in view\""));
+  EXPECT_THAT(kept("finger.yaml"), HasSubstr("presses: [press_0, press_1, press_3]"));
+  grow_old();
+  const std::string yaml = kept("finger.yaml");
+  ASSERT_EQ(again().status, 0);
+  EXPECT_EQ(kept("finger.yaml"), yaml) << "the exclusion was not kept";
+
+  ASSERT_EQ(again({"--include", "press_2"}).status, 0);
+  for (const auto& [name, bytes] : before_)
+    if (name == "calibration_report.json") {
+      EXPECT_EQ(kept(name), bytes);
+    }
+  EXPECT_THAT(kept("calibration_inputs.yaml"), Not(HasSubstr("excluded")));
+  EXPECT_THAT(kept("calibration_inputs.yaml"), Not(HasSubstr("2001")));
+
+  EXPECT_THAT(again({"--exclude", "press_9"}).errors, HasSubstr("one of press_0, press_1"));
+  EXPECT_THAT(again({"--include", "press_1"}).errors, HasSubstr("'press_1' is not excluded"));
+}
+
+TEST_F(Repetition, ChangesWhatItIsToldTo) {
+  grow_old();
+  ASSERT_EQ(again({"--ball-radius-mm", "4.1", "--family", "polynomial"}).status, 0);
+  EXPECT_THAT(kept("finger.yaml"), HasSubstr("ball_radius_mm: 4.1\n"));
+  EXPECT_THAT(kept("finger.yaml"), HasSubstr("kind: polynomial"));
+  EXPECT_THAT(kept("finger.yaml"), Not(HasSubstr("2001-"))) << "a new calibration has its own date";
+  ASSERT_EQ(again({"--ball-radius-mm", "4", "--family", "auto"}).status, 0);
+  for (const auto& [name, bytes] : before_)
+    if (name == "calibration_report.json") {
+      EXPECT_EQ(kept(name), bytes);
+    }
+}
+
+TEST_F(Repetition, RefusesPicturesThatAreNotTheSame) {
+  const fs::path press = fs::path(flat_.finger()) / "presses/press_1.png";
+  cv::Mat picture = cv::imread(press.string(), cv::IMREAD_GRAYSCALE);
+  picture.at<std::uint8_t>(5, 5) ^= 1;
+  cv::imwrite(press.string(), picture);
+  const auto before = contents_of(flat_.finger());
+  const ProgramRun changed = again();
+  EXPECT_EQ(changed.status, 1);
+  EXPECT_THAT(changed.errors, HasSubstr("press_1.png: this is not the picture that"));
+  fs::remove(press);
+  EXPECT_THAT(again().errors, HasSubstr("press_1.png"));
+  fs::copy_file(flat_.presses[1], press);
+  EXPECT_EQ(again().status, 0);
+  EXPECT_EQ(contents_of(flat_.finger()).size(), before.size());
+}
+
+TEST_F(Repetition, SaysThatAnotherReferenceMakesANewCalibration) {
+  cv::Mat reference = cv::imread(flat_.file("ref.png"), cv::IMREAD_GRAYSCALE);
+  reference.at<std::uint8_t>(9, 9) ^= 1;
+  cv::imwrite(flat_.file("ref.png"), reference);
+  ASSERT_EQ(run_alltact({"reference", flat_.finger(), flat_.file("ref.png")}).status, 0);
+  const ProgramRun run = again();
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("another reference than it was calibrated with"));
+  EXPECT_EQ(again().errors, "");
+}
+
+TEST_F(Repetition, IsRefusedInASentenceWhereInputsAreMissingOrSpoilt) {
+  const fs::path inputs = fs::path(flat_.finger()) / "calibration_inputs.yaml";
+  const std::string whole = text_of(inputs);
+  for (const std::size_t length : {std::size_t{0}, whole.size() / 3, whole.size() - 3}) {
+    write_text(inputs, whole.substr(0, length));
+    const auto before = contents_of(flat_.finger());
+    const ProgramRun run = again();
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.errors, HasSubstr("calibration_inputs.yaml")) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    EXPECT_EQ(contents_of(flat_.finger()), before);
+  }
+  fs::remove(inputs);
+  EXPECT_THAT(again().errors, HasSubstr("nothing to repeat"));
+  EXPECT_THAT(run_alltact({"check", flat_.finger()}).output, HasSubstr("cannot be repeated"));
+}
+
+TEST_F(Repetition, AWritingThatWasCutOffIsSeenAndCompleted) {
+  // The inputs of a calibration that never came to finger.yaml.
+  const auto finger = kept("finger.yaml");
+  grow_old();
+  write_text(fs::path(flat_.finger()) / "finger.yaml", finger);
+  EXPECT_THAT(run_alltact({"check", flat_.finger()}).output, HasSubstr("--again"));
+  ASSERT_EQ(again().status, 0);
+  EXPECT_THAT(kept("finger.yaml"), HasSubstr("calibration_date: \"2001-"));
+  EXPECT_THAT(run_alltact({"check", flat_.finger()}).output, Not(HasSubstr("--again")));
+}
+
+TEST(RepetitionUsage, IsToldInOneLine) {
+  const FlatFinger flat;
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"calibrate", flat.finger()},
+                                             {"calibrate", flat.finger(), "a.png"},
+                                             {"calibrate", flat.finger(), "a.png", "--again"},
+                                             {"calibrate", flat.finger(), "--include", "a"}})
+    EXPECT_EQ(run_alltact(words).status, 2) << testing::PrintToString(words);
+}
+
+}  // namespace
+}  // namespace alltact::test

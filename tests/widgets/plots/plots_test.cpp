@@ -1,0 +1,253 @@
+// Plots are looked at as pictures: what is given must be seen, in every theme, and nothing else.
+#include "tests/support/program.h"
+#include "widgets/plots/face_map_plot.h"
+#include "widgets/plots/histogram_plot.h"
+#include "widgets/plots/history_plot.h"
+#include "widgets/plots/mapping_plot.h"
+#include "widgets/plots/press_error_plot.h"
+#include "widgets/plots/press_light_plot.h"
+#include "widgets/theme.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Pixels of about this colour.
+int count_of(const QImage& image, const QColor& colour, int tolerance = 40) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor here = image.pixelColor(x, y);
+      count += std::abs(here.red() - colour.red()) < tolerance &&
+               std::abs(here.green() - colour.green()) < tolerance &&
+               std::abs(here.blue() - colour.blue()) < tolerance;
+    }
+  return count;
+}
+
+/// Part of the picture that is not ground: 0 for an empty one.
+double inked(const QImage& image) {
+  const QColor ground = image.pixelColor(0, 0);
+  return 1.0 - static_cast<double>(count_of(image, ground, 2)) / (image.width() * image.height());
+}
+
+/// Kept for looking at where ALLTACT_KEEP_PICTURES names a folder.
+QImage shown(Plot& plot, const QSize& size, const QString& name) {
+  QImage image = plot.picture(size, 1.0);
+  const QByteArray folder = qgetenv("ALLTACT_KEEP_PICTURES");
+  if (!folder.isEmpty()) image.save(QString::fromUtf8(folder) + "/" + name + ".png");
+  return image;
+}
+
+MappingPlotData some_mapping() {
+  MappingPlotData data;
+  data.x_max = 0.5;
+  for (int i = 0; i <= 50; ++i) {
+    const double x = 0.01 * i;
+    data.curve.push_back({x, 3.4 * x / (1 + x), 0.02 + 0.04 * x});
+    data.points.push_back({x, 3.4 * x / (1 + x) + 0.03 * std::sin(9.0 * i), i % 4 != 0});
+  }
+  return data;
+}
+
+std::vector<PressError> some_errors(int count) {
+  std::vector<PressError> errors;
+  for (int i = 0; i < count; ++i)
+    errors.push_back(
+        {"press_" + std::to_string(i), 0.01 + 0.002 * (i * 7 % count), 0.012 + 0.001 * i});
+  return errors;
+}
+
+FaceMapData some_face() {
+  FaceCells cells(115, 24, 1.0);
+  for (int u = 10; u < 40; ++u)
+    for (int v = -6; v < 4; ++v) cells.add(u + 0.5, v + 0.5, 0.001 * u);
+  FaceMapData data = cells.map();
+  data.quantity = "Residual (mm)";
+  data.contacts = {{25, -1, 8, "press_0"}, {80, 5, 3, "press_1"}};
+  return data;
+}
+
+HistoryData some_history() {
+  HistoryData data;
+  data.drifting_above_mm = 0.02;
+  data.recalibrate_above_mm = 0.06;
+  for (int day = 0; day < 20; ++day)
+    data.points.push_back({1.8e9 + 86400.0 * day, 0.005 + 0.0003 * day * day});
+  return data;
+}
+
+std::vector<double> some_residuals() {
+  std::vector<double> errors;
+  for (int i = -500; i <= 500; ++i) errors.push_back(1e-8 * i * i * i / 100.0 + 1e-5 * i);
+  return errors;
+}
+
+class PlotsInThemes : public testing::TestWithParam<Theme> {
+ protected:
+  void expect_drawn(Plot& plot, const QSize& size, const char* name) {
+    plot.setPalette(theme_palette(GetParam()));
+    const QString file = QString("%1_%2").arg(name).arg(static_cast<int>(GetParam()));
+    const QImage image = shown(plot, size, file);
+    EXPECT_EQ(image.size(), size);
+    EXPECT_EQ(image.pixelColor(0, 0), plot.palette().color(QPalette::Base)) << name;
+    EXPECT_GT(inked(image), 0.03) << name;
+    // Axis and letters.
+    EXPECT_GT(count_of(image, plot.palette().color(QPalette::Text)), 300) << name;
+    EXPECT_EQ(shown(plot, size, file), image) << name << ": the same data, another picture";
+    EXPECT_EQ(plot.picture(size, 2.0).size(), 2 * size) << name;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Theme,
+                         PlotsInThemes,
+                         testing::Values(Theme::kLight, Theme::kDark, Theme::kHighContrast));
+
+TEST_P(PlotsInThemes, AreDrawn) {
+  MappingPlot mapping;
+  mapping.set_data(some_mapping());
+  expect_drawn(mapping, {600, 340}, "mapping");
+  PressErrorPlot errors;
+  errors.set_data(some_errors(6));
+  expect_drawn(errors, {600, errors.comfortable_height()}, "errors");
+  FaceMapPlot face;
+  face.set_data(some_face());
+  expect_drawn(face, {600, 180}, "face");
+  HistoryPlot history;
+  history.set_data(some_history());
+  expect_drawn(history, {600, 300}, "history");
+  PressLightPlot light;
+  light.set_data({{"a", 1.5}, {"b", -4}, {"c", 0.2}}, 2);
+  expect_drawn(light, {600, 190}, "light");
+  HistogramPlot histogram;
+  histogram.set_data(some_residuals(), "Mapping minus ball (mm)");
+  expect_drawn(histogram, {600, 260}, "histogram");
+}
+
+TEST(Plots, SayInWordsThatThereIsNothing) {
+  MappingPlot mapping;
+  PressErrorPlot errors;
+  FaceMapPlot face;
+  HistoryPlot history;
+  HistogramPlot histogram;
+  mapping.set_data({});
+  errors.set_data({});
+  face.set_data({});
+  history.set_data({});
+  histogram.set_data({kNaN}, "mm");
+  int i = 0;
+  for (Plot* plot : std::initializer_list<Plot*>{&mapping, &errors, &face, &history, &histogram}) {
+    plot->setPalette(theme_palette(Theme::kLight));
+    const QImage image = shown(*plot, {400, 200}, QString("empty_%1").arg(i++));
+    EXPECT_GT(inked(image), 0.002);
+    EXPECT_LT(inked(image), 0.05);  // a sentence, no axes
+  }
+}
+
+TEST(MappingPlot, DrawsCurveAndPointsWhereTheyAre) {
+  MappingPlot plot;
+  plot.setPalette(theme_palette(Theme::kLight));
+  MappingPlotData data = some_mapping();
+  plot.set_data(data);
+  const QColor curve = series_colour(1, plot.palette());
+  const QImage with = plot.picture({600, 340});
+  data.points.clear();
+  plot.set_data(data);
+  const QImage without = plot.picture({600, 340});
+  int changed = 0;
+  for (int y = 150; y < 280; ++y)  // below the legend, above the axis
+    for (int x = 60; x < 590; ++x) changed += with.pixel(x, y) != without.pixel(x, y);
+  EXPECT_GT(changed, 100);
+  EXPECT_GT(count_of(without, curve), 200);
+}
+
+TEST(PressErrorPlot, CutsOffTheGoodEndAndKeepsAllThatIsAskedFor) {
+  PressErrorPlot few, many;
+  few.set_data(some_errors(3));
+  many.set_data(some_errors(200));
+  EXPECT_LT(few.comfortable_height(), many.comfortable_height());
+  EXPECT_LT(many.comfortable_height(), 1200);
+  EXPECT_EQ(few.accessibleDescription().toStdString(),
+            "The worst of 3 press(es) is press_2 with 0.014 mm.");
+}
+
+TEST(FaceMapPlot, ShowsWhatIsKnownAndOnlyThat) {
+  FaceMapPlot plot;
+  plot.setPalette(theme_palette(Theme::kLight));
+  FaceMapData data = some_face();
+  data.contacts.clear();
+  plot.set_data(data);
+  const QImage image = plot.picture({700, 220});
+  // The largest value has the brightest colour of the map, and the colour bar beside it.
+  EXPECT_GT(count_of(image, QColor("#fde725"), 25), 100);
+  data.cells.assign(data.cells.size(), kNaN);
+  plot.set_data(data);
+  EXPECT_LT(count_of(plot.picture({700, 220}), QColor("#31688e"), 25),
+            count_of(image, QColor("#31688e"), 25) / 2);
+}
+
+TEST(FaceMapPlot, CanBeGivenDataAgainAndAgain) {
+  FaceMapPlot plot;
+  plot.setPalette(theme_palette(Theme::kLight));
+  plot.set_data(some_face());
+  const QImage first = plot.picture({600, 180});
+  for (int i = 0; i < 5; ++i) plot.set_data(i % 2 == 0 ? FaceMapData{} : some_face());
+  plot.set_data(some_face());
+  EXPECT_EQ(plot.picture({600, 180}), first);
+}
+
+TEST(FaceCells, AreMeansOfWhatLiesInThem) {
+  FaceCells cells(10, 4, 1.0);
+  cells.add(0.5, -1.5, 2);
+  cells.add(0.7, -1.2, 4);
+  cells.add(9.9, 1.9, 7);
+  for (const double off : {-0.1, 10.1}) cells.add(off, 0, 1000);
+  for (const double off : {-2.1, 2.1}) cells.add(5, off, 1000);
+  const FaceMapData map = cells.map();
+  ASSERT_EQ(map.columns, 10);
+  ASSERT_EQ(map.rows, 4);
+  EXPECT_EQ(map.cells[0], 3);
+  EXPECT_EQ(map.cells[39], 7);
+  EXPECT_EQ(std::count_if(map.cells.begin(), map.cells.end(), [](double v) { return v == v; }), 2);
+}
+
+TEST(HistogramPlot, KnowsWhatMostErrorsStayBelow) {
+  std::vector<double> errors;
+  for (int i = 1; i <= 1000; ++i) errors.push_back(i % 2 == 0 ? 0.001 * i : -0.001 * i);
+  errors.push_back(kNaN);
+  HistogramPlot plot;
+  plot.set_data(errors, "mm");
+  EXPECT_NEAR(plot.error_95_mm(), 0.95, 0.001);
+}
+
+TEST(HistoryPlot, BandsAreSeenAndOneCheckIsEnough) {
+  HistoryPlot plot;
+  plot.setPalette(theme_palette(Theme::kLight));
+  HistoryData data = some_history();
+  data.points.resize(1);
+  plot.set_data(data);
+  const QImage image = shown(plot, {600, 300}, "history_one");
+  std::set<QRgb> grounds;
+  for (int y = 10; y < 240; ++y) grounds.insert(image.pixel(300, y));
+  EXPECT_GE(grounds.size(), 3U);
+}
+
+TEST(Plots, ArePrintedAsPdf) {
+  const test::TemporaryFolder folder;
+  MappingPlot plot;
+  plot.set_data(some_mapping());
+  const std::string file = folder / "plot.pdf";
+  EXPECT_TRUE(plot.save_pdf(QString::fromStdString(file), {600, 340}));
+  EXPECT_THAT(test::text_of(file), testing::StartsWith("%PDF"));
+  EXPECT_FALSE(plot.save_pdf(QString::fromStdString(folder / "none/plot.pdf"), {600, 340}));
+}
+
+}  // namespace
+}  // namespace alltact

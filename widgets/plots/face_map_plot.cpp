@@ -1,0 +1,153 @@
+#include "widgets/plots/face_map_plot.h"
+
+#include "widgets/plots/custom_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alltact {
+namespace {
+
+/// Viridis (van der Walt and Smith 2015): even to the eye, also in grey and to the colour-blind.
+QCPColorGradient viridis() {
+  static const char* const kStops[] = {"#440154",
+                                       "#482878",
+                                       "#3e4989",
+                                       "#31688e",
+                                       "#26828e",
+                                       "#1f9e89",
+                                       "#35b779",
+                                       "#6ece58",
+                                       "#b5de2b",
+                                       "#fde725"};
+  QCPColorGradient gradient;
+  gradient.clearColorStops();
+  for (int i = 0; i < 10; ++i) gradient.setColorStopAt(i / 9.0, QColor(kStops[i]));
+  gradient.setNanHandling(QCPColorGradient::nhTransparent);
+  return gradient;
+}
+
+}  // namespace
+
+FaceMapPlot::~FaceMapPlot() = default;
+
+void FaceMapPlot::set_data(FaceMapData data) {
+  data_ = std::move(data);
+  setAccessibleName(tr("%1 over the face").arg(data_.quantity));
+  rebuild();
+}
+
+QString FaceMapPlot::empty_text() const {
+  return tr("Nothing is known of the face yet");
+}
+
+void FaceMapPlot::draw_cells() {
+  auto* map = new QCPColorMap(chart().xAxis, chart().yAxis);
+  map->data()->setSize(data_.columns, data_.rows);
+  const double cell_u = data_.length_mm / data_.columns, cell_v = data_.width_mm / data_.rows;
+  map->data()->setRange(
+      QCPRange(0.5 * cell_u, data_.length_mm - 0.5 * cell_u),
+      QCPRange(-0.5 * data_.width_mm + 0.5 * cell_v, 0.5 * data_.width_mm - 0.5 * cell_v));
+  double largest = 0;
+  for (int row = 0; row < data_.rows; ++row)
+    for (int column = 0; column < data_.columns; ++column) {
+      const double value = data_.cells[static_cast<std::size_t>(row * data_.columns + column)];
+      map->data()->setCell(column, row, value);
+      if (std::isfinite(value)) largest = std::max(largest, value);
+    }
+  map->setInterpolate(false);
+  map->setTightBoundary(false);
+  auto* scale = new QCPColorScale(&chart());
+  chart().plotLayout()->addElement(0, 1, scale);
+  scale_ = scale;
+  scale->setBarWidth(12);
+  map->setColorScale(scale);
+  map->setGradient(viridis());
+  map->setDataRange(QCPRange(0, largest > 0 ? largest : 1));
+  scale->axis()->setLabel(data_.quantity);
+  for (QCPAxis* axis : {scale->axis()}) {
+    const QColor text = palette().color(QPalette::Text);
+    axis->setLabelColor(text);
+    axis->setTickLabelColor(text);
+    axis->setBasePen(QPen(text));
+    axis->setTickPen(QPen(text));
+    axis->setSubTickPen(Qt::NoPen);
+    axis->setLabelFont(font());
+    axis->setTickLabelFont(font());
+  }
+  auto* group = new QCPMarginGroup(&chart());
+  chart().axisRect()->setMarginGroup(QCP::msTop | QCP::msBottom, group);
+  scale->setMarginGroup(QCP::msTop | QCP::msBottom, group);
+}
+
+void FaceMapPlot::draw_contacts() {
+  for (const FaceMapData::Contact& contact : data_.contacts) {
+    auto* circle = new QCPItemEllipse(&chart());
+    circle->topLeft->setCoords(contact.along_mm - contact.radius_mm,
+                               contact.across_mm - contact.radius_mm);
+    circle->bottomRight->setCoords(contact.along_mm + contact.radius_mm,
+                                   contact.across_mm + contact.radius_mm);
+    circle->setPen(QPen(palette().color(QPalette::Text), 1));
+    if (!contact.name.empty())
+      add_note(contact.along_mm,
+               contact.across_mm - contact.radius_mm,
+               QString::fromStdString(contact.name),
+               Qt::AlignHCenter | Qt::AlignBottom);
+  }
+}
+
+bool FaceMapPlot::draw() {
+  if (scale_ != nullptr) {
+    chart().plotLayout()->remove(static_cast<QCPColorScale*>(scale_));
+    chart().plotLayout()->simplify();
+    scale_ = nullptr;
+  }
+  const auto expected =
+      static_cast<std::size_t>(data_.columns) * static_cast<std::size_t>(std::max(0, data_.rows));
+  if (data_.columns < 1 || data_.rows < 1 || data_.cells.size() != expected ||
+      !(data_.length_mm > 0) || !(data_.width_mm > 0))
+    return false;
+  QColor nothing = palette().color(QPalette::Text);
+  nothing.setAlpha(70);
+  chart().axisRect()->setBackground(QBrush(nothing, Qt::BDiagPattern));
+  draw_cells();
+  draw_contacts();
+  chart().xAxis->setLabel(data_.has_base ? tr("Along the finger, from the base (mm)")
+                                         : tr("Along the picture, from the left (mm)"));
+  chart().yAxis->setLabel(tr("Across (mm)"));
+  chart().xAxis->setRange(0, data_.length_mm);
+  chart().yAxis->setRange(-0.5 * data_.width_mm, 0.5 * data_.width_mm);
+  chart().yAxis->setRangeReversed(true);  // as in the picture, v grows downwards
+  chart().xAxis->grid()->setVisible(false);
+  chart().yAxis->grid()->setVisible(false);
+  return true;
+}
+
+FaceCells::FaceCells(double length_mm, double width_mm, double cell_mm) {
+  map_.length_mm = length_mm;
+  map_.width_mm = width_mm;
+  map_.columns = std::max(1, static_cast<int>(std::lround(length_mm / cell_mm)));
+  map_.rows = std::max(1, static_cast<int>(std::lround(width_mm / cell_mm)));
+  sums_.assign(static_cast<std::size_t>(map_.columns) * static_cast<std::size_t>(map_.rows), 0.0);
+  counts_.assign(sums_.size(), 0);
+}
+
+void FaceCells::add(double along_mm, double across_mm, double value) {
+  const double column = std::floor(along_mm / map_.length_mm * map_.columns);
+  const double row = std::floor((across_mm / map_.width_mm + 0.5) * map_.rows);
+  if (!(column >= 0 && column < map_.columns && row >= 0 && row < map_.rows)) return;
+  const auto cell = static_cast<std::size_t>(row * map_.columns + column);
+  sums_[cell] += value;
+  ++counts_[cell];
+}
+
+FaceMapData FaceCells::map() const {
+  FaceMapData map = map_;
+  for (std::size_t i = 0; i < sums_.size(); ++i)
+    map.cells.push_back(counts_[i] > 0 ? sums_[i] / counts_[i]
+                                       : std::numeric_limits<double>::quiet_NaN());
+  return map;
+}
+
+}  // namespace alltact

@@ -1,0 +1,41 @@
+// The mapping: every block of every contact, and the curve that was fitted through them.
+#pragma once
+
+#include "widgets/plots/plot.h"
+
+#include <vector>
+
+namespace alltact {
+
+struct MappingPlotData {
+  struct Point {
+    double x = 0, depth_mm = 0;
+    bool is_sure = true;  ///< false: near the rim, where the skin may have left the ball
+  };
+  struct CurvePoint {
+    double x = 0, depth_mm = 0, sd_mm = 0;
+  };
+  std::vector<Point> points;
+  std::vector<CurvePoint> curve;  ///< in the order of x
+  double x_max = 0;               ///< end of the calibrated range; 0: none
+  bool is_small = false;          ///< no room for legend and notes
+  QString depth_axis;             ///< what depth is and its unit; empty: "Press depth (mm)"
+};
+
+class MappingPlot : public Plot {
+  Q_OBJECT
+ public:
+  using Plot::Plot;
+  void set_data(MappingPlotData data);
+
+ protected:
+  bool draw() override;
+  [[nodiscard]] QString empty_text() const override;
+
+ private:
+  void draw_band();
+  void draw_points(bool sure, const QString& name);
+  MappingPlotData data_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,103 @@
+#include "widgets/plots/plot.h"
+
+#include "widgets/plots/custom_plot.h"
+
+#include <QEvent>
+#include <QVBoxLayout>
+
+namespace alltact {
+
+Plot::Plot(QWidget* parent) : QWidget(parent), chart_(new QCustomPlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(chart_);
+  setMinimumSize(220, 160);
+  chart_->setNotAntialiasedElements(QCP::aeNone);
+}
+
+Plot::~Plot() = default;
+
+QImage Plot::picture(const QSize& size, double scale) {
+  ensurePolished();
+  rebuild();
+  return chart_->toPixmap(size.width(), size.height(), scale).toImage();
+}
+
+bool Plot::save_pdf(const QString& file, const QSize& size) {
+  ensurePolished();
+  rebuild();
+  return chart_->savePdf(file, size.width(), size.height(), QCP::epAllowCosmetic);
+}
+
+void Plot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) rebuild();
+}
+
+void Plot::rebuild() {
+  chart_->clearPlottables();
+  chart_->clearItems();
+  dress();
+  if (!draw()) {
+    for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis, chart_->xAxis2, chart_->yAxis2})
+      axis->setVisible(false);
+    auto* text = new QCPItemText(chart_);
+    text->position->setType(QCPItemPosition::ptAxisRectRatio);
+    text->position->setCoords(0.5, 0.5);
+    text->setText(empty_text());
+    text->setFont(font());
+    text->setColor(palette().color(QPalette::Text));
+  }
+  chart_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Plot::dress_axis(QCPAxis* axis) const {
+  const QColor text = palette().color(QPalette::Text);
+  QColor faint = text;
+  faint.setAlpha(38);
+  axis->setVisible(true);
+  axis->setBasePen(QPen(text, 1));
+  axis->setTickPen(QPen(text, 1));
+  axis->setSubTickPen(Qt::NoPen);
+  axis->setTickLabelColor(text);
+  axis->setLabelColor(text);
+  axis->setTickLabelFont(font());
+  axis->setLabelFont(font());
+  axis->grid()->setPen(QPen(faint, 1));
+  axis->grid()->setZeroLinePen(QPen(faint, 1));
+}
+
+void Plot::dress() {
+  chart_->setBackground(QBrush(palette().color(QPalette::Base)));
+  for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis}) dress_axis(axis);
+  for (QCPAxis* axis : {chart_->xAxis2, chart_->yAxis2}) {
+    dress_axis(axis);
+    axis->setTicks(false);
+    axis->setTickLabels(false);
+  }
+  chart_->legend->setVisible(false);
+  chart_->legend->setFont(font());
+  chart_->legend->setTextColor(palette().color(QPalette::Text));
+  chart_->legend->setBorderPen(Qt::NoPen);
+  QColor ground = palette().color(QPalette::Base);
+  ground.setAlpha(200);
+  chart_->legend->setBrush(ground);
+}
+
+void Plot::add_note(double x, double y, const QString& text, Qt::Alignment anchor) {
+  auto* note = new QCPItemText(chart_);
+  note->position->setCoords(x, y);
+  note->setPositionAlignment(anchor);
+  note->setText(text);
+  note->setFont(font());
+  note->setColor(palette().color(QPalette::Text));
+  note->setPadding(QMargins(4, 2, 4, 2));
+  note->setClipToAxisRect(false);
+}
+
+void Plot::show_legend(Qt::Alignment corner) {
+  chart_->legend->setVisible(true);
+  chart_->axisRect()->insetLayout()->setInsetAlignment(0, corner);
+}
+
+}  // namespace alltact

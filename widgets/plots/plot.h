@@ -1,0 +1,48 @@
+// What all plots have in common: theme, empty state, pictures without a screen.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+class QCPAxis;
+class QCustomPlot;
+
+namespace alltact {
+
+/// A plot that stands alone: it is given plain values, knows no files, follows the palette and the
+/// font of its widget, and can be drawn without being shown.
+class Plot : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Plot(QWidget* parent = nullptr);
+  ~Plot() override;
+
+  /// The plot in `size` (px at scale 1), with `scale` times as many pixels each way.
+  [[nodiscard]] QImage picture(const QSize& size, double scale = 1.0);
+  /// One page of `size` (px at 96 to the inch), lines and letters as such. False: not writable.
+  [[nodiscard]] bool save_pdf(const QString& file, const QSize& size);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+  /// Draws what was given into chart(), which is empty and dressed; false when there is nothing to
+  /// draw. Called again whenever data or palette change.
+  virtual bool draw() = 0;
+  /// Stands in the middle where draw() has nothing.
+  [[nodiscard]] virtual QString empty_text() const = 0;
+  /// To be called when the data changed.
+  void rebuild();
+
+  [[nodiscard]] QCustomPlot& chart() const { return *chart_; }
+  /// Small words inside the plot, on the base colour.
+  void add_note(double x, double y, const QString& text, Qt::Alignment anchor);
+  /// Legend in a corner of the plot; call last.
+  void show_legend(Qt::Alignment corner);
+
+ private:
+  void dress();
+  void dress_axis(QCPAxis* axis) const;
+  QCustomPlot* chart_;
+};
+
+}  // namespace alltact

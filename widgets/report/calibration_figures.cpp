@@ -1,0 +1,119 @@
+#include "widgets/report/calibration_figures.h"
+
+#include "core/finger/mapping.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+constexpr double kCellMm = 1.0;
+constexpr int kCurvePoints = 120;
+
+QString title_of(FaceQuantity quantity) {
+  const auto tr = [](const char* text) { return QCoreApplication::translate("Figures", text); };
+  switch (quantity) {
+    case FaceQuantity::kResidual:
+      return tr("Residual (mm)");
+    case FaceQuantity::kHeldOut:
+      return tr("Error, left out (mm)");
+    case FaceQuantity::kDepthSd:
+      return tr("Depth's sd (mm)");
+    case FaceQuantity::kCoverage:
+      break;
+  }
+  return tr("Pressed depth (mm)");
+}
+
+const BallFit* ball_of(const Calibration& calibration, const std::string& press) {
+  const auto ball = std::find_if(calibration.balls.begin(),
+                                 calibration.balls.end(),
+                                 [&](const BallFit& one) { return one.press == press; });
+  return ball == calibration.balls.end() ? nullptr : &*ball;
+}
+
+}  // namespace
+
+MappingPlotData mapping_figure(const Calibration& calibration,
+                               const std::vector<PressResiduals>& residuals) {
+  MappingPlotData data;
+  const auto mapping = Mapping::create(calibration.mapping);
+  if (!mapping) return data;
+  data.x_max = mapping->x_max();
+  if (calibration.mapping.along != MappingAlong::kZ)
+    data.depth_axis = QCoreApplication::translate("Figures", "Press depth, %1 (mm)")
+                          .arg(calibration.mapping.along == MappingAlong::kNormal
+                                   ? QCoreApplication::translate("Figures", "along the normal")
+                                   : QCoreApplication::translate("Figures", "projected"));
+  for (int i = 0; i <= kCurvePoints; ++i) {
+    const double x = data.x_max * i / kCurvePoints;
+    data.curve.push_back({x, mapping->depth_mm(x), mapping->depth_sd_mm(x)});
+  }
+  for (const PressResiduals& press : residuals)
+    for (const ResidualSample& sample : press.samples)
+      data.points.push_back(
+          {sample.x, sample.ball_depth_mm / sample.factor, sample.rim <= kSureRim});
+  return data;
+}
+
+std::vector<PressError> press_errors(const Calibration& calibration) {
+  std::vector<PressError> errors;
+  for (const BallFit& ball : calibration.balls) {
+    PressError& error = errors.emplace_back();
+    error.press = ball.press;
+    error.residual_mm = ball.residual_mm;
+    if (ball.held_out_mm > 0) error.held_out_mm = ball.held_out_mm;
+  }
+  return errors;
+}
+
+FaceMapData face_figure(FaceQuantity quantity,
+                        const Calibration& calibration,
+                        const std::vector<PressResiduals>& residuals,
+                        FaceKind kind) {
+  double length = 0, width = 0;
+  for (const PressResiduals& press : residuals) {
+    length = std::max(length, press.face_length_mm);
+    width = std::max(width, press.face_width_mm);
+  }
+  FaceMapData data;
+  const auto mapping = Mapping::create(calibration.mapping);
+  if (length > 0 && width > 0 && mapping) {
+    FaceCells cells(length, width, kCellMm);
+    for (const PressResiduals& press : residuals) {
+      const BallFit* ball = ball_of(calibration, press.press);
+      for (const ResidualSample& sample : press.samples) {
+        double value = sample.ball_depth_mm;
+        if (quantity == FaceQuantity::kResidual) {
+          if (sample.rim > kSureRim) continue;
+          value = std::abs(sample.residual_mm);
+        }
+        if (quantity == FaceQuantity::kDepthSd)
+          value = mapping->depth_sd_mm(sample.x, {sample.along_mm, sample.across_mm});
+        if (quantity == FaceQuantity::kHeldOut) {
+          if (ball == nullptr || !(ball->held_out_mm > 0)) continue;
+          value = ball->held_out_mm;
+        }
+        cells.add(sample.along_mm, sample.across_mm, value);
+      }
+    }
+    data = cells.map();
+  }
+  data.quantity = title_of(quantity);
+  data.has_base = kind == FaceKind::kFinRay;
+  for (const PressResiduals& press : residuals)
+    data.contacts.push_back({press.along_mm, press.across_mm, press.contact_radius_mm, ""});
+  return data;
+}
+
+std::vector<double> all_errors(const std::vector<PressResiduals>& residuals) {
+  std::vector<double> errors;
+  for (const PressResiduals& press : residuals)
+    for (const ResidualSample& sample : press.samples)
+      if (sample.rim <= kSureRim) errors.push_back(sample.residual_mm);
+  return errors;
+}
+
+}  // namespace alltact

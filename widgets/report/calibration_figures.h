@@ -1,0 +1,34 @@
+// What the plots of a calibration show, taken from its figures. For the report and for the Studio.
+#pragma once
+
+#include "calibration/calibrate.h"
+#include "calibration/press_residuals.h"
+#include "widgets/plots/face_map_plot.h"
+#include "widgets/plots/mapping_plot.h"
+#include "widgets/plots/press_error_plot.h"
+
+#include <vector>
+
+namespace alltact {
+
+[[nodiscard]] MappingPlotData mapping_figure(const Calibration& calibration,
+                                             const std::vector<PressResiduals>& residuals);
+
+[[nodiscard]] std::vector<PressError> press_errors(const Calibration& calibration);
+
+enum class FaceQuantity {
+  kResidual = 1,  ///< mean magnitude of the residuals of a cell
+  kHeldOut,       ///< error of the presses there, each left out in turn
+  kDepthSd,       ///< standard deviation of the depth read there, as the fit knows its own curve
+  kCoverage,      ///< how deep the presses there went
+};
+/// In mm, over what the presses showed of the face; the contacts as circles.
+[[nodiscard]] FaceMapData face_figure(FaceQuantity quantity,
+                                      const Calibration& calibration,
+                                      const std::vector<PressResiduals>& residuals,
+                                      FaceKind kind);
+
+/// Signed, from the inner part of every contact, mm.
+[[nodiscard]] std::vector<double> all_errors(const std::vector<PressResiduals>& residuals);
+
+}  // namespace alltact

@@ -1,0 +1,23 @@
+// Qt without a screen, for programs that draw now and then.
+#pragma once
+
+#include <memory>
+
+class QApplication;
+
+namespace alltact {
+
+/// Makes a QApplication on the offscreen platform where there is none yet, whatever display the
+/// user has, and keeps it while it lives. To be made in the main thread.
+class OffscreenDrawing {
+ public:
+  OffscreenDrawing();
+  ~OffscreenDrawing();
+  OffscreenDrawing(const OffscreenDrawing&) = delete;
+  OffscreenDrawing& operator=(const OffscreenDrawing&) = delete;
+
+ private:
+  std::unique_ptr<QApplication> application_;
+};
+
+}  // namespace alltact
