@@ -5,7 +5,6 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QVBoxLayout>
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -27,8 +26,8 @@ constexpr std::array<std::uint32_t, 9> kImportant{V4L2_CID_EXPOSURE_AUTO,
                                                   V4L2_CID_BRIGHTNESS};
 
 std::size_t rank(const CameraControl& control) {
-  return static_cast<std::size_t>(
-      std::find(kImportant.begin(), kImportant.end(), control.id) - kImportant.begin());
+  return static_cast<std::size_t>(std::find(kImportant.begin(), kImportant.end(), control.id) -
+                                  kImportant.begin());
 }
 
 QString name_of(const CameraControl& control) {
@@ -124,7 +123,8 @@ class ControlPanel::Row : public QWidget {
     slider_ = new QSlider(Qt::Horizontal);
     slider_->setRange(number_->minimum(), number_->maximum());
     slider_->setSingleStep(number_->singleStep());
-    slider_->setPageStep(std::max(number_->singleStep(), (slider_->maximum() - slider_->minimum()) / 10));
+    slider_->setPageStep(
+        std::max(number_->singleStep(), (slider_->maximum() - slider_->minimum()) / 10));
     slider_->setAccessibleName(name_of(control_));
     const QString range = ControlPanel::tr("%1 to %2")
                               .arg(QLocale().toString(qint64{control_.low}),
@@ -201,10 +201,12 @@ ControlPanel::ControlPanel(QWidget* parent)
     lock_->setText(tr("&Lock brightness"));
     lock_->setAccessibleDescription(
         tr("Automatic modes stay off, and what changes by itself is put back."));
-    reason_->setText(tr("Brightness is the measurement: locked, nothing changes it. "
-                        "Unlock it before calibrating only."));
-    empty_->setText(tr("A camera's exposure, gain, white balance and focus stand here. "
-                       "This source is no camera."));
+    reason_->setText(
+        tr("Brightness is the measurement: locked, nothing changes it. "
+           "Unlock it before calibrating only."));
+    empty_->setText(
+        tr("A camera's exposure, gain, white balance and focus stand here. "
+           "This source is no camera."));
   });
   refresh();
 }
@@ -215,11 +217,10 @@ void ControlPanel::set_controls(const std::vector<CameraControl>& controls, bool
                controls.end(),
                std::back_inserter(shown),
                [](const CameraControl& control) { return control.is_setting(); });
-  std::stable_sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) {
-    return rank(a) < rank(b);
-  });
-  const bool is_same = std::equal(
-      shown.begin(), shown.end(), controls_.begin(), controls_.end(), is_same_control);
+  std::stable_sort(
+      shown.begin(), shown.end(), [](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const bool is_same =
+      std::equal(shown.begin(), shown.end(), controls_.begin(), controls_.end(), is_same_control);
   controls_ = std::move(shown);
   is_locked_ = is_locked;
   if (!is_same) rebuild();

@@ -8,7 +8,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QWidget>
-
 #include <map>
 #include <vector>
 

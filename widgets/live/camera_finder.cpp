@@ -3,7 +3,6 @@
 #include "core/sources/hot_plug.h"
 
 #include <QMetaObject>
-
 #include <mutex>
 #include <thread>
 
@@ -20,8 +19,7 @@ constexpr int kAfterNews_ms = 300;      // udev's links come a little behind the
 bool is_same(const std::vector<FoundCamera>& a, const std::vector<FoundCamera>& b) {
   return std::equal(
       a.begin(), a.end(), b.begin(), b.end(), [](const FoundCamera& x, const FoundCamera& y) {
-        return x.identity.node == y.identity.node &&
-               x.identity.lasting() == y.identity.lasting() &&
+        return x.identity.node == y.identity.node && x.identity.lasting() == y.identity.lasting() &&
                x.problem.has_value() == y.problem.has_value();
       });
 }

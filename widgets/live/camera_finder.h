@@ -4,7 +4,6 @@
 #include "core/sources/v4l2/camera_list.h"
 
 #include <QObject>
-
 #include <functional>
 #include <memory>
 #include <vector>

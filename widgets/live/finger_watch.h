@@ -50,7 +50,8 @@ class FingerWatch {
   PipelineSettings settings_;
 };
 
-/// The markers of two plain rows, seen; empty where a row is not plain (core/sensing/marker_rows.h).
+/// The markers of two plain rows, seen; empty where a row is not plain
+/// (core/sensing/marker_rows.h).
 [[nodiscard]] std::optional<Markers> number_plain_rows(const std::vector<Dot>& dots,
                                                        int per_row,
                                                        bool base_at_low_u);

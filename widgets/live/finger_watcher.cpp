@@ -24,7 +24,7 @@ struct FingerWatcher::Loading {
 struct FingerWatcher::State {
   mutable std::mutex mutex;
   FingerStatus status;
-  std::shared_ptr<Loading> loading;  // the one that counts
+  std::shared_ptr<Loading> loading;   // the one that counts
   std::unique_ptr<FingerWatch> next;  // loaded, for the watching thread to take
   std::shared_ptr<const LiveView> view;
   WantedLayers layers;
@@ -103,8 +103,7 @@ void FingerWatcher::watch(const std::stop_token& stop) {
       layers = state_->layers;
       view->depth_top_mm = state_->depth_top_mm;
     }
-    const bool is_next =
-        last && last->origin == frame->origin && frame->sequence > last->sequence;
+    const bool is_next = last && last->origin == frame->origin && frame->sequence > last->sequence;
     last = frame;
     view->watched = (*finger)(frame, is_next);
     const FrameResult& result = view->watched.result;

@@ -61,7 +61,8 @@ cv::Mat depth_layer(const DepthMap& depth, double top_mm) {
 }
 
 cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result) {
-  static const Pixel bright = premultiplied({230, 60, 40}, 1), dark = premultiplied({60, 150, 255}, 1);
+  static const Pixel bright = premultiplied({230, 60, 40}, 1),
+                     dark = premultiplied({60, 150, 255}, 1);
   cv::Mat layer = cv::Mat::zeros(grey.size(), CV_8UC4);
   for (int u = 0; u < grey.cols; ++u) {
     const Rows rows = face_rows(result, u, grey.rows);

@@ -22,7 +22,8 @@ LiveSession::LiveSession(SourceOpener opener, QObject* parent) : QObject(parent)
   // On the watcher's thread: one event at most waits for this one.
   const auto tell = [this] {
     if (is_told_.exchange(true)) return;
-    QMetaObject::invokeMethod(this, [this] { take_view(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this] { take_view(); }, Qt::QueuedConnection);
   };
   watcher_ = std::make_unique<FingerWatcher>(hub_, tell);
   runner_ = std::make_unique<SourceRunner>(hub_, std::move(opener));

@@ -8,7 +8,6 @@
 
 #include <QObject>
 #include <QTimer>
-
 #include <atomic>
 #include <memory>
 
@@ -27,7 +26,7 @@ struct LiveStatus {
 class LiveSession : public QObject {
   Q_OBJECT
  public:
-  explicit LiveSession(SourceOpener opener = open_source, QObject* parent = nullptr);
+  explicit LiveSession(SourceOpener opener = &alltact::open_source, QObject* parent = nullptr);
   ~LiveSession() override;
 
   void open_source(const std::vector<std::filesystem::path>& inputs,

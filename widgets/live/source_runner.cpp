@@ -202,8 +202,8 @@ struct SourceRunner::Run {
   }
 
   void start_recorder(const Wanted& wish, const Source& source) {
-    auto started = Recorder::start(
-        wish.file, wish.settings, source.frames_per_s(), inputs.front().string());
+    auto started =
+        Recorder::start(wish.file, wish.settings, source.frames_per_s(), inputs.front().string());
     const std::lock_guard lock(mutex);
     is_stop_wanted = false;
     if (!started) {
@@ -340,8 +340,7 @@ std::optional<double> SourceRunner::age_ms(const Frame& frame, std::int64_t now_
   if (!run_ || frame.time_ns == 0) return std::nullopt;
   const std::lock_guard run_lock(run_->mutex);
   if (!run_->clock_offset_ns) return std::nullopt;
-  return std::max(0.0,
-                  static_cast<double>(now_ns - frame.time_ns - *run_->clock_offset_ns) * 1e-6);
+  return std::max(0.0, static_cast<double>(now_ns - frame.time_ns - *run_->clock_offset_ns) * 1e-6);
 }
 
 }  // namespace alltact

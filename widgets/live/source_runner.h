@@ -59,7 +59,7 @@ struct SourceStatus {
 /// Any thread may call any function. Frames are published to `hub`, which has to outlive this.
 class SourceRunner {
  public:
-  explicit SourceRunner(FrameHub& hub, SourceOpener opener = open_source);
+  explicit SourceRunner(FrameHub& hub, SourceOpener opener = &alltact::open_source);
   /// Asks everything to stop and waits for it, at most `kPatience`; what a stuck driver still holds
   /// then ends by itself.
   ~SourceRunner();

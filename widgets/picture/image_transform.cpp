@@ -15,8 +15,7 @@ double kept_offset(double offset, double covered, double room) {
 ImageTransform ImageTransform::fit(QSize picture, QSizeF widget) {
   if (picture.isEmpty() || widget.isEmpty()) return {};
   ImageTransform transform;
-  transform.scale =
-      std::min(widget.width() / picture.width(), widget.height() / picture.height());
+  transform.scale = std::min(widget.width() / picture.width(), widget.height() / picture.height());
   return transform.kept_in(picture, widget);
 }
 

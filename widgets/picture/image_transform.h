@@ -22,9 +22,7 @@ struct ImageTransform {
     return (widget - offset) / scale - QPointF(0.5, 0.5);
   }
   /// What the whole picture covers.
-  [[nodiscard]] QRectF covered(QSize picture) const {
-    return {offset, QSizeF(picture) * scale};
-  }
+  [[nodiscard]] QRectF covered(QSize picture) const { return {offset, QSizeF(picture) * scale}; }
 
   /// The whole picture as large as it goes, in the middle.
   [[nodiscard]] static ImageTransform fit(QSize picture, QSizeF widget);

@@ -6,7 +6,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-
 #include <algorithm>
 #include <cmath>
 
@@ -56,7 +55,7 @@ void ImageView::show_picture(const cv::Mat& grey, std::vector<Overlay> overlays)
 
 void ImageView::show_message(const QString& message) {
   if (grey_.empty() && message_ == message) return;
-  grey_ = {};
+  grey_ = cv::Mat();
   overlays_.clear();
   hovered_.reset();
   pinned_.reset();
@@ -153,7 +152,8 @@ void ImageView::paint_probe(QPainter& painter) const {
   const QPointF middle = transform_.to_widget(*pinned_);
   const double half = std::max(6.0, 0.5 * transform_.scale);
   painter.setBrush(Qt::NoBrush);
-  for (const auto& [colour, width] : {std::pair{QColor(Qt::black), 4.0}, {QColor(Qt::white), 1.5}}) {
+  for (const auto& [colour, width] :
+       {std::pair{QColor(Qt::black), 4.0}, {QColor(Qt::white), 1.5}}) {
     painter.setPen(QPen(colour, width));
     painter.drawRect(QRectF(middle - QPointF(half, half), QSizeF(2 * half, 2 * half)));
     painter.drawLine(middle - QPointF(half + 8, 0), middle - QPointF(half, 0));

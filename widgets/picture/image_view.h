@@ -7,7 +7,6 @@
 
 #include <QPixmap>
 #include <QWidget>
-
 #include <functional>
 #include <optional>
 #include <vector>

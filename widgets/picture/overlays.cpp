@@ -6,7 +6,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,10 +13,10 @@ namespace alltact {
 namespace {
 
 const QColor kHalo(0, 0, 0, 190);
-const QColor kEdge(86, 180, 233);      // Okabe and Ito's sky blue
-const QColor kSeen(255, 214, 64);      // yellow
+const QColor kEdge(86, 180, 233);       // Okabe and Ito's sky blue
+const QColor kSeen(255, 214, 64);       // yellow
 const QColor kEstimated(240, 145, 90);  // orange
-const QColor kArrow(47, 199, 155);     // bluish green
+const QColor kArrow(47, 199, 155);      // bluish green
 const QColor kText(255, 255, 255);
 
 void stroke(QPainter& painter,
@@ -169,8 +168,7 @@ Overlay colour_bar_overlay(double top_mm, const QString& title) {
     painter.drawRoundedRect(panel, 4, 4);
     painter.setPen(kText);
     painter.drawText(QPointF(panel.left() + kGap, panel.top() + metrics.ascent() + 3), title);
-    const QRectF bar(
-        panel.left() + kGap, panel.top() + 1.8 * metrics.height(), kWidth, height);
+    const QRectF bar(panel.left() + kGap, panel.top() + 1.8 * metrics.height(), kWidth, height);
     QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
     for (int i = 0; i <= 16; ++i) {
       const MapColour colour = viridis(i / 16.0);

@@ -38,7 +38,8 @@ inline constexpr std::size_t kBendDirections = 6;
 struct BendPicture {
   BendNeed need;
   std::array<double, kBendDirections> reached{};  ///< parts of what is needed, 1: enough
-  /// Poses in bend (columns) and sway (rows), each from -1.5 to 1.5 times what is needed; how often.
+  /// Poses in bend (columns) and sway (rows), each from -1.5 to 1.5 times what is needed; how
+  /// often.
   static constexpr int kCells = 15;
   std::array<std::uint32_t, kCells * kCells> visits{};
   std::optional<BendPose> now;

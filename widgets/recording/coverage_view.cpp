@@ -5,7 +5,6 @@
 
 #include <QPainter>
 #include <QPainterPath>
-
 #include <algorithm>
 #include <cmath>
 
@@ -77,10 +76,8 @@ void CoverageView::paintEvent(QPaintEvent* /*event*/) {
   const QRectF field(0.5 * (width() - side), line, side, side);
   paint_field(painter, field);
   paint_label(painter, {field.left(), 0, side, line}, Qt::AlignCenter, BendDirection::kUp);
-  paint_label(painter,
-              {field.left(), field.bottom(), side, line},
-              Qt::AlignCenter,
-              BendDirection::kDown);
+  paint_label(
+      painter, {field.left(), field.bottom(), side, line}, Qt::AlignCenter, BendDirection::kDown);
   const QRectF middle(field.left() + 6, field.center().y() - line - 2, side - 12, line);
   paint_label(painter, middle, Qt::AlignLeft | Qt::AlignVCenter, BendDirection::kTowards);
   paint_label(painter, middle, Qt::AlignRight | Qt::AlignVCenter, BendDirection::kAway);
@@ -102,8 +99,8 @@ void CoverageView::paint_field(QPainter& painter, const QRectF& field) const {
       if (visits == 0) continue;
       QColor colour = visited;
       colour.setAlphaF(static_cast<float>(std::min(1.0, 0.35 + 0.1 * std::log2(visits))));
-      painter.fillRect(
-          QRectF(field.left() + column * step, field.top() + row * step, step, step), colour);
+      painter.fillRect(QRectF(field.left() + column * step, field.top() + row * step, step, step),
+                       colour);
     }
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(line, 1));
@@ -177,8 +174,7 @@ void CoverageView::paint_sign(QPainter& painter, QPointF centre, bool is_reached
   } else {
     path.addEllipse(centre, r, r);
   }
-  const QColor colour =
-      meaning_colour(is_reached ? Meaning::kGood : Meaning::kDoubtful, palette());
+  const QColor colour = meaning_colour(is_reached ? Meaning::kGood : Meaning::kDoubtful, palette());
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(path);

@@ -49,8 +49,7 @@ bool Problem::says_the_same(const Problem& other) const {
          action == other.action;
 }
 
-ProblemList::ProblemList(QWidget* parent)
-    : Translated(parent), rows_(new QVBoxLayout(this)) {
+ProblemList::ProblemList(QWidget* parent) : Translated(parent), rows_(new QVBoxLayout(this)) {
   rows_->setContentsMargins(0, 0, 0, 0);
   rows_->setSpacing(4);
   set_accessible_role(*this, QAccessible::List);
@@ -91,22 +90,20 @@ QWidget* ProblemList::make_row(const Problem& problem) {
   row->setAccessibleName(word + QStringLiteral(": ") + problem.what + QLatin1Char(' ') +
                          problem.advice);
   const QColor colour = meaning_colour(problem.meaning, palette());
-  row->setStyleSheet(
-      QStringLiteral("#problem { border: 1px solid %1; border-left: 5px solid %1; "
-                     "background: %2; } #problem:focus { border: 2px solid %3; }")
-          .arg(colour.name(),
-               palette().color(QPalette::Base).name(),
-               palette().color(QPalette::Highlight).name()));
+  row->setStyleSheet(QStringLiteral("#problem { border: 1px solid %1; border-left: 5px solid %1; "
+                                    "background: %2; } #problem:focus { border: 2px solid %3; }")
+                         .arg(colour.name(),
+                              palette().color(QPalette::Base).name(),
+                              palette().color(QPalette::Highlight).name()));
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(10, 6, 10, 6);
   auto* picture = new QLabel;
   picture->setPixmap(symbol(symbol_of(problem.meaning), colour, kSymbol, devicePixelRatioF()));
   picture->setAccessibleName(word);
   layout->addWidget(picture, 0, Qt::AlignTop);
-  auto* text = new QLabel(QStringLiteral("<b>%1:</b> %2 %3")
-                              .arg(word.toHtmlEscaped(),
-                                   problem.what.toHtmlEscaped(),
-                                   problem.advice.toHtmlEscaped()));
+  auto* text = new QLabel(
+      QStringLiteral("<b>%1:</b> %2 %3")
+          .arg(word.toHtmlEscaped(), problem.what.toHtmlEscaped(), problem.advice.toHtmlEscaped()));
   text->setTextFormat(Qt::RichText);
   text->setWordWrap(true);
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -7,7 +7,6 @@
 
 #include <QFrame>
 #include <QVBoxLayout>
-
 #include <optional>
 #include <vector>
 
