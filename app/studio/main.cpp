@@ -1,10 +1,10 @@
 // `alltact-studio`: the desktop program.
 #include "app/studio/main_window.h"
+#include "widgets/shell/studio_style.h"
 
 #include <QApplication>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QTimer>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   QApplication application(only_name, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("alltact"));
   QCoreApplication::setApplicationName(QStringLiteral("alltact-studio"));
-  QApplication::setStyle(QStringLiteral("Fusion"));
+  QApplication::setStyle(new StudioStyle);
   Dresser dresser;
   {
     const QSettings settings;

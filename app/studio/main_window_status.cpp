@@ -48,7 +48,7 @@ void MainWindow::show_header(const LiveStatus& status) {
 
 void MainWindow::show_line(const LiveStatus& status) {
   const QLocale locale;
-  const bool is_open = !state_.source.empty();
+  const bool is_open = session_.view() != nullptr;
   for (QLabel* label : {delivered_, lost_, age_, time_}) label->setVisible(is_open);
   if (!is_open) return;
   const SourceStatus& source = status.source;
@@ -62,9 +62,8 @@ void MainWindow::show_line(const LiveStatus& status) {
   age_->setText(status.age_ms ? tr("picture %1 ms old").arg(locale.toString(*status.age_ms, 'f', 0))
                               : tr("pictures without times"));
   const auto& view = session_.view();
-  time_->setText(
-      view ? tr("%1 ms a frame").arg(locale.toString(view->watched.result.times_ms.total, 'f', 1))
-           : QString());
+  time_->setText(view ? tr("%1 ms a frame").arg(locale.toString(session_.times_ms().total, 'f', 1))
+                      : QString());
 }
 
 std::vector<Problem> MainWindow::problems_of(const LiveStatus& status) {

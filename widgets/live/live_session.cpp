@@ -10,6 +10,19 @@ namespace {
 constexpr int kBetweenLooks_ms = 200;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::size_t kMostAges = 1000;
+constexpr double kNewShare = 0.2;  // of a frame in the times shown
+
+void smooth(StepTimes& shown, const StepTimes& next) {
+  for (const auto step : {&StepTimes::prepare,
+                          &StepTimes::edges,
+                          &StepTimes::global,
+                          &StepTimes::markers,
+                          &StepTimes::reference,
+                          &StepTimes::local,
+                          &StepTimes::contact,
+                          &StepTimes::total})
+    shown.*step += kNewShare * (next.*step - shown.*step);
+}
 
 bool is_scene(const std::vector<std::filesystem::path>& inputs) {
   return inputs.size() == 1 &&
@@ -81,6 +94,7 @@ void LiveSession::take_view() {
   auto view = watcher_->take();
   if (!view) return;
   view_ = std::move(view);
+  smooth(times_ms_, view_->watched.result.times_ms);
   const std::int64_t now_ns = monotonic_ns();
   taken_ns_.push_back(now_ns);
   while (taken_ns_.front() < now_ns - kSecond_ns) taken_ns_.pop_front();

@@ -44,6 +44,8 @@ class LiveSession : public QObject {
   /// The newest view; null before the first.
   [[nodiscard]] const std::shared_ptr<const LiveView>& view() const { return view_; }
   [[nodiscard]] const LiveStatus& status() const { return status_; }
+  /// Times of a frame, smoothed over several so that they can be read.
+  [[nodiscard]] const StepTimes& times_ms() const { return times_ms_; }
   /// Ages of the last views when they were taken, ms; at most the last thousand.
   [[nodiscard]] const std::deque<double>& ages_ms() const { return ages_ms_; }
 
@@ -70,6 +72,7 @@ class LiveSession : public QObject {
   RecordingStatus last_recording_;  // of a source that was closed since
   std::deque<std::int64_t> taken_ns_;
   std::deque<double> ages_ms_;
+  StepTimes times_ms_;
   QTimer timer_;
 };
 

@@ -22,7 +22,7 @@ QPoint nearest_pixel(QPointF picture) {
 }
 
 QColor background(const QPalette& palette) {
-  return palette.color(QPalette::Base);
+  return palette.color(QPalette::Window);
 }
 
 }  // namespace

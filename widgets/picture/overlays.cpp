@@ -154,22 +154,27 @@ Overlay colour_bar_overlay(double top_mm, const QString& title) {
   return [top_mm, title](QPainter& painter, const ImageTransform& /*transform*/) {
     const QRectF room(painter.viewport());
     const QFontMetricsF metrics(painter.font());
-    constexpr double kWidth = 16, kMargin = 14, kGap = 6;
+    constexpr double kHeight = 14, kMargin = 10, kGap = 8;
+    constexpr int kTicks = 4;
     const QLocale locale;
-    const double height = std::clamp(0.4 * room.height(), 80.0, 220.0);
-    const double text = metrics.horizontalAdvance(locale.toString(top_mm, 'f', 2));
-    const double panel_width = std::max(kWidth + kGap + text, metrics.horizontalAdvance(title));
-    const QRectF panel(room.right() - kMargin - panel_width - 2 * kGap,
-                       room.bottom() - kMargin - height - 2.4 * metrics.height(),
-                       panel_width + 2 * kGap,
-                       height + 2.4 * metrics.height());
+    const double width = std::clamp(0.3 * room.width(), 160.0, 280.0);
+    const double number = metrics.horizontalAdvance(locale.toString(top_mm, 'f', 2));
+    const double height = kHeight + 2 * metrics.height() + 2 * kGap;
+    const QRectF panel(room.right() - kMargin - width - number - 2 * kGap,
+                       room.bottom() - kMargin - height,
+                       width + number + 2 * kGap,
+                       height);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 170));
+    painter.setBrush(QColor(0, 0, 0, 190));
     painter.drawRoundedRect(panel, 4, 4);
     painter.setPen(kText);
-    painter.drawText(QPointF(panel.left() + kGap, panel.top() + metrics.ascent() + 3), title);
-    const QRectF bar(panel.left() + kGap, panel.top() + 1.8 * metrics.height(), kWidth, height);
-    QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
+    painter.drawText(QPointF(panel.left() + kGap, panel.top() + kGap / 2 + metrics.ascent()),
+                     title);
+    const QRectF bar(panel.left() + kGap + 0.5 * number,
+                     panel.top() + kGap / 2 + metrics.height() + 3,
+                     width,
+                     kHeight);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
     for (int i = 0; i <= 16; ++i) {
       const MapColour colour = viridis(i / 16.0);
       gradient.setColorAt(i / 16.0, QColor(colour.red, colour.green, colour.blue));
@@ -178,10 +183,12 @@ Overlay colour_bar_overlay(double top_mm, const QString& title) {
     painter.setPen(Qt::NoPen);
     painter.drawRect(bar);
     painter.setPen(kText);
-    for (int i = 0; i <= 4; ++i) {
-      const double y = bar.bottom() - bar.height() * i / 4;
-      painter.drawText(QPointF(bar.right() + kGap, y + 0.5 * metrics.capHeight()),
-                       locale.toString(top_mm * i / 4, 'f', 2));
+    for (int i = 0; i <= kTicks; ++i) {
+      const QString text = locale.toString(top_mm * i / kTicks, 'f', 2);
+      const double x = bar.left() + bar.width() * i / kTicks;
+      painter.drawText(
+          QPointF(x - 0.5 * metrics.horizontalAdvance(text), bar.bottom() + 3 + metrics.ascent()),
+          text);
     }
   };
 }

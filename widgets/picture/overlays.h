@@ -23,7 +23,7 @@ namespace alltact {
 [[nodiscard]] Overlay touch_overlay(const Touch& touch, const Markers& markers);
 /// A layer of LiveView.
 [[nodiscard]] Overlay layer_overlay(const cv::Mat& layer);
-/// The scale of the depth's colours, 0 to top_mm, at the lower right of the picture.
+/// The scale of the depth's colours, 0 to top_mm, at the lower right of the view.
 [[nodiscard]] Overlay colour_bar_overlay(double top_mm, const QString& title);
 
 }  // namespace alltact

@@ -11,7 +11,6 @@ namespace alltact {
 namespace {
 
 constexpr int kSideWidth = 300;
-constexpr double kNewShare = 0.2;  // of a frame in the times shown, so that they can be read
 
 enum MergeId { kDepthTop = 1, kControls = 1000 };
 
@@ -56,7 +55,6 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
   connect(controls_, &ControlPanel::control_changed, this, &LivePlace::change_control);
   connect(controls_, &ControlPanel::lock_changed, this, &LivePlace::change_lock);
   connect(&session_, &LiveSession::status_ready, this, &LivePlace::show_status);
-  connect(&session_, &LiveSession::view_ready, this, &LivePlace::show_times);
   say([this] {
     over_->setTitle(tr("Over the picture"));
     const std::array<QString, 5> names{tr("&Edges of the face"),
@@ -163,35 +161,23 @@ void LivePlace::show_status() {
   const auto& view = session_.view();
   contact_->setText(view ? contact_text(*view) : tr("No picture yet."));
   const QLocale locale;
+  const StepTimes& times = session_.times_ms();
   QString rows;
   const auto add = [&](const QString& name, double milliseconds) {
     if (milliseconds <= 0) return;
     rows += QStringLiteral("<tr><td>%1</td><td align='right'>&nbsp;&nbsp;%2</td></tr>")
                 .arg(name, tr("%1 ms").arg(locale.toString(milliseconds, 'f', 2)));
   };
-  add(tr("Picture made ready"), smooth_.prepare);
-  add(tr("Edges"), smooth_.edges);
-  add(tr("Shape"), smooth_.global);
-  add(tr("Markers"), smooth_.markers);
-  add(tr("Reference"), smooth_.reference);
-  add(tr("Depth"), smooth_.local);
-  add(tr("Contacts"), smooth_.contact);
-  add(tr("All together"), smooth_.total);
+  add(tr("Preparation"), times.prepare);
+  add(tr("Edges"), times.edges);
+  add(tr("Shape"), times.global);
+  add(tr("Markers"), times.markers);
+  add(tr("Reference"), times.reference);
+  add(tr("Depth"), times.local);
+  add(tr("Contacts"), times.contact);
+  add(tr("All together"), times.total);
   times_->setText(rows.isEmpty() ? tr("No picture yet.")
                                  : QStringLiteral("<table>%1</table>").arg(rows));
-}
-
-void LivePlace::show_times() {
-  const StepTimes& times = session_.view()->watched.result.times_ms;
-  for (const auto step : {&StepTimes::prepare,
-                          &StepTimes::edges,
-                          &StepTimes::global,
-                          &StepTimes::markers,
-                          &StepTimes::reference,
-                          &StepTimes::local,
-                          &StepTimes::contact,
-                          &StepTimes::total})
-    smooth_.*step += kNewShare * (times.*step - smooth_.*step);
 }
 
 }  // namespace alltact

@@ -37,7 +37,6 @@ class LivePlace : public Translated<QWidget> {
   void change_control(std::uint32_t id, std::int64_t before, std::int64_t value);
   void change_lock(bool is_locked);
   void show_status();
-  void show_times();
 
   LiveSession& session_;
   QUndoStack& undo_;
@@ -49,7 +48,6 @@ class LivePlace : public Translated<QWidget> {
   QDoubleSpinBox* top_;
   QLabel *contact_, *times_;
   ControlPanel* controls_;
-  StepTimes smooth_;
 };
 
 }  // namespace alltact

@@ -118,10 +118,10 @@ void RecordPlace::make_recording_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(recording_group_);
   auto* line = new QHBoxLayout;
   file_label_->setBuddy(file_);
-  layout->addWidget(file_label_);
-  line->addWidget(file_, 1);
+  line->addWidget(file_label_, 1);
   line->addWidget(browse_);
   layout->addLayout(line);
+  layout->addWidget(file_);
   record_->setMinimumHeight(36);
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
   for (QWidget* widget : {static_cast<QWidget*>(record_),

@@ -1,0 +1,22 @@
+// Qt's Fusion, with outlines that can be seen on black: Fusion draws them darker than the window.
+#pragma once
+
+#include <QProxyStyle>
+
+namespace alltact {
+
+class StudioStyle : public QProxyStyle {
+ public:
+  StudioStyle();
+
+  void drawPrimitive(PrimitiveElement element,
+                     const QStyleOption* option,
+                     QPainter* painter,
+                     const QWidget* widget = nullptr) const override;
+  void drawComplexControl(ComplexControl control,
+                          const QStyleOptionComplex* option,
+                          QPainter* painter,
+                          const QWidget* widget = nullptr) const override;
+};
+
+}  // namespace alltact
