@@ -152,8 +152,9 @@ void MainWindow::make_menus() {
      &MainWindow::close);
   undo_action_ = undo_.createUndoAction(this);
   redo_action_ = undo_.createRedoAction(this);
-  undo_action_->setShortcut(QKeySequence::Undo);
-  redo_action_->setShortcut(QKeySequence::Redo);
+  undo_action_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
+  redo_action_->setShortcuts(
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   edit_menu_->addAction(undo_action_);
   edit_menu_->addAction(redo_action_);
   make_view_menu();

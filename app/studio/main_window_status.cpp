@@ -97,9 +97,8 @@ void MainWindow::add_source_problems(const LiveStatus& status,
     problems.push_back(std::move(ended));
   }
   if (status.desk.problem) problems.push_back(Problem::of(*status.desk.problem));
-  if (source.camera && !source.camera->remarks.empty())
-    problems.push_back(
-        {Meaning::kDoubtful, QString::fromStdString(source.camera->remarks.back()), {}, {}, {}});
+  if (!status.remark.empty())
+    problems.push_back({Meaning::kDoubtful, QString::fromStdString(status.remark), {}, {}, {}});
 }
 
 void MainWindow::add_finger_problems(const LiveStatus& status,

@@ -25,7 +25,10 @@ SourceOpener with_camera(FakeCamera& fake) {
     CameraPlace place;
     place.calls = &fake;
     place.identity = "camera";
-    place.find_node = [] { return Result<std::string>(std::string("/dev/video0")); };
+    place.find_node = [&fake]() -> Result<std::string> {
+      if (!fake.is_plugged()) return Error{"there is no such camera", "camera", ""};
+      return std::string("/dev/video0");
+    };
     auto camera = V4l2Camera::open(place, {});
     if (!camera) return camera.error();
     return std::unique_ptr<Source>(std::make_unique<CameraSource>(std::move(*camera)));
@@ -179,8 +182,9 @@ TEST(Live, SaysThatTheCameraWasUnpluggedAndGoesOnWhenItIsBack) {
   const auto before = studio.session().status().source.delivered;
   fake.plug_in();
   EXPECT_TRUE(wait_until([&] { return studio.session().status().source.delivered > before + 10; }));
-  EXPECT_TRUE(
-      wait_until([&] { return studio.problems().find("was unplugged") == std::string::npos; }));
+  EXPECT_TRUE(wait_until([&] {
+    return studio.problems().find("was unplugged") == std::string::npos;
+  })) << studio.problems();
 }
 
 TEST(Live, SaysThatTheCameraIsTakenAndTheProgramGoesOn) {
@@ -263,10 +267,7 @@ TEST(Live, GoesOnAfterACrashWithWhatWasKept) {
   kept.source = {MadeFingers::get().touched()};
   kept.view.edges = false;
   { SessionKeeper(options.session_folder).keep(kept); }
-  QFile lock(QString::fromStdString((options.session_folder / "running.lock").string()));
-  ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
-  lock.write("4194303\nalltact-studio\nno-such-host\n\n\n");
-  lock.close();
+  leave_as_after_a_crash(options.session_folder);
   Studio studio(options);
   EXPECT_THAT(studio.problems(), HasSubstr("ended unexpectedly"));
   studio.click("Go on with it");

@@ -49,7 +49,8 @@ class RecordTest : public testing::Test {
     return wait_until([&] { return recording().state == state; }, 20000);
   }
   void record(std::uint64_t frames) {
-    ASSERT_TRUE(wait_until([&] { return recording().counts.recorded >= frames; }, 30000));
+    ASSERT_TRUE(wait_until([&] { return recording().counts.recorded >= frames; }, 30000))
+        << studio_->problems();
   }
   TemporaryFolder folder_;
   std::unique_ptr<Studio> studio_;
@@ -59,7 +60,7 @@ TEST_F(RecordTest, RecordsEveryFrameExactly) {
   const auto scene = MadeFingers::get().bending();
   open(scene, MadeFingers::get().calibrated());
   type_file(folder_ / "bend.mkv");
-  studio_->click("Record");
+  studio_->click("Start recording");
   record(40);
   studio_->click("Stop recording");
   ASSERT_TRUE(wait_for(RecordingState::kDone));
@@ -93,13 +94,13 @@ TEST_F(RecordTest, SaysInPlaceThatAFolderCannotBeWrittenTo) {
   open(MadeFingers::get().bending(), MadeFingers::get().calibrated());
   std::ofstream(folder_ / "file") << "no folder";
   type_file(folder_ / "file/bend.mkv");
-  studio_->click("Record");
+  studio_->click("Start recording");
   ASSERT_TRUE(wait_for(RecordingState::kDone));
   ASSERT_TRUE(wait_until([&] { return !studio_->problems().empty(); }));
   EXPECT_THAT(studio_->problems(), HasSubstr("file/bend.mkv"));
   EXPECT_THAT(studio_->problems(), HasSubstr("Try: "));
   type_file(folder_ / "bend.mkv");
-  studio_->click("Record");
+  studio_->click("Start recording");
   record(3);
   EXPECT_TRUE(wait_until([&] { return studio_->problems().empty(); }));
 }
@@ -108,7 +109,7 @@ TEST_F(RecordTest, NeverWritesOverARecording) {
   open(MadeFingers::get().bending(), MadeFingers::get().calibrated());
   std::ofstream(folder_ / "old.mkv") << "yesterday's";
   type_file(folder_ / "old.mkv");
-  studio_->click("Record");
+  studio_->click("Start recording");
   ASSERT_TRUE(wait_for(RecordingState::kDone));
   EXPECT_TRUE(wait_until([&] { return !studio_->problems().empty(); }));
   EXPECT_EQ(bytes_of(folder_ / "old.mkv"), "yesterday's");
@@ -126,7 +127,7 @@ TEST_F(RecordTest, WarnsWhileTheContactFaceIsTouched) {
 TEST_F(RecordTest, SaysWhatIsNeededFirst) {
   studio_ = std::make_unique<Studio>();
   QTest::keyClick(&studio_->window(), Qt::Key_2, Qt::ControlModifier);
-  EXPECT_FALSE(studio_->find<QPushButton>("Record")->isEnabled());
+  EXPECT_FALSE(studio_->find<QPushButton>("Start recording")->isEnabled());
   bool is_said = false;
   for (const QLabel* label : studio_->window().findChildren<QLabel*>())
     is_said = is_said || (label->isVisible() && label->text().contains("Open a source first"));
@@ -139,7 +140,7 @@ TEST_F(RecordTest, InstallsTheSameBytesAsTheCommandLine) {
     std::filesystem::copy(MadeFingers::get().described(), folder_ / name);
   open(MadeFingers::get().bending(), folder_ / "window");
   type_file(folder_ / "bend.mkv");
-  studio_->click("Record");
+  studio_->click("Start recording");
   record(45);
   studio_->click("Stop recording");
   ASSERT_TRUE(wait_for(RecordingState::kDone));
@@ -165,7 +166,7 @@ TEST_F(RecordTest, StoppingTheInstallationLeavesTheFingerAsItWas) {
   const std::string before = bytes_of(folder_ / "finger/finger.yaml");
   open(MadeFingers::get().bending(), folder_ / "finger");
   type_file(folder_ / "bend.mkv");
-  studio_->click("Record");
+  studio_->click("Start recording");
   record(60);
   studio_->click("Stop recording");
   ASSERT_TRUE(wait_for(RecordingState::kDone));

@@ -3,7 +3,7 @@
 
 #include "app/studio/session_keeper.h"
 #include "core/io/atomic_file.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/studio/studio_rig.h"
 
 #include <QTest>
 
@@ -76,9 +76,7 @@ TEST(SessionKeeper, KeepsTheLatest) {
 TEST(SessionKeeper, NoticesThatTheLastProgramDied) {
   const TemporaryFolder folder;
   { SessionKeeper(folder / "session").keep(example()); }
-  // The lock of a process that does not run any more.
-  ASSERT_TRUE(write_file_atomically(folder / "session/running.lock",
-                                    "4194303\nalltact-studio\nno-such-host\n\n\n"));
+  leave_as_after_a_crash(folder / "session");
   const SessionKeeper keeper(folder / "session");
   EXPECT_TRUE(keeper.has_crashed());
   EXPECT_EQ(*keeper.last(), example());

@@ -26,15 +26,15 @@ std::string small_scene(bool is_touched, int width_px) {
       "why: a test looks at it\n"
       "frames: 60\n"
       "finger:\n"
-      "  camera: {{model: pinhole, size: [{}, {}], fx: {}, fy: {}, cx: {}, cy: {}}}\n"
+      "  camera: {{model: pinhole, size: [{1}, {2}], fx: {3}, fy: {3}, cx: {4}, cy: {5}}}\n"
       "  face: {{kind: fin_ray, width_mm: 24.0, layer_mm: 1.5}}\n"
       "  markers: {{per_row: 6, polarity: bright}}\n"
       "untouched: {{x_mm: -25.0, z_mm: 28.0, incline_deg: 34.0, length_mm: 116.0}}\n"
       "motion: {{kind: wander, frames_per_move: 10}}\n"
       "effects:\n"
-      "  - {{use: bend, q1_mm: {{from: -4.0, to: 4.0}}, q2_mm: {{from: -3.0, to: 3.0}}}}\n"
-      "  - {{use: sway, sway_mm: {{from: -3.0, to: 3.0}}}}\n"
-      "{}"
+      "  - {{use: bend, q1_mm: {{from: -{0}, to: {0}}}, q2_mm: {{from: -{0}, to: {0}}}}}\n"
+      "  - {{use: sway, sway_mm: {{from: -{0}, to: {0}}}}}\n"
+      "{6}"
       "  - {{use: markers, radius_mm: 1.5, setback_mm: 4.0, first: 0.1, last: 0.92, albedo: 0.9}}\n"
       "  - {{use: layer, scatter_per_mm: 0.6, along: normal}}\n"
       "  - {{use: sides, albedo: 0.12, depth_mm: 14.0}}\n"
@@ -45,9 +45,9 @@ std::string small_scene(bool is_touched, int width_px) {
       "      - {{at_mm: [4.0, 0.0, -20.0], power: 3300000.0, aim_mm: [71.0, 0.0, 93.0], lobe: 8}}\n"
       "  - {{use: read, sd: 1.0}}\n"
       "  - {{use: quantisation}}\n",
+      is_touched ? 0.3 : 3.0,  // a touched finger stays near the pose at rest
       width_px,
       width_px * 9 / 16,
-      523.9 * scale,
       523.9 * scale,
       0.5 * (width_px - 1),
       0.5 * (width_px * 9 / 16 - 1),
@@ -87,6 +87,16 @@ MadeFingers::MadeFingers() {
   }
 }
 
+void leave_as_after_a_crash(const std::filesystem::path& session_folder) {
+  constexpr int kNobody = 4194303;  // no process has this number here
+  must(write_file_atomically(session_folder / "running.lock",
+                             fmt::format("{}\nalltact-studio\n{}\n{}\n{}\n",
+                                         kNobody,
+                                         QSysInfo::machineHostName().toStdString(),
+                                         QSysInfo::machineUniqueId().toStdString(),
+                                         QSysInfo::bootUniqueId().toStdString())));
+}
+
 bool wait_until(const std::function<bool()>& is_so, int patience_ms) {
   return QTest::qWaitFor(is_so, patience_ms);
 }
@@ -112,7 +122,10 @@ QString Studio::text_of(const QWidget& widget) {
 }
 
 void Studio::click(const QString& button) {
-  if (auto* found = find<QAbstractButton>(button)) QTest::mouseClick(found, Qt::LeftButton);
+  auto* found = find<QAbstractButton>(button);
+  if (found == nullptr) return;
+  EXPECT_TRUE(wait_until([&] { return found->isEnabled(); })) << button.toStdString();
+  QTest::mouseClick(found, Qt::LeftButton);
 }
 
 std::string Studio::problems() const {

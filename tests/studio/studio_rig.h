@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/studio/main_window.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/program.h"
 
 #include <QAbstractButton>
 #include <QTest>
@@ -34,6 +34,9 @@ class MadeFingers {
   TemporaryFolder folder_;
 };
 
+/// What a program that died leaves in its session's folder.
+void leave_as_after_a_crash(const std::filesystem::path& session_folder);
+
 /// Turns the event loop until it is so; false after `patience_ms`.
 bool wait_until(const std::function<bool()>& is_so, int patience_ms = 10000);
 
@@ -54,6 +57,7 @@ class Studio {
     ADD_FAILURE() << "no visible widget is called " << name.toStdString();
     return nullptr;
   }
+  /// As soon as it can be clicked.
   void click(const QString& button);
   /// What the visible problem lists say, a line each.
   [[nodiscard]] std::string problems() const;

@@ -171,6 +171,15 @@ TEST(Window, EveryControlHasANameAndARole) {
   expect_names(empty.window());
 }
 
+/// Of buttons that exclude each other Tab goes to the chosen one, arrow keys to the others.
+bool is_stop(const QWidget& widget) {
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  const bool is_one_of_several = button != nullptr && button->group() != nullptr &&
+                                 button->group()->exclusive() && !button->isChecked();
+  return (widget.focusPolicy() & Qt::TabFocus) != 0 && !is_one_of_several &&
+         qobject_cast<const QMenuBar*>(&widget) == nullptr;
+}
+
 TEST(Window, EveryControlCanBeReachedByTab) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());
@@ -179,10 +188,8 @@ TEST(Window, EveryControlCanBeReachedByTab) {
     QTest::qWait(300);
     std::set<QWidget*> wanted;
     for (QWidget* widget : studio.window().findChildren<QWidget*>())
-      if (is_for_people(*widget) && widget->isEnabled() &&
-          qobject_cast<QMenuBar*>(widget) == nullptr)
-        wanted.insert(widget);
-    EXPECT_GT(wanted.size(), 10U);
+      if (is_for_people(*widget) && widget->isEnabled() && is_stop(*widget)) wanted.insert(widget);
+    EXPECT_GE(wanted.size(), 9U);
     studio.window().setFocus();
     for (int i = 0; i < 100; ++i) {
       QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : &studio.window(),
@@ -262,15 +269,18 @@ TEST(Settings, ThemeAndLanguageChangeAtOnce) {
   const auto boxes = dialog->findChildren<QComboBox*>();
   ASSERT_EQ(boxes.size(), 2);
   boxes[0]->setCurrentIndex(2);
-  EXPECT_TRUE(is_dark(studio.window().palette()));
+  EXPECT_TRUE(wait_until([&] { return is_dark(studio.window().palette()); }));
   boxes[0]->setCurrentIndex(1);
-  EXPECT_FALSE(is_dark(studio.window().palette()));
+  EXPECT_TRUE(wait_until([&] { return !is_dark(studio.window().palette()); }));
   boxes[1]->setCurrentIndex(2);
+  QTest::qWait(100);
   EXPECT_NE(studio.find<QPushButton>("Simulierter Finger"), nullptr);
   boxes[1]->setCurrentIndex(3);
+  QTest::qWait(100);
   EXPECT_EQ(QLocale().language(), QLocale::Chinese);
   EXPECT_EQ(studio.window().windowTitle(), QString::fromUtf8("AllTact Studio"));
   boxes[1]->setCurrentIndex(1);
+  QTest::qWait(100);
   EXPECT_NE(studio.find<QPushButton>("Simulated finger"), nullptr);
 }
 

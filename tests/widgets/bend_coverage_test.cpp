@@ -1,6 +1,8 @@
 // Poses that are put in by hand: what is told of them follows from the definition.
 #include "widgets/recording/bend_coverage.h"
 
+#include <numeric>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -5,7 +5,9 @@
 namespace alltact {
 namespace {
 
+using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kBetweenLooks{1000};
+constexpr std::chrono::seconds kTold{10};  // how long a refused change is told of
 
 }  // namespace
 
@@ -14,9 +16,12 @@ struct CameraDesk::State {
   std::condition_variable news;
   bool is_ending = false;
   std::shared_ptr<V4l2Camera> camera;
-  bool is_lock_wanted = true, is_lock_changed = false;
+  bool is_lock_wanted = true;
+  bool is_lock_changed = false;  // to be told to the camera...
+  bool is_lock_asked = false;    // ...and at once
   std::deque<ControlValue> changes;
   DeskStatus status;
+  Clock::time_point told_since;
 
   void run() {
     std::unique_lock lock(mutex);
@@ -24,7 +29,7 @@ struct CameraDesk::State {
       const auto working = camera;
       if (working) serve(*working, lock);
       news.wait_for(lock, kBetweenLooks, [&] {
-        return is_ending || camera != working || !changes.empty() || is_lock_changed;
+        return is_ending || camera != working || !changes.empty() || is_lock_asked;
       });
     }
   }
@@ -32,13 +37,15 @@ struct CameraDesk::State {
   void serve(V4l2Camera& working, std::unique_lock<std::mutex>& lock) {
     const auto todo = std::exchange(changes, {});
     const bool change_lock = std::exchange(is_lock_changed, false);
+    is_lock_asked = false;
     const bool want_lock = is_lock_wanted;
     lock.unlock();
     std::optional<Error> problem;
+    bool is_lock_failed = false;
     for (const ControlValue& change : todo)
       if (const Status status = working.set_control(change); !status) problem = status.error();
     if (change_lock && want_lock) {
-      if (const Status status = working.lock(); !status) problem = status.error();
+      is_lock_failed = !working.lock().ok();  // unplugged: tried again at the next look
     }
     if (change_lock && !want_lock) working.unlock();
     auto controls = working.controls();
@@ -47,7 +54,13 @@ struct CameraDesk::State {
     if (camera.get() != &working) return;
     if (controls) status.controls = std::move(*controls);
     status.is_locked = is_locked;
-    if (!todo.empty() || change_lock) status.problem = problem;
+    is_lock_changed = is_lock_changed || is_lock_failed;
+    if (problem) {
+      status.problem = problem;
+      told_since = Clock::now();
+    } else if (!todo.empty() || Clock::now() > told_since + kTold) {
+      status.problem.reset();
+    }
   }
 };
 
@@ -85,7 +98,7 @@ void CameraDesk::set_lock(bool is_locked) {
   const std::lock_guard lock(state_->mutex);
   if (state_->is_lock_wanted == is_locked) return;
   state_->is_lock_wanted = is_locked;
-  state_->is_lock_changed = true;
+  state_->is_lock_changed = state_->is_lock_asked = true;
   state_->news.notify_all();
 }
 

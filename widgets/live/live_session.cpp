@@ -115,6 +115,7 @@ void LiveSession::refresh() {
   status_.finger = watcher_->status();
   desk_.attach(runner_->camera(), wanted_controls_);
   status_.desk = desk_.status();
+  follow_remarks();
   const std::int64_t now_ns = monotonic_ns();
   while (!taken_ns_.empty() && taken_ns_.front() < now_ns - kSecond_ns) taken_ns_.pop_front();
   status_.shown_per_s = 0;
@@ -122,6 +123,16 @@ void LiveSession::refresh() {
     status_.shown_per_s = static_cast<double>(taken_ns_.size() - 1) * 1e9 /
                           static_cast<double>(taken_ns_.back() - taken_ns_.front());
   Q_EMIT status_ready();
+}
+
+void LiveSession::follow_remarks() {
+  constexpr std::int64_t kShown_ns = 10 * kSecond_ns;
+  const auto remarks =
+      status_.source.camera ? status_.source.camera->remarks : std::vector<std::string>{};
+  if (remarks != remarks_ && !remarks.empty()) remarked_ns_ = monotonic_ns();
+  remarks_ = remarks;
+  const bool is_shown = !remarks_.empty() && monotonic_ns() < remarked_ns_ + kShown_ns;
+  status_.remark = is_shown ? remarks_.back() : std::string();
 }
 
 }  // namespace alltact

@@ -21,6 +21,7 @@ struct LiveStatus {
   DeskStatus desk;
   double shown_per_s = 0;        ///< views taken over the last second
   std::optional<double> age_ms;  ///< of the last view, when it was taken
+  std::string remark;            ///< the camera's latest, for ten seconds; then empty
 };
 
 class LiveSession : public QObject {
@@ -59,6 +60,7 @@ class LiveSession : public QObject {
   void take_view();
   void refresh();
   void follow_scene();
+  void follow_remarks();
 
   FrameHub hub_;
   std::atomic<bool> is_told_{false};
@@ -73,6 +75,8 @@ class LiveSession : public QObject {
   std::deque<std::int64_t> taken_ns_;
   std::deque<double> ages_ms_;
   StepTimes times_ms_;
+  std::vector<std::string> remarks_;
+  std::int64_t remarked_ns_ = 0;
   QTimer timer_;
 };
 

@@ -306,7 +306,7 @@ QString RecordPlace::why_not(const LiveStatus& status) const {
 void RecordPlace::show_button(const LiveStatus& status) {
   const bool is_recording = status.recording.state == RecordingState::kRunning;
   const QString why = is_recording ? QString() : why_not(status);
-  record_->setText(is_recording ? tr("Stop &recording") : tr("&Record"));
+  record_->setText(is_recording ? tr("Stop &recording") : tr("Start &recording"));
   // A new text takes the shortcut away.
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
   record_->setToolTip(QStringLiteral("Ctrl+R"));
