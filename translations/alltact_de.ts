@@ -588,6 +588,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Calibrate it with ball presses (alltact calibrate).</source>
         <translation>Mit Kugeleindrücken kalibrieren (alltact calibrate).</translation>
     </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::NewFingerDialog</name>
@@ -861,10 +877,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Aufnahme a&amp;nhalten</translation>
     </message>
     <message>
-        <source>&amp;Record</source>
-        <translation>&amp;Aufnehmen</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Recording&lt;/b&gt; %1 min&lt;br&gt;%2, %3, %4 GB</source>
         <translation>&lt;b&gt;Aufnahme läuft&lt;/b&gt; %1 min&lt;br&gt;%2, %3, %4 GB</translation>
     </message>
@@ -986,6 +998,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Choose a file on another disk, or make room.</source>
         <translation>Eine Datei auf einem anderen Datenträger wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>Start &amp;recording</source>
+        <translation>Aufnahme &amp;starten</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Strg+R</translation>
     </message>
 </context>
 <context>

@@ -586,6 +586,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Calibrate it with ball presses (alltact calibrate).</source>
         <translation>用钢球按压进行标定(alltact calibrate)。</translation>
     </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>撤销:%1(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>重做:%1(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::NewFingerDialog</name>
@@ -859,10 +875,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>停止录制(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Record</source>
-        <translation>录制(&amp;R)</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Recording&lt;/b&gt; %1 min&lt;br&gt;%2, %3, %4 GB</source>
         <translation>&lt;b&gt;正在录制&lt;/b&gt; %1 分钟&lt;br&gt;%2,%3,%4 GB</translation>
     </message>
@@ -975,6 +987,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Choose a file on another disk, or make room.</source>
         <translation>请选择其他磁盘上的文件,或清理空间。</translation>
+    </message>
+    <message>
+        <source>Start &amp;recording</source>
+        <translation>开始录制(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
     </message>
 </context>
 <context>

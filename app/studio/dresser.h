@@ -17,7 +17,7 @@ class Dresser {
   void speak(const QString& language);
 
   Appearance appearance_;
-  QString spoken_ = QStringLiteral("en");
+  QString spoken_;  // nothing at first: English has plurals to load, too
   QTranslator ours_, qt_;
 };
 

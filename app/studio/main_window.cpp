@@ -150,15 +150,27 @@ void MainWindow::make_menus() {
   on(add(
          *file_menu_, [] { return tr("&Quit"); }, QKeySequence(Qt::CTRL | Qt::Key_Q)),
      &MainWindow::close);
-  undo_action_ = undo_.createUndoAction(this);
-  redo_action_ = undo_.createRedoAction(this);
+  make_undo_entries();
+  make_view_menu();
+  make_help_menu();
+}
+
+void MainWindow::make_undo_entries() {
+  undo_action_ = edit_menu_->addAction(QString());
+  redo_action_ = edit_menu_->addAction(QString());
   undo_action_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
   redo_action_->setShortcuts(
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-  edit_menu_->addAction(undo_action_);
-  edit_menu_->addAction(redo_action_);
-  make_view_menu();
-  make_help_menu();
+  connect(undo_action_, &QAction::triggered, &undo_, &QUndoStack::undo);
+  connect(redo_action_, &QAction::triggered, &undo_, &QUndoStack::redo);
+  connect(&undo_, &QUndoStack::indexChanged, this, &MainWindow::show_undo);
+}
+
+void MainWindow::show_undo() {
+  undo_action_->setEnabled(undo_.canUndo());
+  redo_action_->setEnabled(undo_.canRedo());
+  undo_action_->setText(undo_.canUndo() ? tr("&Undo: %1").arg(undo_.undoText()) : tr("&Undo"));
+  redo_action_->setText(undo_.canRedo() ? tr("&Redo: %1").arg(undo_.redoText()) : tr("&Redo"));
 }
 
 void MainWindow::make_view_menu() {
@@ -241,6 +253,7 @@ void MainWindow::make_status_line() {
 void MainWindow::name_parts() {
   setWindowTitle(tr("AllTact Studio"));
   for (const Words& words : words_) words.action->setText(words.text());
+  show_undo();
   file_menu_->setTitle(tr("&File"));
   edit_menu_->setTitle(tr("&Edit"));
   view_menu_->setTitle(tr("&View"));

@@ -51,6 +51,7 @@ class MainWindow : public Translated<QMainWindow> {
   QAction* add(QMenu& menu, std::function<QString()> text, const QKeySequence& key = {});
   void make_menus();
   void make_source_entries(QMenu& menu);
+  void make_undo_entries();
   void make_view_menu();
   void make_help_menu();
   [[nodiscard]] QWidget* make_rail();
@@ -59,6 +60,7 @@ class MainWindow : public Translated<QMainWindow> {
   void name_parts();
   void set_icons();
 
+  void show_undo();
   void fill_source_menu();
   void fill_recent_menu();
   void choose_finger();

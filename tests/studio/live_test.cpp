@@ -1,5 +1,4 @@
 // The place Live, as a person uses it.
-#include "tests/rigs/fake_camera.h"
 #include "tests/studio/studio_rig.h"
 
 #include <QAccessible>
@@ -16,24 +15,6 @@ namespace alltact::test {
 namespace {
 
 using testing::HasSubstr;
-
-/// Opens the fake camera under the name "camera", everything else as ever.
-SourceOpener with_camera(FakeCamera& fake) {
-  return [&fake](const std::vector<std::filesystem::path>& inputs,
-                 const SourceOptions& options) -> Result<std::unique_ptr<Source>> {
-    if (inputs.front() != "camera") return open_source(inputs, options);
-    CameraPlace place;
-    place.calls = &fake;
-    place.identity = "camera";
-    place.find_node = [&fake]() -> Result<std::string> {
-      if (!fake.is_plugged()) return Error{"there is no such camera", "camera", ""};
-      return std::string("/dev/video0");
-    };
-    auto camera = V4l2Camera::open(place, {});
-    if (!camera) return camera.error();
-    return std::unique_ptr<Source>(std::make_unique<CameraSource>(std::move(*camera)));
-  };
-}
 
 StudioOptions simulated() {
   StudioOptions options;

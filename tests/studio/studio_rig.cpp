@@ -87,6 +87,23 @@ MadeFingers::MadeFingers() {
   }
 }
 
+SourceOpener with_camera(FakeCamera& fake) {
+  return [&fake](const std::vector<std::filesystem::path>& inputs,
+                 const SourceOptions& options) -> Result<std::unique_ptr<Source>> {
+    if (inputs.front() != "camera") return open_source(inputs, options);
+    CameraPlace place;
+    place.calls = &fake;
+    place.identity = "camera";
+    place.find_node = [&fake]() -> Result<std::string> {
+      if (!fake.is_plugged()) return Error{"there is no such camera", "camera", ""};
+      return std::string("/dev/video0");
+    };
+    auto camera = V4l2Camera::open(place, {});
+    if (!camera) return camera.error();
+    return std::unique_ptr<Source>(std::make_unique<CameraSource>(std::move(*camera)));
+  };
+}
+
 void leave_as_after_a_crash(const std::filesystem::path& session_folder) {
   constexpr int kNobody = 4194303;  // no process has this number here
   must(write_file_atomically(session_folder / "running.lock",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/studio/main_window.h"
+#include "tests/rigs/fake_camera.h"
 #include "tests/support/program.h"
 
 #include <QAbstractButton>
@@ -11,6 +12,8 @@
 #include <functional>
 #include <memory>
 #include <string>
+
+#include <gtest/gtest.h>
 
 namespace alltact::test {
 
@@ -36,6 +39,9 @@ class MadeFingers {
 
 /// What a program that died leaves in its session's folder.
 void leave_as_after_a_crash(const std::filesystem::path& session_folder);
+
+/// Opens the fake camera under the name "camera", everything else as ever.
+[[nodiscard]] SourceOpener with_camera(FakeCamera& fake);
 
 /// Turns the event loop until it is so; false after `patience_ms`.
 bool wait_until(const std::function<bool()>& is_so, int patience_ms = 10000);

@@ -309,7 +309,7 @@ void RecordPlace::show_button(const LiveStatus& status) {
   record_->setText(is_recording ? tr("Stop &recording") : tr("Start &recording"));
   // A new text takes the shortcut away.
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-  record_->setToolTip(QStringLiteral("Ctrl+R"));
+  record_->setToolTip(tr("Ctrl+R"));
   record_->setIcon(
       icon(is_recording ? QStringLiteral("stop") : QStringLiteral("record"), palette()));
   record_->setEnabled(why.isEmpty());

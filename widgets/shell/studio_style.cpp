@@ -1,5 +1,6 @@
 #include "widgets/shell/studio_style.h"
 
+#include <QAbstractSpinBox>
 #include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -40,6 +41,10 @@ void StudioStyle::drawPrimitive(PrimitiveElement element,
                                 const QWidget* widget) const {
   QProxyStyle::drawPrimitive(element, option, painter, widget);
   if (!needs_outlines(*option)) return;
+  // Part of a box that has an outline itself.
+  const QWidget* parent = widget == nullptr ? nullptr : widget->parentWidget();
+  if (element == PE_PanelLineEdit && qobject_cast<const QAbstractSpinBox*>(parent) != nullptr)
+    return;
   switch (element) {
     case PE_IndicatorCheckBox:
     case PE_PanelButtonCommand:
