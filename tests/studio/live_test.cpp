@@ -97,7 +97,10 @@ TEST(Live, SwitchesOverlaysByMouseAndUndoesByKeys) {
 TEST(Live, EveryOverlayChangesWhatIsPainted) {
   Studio studio(simulated());
   ASSERT_TRUE(wait_for_depth(studio));
-  const LiveView view = *studio.session().view();
+  LiveView view = *studio.session().view();
+  // The ball does not move this finger; another force would.
+  view.watched.result.touch =
+      Touch{true, {20, 0}, Eigen::Vector3d(1, 0, 0), 1.0, TouchedFace::kContact};
   const auto painted = [&](const ViewOptions& options) {
     ImageView picture;
     picture.resize(960, 540);

@@ -103,6 +103,10 @@ QWidget* LivePlace::make_side() {
     (new QVBoxLayout(group))->addWidget(label);
     column->addWidget(group);
   }
+  // Room for what it says most, so that nothing jumps while contacts come and go.
+  constexpr int kContactLines = 5;
+  contact_->setMinimumHeight(kContactLines * contact_->fontMetrics().lineSpacing());
+  contact_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   (new QVBoxLayout(camera_))->addWidget(controls_);
   column->addWidget(camera_);
   column->addStretch();

@@ -78,9 +78,11 @@ void CoverageView::paintEvent(QPaintEvent* /*event*/) {
   paint_label(painter, {field.left(), 0, side, line}, Qt::AlignCenter, BendDirection::kUp);
   paint_label(
       painter, {field.left(), field.bottom(), side, line}, Qt::AlignCenter, BendDirection::kDown);
-  const QRectF middle(field.left() + 6, field.center().y() - line - 2, side - 12, line);
-  paint_label(painter, middle, Qt::AlignLeft | Qt::AlignVCenter, BendDirection::kTowards);
-  paint_label(painter, middle, Qt::AlignRight | Qt::AlignVCenter, BendDirection::kAway);
+  // One above the axis and one below it, so that long words have room.
+  const QRectF above(field.left() + 6, field.center().y() - line - 2, side - 12, line);
+  const QRectF under(field.left() + 6, field.center().y() + 2, side - 12, line);
+  paint_label(painter, above, Qt::AlignLeft | Qt::AlignVCenter, BendDirection::kTowards);
+  paint_label(painter, under, Qt::AlignRight | Qt::AlignVCenter, BendDirection::kAway);
   const QRectF below(field.left(), field.bottom() + line + 6, side, line);
   paint_label(painter, below, Qt::AlignLeft | Qt::AlignVCenter, BendDirection::kTwistLeft);
   paint_label(painter, below, Qt::AlignRight | Qt::AlignVCenter, BendDirection::kTwistRight);
