@@ -5,7 +5,10 @@
 #include <QApplication>
 #include <QSettings>
 #include <QStandardPaths>
+#include <chrono>
+#include <cstdlib>
 #include <iostream>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
@@ -73,7 +76,15 @@ int main(int argc, char** argv) {
   if (!wanted.source.empty()) options.source = {wanted.source};
   options.session_folder =
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
-  MainWindow window(options, dresser);
-  window.show();
-  return QApplication::exec();
+  int status = 0;
+  {
+    MainWindow window(options, dresser);
+    window.show();
+    status = QApplication::exec();
+  }
+  // The window has gone; a slow disk may still need a moment for the end of a recording.
+  for (int i = 0; i < 100 && SourceRunner::unfinished_recordings() > 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  // Threads that hang in a driver must not meet objects that are being destroyed.
+  std::quick_exit(status);
 }

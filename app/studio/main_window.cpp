@@ -88,6 +88,10 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
     kept.push_back(control);
     keep();
   });
+  connect(live_, &LivePlace::lock_set, this, [this](bool is_locked) {
+    state_.is_locked = is_locked;
+    keep();
+  });
   connect(record_, &RecordPlace::installed, this, [this] { session_.open_finger(state_.finger); });
   connect(start_, &StartPanel::last_wanted, this, &MainWindow::go_on_with_last);
   connect(start_, &StartPanel::camera_wanted, this, [this](const QString& name) {

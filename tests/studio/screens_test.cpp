@@ -11,13 +11,14 @@ namespace {
 struct Look {
   const char* name;
   Theme theme;
+  const char* language = "en";
 };
 
 class Screens : public testing::TestWithParam<Look> {
  protected:
   void save(Studio& studio, const std::string& name) {
     Dresser dresser;
-    dresser.wear({GetParam().theme, QStringLiteral("en")});
+    dresser.wear({GetParam().theme, QLatin1String(GetParam().language)});
     QTest::qWait(400);
     const QPixmap picture = studio.window().grab();
     const std::filesystem::path folder = std::filesystem::path(ALLTACT_SCREENS);
@@ -33,7 +34,8 @@ INSTANTIATE_TEST_SUITE_P(Theme,
                          Screens,
                          testing::Values(Look{"light", Theme::kLight},
                                          Look{"dark", Theme::kDark},
-                                         Look{"contrast", Theme::kHighContrast}),
+                                         Look{"contrast", Theme::kHighContrast},
+                                         Look{"german", Theme::kLight, "de"}),
                          [](const auto& look) { return look.param.name; });
 
 TEST_P(Screens, Start) {

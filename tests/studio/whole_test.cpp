@@ -305,7 +305,7 @@ TEST(Program, SaysThatThereIsNoDisplay) {
 }
 
 TEST(Program, StartsAndGoesOnUntilItIsEnded) {
-  const ProgramRun run = run_shell(std::string("timeout 3 ") + ALLTACT_STUDIO + " --source '" +
+  const ProgramRun run = run_shell(std::string("timeout 2 ") + ALLTACT_STUDIO + " --source '" +
                                    MadeFingers::get().bending().string() + "'");
   EXPECT_EQ(run.status, 124) << run.errors;  // timeout's own: it had to end it
 }

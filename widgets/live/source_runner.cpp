@@ -13,6 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
+std::atomic<int> unfinished{0};
 constexpr std::chrono::milliseconds kAfterFault{20};  // a source that fails at once must not spin
 
 }  // namespace
@@ -225,10 +226,12 @@ struct SourceRunner::Run {
       done = std::exchange(recorder, nullptr);
       recording.state = RecordingState::kFinishing;
       ++finishers;
+      ++unfinished;
     }
     std::thread([self, done, why] {
       const Status finished = done->finish(why);
       const RecorderCounts counts = done->counts();
+      --unfinished;
       const std::lock_guard lock(self->mutex);
       self->recording.state = RecordingState::kDone;
       self->recording.counts = counts;
@@ -301,6 +304,10 @@ void SourceRunner::start_recording(const std::filesystem::path& file,
 void SourceRunner::stop_recording() {
   const std::lock_guard lock(mutex_);
   if (run_) run_->is_stop_wanted = true;
+}
+
+int SourceRunner::unfinished_recordings() {
+  return unfinished;
 }
 
 SourceStatus SourceRunner::status() const {

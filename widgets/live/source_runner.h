@@ -78,6 +78,8 @@ class SourceRunner {
   [[nodiscard]] RecordingStatus recording() const;
   /// The camera that runs; null where the source is none.
   [[nodiscard]] std::shared_ptr<V4l2Camera> camera() const;
+  /// Recordings of this program whose last frames are being written.
+  [[nodiscard]] static int unfinished_recordings();
   /// How long ago a frame was taken, at `now_ns` of the monotonic clock; empty where the source's
   /// pictures have no times. Times that are not this computer's clock are placed on it by the frame
   /// that came soonest.

@@ -156,7 +156,10 @@ void LivePlace::change_lock(bool is_locked) {
   undo_.push(new ValueChange<bool>(is_locked ? tr("lock brightness") : tr("unlock brightness"),
                                    !is_locked,
                                    is_locked,
-                                   [this](const bool& value) { session_.set_lock(value); }));
+                                   [this](const bool& value) {
+                                     session_.set_lock(value);
+                                     Q_EMIT lock_set(value);
+                                   }));
 }
 
 void LivePlace::show_status() {

@@ -26,6 +26,7 @@ class LivePlace : public Translated<QWidget> {
  Q_SIGNALS:
   void options_changed();
   void control_set(const alltact::ControlValue& control);
+  void lock_set(bool is_locked);
 
  private:
   struct Choice {
