@@ -53,6 +53,7 @@ void FingerWatcher::open_scene(const std::filesystem::path& scene) {
 void FingerWatcher::load(const std::filesystem::path& folder, const std::filesystem::path& scene) {
   const auto state = state_;
   auto loading = std::make_shared<Loading>();
+  std::unique_ptr<FingerWatch> unused;
   {
     const std::lock_guard lock(state->mutex);
     if (state->loading) state->loading->job.request_stop();
@@ -60,7 +61,7 @@ void FingerWatcher::load(const std::filesystem::path& folder, const std::filesys
     state->status = {};
     state->status.folder = folder;
     if (folder.empty() && scene.empty()) {
-      state->next = std::make_unique<FingerWatch>();
+      unused = std::exchange(state->next, std::make_unique<FingerWatch>());
       return;
     }
     state->status.state = FingerState::kLoading;
@@ -81,11 +82,12 @@ void FingerWatcher::load(const std::filesystem::path& folder, const std::filesys
       status.problem = finger.error();
     }
     status.state = status.problem ? FingerState::kFailed : FingerState::kReady;
+    std::unique_ptr<FingerWatch> unused;
     const std::lock_guard lock(state->mutex);
     if (state->loading != loading) return;
     status.skipped = state->status.skipped;
     state->status = std::move(status);
-    state->next = std::move(ready);
+    unused = std::exchange(state->next, std::move(ready));
   }).detach();
 }
 
@@ -97,9 +99,10 @@ void FingerWatcher::watch(const std::stop_token& stop) {
     if (!frame) continue;
     WantedLayers layers;
     auto view = std::make_shared<LiveView>();
+    std::unique_ptr<FingerWatch> before;  // freed outside the lock: it may hold a whole recording
     {
       const std::lock_guard lock(state_->mutex);
-      if (state_->next) finger = std::move(state_->next);
+      if (state_->next) before = std::exchange(finger, std::move(state_->next));
       layers = state_->layers;
       view->depth_top_mm = state_->depth_top_mm;
     }
@@ -111,10 +114,11 @@ void FingerWatcher::watch(const std::stop_token& stop) {
       view->depth_layer = depth_layer(*result.depth, view->depth_top_mm);
     if (layers.faults) view->faults_layer = faults_layer(result.grey, result);
     bool is_news = false;
+    std::shared_ptr<const LiveView> missed;
     {
       const std::lock_guard lock(state_->mutex);
-      is_news = state_->view == nullptr;
-      state_->view = std::move(view);
+      missed = std::exchange(state_->view, std::move(view));
+      is_news = missed == nullptr;
       state_->status.skipped = reader_.missed();
     }
     if (is_news) news_();
