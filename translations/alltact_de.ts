@@ -965,10 +965,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>Each lies %1 px from its nearest neighbour (median).</source>
-        <translation>Jedes liegt %1 px von seinem nächsten Nachbarn (Median).</translation>
-    </message>
-    <message>
         <source>Left out, with the reason:</source>
         <translation>Weggelassen, mit Grund:</translation>
     </message>
@@ -1006,6 +1002,17 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Ctrl+R</source>
         <translation>Strg+R</translation>
+    </message>
+    <message>
+        <source>What it leaves open: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
+        <translation>Was offen bleibt: Die Hälfte der daraus gebildeten Referenzen weicht um weniger als %1 mm ab, 95 % um weniger als %2 mm.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) showed a pose that others show as well.</source>
+        <translation>
+            <numerusform>%n Bild zeigte eine Haltung, die auch andere zeigen.</numerusform>
+            <numerusform>%n Bilder zeigten eine Haltung, die auch andere zeigen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

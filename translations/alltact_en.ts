@@ -86,5 +86,12 @@
             <numerusform>%n frames of this recording are lost.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n frame(s) showed a pose that others show as well.</source>
+        <translation>
+            <numerusform>%n frame showed a pose that others show as well.</numerusform>
+            <numerusform>%n frames showed a pose that others show as well.</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

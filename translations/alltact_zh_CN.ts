@@ -955,10 +955,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>Each lies %1 px from its nearest neighbour (median).</source>
-        <translation>每帧与最近邻帧相距 %1 px(中位数)。</translation>
-    </message>
-    <message>
         <source>Left out, with the reason:</source>
         <translation>被舍弃的帧及原因:</translation>
     </message>
@@ -995,6 +991,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Ctrl+R</source>
         <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>What it leaves open: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
+        <translation>剩余误差:由此得到的参考,一半偏差小于 %1 mm,95 % 小于 %2 mm。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) showed a pose that others show as well.</source>
+        <translation>
+            <numerusform>有 %n 帧与其他帧姿态相同。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -88,8 +88,8 @@ Status run_reference(const ReferenceOptions& options, Console& console) {
   auto finger = load_finger(options.finger, console);
   if (!finger) return finger.error();
   if (finger->face.kind == FaceKind::kFlat) return run_flat(options, *finger, console);
-  const auto report = install_recording(
-      options.finger, *finger, options.inputs, console.job(), options.need);
+  const auto report =
+      install_recording(options.finger, *finger, options.inputs, console.job(), options.need);
   if (!report) return report.error();
   tell(*report, console);
   return {};

@@ -65,13 +65,10 @@ Shown problem_list() {
 Shown coverage_view() {
   auto view = std::make_unique<CoverageView>();
   BendCoverage coverage;
-  coverage.begin({10, 10, 4});
+  coverage.begin();
   for (int i = 0; i < 400; ++i) {
-    const double turn = 0.05 * i, reach = 0.03 * i;
-    Markers markers;
-    for (const double side : {-1.0, 1.0})
-      markers.push_back({reach * std::cos(turn) - side, side + reach * std::sin(turn), true, 0.1});
-    coverage.add(markers, true);
+    const double turn = 0.05 * i, reach = 0.015 * i;
+    coverage.add(Motion{reach * std::cos(turn), 0.4 * reach * std::sin(turn), 0.3 * reach});
   }
   view->show_coverage(coverage.picture());
   return view;

@@ -39,14 +39,6 @@ std::filesystem::path path_of(const QString& text) {
   return std::filesystem::path(text.trimmed().toStdString());
 }
 
-std::optional<Markers> rest_of(const std::optional<Finger>& finger) {
-  if (!finger || !finger->contact || finger->contact->rest_markers.empty()) return std::nullopt;
-  Markers rest;
-  for (const auto& place : finger->contact->rest_markers)
-    rest.push_back({place.x(), place.y(), true, 0});
-  return rest;
-}
-
 }  // namespace
 
 RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWidget* parent)
@@ -171,18 +163,15 @@ bool RecordPlace::is_busy() const {
 }
 
 void RecordPlace::begin_coverage() {
-  const auto& view = session_.view();
-  const int width_px = view ? view->watched.result.grey.cols : 960;
-  coverage_.begin(BendNeed::for_width(width_px), rest_of(session_.status().finger.finger));
+  coverage_.begin();
   touched_frames_ = 0;
 }
 
 void RecordPlace::look_at_frame() {
   if (!isVisible()) return;
   const FrameResult& result = session_.view()->watched.result;
-  if (coverage_.picture().need.bend_px <= 0) begin_coverage();
   if (result.markers && result.shape)
-    coverage_.add(*result.markers, result.shape->base_at_low_u());
+    coverage_.add(*result.markers, *result.shape);
   else
     coverage_.add_nothing();
   touch_ = face_touch(result);
@@ -404,8 +393,13 @@ QString RecordPlace::outcome_text() const {
   QStringList lines{
       tr("Installed: %1 of %n frame(s) are in the reference.", nullptr, report.frames_read)
           .arg(report.frames_kept),
-      tr("Each lies %1 px from its nearest neighbour (median).")
-          .arg(QLocale().toString(report.median_step_px, 'f', 2))};
+      tr("What it leaves open: half of the references made from it are off by less than %1 mm, 95 "
+         "% "
+         "by less than %2 mm.")
+          .arg(QLocale().toString(report.error_median_mm, 'f', 3),
+               QLocale().toString(report.error_p95_mm, 'f', 3))};
+  if (report.repeated > 0)
+    lines << tr("%n frame(s) showed a pose that others show as well.", nullptr, report.repeated);
   if (!report.rejected.empty()) lines << tr("Left out, with the reason:");
   return lines.join(QLatin1Char('\n'));
 }

@@ -1,7 +1,8 @@
-// In which directions a finger has been bent while it was recorded, from its markers.
+// In which directions a finger has been bent while it was recorded: the live picture of what
+// calibration/motion_coverage.h measures.
 #pragma once
 
-#include "core/sensing/markers.h"
+#include "calibration/motion_coverage.h"
 
 #include <array>
 #include <cstdint>
@@ -10,57 +11,41 @@
 
 namespace alltact {
 
-/// How the markers of both rows lie against their places at rest, mean over the row, px:
-///   bend: both rows along the finger, towards the tip positive; grows as the finger bends away;
-///   sway: both rows across the finger, towards large v positive;
-///   twist: the rows against each other along the finger.
-struct BendPose {
-  double bend_px = 0, sway_px = 0, twist_px = 0;
-};
-
-/// Empty where the numbers of markers differ, or fewer than half of the markers are seen.
-[[nodiscard]] std::optional<BendPose> bend_pose(const Markers& markers,
-                                                const Markers& rest,
-                                                bool base_at_low_u);
-
-/// How far a recording has to go in each direction, px.
-struct BendNeed {
-  double bend_px = 0, sway_px = 0, twist_px = 0;
-
-  /// For a picture so wide: what bending a finger by about a twentieth of its length moves.
-  [[nodiscard]] static BendNeed for_width(int width_px);
-};
-
 enum class BendDirection { kAway = 0, kTowards, kUp, kDown, kTwistRight, kTwistLeft };
 inline constexpr std::size_t kBendDirections = 6;
 
 /// What a picture of the coverage shows.
 struct BendPicture {
-  BendNeed need;
+  MotionNeed need;
   std::array<double, kBendDirections> reached{};  ///< parts of what is needed, 1: enough
   /// Poses in bend (columns) and sway (rows), each from -1.5 to 1.5 times what is needed; how
   /// often.
   static constexpr int kCells = 15;
+  static constexpr double kShown = 1.5;
   std::array<std::uint32_t, kCells * kCells> visits{};
-  std::optional<BendPose> now;
+  std::optional<Motion> now;
   std::uint64_t poses = 0;
 
   [[nodiscard]] std::vector<BendDirection> missing() const;
   [[nodiscard]] bool is_enough() const { return poses > 0 && missing().empty(); }
 };
 
-/// Collects poses. The first complete layout is rest, unless rest is known.
+/// Collects poses. The first one is rest, as in the reference recording itself.
 class BendCoverage {
  public:
-  void begin(const BendNeed& need, std::optional<Markers> rest = std::nullopt);
-  void add(const Markers& markers, bool base_at_low_u);
+  void begin(const MotionNeed& need = {});
+  /// Uses the pair of dots nearest the tip that the first pose shows; a pose that does not show it
+  /// is none.
+  void add(const Markers& markers, const FaceShape& shape);
+  void add(const Motion& motion);
   /// The markers could not be seen: there is no pose now.
   void add_nothing() { picture_.now.reset(); }
   [[nodiscard]] const BendPicture& picture() const { return picture_; }
 
  private:
   BendPicture picture_;
-  std::optional<Markers> rest_;
+  std::size_t pair_ = 0;
+  std::optional<TipPlace> rest_;
 };
 
 }  // namespace alltact

@@ -11,7 +11,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kShown = 1.5;
+constexpr double kShown = BendPicture::kShown;
 constexpr double kSign = 12;
 
 double part_of(double value, double need) {
@@ -116,8 +116,8 @@ void CoverageView::paint_field(QPainter& painter, const QRectF& field) const {
                    QPointF(field.center().x(), field.bottom()));
   if (!picture_.now) return;
   const QPointF at =
-      field.center() + QPointF(part_of(picture_.now->bend_px, picture_.need.bend_px) * reach,
-                               part_of(picture_.now->sway_px, picture_.need.sway_px) * reach);
+      field.center() + QPointF(part_of(picture_.now->bend_mm, picture_.need.bend_mm) * reach,
+                               part_of(picture_.now->sway_mm, picture_.need.sway_mm) * reach);
   painter.setPen(QPen(palette().color(QPalette::Base), 2));
   painter.setBrush(palette().color(QPalette::Text));
   painter.drawEllipse(at, 6, 6);
@@ -142,7 +142,7 @@ void CoverageView::paint_twist(QPainter& painter, const QRectF& bar) const {
     painter.drawLine(QPointF(x, bar.top()), QPointF(x, bar.bottom()));
   if (!picture_.now) return;
   const double x =
-      bar.center().x() + part_of(picture_.now->twist_px, picture_.need.twist_px) * half;
+      bar.center().x() + part_of(picture_.now->twist_deg, picture_.need.twist_deg) * half;
   painter.setPen(QPen(palette().color(QPalette::Base), 2));
   painter.setBrush(palette().color(QPalette::Text));
   painter.drawEllipse(QPointF(x, bar.center().y()), 6, 6);

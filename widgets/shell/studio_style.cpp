@@ -1,5 +1,7 @@
 #include "widgets/shell/studio_style.h"
 
+#include "widgets/theme.h"
+
 #include <QAbstractSpinBox>
 #include <QPainter>
 #include <QStyleFactory>
@@ -8,7 +10,7 @@
 namespace alltact {
 namespace {
 
-bool needs_outlines(const QStyleOption& option) {
+bool is_black(const QStyleOption& option) {
   return option.palette.color(QPalette::Window) == Qt::black;
 }
 
@@ -17,10 +19,12 @@ void outline(QPainter& painter, const QStyleOption& option) {
       option.state.testFlag(QStyle::State_On) || option.state.testFlag(QStyle::State_HasFocus);
   const bool is_enabled = option.state.testFlag(QStyle::State_Enabled);
   const QColor colour =
-      is_on ? option.palette.color(QPalette::Highlight)
-            : option.palette.color(is_enabled ? QPalette::Active : QPalette::Disabled,
-                                   QPalette::WindowText);
-  const int width = is_on ? 2 : 1;
+      is_on && is_black(option)
+          ? option.palette.color(QPalette::Highlight)
+          : option.palette.color(
+                is_enabled && is_black(option) ? QPalette::Active : QPalette::Disabled,
+                QPalette::WindowText);
+  const int width = is_on && is_black(option) ? 2 : 1;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setBrush(Qt::NoBrush);
@@ -40,18 +44,20 @@ void StudioStyle::drawPrimitive(PrimitiveElement element,
                                 QPainter* painter,
                                 const QWidget* widget) const {
   QProxyStyle::drawPrimitive(element, option, painter, widget);
-  if (!needs_outlines(*option)) return;
+  if (!is_dark(option->palette)) return;
   // Part of a box that has an outline itself.
   const QWidget* parent = widget == nullptr ? nullptr : widget->parentWidget();
   if (element == PE_PanelLineEdit && qobject_cast<const QAbstractSpinBox*>(parent) != nullptr)
     return;
   switch (element) {
     case PE_IndicatorCheckBox:
+    case PE_PanelLineEdit:
+      return outline(*painter, *option);
     case PE_PanelButtonCommand:
     case PE_PanelButtonTool:
-    case PE_PanelLineEdit:
     case PE_FrameGroupBox:
-      return outline(*painter, *option);
+      if (is_black(*option)) outline(*painter, *option);
+      return;
     default:
       return;
   }
@@ -62,7 +68,7 @@ void StudioStyle::drawComplexControl(ComplexControl control,
                                      QPainter* painter,
                                      const QWidget* widget) const {
   QProxyStyle::drawComplexControl(control, option, painter, widget);
-  if (needs_outlines(*option) && (control == CC_SpinBox || control == CC_ComboBox))
+  if (is_dark(option->palette) && (control == CC_SpinBox || control == CC_ComboBox))
     outline(*painter, *option);
 }
 

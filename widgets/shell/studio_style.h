@@ -1,4 +1,5 @@
-// Qt's Fusion, with outlines that can be seen on black: Fusion draws them darker than the window.
+// Qt's Fusion, with outlines that can be seen on dark ground: Fusion draws them darker than the
+// window.
 #pragma once
 
 #include <QProxyStyle>
