@@ -3,7 +3,6 @@
 
 #include <QEvent>
 #include <QWidget>
-
 #include <functional>
 #include <vector>
 

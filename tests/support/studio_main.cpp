@@ -1,7 +1,7 @@
 // The Studio is tested on Qt's offscreen platform, in one style and one language, with settings of
 // its own.
-#include "tests/support/run_all_tests.h"
 #include "tests/support/program.h"
+#include "tests/support/run_all_tests.h"
 #include "widgets/shell/studio_style.h"
 
 #include <QApplication>
