@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/console.h"
+#include "app/finger_work.h"
 #include "calibration/calibrate.h"
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/motion_coverage.h"
@@ -28,19 +29,8 @@ namespace alltact {
 
 using Path = std::filesystem::path;
 
-struct NewOptions {
-  Path finger;
-  std::string name;  ///< empty: the folder's
-  Path camera;
-  FaceKind kind = FaceKind::kFinRay;
-  double width_mm = 0;
-  double layer_mm = 0;
-  double plane_z_mm = 0;
-  int per_row = 0;
-  Polarity polarity = Polarity::kAuto;
-};
 /// Makes a finger folder. Error: there is a finger already.
-Status run_new(const NewOptions& options, Console& console);
+Status run_new(const NewFinger& options, Console& console);
 
 struct SimulateOptions {
   Path scene;

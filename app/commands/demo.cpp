@@ -12,20 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Scenes lie in the source tree while developing and beside the program once installed.
-Result<Path> find_scene(const std::string& name) {
-  std::error_code failed;
-  const Path program = fs::read_symlink("/proc/self/exe", failed);
-  const Path installed = program.parent_path() / ".." / "share" / "alltact";
-  for (const Path& resources : {installed, Path(ALLTACT_RESOURCES)}) {
-    const Path file = resources / "scenes" / (name + ".yaml");
-    if (fs::exists(file, failed)) return file;
-  }
-  return Error{"the scene that comes with the program is not there",
-               name + ".yaml",
-               "installing the program again"};
-}
-
 /// One of the two ways to measure, each with a finger of its own.
 struct Contender {
   std::string name;  ///< as --method says it
@@ -75,7 +61,7 @@ class Demo {
   Status simulate() {
     headline("A simulated finger: bending untouched, pressed by a ball, touched by objects");
     for (const char* name : {"reference", "presses", "objects"}) {
-      const auto scene = find_scene(std::string("demo_") + name);
+      const auto scene = find_resource(fmt::format("scenes/demo_{}.yaml", name));
       if (!scene) return scene.error();
       SimulateOptions simulation;
       simulation.scene = *scene;
@@ -93,7 +79,7 @@ class Demo {
     const auto text = read_file(folder("reference/truth.json"));
     if (!text) return text.error();
     const auto finger = Console::Json::parse(*text).at("finger");
-    NewOptions description;
+    NewFinger description;
     description.finger = contenders_.front().finger;
     description.name = "demo";
     description.camera = folder("reference/camera.yaml");

@@ -1,6 +1,4 @@
 #include "app/commands/commands.h"
-#include "core/camera/camera.h"
-#include "core/io/atomic_file.h"
 
 #include <fmt/format.h>
 
@@ -13,35 +11,10 @@ Result<Finger> load_finger(const Path& folder, Console& console) {
   return finger;
 }
 
-Status run_new(const NewOptions& options, Console& console) {
-  std::error_code ignored;
+Status run_new(const NewFinger& options, Console& console) {
+  const auto finger = make_finger(options);
+  if (!finger) return finger.error();
   const Path file = options.finger / Finger::kFileName;
-  if (std::filesystem::exists(file, ignored)) {
-    return Error{"there is a finger already, and it is never overwritten",
-                 file.string(),
-                 "another folder, or moving that one away"};
-  }
-  LensRecord lens_record;
-  auto camera = load_camera(options.camera, &lens_record);
-  if (!camera) return camera.error();
-  if (const auto valid = Camera::create(*camera); !valid) return valid.error();
-
-  Finger finger;
-  finger.name = options.name;
-  if (finger.name.empty())
-    finger.name = std::filesystem::absolute(options.finger / "").parent_path().filename().string();
-  finger.camera = std::move(camera).value();
-  finger.lens_record = std::move(lens_record);
-  finger.face.kind = options.kind;
-  finger.face.width_mm = options.width_mm;
-  finger.face.layer_mm = options.layer_mm;
-  finger.face.plane_z_mm = options.plane_z_mm;
-  finger.markers.per_row = options.per_row;
-  finger.markers.polarity = options.polarity;
-  finger.provenance["program_version"] = ALLTACT_VERSION;
-  if (const Status status = finger.validate(); !status) return status;
-  if (const Status status = make_folder(options.finger); !status) return status;
-  if (const Status status = finger.save(options.finger); !status) return status;
   console.say(
       fmt::format("{} made. Next: {}",
                   file.string(),
@@ -49,12 +22,12 @@ Status run_new(const NewOptions& options, Console& console) {
                       ? "alltact calibrate with ball presses and --reference"
                       : "alltact reference with a recording of the bending, untouched finger"));
   console.answer()["finger"] = file.string();
-  console.answer()["name"] = finger.name;
+  console.answer()["name"] = finger->name;
   return {};
 }
 
 void add_new(CLI::App& program, Chosen& chosen) {
-  auto options = std::make_shared<NewOptions>();
+  auto options = std::make_shared<NewFinger>();
   CLI::App* command = program.add_subcommand("new", "Makes the folder of a new finger");
   command->add_option("FINGER", options->finger, "Folder to make")->required();
   command

@@ -1,7 +1,6 @@
 #include "app/commands/commands.h"
 #include "calibration/calibrate_finger.h"
 #include "calibration/reference_recording.h"
-#include "core/sources/source.h"
 
 #include <fmt/format.h>
 
@@ -89,13 +88,9 @@ Status run_reference(const ReferenceOptions& options, Console& console) {
   auto finger = load_finger(options.finger, console);
   if (!finger) return finger.error();
   if (finger->face.kind == FaceKind::kFlat) return run_flat(options, *finger, console);
-  auto source = open_source(options.inputs);
-  if (!source) return source.error();
   const auto report =
-      install_reference(**source, options.finger, *finger, console.job(), options.need);
+      install_recording(options.finger, *finger, options.inputs, console.job(), options.need);
   if (!report) return report.error();
-  finger->provenance["reference_date"] = utc_now();
-  if (const Status status = finger->save(options.finger); !status) return status;
   tell(*report, console);
   return {};
 }

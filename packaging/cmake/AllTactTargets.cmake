@@ -33,7 +33,8 @@ target_compile_options(
             -fno-math-errno
             -fno-trapping-math
             -fpch-preprocess
-            $<$<CONFIG:Release>:-O3>)
+            # Unless the target only calls what was built for speed (property ALLTACT_QUICK_BUILD).
+            $<$<CONFIG:Release>:-O$<IF:$<BOOL:$<TARGET_PROPERTY:ALLTACT_QUICK_BUILD>>,1,3>>)
 if(ALLTACT_SANITIZE)
   target_compile_options(
     alltact_options INTERFACE -fsanitize=${ALLTACT_SANITIZE} -fno-omit-frame-pointer

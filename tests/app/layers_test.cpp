@@ -108,7 +108,9 @@ TEST(Layers, NoProgramLoadsQt5) {
   for (const fs::path& program : {fs::path(ALLTACT_PROGRAM),
                                   build / "tests/core_tests",
                                   build / "tests/app_tests",
+                                  build / "app/studio/alltact-studio",
                                   build / "tests/widgets_tests",
+                                  build / "tests/studio_tests",
                                   build / "tests/calibration_tests"}) {
     if (!fs::exists(program)) continue;  // a build of one part alone
     const ProgramRun libraries = run_shell("ldd '" + program.string() + "'");

@@ -169,6 +169,8 @@ class CameraSource : public Source {
   /// Frames that were lost because next() was not called often enough.
   [[nodiscard]] std::uint64_t dropped() const { return queue_->dropped(); }
   [[nodiscard]] V4l2Camera& camera() const { return *camera_; }
+  /// For whoever may use it longer than this source lives.
+  [[nodiscard]] std::shared_ptr<V4l2Camera> shared_camera() const { return camera_; }
 
  private:
   std::shared_ptr<V4l2Camera> camera_;

@@ -1,0 +1,24 @@
+// Puts theme and language on the whole program.
+#pragma once
+
+#include "widgets/shell/settings_dialog.h"
+
+#include <QTranslator>
+
+namespace alltact {
+
+class Dresser {
+ public:
+  /// Widgets follow by PaletteChange and LanguageChange.
+  void wear(const Appearance& appearance);
+  [[nodiscard]] const Appearance& appearance() const { return appearance_; }
+
+ private:
+  void speak(const QString& language);
+
+  Appearance appearance_;
+  QString spoken_;  // nothing at first: English has plurals to load, too
+  QTranslator ours_, qt_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,90 @@
+// `alltact-studio`: the desktop program.
+#include "app/studio/main_window.h"
+#include "widgets/shell/studio_style.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QStandardPaths>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <opencv2/core/utils/logger.hpp>
+
+namespace {
+
+struct Wanted {
+  std::string finger, source;
+};
+
+/// Exit status when there is nothing more to do; wrong usage is told in one line.
+std::optional<int> read_arguments(int argc, char** argv, Wanted& wanted) {
+  CLI::App program{"AllTact Studio: a clear silicone finger as a measuring instrument.",
+                   "alltact-studio"};
+  program.set_version_flag("--version", std::string("alltact-studio ") + ALLTACT_VERSION);
+  program.add_option("FINGER", wanted.finger, "The finger's folder to open");
+  program
+      .add_option("--source",
+                  wanted.source,
+                  "Where pictures come from: a camera (by a name that 'alltact devices' tells), a "
+                  "video, a folder of pictures, or a scene (a simulated finger)")
+      ->type_name("SOURCE");
+  program.footer("Exit status: 0 closed by hand, 1 there is no display, 2 wrong usage.");
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error, std::cout, std::cerr) == 0 ? 0 : 2;
+  }
+  return std::nullopt;
+}
+
+bool has_display() {
+  if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) return true;
+  return !qgetenv("DISPLAY").isEmpty() || !qgetenv("WAYLAND_DISPLAY").isEmpty();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace alltact;
+  Wanted wanted;
+  if (const auto status = read_arguments(argc, argv, wanted)) return *status;
+  if (!has_display()) {
+    std::cerr
+        << "There is no display to open a window on. Try: the command line, alltact --help.\n";
+    return 1;
+  }
+  // Decoders' own messages would stand beside our sentences and say less.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  cv::setNumThreads(1);  // capture, sensing and painting have a thread each already
+  int only_name = 1;
+  QApplication application(only_name, argv);
+  QCoreApplication::setOrganizationName(QStringLiteral("alltact"));
+  QCoreApplication::setApplicationName(QStringLiteral("alltact-studio"));
+  QApplication::setStyle(new StudioStyle);
+  Dresser dresser;
+  {
+    const QSettings settings;
+    const int theme = settings.value(QStringLiteral("appearance/theme"), 1).toInt();
+    dresser.wear({theme >= 1 && theme <= 4 ? static_cast<Theme>(theme) : Theme::kSystem,
+                  settings.value(QStringLiteral("appearance/language")).toString()});
+  }
+  StudioOptions options;
+  options.finger = wanted.finger;
+  if (!wanted.source.empty()) options.source = {wanted.source};
+  options.session_folder =
+      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
+  int status = 0;
+  {
+    MainWindow window(options, dresser);
+    window.show();
+    status = QApplication::exec();
+  }
+  // The window has gone; a slow disk may still need a moment for the end of a recording.
+  for (int i = 0; i < 100 && SourceRunner::unfinished_recordings() > 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  // Threads that hang in a driver must not meet objects that are being destroyed.
+  std::quick_exit(status);
+}

@@ -1,0 +1,360 @@
+#include "app/studio/main_window.h"
+
+#include "app/finger_work.h"
+#include "calibration/settings_record.h"
+#include "widgets/accessible.h"
+#include "widgets/shell/icons.h"
+
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace alltact {
+namespace {
+
+constexpr int kRailIcon = 28;
+
+Result<ReferenceReport> install(const std::filesystem::path& folder,
+                                const std::filesystem::path& video,
+                                const Job& job) {
+  auto finger = Finger::load(folder);
+  if (!finger) return finger.error();
+  return install_recording(folder, *finger, {video}, job);
+}
+
+QString text_of(const std::filesystem::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
+    : dresser_(dresser),
+      keeper_(options.session_folder),
+      session_(options.opener),
+      finder_(options.lister),
+      rail_(new QButtonGroup(this)),
+      live_button_(new QToolButton),
+      record_button_(new QToolButton),
+      finger_button_(new QToolButton),
+      source_button_(new QToolButton),
+      finger_label_(new QLabel),
+      source_label_(new QLabel),
+      problems_(new ProblemList),
+      places_(new QStackedWidget),
+      live_or_start_(new QStackedWidget),
+      start_(new StartPanel),
+      live_(new LivePlace(session_, undo_)),
+      record_(new RecordPlace(session_, install)),
+      delivered_(new QLabel),
+      lost_(new QLabel),
+      age_(new QLabel),
+      time_(new QLabel) {
+  setWindowIcon(QIcon(symbol(QStringLiteral("alltact"), Qt::black, 64, 1)));
+  make_menus();
+  live_or_start_->addWidget(start_);
+  live_or_start_->addWidget(live_);
+  places_->addWidget(live_or_start_);
+  places_->addWidget(record_);
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(10, 8, 10, 4);
+  column->addWidget(make_header());
+  column->addWidget(problems_);
+  column->addWidget(places_, 1);
+  auto* whole = new QWidget;
+  auto* row = new QHBoxLayout(whole);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(make_rail());
+  row->addWidget(content, 1);
+  setCentralWidget(whole);
+  make_status_line();
+  connect(&session_, &LiveSession::status_ready, this, &MainWindow::follow);
+  connect(&session_, &LiveSession::view_ready, this, [this] {
+    live_or_start_->setCurrentWidget(live_);
+  });
+  connect(&finder_, &CameraFinder::cameras_changed, this, [this] {
+    start_->set_cameras(finder_.cameras());
+    fill_source_menu();
+  });
+  connect(live_, &LivePlace::options_changed, this, &MainWindow::keep);
+  connect(live_, &LivePlace::control_set, this, [this](const ControlValue& control) {
+    auto& kept = state_.controls[source_name().toStdString()];
+    std::erase_if(kept, [&](const ControlValue& old) { return old.id == control.id; });
+    kept.push_back(control);
+    keep();
+  });
+  connect(live_, &LivePlace::lock_set, this, [this](bool is_locked) {
+    state_.is_locked = is_locked;
+    keep();
+  });
+  connect(record_, &RecordPlace::installed, this, [this] { session_.open_finger(state_.finger); });
+  connect(start_, &StartPanel::last_wanted, this, &MainWindow::go_on_with_last);
+  connect(start_, &StartPanel::camera_wanted, this, [this](const QString& name) {
+    open_source({name.toStdString()});
+  });
+  connect(start_, &StartPanel::simulated_wanted, this, &MainWindow::open_simulated);
+  connect(start_, &StartPanel::video_wanted, this, &MainWindow::choose_video);
+  connect(start_, &StartPanel::folder_wanted, this, &MainWindow::choose_folder);
+  connect(start_, &StartPanel::finger_wanted, this, &MainWindow::choose_finger);
+  connect(start_, &StartPanel::new_finger_wanted, this, &MainWindow::new_finger);
+  if (keeper_.last()) {
+    state_.recent_fingers = keeper_.last()->recent_fingers;
+    state_.controls = keeper_.last()->controls;
+    state_.view = keeper_.last()->view;
+    live_->set_options(state_.view);
+  }
+  say([this] { name_parts(); });
+  set_icons();
+  resize(1280, 800);
+  QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  if (!options.finger.empty()) open_finger(options.finger);
+  if (!options.source.empty()) open_source(options.source);
+  follow();
+}
+
+MainWindow::~MainWindow() {
+  problems_->set_problems({});
+}
+
+QAction* MainWindow::add(QMenu& menu, std::function<QString()> text, const QKeySequence& key) {
+  QAction* action = menu.addAction(QString());
+  action->setShortcut(key);
+  words_.push_back({action, std::move(text)});
+  return action;
+}
+
+void MainWindow::make_menus() {
+  file_menu_ = menuBar()->addMenu(QString());
+  edit_menu_ = menuBar()->addMenu(QString());
+  view_menu_ = menuBar()->addMenu(QString());
+  help_menu_ = menuBar()->addMenu(QString());
+  const auto on = [this](QAction* action, auto slot) {
+    connect(action, &QAction::triggered, this, slot);
+  };
+  on(add(
+         *file_menu_, [] { return tr("&Open finger…"); }, QKeySequence::Open),
+     &MainWindow::choose_finger);
+  on(add(
+         *file_menu_, [] { return tr("&New finger…"); }, QKeySequence::New),
+     &MainWindow::new_finger);
+  recent_menu_ = file_menu_->addMenu(QString());
+  on(add(*file_menu_, [] { return tr("&Close finger"); }), [this] { open_finger({}); });
+  file_menu_->addSeparator();
+  source_menu_ = file_menu_->addMenu(QString());
+  file_menu_->addSeparator();
+  on(add(
+         *file_menu_, [] { return tr("S&ettings…"); }, QKeySequence(Qt::CTRL | Qt::Key_Comma)),
+     &MainWindow::show_settings);
+  on(add(
+         *file_menu_, [] { return tr("&Quit"); }, QKeySequence(Qt::CTRL | Qt::Key_Q)),
+     &MainWindow::close);
+  make_undo_entries();
+  make_view_menu();
+  make_help_menu();
+}
+
+void MainWindow::make_undo_entries() {
+  undo_action_ = edit_menu_->addAction(QString());
+  redo_action_ = edit_menu_->addAction(QString());
+  undo_action_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
+  redo_action_->setShortcuts(
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+  connect(undo_action_, &QAction::triggered, &undo_, &QUndoStack::undo);
+  connect(redo_action_, &QAction::triggered, &undo_, &QUndoStack::redo);
+  connect(&undo_, &QUndoStack::indexChanged, this, &MainWindow::show_undo);
+}
+
+void MainWindow::show_undo() {
+  undo_action_->setEnabled(undo_.canUndo());
+  redo_action_->setEnabled(undo_.canRedo());
+  undo_action_->setText(undo_.canUndo() ? tr("&Undo: %1").arg(undo_.undoText()) : tr("&Undo"));
+  redo_action_->setText(undo_.canRedo() ? tr("&Redo: %1").arg(undo_.redoText()) : tr("&Redo"));
+}
+
+void MainWindow::make_view_menu() {
+  const auto place = [this](const char* name, std::function<QString()> text, Qt::Key key) {
+    QAction* action = add(*view_menu_, std::move(text), QKeySequence(Qt::CTRL | key));
+    connect(action, &QAction::triggered, this, [this, name] { go_to(name); });
+  };
+  place(
+      "live", [] { return tr("&Live"); }, Qt::Key_1);
+  place(
+      "record", [] { return tr("&Record"); }, Qt::Key_2);
+  view_menu_->addSeparator();
+  QAction* full = add(
+      *view_menu_, [] { return tr("&Full screen"); }, QKeySequence(Qt::Key_F11));
+  connect(full, &QAction::triggered, this, [this] {
+    setWindowState(windowState() ^ Qt::WindowFullScreen);
+  });
+}
+
+void MainWindow::make_help_menu() {
+  QAction* help = add(
+      *help_menu_, [] { return tr("&Help on this place"); }, QKeySequence::HelpContents);
+  connect(help, &QAction::triggered, this, &MainWindow::show_help);
+  QAction* about = add(*help_menu_, [] { return tr("&About AllTact Studio"); });
+  connect(about, &QAction::triggered, this, &MainWindow::show_about);
+}
+
+QWidget* MainWindow::make_rail() {
+  auto* rail = new QFrame;
+  rail->setObjectName(QStringLiteral("rail"));
+  rail->setAutoFillBackground(true);
+  rail->setBackgroundRole(QPalette::AlternateBase);
+  auto* column = new QVBoxLayout(rail);
+  column->setContentsMargins(6, 8, 6, 8);
+  for (QToolButton* button : {live_button_, record_button_}) {
+    button->setCheckable(true);
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button->setIconSize({kRailIcon, kRailIcon});
+    button->setMinimumSize(76, 64);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAutoRaise(true);
+    rail_->addButton(button);
+    column->addWidget(button);
+  }
+  column->addStretch();
+  live_button_->setChecked(true);
+  connect(live_button_, &QToolButton::clicked, this, [this] { go_to("live"); });
+  connect(record_button_, &QToolButton::clicked, this, [this] { go_to("record"); });
+  return rail;
+}
+
+QWidget* MainWindow::make_header() {
+  auto* header = new QWidget;
+  auto* row = new QHBoxLayout(header);
+  row->setContentsMargins(0, 0, 0, 0);
+  source_button_->setMenu(source_menu_);
+  finger_button_->setMenu(new QMenu(finger_button_));
+  for (const auto& [label, button] :
+       {std::pair{finger_label_, finger_button_}, {source_label_, source_button_}}) {
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setFocusPolicy(Qt::TabFocus);
+    label->setBuddy(button);
+    row->addWidget(label);
+    row->addWidget(button);
+    row->addSpacing(18);
+  }
+  row->addStretch();
+  return header;
+}
+
+void MainWindow::make_status_line() {
+  for (QLabel* label : {delivered_, lost_, age_, time_}) {
+    label->setContentsMargins(6, 0, 12, 0);
+    statusBar()->addWidget(label);
+  }
+}
+
+void MainWindow::name_parts() {
+  setWindowTitle(tr("AllTact Studio"));
+  for (const Words& words : words_) words.action->setText(words.text());
+  show_undo();
+  file_menu_->setTitle(tr("&File"));
+  edit_menu_->setTitle(tr("&Edit"));
+  view_menu_->setTitle(tr("&View"));
+  help_menu_->setTitle(tr("&Help"));
+  recent_menu_->setTitle(tr("&Recent fingers"));
+  source_menu_->setTitle(tr("&Source"));
+  live_button_->setText(tr("Live"));
+  record_button_->setText(tr("Record"));
+  live_button_->setToolTip(tr("Live (Ctrl+1)"));
+  record_button_->setToolTip(tr("Record (Ctrl+2)"));
+  finger_label_->setText(tr("Finger:"));
+  source_label_->setText(tr("Source:"));
+  delivered_->setAccessibleName(tr("Frames delivered"));
+  lost_->setAccessibleName(tr("Frames lost"));
+  age_->setAccessibleName(tr("Age of the picture"));
+  time_->setAccessibleName(tr("Time of a frame"));
+  const auto& last = keeper_.last();
+  QStringList what;
+  if (last && !last->finger.empty()) what << tr("finger %1").arg(text_of(last->finger.filename()));
+  if (last && !last->source.empty())
+    what << tr("source %1").arg(text_of(last->source.front().filename()));
+  start_->set_last(what.join(QStringLiteral(", ")));
+  fill_source_menu();
+  fill_recent_menu();
+  follow();
+}
+
+void MainWindow::set_icons() {
+  live_button_->setIcon(icon(QStringLiteral("live"), palette()));
+  record_button_->setIcon(icon(QStringLiteral("record"), palette()));
+  finger_button_->setIcon(icon(QStringLiteral("finger"), palette()));
+  source_button_->setIcon(icon(QStringLiteral("source"), palette()));
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) set_icons();
+}
+
+void MainWindow::go_to(const std::string& place) {
+  const bool is_record = place == "record";
+  places_->setCurrentIndex(is_record ? 1 : 0);
+  (is_record ? record_button_ : live_button_)->setChecked(true);
+  state_.place = place;
+  keep();
+}
+
+void MainWindow::open_finger(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  state_.finger = folder.empty() ? folder : std::filesystem::absolute(folder, ignored);
+  session_.open_finger(state_.finger);
+  if (!folder.empty()) {
+    std::erase(state_.recent_fingers, state_.finger);
+    state_.recent_fingers.insert(state_.recent_fingers.begin(), state_.finger);
+    if (state_.recent_fingers.size() > 10) state_.recent_fingers.resize(10);
+  }
+  fill_recent_menu();
+  keep();
+}
+
+void MainWindow::open_source(const std::vector<std::filesystem::path>& inputs) {
+  state_.source = inputs;
+  if (inputs.empty()) {
+    session_.close_source();
+    live_or_start_->setCurrentWidget(start_);
+  } else {
+    session_.set_lock(state_.is_locked);
+    session_.open_source(inputs, state_.controls[source_name().toStdString()]);
+    live_or_start_->setCurrentWidget(live_);
+  }
+  keep();
+}
+
+void MainWindow::keep() {
+  state_.view = live_->options();
+  keeper_.keep(state_);
+}
+
+void MainWindow::restore(const SessionState& state) {
+  state_.place = state.place;
+  live_->set_options(state.view);
+  if (!state.finger.empty()) open_finger(state.finger);
+  if (!state.source.empty()) open_source(state.source);
+  go_to(state.place);
+}
+
+void MainWindow::go_on_with_last() {
+  is_crash_told_ = true;
+  if (keeper_.last()) restore(*keeper_.last());
+  follow();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  QSettings settings;
+  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  session_.close_source();
+  event->accept();
+}
+
+}  // namespace alltact

@@ -1,0 +1,35 @@
+// What was worked on, as it is kept between two days and over a crash.
+#pragma once
+
+#include "core/result.h"
+#include "core/sources/v4l2/camera_controls.h"
+#include "widgets/places/view_options.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+struct SessionState {
+  std::filesystem::path finger;               ///< folder; empty for none
+  std::vector<std::filesystem::path> source;  ///< what opens it; empty for none
+  std::string place = "live";                 ///< live | record
+  ViewOptions view;
+  bool is_locked = true;
+  /// What was set by hand, by the camera's lasting name.
+  std::map<std::string, std::vector<ControlValue>> controls;
+  std::vector<std::filesystem::path> recent_fingers;  ///< latest first, at most ten
+  bool operator==(const SessionState&) const = default;
+};
+
+inline constexpr const char* kSessionFormat = "alltact-session/1";
+
+[[nodiscard]] std::string session_to_json(const SessionState& state);
+/// Kind: keys it does not know are passed over, values out of range become defaults. Errors: no
+/// JSON, or not a session of this format.
+[[nodiscard]] Result<SessionState> session_from_json(const std::string& text,
+                                                     const std::string& origin);
+
+}  // namespace alltact

@@ -1,0 +1,109 @@
+// The kept session: there and back, kind to damage, and honest about a crash.
+#include "app/studio/session_file.h"
+
+#include "app/studio/session_keeper.h"
+#include "core/io/atomic_file.h"
+#include "tests/studio/studio_rig.h"
+
+#include <QTest>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+SessionState example() {
+  SessionState state;
+  state.finger = "/fingers/left \"7\"";
+  state.source = {"/scenes/a.yaml"};
+  state.place = "record";
+  state.view.depth = false;
+  state.view.depth_top_mm = 2.5;
+  state.is_locked = false;
+  state.controls["usb-Camera_1-index0"] = {{9963795, "Gain", 17}, {10094850, "Exposure", -3}};
+  state.recent_fingers = {"/fingers/left \"7\"", "/fingers/b"};
+  return state;
+}
+
+TEST(SessionFile, ComesBackAsItWas) {
+  const auto back = session_from_json(session_to_json(example()), "a test");
+  ASSERT_TRUE(back) << back.error().sentence();
+  EXPECT_EQ(*back, example());
+  EXPECT_EQ(session_to_json(*back), session_to_json(example()));
+}
+
+TEST(SessionFile, WhatIsImpossibleBecomesTheDefault) {
+  const auto state = session_from_json(
+      R"({"format": "alltact-session/1", "place": "moon", "locked": 7, "source": "x",
+          "view": {"depth_top_mm": -4, "edges": "yes", "markers": false}, "controls": [1, 2],
+          "from_a_later_version": {}})",
+      "a test");
+  ASSERT_TRUE(state) << state.error().sentence();
+  SessionState expected;
+  expected.view.markers = false;
+  EXPECT_EQ(*state, expected);
+}
+
+TEST(SessionFile, RefusesWhatIsNone) {
+  for (const char* text : {"", "[]", "{}", "null", "{\"format\": \"alltact-session/9\"}"})
+    EXPECT_FALSE(session_from_json(text, "a test")) << text;
+}
+
+TEST(SessionFile, MeetsEveryTruncation) {
+  const std::string whole = session_to_json(example());
+  for (std::size_t length = 0; length + 2 < whole.size(); ++length)
+    EXPECT_FALSE(session_from_json(whole.substr(0, length), "a test")) << length;
+}
+
+TEST(SessionKeeper, KeepsTheLatest) {
+  const TemporaryFolder folder;
+  {
+    SessionKeeper keeper(folder / "session");
+    EXPECT_FALSE(keeper.last());
+    for (int i = 1; i <= 50; ++i) {
+      SessionState state = example();
+      state.view.depth_top_mm = 0.1 * i;
+      keeper.keep(state);
+    }
+  }
+  SessionKeeper again(folder / "session");
+  ASSERT_TRUE(again.last());
+  EXPECT_DOUBLE_EQ(again.last()->view.depth_top_mm, 5.0);
+  EXPECT_FALSE(again.has_crashed());
+}
+
+TEST(SessionKeeper, NoticesThatTheLastProgramDied) {
+  const TemporaryFolder folder;
+  { SessionKeeper(folder / "session").keep(example()); }
+  leave_as_after_a_crash(folder / "session");
+  const SessionKeeper keeper(folder / "session");
+  EXPECT_TRUE(keeper.has_crashed());
+  EXPECT_EQ(*keeper.last(), example());
+}
+
+TEST(SessionKeeper, ASecondProgramNeitherWritesNorClaimsACrash) {
+  const TemporaryFolder folder;
+  SessionKeeper first(folder / "session");
+  first.keep(example());
+  {
+    SessionKeeper second(folder / "session");
+    EXPECT_FALSE(second.has_crashed());
+    second.keep(SessionState());
+  }
+  QTest::qWait(600);
+  const auto text = read_file(folder / "session/session.json");
+  ASSERT_TRUE(text) << text.error().sentence();
+  EXPECT_EQ(*text, session_to_json(example()));
+}
+
+TEST(SessionKeeper, SaysWhyItCannotKeep) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file_atomically(folder / "file", "not a folder"));
+  const SessionKeeper keeper(folder / "file/session");
+  ASSERT_TRUE(keeper.problem());
+  EXPECT_NE(keeper.problem()->where.find("file/session"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace alltact::test

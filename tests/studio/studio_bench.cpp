@@ -1,0 +1,98 @@
+// What the window costs in time: until its picture moves, and how old the picture is when it is
+// shown.
+#include "app/finger_work.h"
+#include "core/simulation/plan.h"
+#include "tests/studio/studio_rig.h"
+
+#include <QApplication>
+#include <algorithm>
+#include <fstream>
+
+#include <benchmark/benchmark.h>
+#include <opencv2/imgcodecs.hpp>
+
+namespace alltact::test {
+namespace {
+
+double percentile(std::vector<double> values, double part) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+/// From nothing to the second picture of a simulated finger in a shown window.
+void until_the_picture_moves(benchmark::State& state) {
+  for (auto step : state) {
+    StudioOptions options;
+    options.source = {MadeFingers::get().bending()};
+    Studio studio(options);
+    int shown = 0;
+    QObject::connect(&studio.session(), &LiveSession::view_ready, [&] { ++shown; });
+    wait_until([&] { return shown >= 2; });
+    state.PauseTiming();
+    studio.close();
+    state.ResumeTiming();
+  }
+}
+BENCHMARK(until_the_picture_moves)->Unit(benchmark::kMillisecond)->Iterations(5)->UseRealTime();
+
+/// A camera's 1920 x 1080 MJPEG at 30 frames a second, a simulated finger in it; edges and markers
+/// found and drawn, everything recorded.
+void age_of_full_hd(benchmark::State& state) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "hd.yaml") << small_scene(false, 1920);
+  const Plan plan = Plan::compile(Scene::load(folder / "hd.yaml").value(), 1).value();
+  FakeOptions camera;
+  camera.sizes = {{1920, 1080}};
+  constexpr int kPackets = 30;
+  for (int i = 0; i < kPackets; ++i)
+    cv::imencode(".jpg", plan.render(i), camera.packets.emplace_back());
+  FakeCamera fake(camera);
+  NewFinger description;
+  description.finger = folder / "finger";
+  description.camera = folder / "camera.yaml";
+  description.width_mm = 24;
+  description.layer_mm = 1.5;
+  description.per_row = 6;
+  const Status saved = save_camera(description.camera, plan.finger().camera);
+  auto finger = make_finger(description);
+  if (!saved || !finger) return state.SkipWithError("no finger");
+  if (!install_recording(description.finger, *finger, {folder / "hd.yaml"}, Job()))
+    return state.SkipWithError("no reference");
+  for (auto step : state) {
+    StudioOptions options;
+    options.opener = with_camera(fake);
+    options.source = {"camera"};
+    options.finger = description.finger;
+    Studio studio(options);
+    wait_until([&] { return studio.session().status().finger.has_reference; }, 60000);
+    QTest::qWait(500);
+    const std::size_t before = studio.session().ages_ms().size();
+    studio.session().start_recording(folder / "hd.mkv");
+    QTest::qWait(8000);
+    studio.session().stop_recording();
+    wait_until([&] { return studio.session().status().recording.state == RecordingState::kDone; });
+    const auto& ages = studio.session().ages_ms();
+    const auto& counts = studio.session().status().recording.counts;
+    const std::vector<double> all(ages.begin() + static_cast<std::ptrdiff_t>(before), ages.end());
+    state.counters["frame_ms"] = studio.session().times_ms().total;
+    state.counters["age_p50_ms"] = percentile(all, 0.5);
+    state.counters["age_p95_ms"] = percentile(all, 0.95);
+    state.counters["shown"] = static_cast<double>(all.size());
+    state.counters["recorded"] = static_cast<double>(counts.recorded);
+    state.counters["dropped"] = static_cast<double>(counts.dropped);
+    studio.close();
+  }
+}
+BENCHMARK(age_of_full_hd)->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
+
+}  // namespace
+}  // namespace alltact::test
+
+int main(int argc, char** argv) {
+  setenv("QT_QPA_PLATFORM", "offscreen", 0);
+  benchmark::Initialize(&argc, argv);
+  QApplication application(argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

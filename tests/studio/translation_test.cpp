@@ -1,0 +1,188 @@
+// Every text can be translated, is translated, and has room for longer words.
+#include "tests/studio/studio_rig.h"
+#include "tests/support/program.h"
+#include "widgets/shell/new_finger_dialog.h"
+#include "widgets/shell/settings_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGroupBox>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+struct Message {
+  QString source;
+  QStringList translations;
+  bool is_finished = true;
+};
+
+std::vector<Message> messages_of(const std::filesystem::path& file) {
+  QFile text(QString::fromStdString(file.string()));
+  EXPECT_TRUE(text.open(QIODevice::ReadOnly)) << file;
+  QXmlStreamReader xml(&text);
+  std::vector<Message> messages;
+  while (!xml.atEnd()) {
+    xml.readNext();
+    if (!xml.isStartElement()) continue;
+    if (xml.name() == QLatin1String("message")) messages.emplace_back();
+    if (xml.name() == QLatin1String("source")) messages.back().source = xml.readElementText();
+    if (xml.name() == QLatin1String("numerusform"))
+      messages.back().translations << xml.readElementText();
+    if (xml.name() == QLatin1String("translation")) {
+      messages.back().is_finished = !xml.attributes().hasAttribute(QStringLiteral("type"));
+      const QString plain = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+      if (!plain.trimmed().isEmpty()) messages.back().translations << plain;
+    }
+  }
+  EXPECT_FALSE(xml.hasError()) << file << xml.errorString().toStdString();
+  return messages;
+}
+
+QStringList places_in(const QString& text) {
+  static const QRegularExpression form(QStringLiteral("%(n|[1-9])"));
+  QStringList places;
+  for (auto found = form.globalMatch(text); found.hasNext();) places << found.next().captured();
+  places.removeDuplicates();
+  places.sort();
+  return places;
+}
+
+class Language : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Ts, Language, testing::Values("de", "zh_CN"));
+
+TEST_P(Language, IsCompleteAndKeepsWhatIsFilledIn) {
+  const auto file = std::filesystem::path(ALLTACT_SOURCE_DIR) / "translations" /
+                    (std::string("alltact_") + GetParam() + ".ts");
+  const auto messages = messages_of(file);
+  EXPECT_GT(messages.size(), 200U);
+  for (const Message& message : messages) {
+    EXPECT_TRUE(message.is_finished) << message.source.toStdString();
+    ASSERT_FALSE(message.translations.empty()) << message.source.toStdString();
+    EXPECT_EQ(places_in(message.translations.first()), places_in(message.source))
+        << message.source.toStdString();
+  }
+}
+
+TEST_P(Language, HoldsEveryTextOfTheProgramAndNoOther) {
+  const TemporaryFolder folder;
+  const std::string name = std::string("alltact_") + GetParam() + ".ts";
+  const std::filesystem::path top = ALLTACT_SOURCE_DIR;
+  std::filesystem::copy(top / "translations" / name, folder / name);
+  const ProgramRun run =
+      run_shell("cd '" + top.string() + "' && " + ALLTACT_LUPDATE +
+                " -silent -no-obsolete -locations none -I . widgets app/studio -ts '" +
+                (folder / name).string() + "'");
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const auto now = messages_of(folder / name), kept = messages_of(top / "translations" / name);
+  for (const Message& message : now)
+    EXPECT_TRUE(message.is_finished) << "new: " << message.source.toStdString();
+  EXPECT_EQ(now.size(), kept.size()) << "translations/" << name << " holds texts that nothing says";
+}
+
+/// Says everything a third longer and between brackets.
+class Pseudo : public QTranslator {
+ public:
+  static constexpr QChar kOpen{0x27e6}, kClose{0x27e7};
+  [[nodiscard]] bool isEmpty() const override { return false; }
+  [[nodiscard]] QString translate(const char* context,
+                                  const char* source,
+                                  const char* /*disambiguation*/,
+                                  int n) const override {
+    if (!QByteArray(context).startsWith("alltact")) return {};
+    QString text = QString::fromUtf8(source);
+    if (n >= 0) text.replace(QLatin1String("%n"), QString::number(n));
+    return kOpen + text + QString(text.size() / 3, QLatin1Char('~')) + kClose;
+  }
+};
+
+class PseudoLanguage : public testing::Test {
+ protected:
+  PseudoLanguage() { QCoreApplication::installTranslator(&pseudo_); }
+  ~PseudoLanguage() override { QCoreApplication::removeTranslator(&pseudo_); }
+
+  /// Before the plurals of English, which a window brings.
+  void speak() {
+    QCoreApplication::removeTranslator(&pseudo_);
+    QCoreApplication::installTranslator(&pseudo_);
+    QTest::qWait(300);
+  }
+  static bool is_text(const QString& text) {
+    static const QRegularExpression letters(QStringLiteral("[A-Za-z]{2,}"));
+    return text.contains(letters);
+  }
+  static void expect_translated(const QString& text, const char* what) {
+    if (!is_text(text)) return;
+    EXPECT_TRUE(text.contains(Pseudo::kOpen)) << what << ": " << text.toStdString();
+  }
+  static void look_through(const QWidget& root) {
+    for (const QWidget* widget : root.findChildren<QWidget*>()) {
+      if (!widget->isVisible()) continue;
+      expect_translated(widget->accessibleName(), "accessible name");
+      expect_translated(
+          widget->toolTip().startsWith(QLatin1Char('/')) ? QString() : widget->toolTip(),
+          "tool tip");
+      if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
+        const auto* tool = qobject_cast<const QToolButton*>(button);
+        // Those with a menu show a finger's or a source's own name.
+        if (tool == nullptr || tool->menu() == nullptr) expect_translated(button->text(), "button");
+        if (qobject_cast<const QPushButton*>(button) != nullptr) {
+          EXPECT_GE(button->width(), button->minimumSizeHint().width())
+              << "clipped: " << button->text().toStdString();
+        }
+      }
+      if (const auto* group = qobject_cast<const QGroupBox*>(widget))
+        expect_translated(group->title(), "group");
+      if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+        expect_translated(label->text(), "label");
+        if (label->wordWrap()) {
+          EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+              << "clipped: " << label->text().toStdString();
+        }
+      }
+    }
+  }
+  Pseudo pseudo_;
+};
+
+TEST_F(PseudoLanguage, NothingIsLeftOutAndNothingIsClipped) {
+  {
+    Studio empty;
+    speak();
+    look_through(empty.window());
+    for (const QAction* action : empty.window().menuBar()->actions()) {
+      expect_translated(action->text(), "menu");
+      for (const QAction* entry : action->menu()->actions())
+        expect_translated(entry->text(), "entry");
+    }
+  }
+  StudioOptions options;
+  options.source = {MadeFingers::get().touched()};
+  options.finger = MadeFingers::get().calibrated();
+  Studio studio(options);
+  ASSERT_TRUE(studio.wait_for_picture());
+  speak();
+  for (const char* place : {"live", "record"}) {
+    studio.window().go_to(place);
+    QTest::qWait(600);
+    look_through(studio.window());
+    std::filesystem::create_directories(ALLTACT_SCREENS);
+    studio.window().grab().save(
+        QStringLiteral(ALLTACT_SCREENS "/pseudo_%1.png").arg(QLatin1String(place)));
+  }
+  NewFingerDialog finger([](const FingerDescription&) { return Status(); });
+  finger.show();
+  QTest::qWait(50);
+  look_through(finger);
+}
+
+}  // namespace
+}  // namespace alltact::test

@@ -1,0 +1,325 @@
+// What holds for the whole window: it never blocks, always closes, and everyone can use it.
+#include "app/studio/main_window.h"
+#include "tests/studio/studio_rig.h"
+#include "tests/support/program.h"
+#include "widgets/shell/new_finger_dialog.h"
+#include "widgets/shell/settings_dialog.h"
+
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QTimer>
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// The longest time between two turns of the event loop, without the time for which the thread was
+/// ready and the computer had no core for it: that is not the window's doing. Neither is what a
+/// thread that only sleeps a millisecond at a time has to wait beyond that.
+class Watchdog {
+ public:
+  Watchdog() {
+    timer_.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&timer_, &QTimer::timeout, [this] { look(); });
+    timer_.start(1);
+    sleeper_ = std::jthread([this](const std::stop_token& stop) {
+      for (auto last = Clock::now(); !stop.stop_requested();) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        const auto now = Clock::now();
+        const double gap_ms = std::chrono::duration<double, std::milli>(now - last).count();
+        sleeper_longest_ms_ = std::max(sleeper_longest_ms_.load(), gap_ms);
+        last = now;
+      }
+    });
+  }
+  [[nodiscard]] double longest_ms() const { return longest_ms_; }
+  [[nodiscard]] double sleeper_longest_ms() const { return sleeper_longest_ms_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  /// The kernel's account of this thread: on a core, waiting for one (ns), turns.
+  static double waited_ms() {
+    double on_core = 0, waited = 0;
+    std::ifstream("/proc/thread-self/schedstat") >> on_core >> waited;
+    return waited * 1e-6;
+  }
+  void look() {
+    const auto now = Clock::now();
+    const double waited = waited_ms();
+    if (last_) {
+      const double gap_ms = std::chrono::duration<double, std::milli>(now - *last_).count();
+      longest_ms_ = std::max(longest_ms_, gap_ms - (waited - last_waited_ms_));
+    }
+    last_ = now;
+    last_waited_ms_ = waited;
+  }
+  QTimer timer_;
+  std::optional<Clock::time_point> last_;
+  double longest_ms_ = 0, last_waited_ms_ = 0;
+  std::atomic<double> sleeper_longest_ms_{0};
+  std::jthread sleeper_;
+};
+
+StudioOptions simulated() {
+  StudioOptions options;
+  options.finger = MadeFingers::get().calibrated();
+  options.source = {MadeFingers::get().touched()};
+  return options;
+}
+
+TEST(Window, NeverBlocksForMoreThan30Milliseconds) {
+  static_cast<void>(MadeFingers::get());
+  Studio studio;
+  QTest::qWait(300);
+  // Qt paints a first window in software; from here on nothing may hold the loop.
+  const Watchdog watchdog;
+  studio.window().open_finger(MadeFingers::get().calibrated());
+  studio.window().open_source({MadeFingers::get().touched()});
+  ASSERT_TRUE(studio.wait_for_picture());
+  QTest::qWait(1500);
+  studio.window().open_finger(MadeFingers::get().described());
+  QTest::qWait(300);
+  studio.session().start_recording(studio.folder() / "a.mkv");
+  QTest::qWait(500);
+  studio.session().stop_recording();
+  studio.window().open_source({"/nowhere.mkv"});
+  QTest::qWait(300);
+  RecordProperty("longest_ms", std::to_string(watchdog.longest_ms()));
+  EXPECT_LT(watchdog.longest_ms(), 30 + watchdog.sleeper_longest_ms());
+}
+
+class Closing : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(
+    State,
+    Closing,
+    testing::Values(
+        "empty", "opening", "live", "loading", "recording", "failed", "record_place", "stuck"),
+    [](const auto& state) { return std::string(state.param); });
+
+TEST_P(Closing, TakesLessThanASecond) {
+  static_cast<void>(MadeFingers::get());
+  const std::string state = GetParam();
+  StudioOptions options;
+  if (state == "stuck")  // a driver that does not answer
+    options.opener = [](const auto&, const auto&) -> Result<std::unique_ptr<Source>> {
+      std::this_thread::sleep_for(std::chrono::seconds(3));
+      return Error{"too late", "", ""};
+    };
+  if (state != "empty") options.source = {MadeFingers::get().touched()};
+  if (state == "failed") options.source = {"/nowhere.mkv"};
+  if (state == "loading") options.finger = MadeFingers::get().calibrated();
+  auto studio = std::make_unique<Studio>(options);
+  const TemporaryFolder folder;
+  if (state == "live" || state == "recording" || state == "record_place") {
+    ASSERT_TRUE(studio->wait_for_picture());
+  }
+  if (state == "record_place") studio->window().go_to("record");
+  if (state == "recording") {
+    studio->session().start_recording(folder / "a.mkv");
+    ASSERT_TRUE(
+        wait_until([&] { return studio->session().status().recording.counts.recorded > 3; }));
+  }
+  QElapsedTimer timer;
+  timer.start();
+  studio->close();
+  studio.reset();
+  EXPECT_LT(timer.elapsed(), 1000);
+  if (state == "recording") {
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.mkv"));
+  }
+}
+
+bool is_for_people(const QWidget& widget) {
+  return widget.isVisible() &&
+         (widget.focusPolicy() != Qt::NoFocus || qobject_cast<const ImageView*>(&widget) ||
+          qobject_cast<const QAbstractButton*>(&widget)) &&
+         // Parts of Qt's own that stand for the whole they belong to.
+         !widget.objectName().startsWith(QStringLiteral("qt_")) &&
+         qobject_cast<const QAbstractSpinBox*>(widget.parentWidget()) == nullptr &&
+         qobject_cast<const QComboBox*>(widget.parentWidget()) == nullptr;
+}
+
+void expect_names(const QWidget& root) {
+  for (QWidget* widget : root.findChildren<QWidget*>()) {
+    if (!is_for_people(*widget) || qobject_cast<QMenuBar*>(widget) != nullptr) continue;
+    QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(widget);
+    ASSERT_NE(seen, nullptr);
+    const auto what = std::string(widget->metaObject()->className()) + " '" +
+                      widget->objectName().toStdString() + "'";
+    EXPECT_FALSE(seen->text(QAccessible::Name).isEmpty()) << what << " has no name";
+    EXPECT_NE(seen->role(), QAccessible::NoRole) << what << " has no role";
+    EXPECT_NE(seen->role(), QAccessible::Client) << what << " has no role";
+  }
+}
+
+TEST(Window, EveryControlHasANameAndARole) {
+  Studio studio(simulated());
+  ASSERT_TRUE(studio.wait_for_picture());
+  expect_names(studio.window());
+  studio.window().go_to("record");
+  QTest::qWait(50);
+  expect_names(studio.window());
+  NewFingerDialog finger([](const FingerDescription&) { return Status(); });
+  finger.show();
+  expect_names(finger);
+  SettingsDialog settings({});
+  settings.show();
+  expect_names(settings);
+  Studio empty;
+  expect_names(empty.window());
+}
+
+/// Of buttons that exclude each other Tab goes to the chosen one, arrow keys to the others.
+bool is_stop(const QWidget& widget) {
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  const bool is_one_of_several = button != nullptr && button->group() != nullptr &&
+                                 button->group()->exclusive() && !button->isChecked();
+  return (widget.focusPolicy() & Qt::TabFocus) != 0 && !is_one_of_several &&
+         qobject_cast<const QMenuBar*>(&widget) == nullptr;
+}
+
+TEST(Window, EveryControlCanBeReachedByTab) {
+  Studio studio(simulated());
+  ASSERT_TRUE(studio.wait_for_picture());
+  for (const char* place : {"live", "record"}) {
+    studio.window().go_to(place);
+    QTest::qWait(300);
+    std::set<QWidget*> wanted;
+    for (QWidget* widget : studio.window().findChildren<QWidget*>())
+      if (is_for_people(*widget) && widget->isEnabled() && is_stop(*widget)) wanted.insert(widget);
+    EXPECT_GE(wanted.size(), 9U);
+    studio.window().setFocus();
+    for (int i = 0; i < 100; ++i) {
+      QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : &studio.window(),
+                      Qt::Key_Tab);
+      wanted.erase(QApplication::focusWidget());
+    }
+    for (const QWidget* widget : wanted)
+      ADD_FAILURE() << place << ": cannot reach " << widget->metaObject()->className() << " "
+                    << widget->accessibleName().toStdString();
+  }
+}
+
+TEST(Window, ShortcutsAreNotTakenTwice) {
+  Studio studio(simulated());
+  std::map<QString, QString> taken;
+  for (const QAction* action : studio.window().findChildren<QAction*>()) {
+    if (action->shortcut().isEmpty()) continue;
+    const auto [place, is_new] = taken.emplace(action->shortcut().toString(), action->text());
+    EXPECT_TRUE(is_new) << action->shortcut().toString().toStdString() << " is taken by "
+                        << place->second.toStdString() << " and " << action->text().toStdString();
+  }
+  EXPECT_GE(taken.size(), 9U);
+}
+
+TEST(NewFinger, IsMadeWithTheSameChecksAsByTheCommandLine) {
+  const TemporaryFolder folder;
+  Studio studio;
+  QTest::keyClick(&studio.window(), Qt::Key_N, Qt::ControlModifier);
+  auto* dialog = studio.window().findChild<NewFingerDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog));
+  EXPECT_FALSE(dialog->isModal());
+  const auto type = [&](const char* name, const std::string& text) {
+    for (QLineEdit* line : dialog->findChildren<QLineEdit*>())
+      if (line->accessibleName() == QLatin1String(name)) {
+        line->clear();
+        QTest::keyClicks(line, QString::fromStdString(text));
+      }
+  };
+  const auto press = [&] {
+    for (QPushButton* button : dialog->findChildren<QPushButton*>())
+      if (button->text() == QLatin1String("&Make the finger"))
+        QTest::mouseClick(button, Qt::LeftButton);
+  };
+  const auto says = [&](const char* words) {
+    return wait_until([&] {
+      for (const Problem& problem : dialog->findChild<ProblemList*>()->problems())
+        if (problem.what.contains(QLatin1String(words))) return true;
+      return false;
+    });
+  };
+  press();
+  EXPECT_TRUE(says("No folder is named"));
+  type("Folder to make", (folder / "left-07").string());
+  type("Camera file", (folder / "none.yaml").string());
+  press();
+  EXPECT_TRUE(says("none.yaml"));
+  type("Camera file", MadeFingers::get().camera().string());
+  press();
+  ASSERT_TRUE(wait_until([&] {
+    const auto& finger = studio.session().status().finger;
+    return finger.state == FingerState::kReady && finger.finger->name == "left-07";
+  }));
+  const auto finger = Finger::load(folder / "left-07");
+  ASSERT_TRUE(finger) << finger.error().sentence();
+  EXPECT_DOUBLE_EQ(finger->face.width_mm, 24);
+  EXPECT_EQ(finger->markers.per_row, 6);
+  EXPECT_THAT(studio.problems(), HasSubstr("no reference recording"));
+  EXPECT_NE(studio.find<QToolButton>("Finger: left-07"), nullptr);
+}
+
+TEST(Settings, ThemeAndLanguageChangeAtOnce) {
+  Studio studio;
+  QTest::keyClick(&studio.window(), Qt::Key_Comma, Qt::ControlModifier);
+  auto* dialog = studio.window().findChild<SettingsDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  const auto boxes = dialog->findChildren<QComboBox*>();
+  ASSERT_EQ(boxes.size(), 2);
+  boxes[0]->setCurrentIndex(2);
+  EXPECT_TRUE(wait_until([&] { return is_dark(studio.window().palette()); }));
+  boxes[0]->setCurrentIndex(1);
+  EXPECT_TRUE(wait_until([&] { return !is_dark(studio.window().palette()); }));
+  boxes[1]->setCurrentIndex(2);
+  QTest::qWait(100);
+  EXPECT_NE(studio.find<QPushButton>("Simulierter Finger"), nullptr);
+  boxes[1]->setCurrentIndex(3);
+  QTest::qWait(100);
+  EXPECT_EQ(QLocale().language(), QLocale::Chinese);
+  EXPECT_EQ(studio.window().windowTitle(), QString::fromUtf8("AllTact Studio"));
+  boxes[1]->setCurrentIndex(1);
+  QTest::qWait(100);
+  EXPECT_NE(studio.find<QPushButton>("Simulated finger"), nullptr);
+}
+
+TEST(Program, SaysHowItIsUsed) {
+  const std::string studio = ALLTACT_STUDIO;
+  const ProgramRun help = run_shell(studio + " --help");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.output, HasSubstr("--source"));
+  EXPECT_EQ(help.errors, "");
+  EXPECT_EQ(run_shell(studio + " --version").status, 0);
+  const ProgramRun wrong = run_shell(studio + " --no-such-flag");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.errors, HasSubstr("--no-such-flag"));
+  EXPECT_EQ(run_shell(studio + " one two").status, 2);
+}
+
+TEST(Program, SaysThatThereIsNoDisplay) {
+  const ProgramRun run = run_shell(
+      std::string("env -u QT_QPA_PLATFORM -u DISPLAY -u WAYLAND_DISPLAY ") + ALLTACT_STUDIO);
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("no display"));
+}
+
+TEST(Program, StartsAndGoesOnUntilItIsEnded) {
+  const ProgramRun run = run_shell(std::string("timeout 2 ") + ALLTACT_STUDIO + " --source '" +
+                                   MadeFingers::get().bending().string() + "'");
+  EXPECT_EQ(run.status, 124) << run.errors;  // timeout's own: it had to end it
+}
+
+}  // namespace
+}  // namespace alltact::test

@@ -1,0 +1,23 @@
+// The Studio is tested on Qt's offscreen platform, in one style and one language, with settings of
+// its own.
+#include "tests/support/program.h"
+#include "tests/support/run_all_tests.h"
+#include "widgets/shell/studio_style.h"
+
+#include <QApplication>
+#include <QLocale>
+
+int main(int argc, char** argv) {
+  const alltact::test::TemporaryFolder home;
+  setenv("QT_QPA_PLATFORM", "offscreen", 0);
+  setenv("XDG_CONFIG_HOME", (home / "config").c_str(), 1);
+  setenv("XDG_DATA_HOME", (home / "data").c_str(), 1);
+  setenv("XDG_RUNTIME_DIR", home.path().c_str(), 1);
+  setenv("LANGUAGE", "en", 1);
+  QLocale::setDefault(QLocale(QLocale::English));
+  QApplication::setStyle(new alltact::StudioStyle);
+  QApplication application(argc, argv);
+  QCoreApplication::setOrganizationName("alltact");
+  QCoreApplication::setApplicationName("alltact-studio-tests");
+  return alltact::test::run_all_tests(argc, argv);
+}

@@ -1,0 +1,1112 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>alltact::ControlPanel</name>
+    <message>
+        <source>Automatic exposure</source>
+        <translation>Belichtungsautomatik</translation>
+    </message>
+    <message>
+        <source>Exposure time</source>
+        <translation>Belichtungszeit</translation>
+    </message>
+    <message>
+        <source>Automatic gain</source>
+        <translation>Verstärkungsautomatik</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Automatic white balance</source>
+        <translation>Automatischer Weißabgleich</translation>
+    </message>
+    <message>
+        <source>White balance</source>
+        <translation>Weißabgleich</translation>
+    </message>
+    <message>
+        <source>Automatic focus</source>
+        <translation>Autofokus</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source> × 0.1 ms</source>
+        <translation> × 0,1 ms</translation>
+    </message>
+    <message>
+        <source> K</source>
+        <translation> K</translation>
+    </message>
+    <message>
+        <source>Locked: unlock above to change it.</source>
+        <translation>Gesperrt: Zum Ändern oben entsperren.</translation>
+    </message>
+    <message>
+        <source>An automatic mode has it in hand.</source>
+        <translation>Eine Automatik stellt es ein.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>&amp;Lock brightness</source>
+        <translation>&amp;Helligkeit sperren</translation>
+    </message>
+    <message>
+        <source>Automatic modes stay off, and what changes by itself is put back.</source>
+        <translation>Automatiken bleiben aus, und was sich von selbst ändert, wird zurückgestellt.</translation>
+    </message>
+    <message>
+        <source>Brightness is the measurement: locked, nothing changes it. Unlock it before calibrating only.</source>
+        <translation>Helligkeit ist die Messung: Gesperrt ändert sie nichts. Nur vor dem Kalibrieren entsperren.</translation>
+    </message>
+    <message>
+        <source>A camera's exposure, gain, white balance and focus stand here. This source is no camera.</source>
+        <translation>Hier stehen Belichtung, Verstärkung, Weißabgleich und Fokus einer Kamera. Diese Quelle ist keine Kamera.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CoverageView</name>
+    <message>
+        <source>bend away</source>
+        <translation>wegbiegen</translation>
+    </message>
+    <message>
+        <source>bend back</source>
+        <translation>zurückbiegen</translation>
+    </message>
+    <message>
+        <source>sway up</source>
+        <translation>nach oben schwenken</translation>
+    </message>
+    <message>
+        <source>sway down</source>
+        <translation>nach unten schwenken</translation>
+    </message>
+    <message>
+        <source>twist right</source>
+        <translation>rechts verdrehen</translation>
+    </message>
+    <message>
+        <source>twist left</source>
+        <translation>links verdrehen</translation>
+    </message>
+    <message>
+        <source>Coverage of bending</source>
+        <translation>Abdeckung der Biegung</translation>
+    </message>
+    <message>
+        <source>No pose has been seen yet.</source>
+        <translation>Noch keine Haltung gesehen.</translation>
+    </message>
+    <message>
+        <source>All directions are reached.</source>
+        <translation>Alle Richtungen sind erreicht.</translation>
+    </message>
+    <message>
+        <source>Missing: %1.</source>
+        <translation>Es fehlen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FrameWords</name>
+    <message>
+        <source>The finger is pushed from its contact face.</source>
+        <translation>Der Finger wird von der Kontaktfläche her gedrückt.</translation>
+    </message>
+    <message>
+        <source>The finger is pushed from its back.</source>
+        <translation>Der Finger wird vom Rücken her gedrückt.</translation>
+    </message>
+    <message>
+        <source>The finger is pushed from its upper side.</source>
+        <translation>Der Finger wird von der oberen Seite her gedrückt.</translation>
+    </message>
+    <message>
+        <source>The finger is pushed from its lower side.</source>
+        <translation>Der Finger wird von der unteren Seite her gedrückt.</translation>
+    </message>
+    <message>
+        <source>no depth: too dark</source>
+        <translation>keine Tiefe: zu dunkel</translation>
+    </message>
+    <message>
+        <source>no depth: too bright</source>
+        <translation>keine Tiefe: zu hell</translation>
+    </message>
+    <message>
+        <source>no depth: off the face</source>
+        <translation>keine Tiefe: außerhalb der Fläche</translation>
+    </message>
+    <message>
+        <source>u %1 px, v %2 px, grey %3</source>
+        <translation>u %1 px, v %2 px, Grauwert %3</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>Tiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>Nothing presses on the contact face.</source>
+        <translation>Nichts drückt auf die Kontaktfläche.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contact(s) on the face.</source>
+        <translation>
+            <numerusform>%n Kontakt auf der Fläche.</numerusform>
+            <numerusform>%n Kontakte auf der Fläche.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Deepest %1 mm, area %2 mm², volume %3 mm³.</source>
+        <translation>Am tiefsten %1 mm, Fläche %2 mm², Volumen %3 mm³.</translation>
+    </message>
+    <message>
+        <source>Not known without a reference recording.</source>
+        <translation>Ohne Referenzaufnahme nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Tiefe, mm</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ImageView</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The camera's picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
+        <translation>Das Bild der Kamera. Rad oder + und - vergrößern, 0 zeigt alles, 1 die eigene Größe. Ziehen oder Pfeiltasten verschieben es; Umschalt und Pfeiltasten bewegen die Sonde.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::LivePlace</name>
+    <message>
+        <source>show %1</source>
+        <translation>%1 einblenden</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>change the depth colours</source>
+        <translation>Tiefenfarben ändern</translation>
+    </message>
+    <message>
+        <source>Over the picture</source>
+        <translation>Über dem Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Edges of the face</source>
+        <translation>&amp;Kanten der Fläche</translation>
+    </message>
+    <message>
+        <source>&amp;Markers with numbers</source>
+        <translation>&amp;Marken mit Nummern</translation>
+    </message>
+    <message>
+        <source>Direction of &amp;contact</source>
+        <translation>R&amp;ichtung des Kontakts</translation>
+    </message>
+    <message>
+        <source>&amp;Depth in colours</source>
+        <translation>&amp;Tiefe in Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Too dark or too bright</source>
+        <translation>&amp;Zu dunkel oder zu hell</translation>
+    </message>
+    <message>
+        <source>A ring: the marker is seen. A dashed diamond: its place is an estimate.</source>
+        <translation>Ring: Die Marke ist zu sehen. Gestrichelte Raute: Ihr Ort ist geschätzt.</translation>
+    </message>
+    <message>
+        <source>Stripes falling to the right: too bright to measure. Stripes falling to the left: too dark.</source>
+        <translation>Nach rechts fallende Streifen: zu hell zum Messen. Nach links fallende: zu dunkel.</translation>
+    </message>
+    <message>
+        <source>Colours &amp;end at</source>
+        <translation>Farben &amp;enden bei</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Depth at which the colours end</source>
+        <translation>Tiefe, bei der die Farben enden</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Time of a frame</source>
+        <translation>Zeit für ein Bild</translation>
+    </message>
+    <message>
+        <source>change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>lock brightness</source>
+        <translation>Helligkeit sperren</translation>
+    </message>
+    <message>
+        <source>unlock brightness</source>
+        <translation>Helligkeit entsperren</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>Noch kein Bild.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Preparation</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>All together</source>
+        <translation>Alles zusammen</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::MainWindow</name>
+    <message>
+        <source>&amp;Open finger…</source>
+        <translation>Finger ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;New finger…</source>
+        <translation>&amp;Neuer Finger…</translation>
+    </message>
+    <message>
+        <source>&amp;Close finger</source>
+        <translation>Finger s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>S&amp;ettings…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Live</source>
+        <translation>&amp;Live</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Aufnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this place</source>
+        <translation>&amp;Hilfe zu diesem Ort</translation>
+    </message>
+    <message>
+        <source>&amp;About AllTact Studio</source>
+        <translation>&amp;Über AllTact Studio</translation>
+    </message>
+    <message>
+        <source>AllTact Studio</source>
+        <translation>AllTact Studio</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Recent fingers</source>
+        <translation>&amp;Zuletzt geöffnete Finger</translation>
+    </message>
+    <message>
+        <source>&amp;Source</source>
+        <translation>&amp;Quelle</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Live (Ctrl+1)</source>
+        <translation>Live (Strg+1)</translation>
+    </message>
+    <message>
+        <source>Record (Ctrl+2)</source>
+        <translation>Aufnahme (Strg+2)</translation>
+    </message>
+    <message>
+        <source>Finger:</source>
+        <translation>Finger:</translation>
+    </message>
+    <message>
+        <source>Source:</source>
+        <translation>Quelle:</translation>
+    </message>
+    <message>
+        <source>Frames delivered</source>
+        <translation>Gelieferte Bilder</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>Verlorene Bilder</translation>
+    </message>
+    <message>
+        <source>Age of the picture</source>
+        <translation>Alter des Bildes</translation>
+    </message>
+    <message>
+        <source>Time of a frame</source>
+        <translation>Zeit für ein Bild</translation>
+    </message>
+    <message>
+        <source>finger %1</source>
+        <translation>Finger %1</translation>
+    </message>
+    <message>
+        <source>source %1</source>
+        <translation>Quelle %1</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>No camera is plugged in</source>
+        <translation>Keine Kamera angeschlossen</translation>
+    </message>
+    <message>
+        <source>&amp;Simulated finger</source>
+        <translation>&amp;Simulierter Finger</translation>
+    </message>
+    <message>
+        <source>&amp;Video file…</source>
+        <translation>&amp;Videodatei…</translation>
+    </message>
+    <message>
+        <source>Folder of &amp;pictures…</source>
+        <translation>Ordner mit &amp;Bildern…</translation>
+    </message>
+    <message>
+        <source>Scene &amp;file…</source>
+        <translation>S&amp;zenendatei…</translation>
+    </message>
+    <message>
+        <source>&amp;Close the source</source>
+        <translation>Quelle s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Open a finger's folder</source>
+        <translation>Ordner eines Fingers öffnen</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>Video öffnen</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.avi *.mp4)</source>
+        <translation>Videos (*.mkv *.avi *.mp4)</translation>
+    </message>
+    <message>
+        <source>Open a folder of pictures</source>
+        <translation>Ordner mit Bildern öffnen</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Scenes (*.yaml *.yml)</source>
+        <translation>Szenen (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>About AllTact Studio</source>
+        <translation>Über AllTact Studio</translation>
+    </message>
+    <message>
+        <source>## AllTact Studio %1
+
+Turns a clear silicone finger with a camera inside into a measuring instrument.
+
+Its own source is under the BSD-3-Clause licence; with the libraries it uses, the program as a whole is under the GPL, version 3.</source>
+        <translation>## AllTact Studio %1
+
+Macht aus einem klaren Silikonfinger mit einer Kamera darin ein Messgerät.
+
+Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bibliotheken steht das Programm als Ganzes unter der GPL, Version 3.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 (loading)</source>
+        <translation>%1 (wird geladen)</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1 (simuliert)</translation>
+    </message>
+    <message>
+        <source>Finger: %1</source>
+        <translation>Finger: %1</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Quelle: %1</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 delivered, %3 shown a second</source>
+        <translation>%1 Bilder/s, %2 geliefert, %3 je Sekunde gezeigt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) lost</source>
+        <translation>
+            <numerusform>%n Bild verloren</numerusform>
+            <numerusform>%n Bilder verloren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>picture %1 ms old</source>
+        <translation>Bild %1 ms alt</translation>
+    </message>
+    <message>
+        <source>pictures without times</source>
+        <translation>Bilder ohne Zeitangabe</translation>
+    </message>
+    <message>
+        <source>%1 ms a frame</source>
+        <translation>%1 ms je Bild</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly last time.</source>
+        <translation>Das Programm endete das letzte Mal unerwartet.</translation>
+    </message>
+    <message>
+        <source>What was worked on is kept.</source>
+        <translation>Woran gearbeitet wurde, ist erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with it</source>
+        <translation>Damit &amp;weitermachen</translation>
+    </message>
+    <message>
+        <source>The source has ended; its last picture is shown.</source>
+        <translation>Die Quelle ist zu Ende; ihr letztes Bild wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>&amp;Play it again</source>
+        <translation>Noch einmal a&amp;bspielen</translation>
+    </message>
+    <message>
+        <source>This finger has no reference recording yet.</source>
+        <translation>Dieser Finger hat noch keine Referenzaufnahme.</translation>
+    </message>
+    <message>
+        <source>Record it bending, with nothing on its contact face.</source>
+        <translation>Nehmen Sie ihn beim Biegen auf, ohne etwas auf der Kontaktfläche.</translation>
+    </message>
+    <message>
+        <source>This finger is not calibrated yet, so that no depth is shown.</source>
+        <translation>Dieser Finger ist noch nicht kalibriert, darum wird keine Tiefe gezeigt.</translation>
+    </message>
+    <message>
+        <source>Calibrate it with ball presses (alltact calibrate).</source>
+        <translation>Mit Kugeleindrücken kalibrieren (alltact calibrate).</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::NewFingerDialog</name>
+    <message>
+        <source>New finger</source>
+        <translation>Neuer Finger</translation>
+    </message>
+    <message>
+        <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration (alltact lens).</source>
+        <translation>Breite und Schicht mit dem Messschieber messen, die Punkte zählen. Die Kameradatei kommt aus der Objektivkalibrierung (alltact lens).</translation>
+    </message>
+    <message>
+        <source>&amp;Folder to make</source>
+        <translation>Neuer &amp;Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Camera file</source>
+        <translation>&amp;Kameradatei</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Art</translation>
+    </message>
+    <message>
+        <source>&amp;Width of the face</source>
+        <translation>&amp;Breite der Fläche</translation>
+    </message>
+    <message>
+        <source>Thickness of the &amp;layer</source>
+        <translation>Dicke der S&amp;chicht</translation>
+    </message>
+    <message>
+        <source>Distance of the &amp;plane</source>
+        <translation>Abstand der &amp;Ebene</translation>
+    </message>
+    <message>
+        <source>&amp;Dots on each side</source>
+        <translation>&amp;Punkte je Seite</translation>
+    </message>
+    <message>
+        <source>Dots &amp;are</source>
+        <translation>Punkte si&amp;nd</translation>
+    </message>
+    <message>
+        <source>Fin Ray finger: its shape is read from the face's edges</source>
+        <translation>Fin-Ray-Finger: Form aus den Kanten der Fläche</translation>
+    </message>
+    <message>
+        <source>Flat, rigid sensor</source>
+        <translation>Flacher, starrer Sensor</translation>
+    </message>
+    <message>
+        <source>found out by the reference recording</source>
+        <translation>wird aus der Referenzaufnahme erkannt</translation>
+    </message>
+    <message>
+        <source>brighter than around them</source>
+        <translation>heller als ihre Umgebung</translation>
+    </message>
+    <message>
+        <source>darker than around them</source>
+        <translation>dunkler als ihre Umgebung</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Choose the camera file</source>
+        <translation>Kameradatei wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Make the finger</source>
+        <translation>Finger &amp;anlegen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Folder to make</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>Camera file</source>
+        <translation>Kameradatei</translation>
+    </message>
+    <message>
+        <source>Camera (*.yaml *.yml)</source>
+        <translation>Kamera (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>No folder is named.</source>
+        <translation>Es ist kein Ordner angegeben.</translation>
+    </message>
+    <message>
+        <source>No camera file is named.</source>
+        <translation>Es ist keine Kameradatei angegeben.</translation>
+    </message>
+    <message>
+        <source>A lens calibration makes one: alltact lens.</source>
+        <translation>Eine Objektivkalibrierung erzeugt sie: alltact lens.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PicturePanel</name>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Show the whole picture</source>
+        <translation>Das ganze Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Show the picture in its own size</source>
+        <translation>Das Bild in eigener Größe zeigen</translation>
+    </message>
+    <message>
+        <source>1:1</source>
+        <translation>1:1</translation>
+    </message>
+    <message>
+        <source>Under the probe</source>
+        <translation>Unter der Sonde</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>The source is being opened.</source>
+        <translation>Die Quelle wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>The source could not be opened; above stands why.</source>
+        <translation>Die Quelle konnte nicht geöffnet werden; oben steht, warum.</translation>
+    </message>
+    <message>
+        <source>No source is open. Choose a camera, a recording or the simulated finger.</source>
+        <translation>Keine Quelle ist offen. Wählen Sie eine Kamera, eine Aufnahme oder den simulierten Finger.</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture.</source>
+        <translation>Warten auf das erste Bild.</translation>
+    </message>
+    <message>
+        <source>Point at a pixel, or press Shift and an arrow key.</source>
+        <translation>Auf ein Pixel zeigen oder Umschalt und eine Pfeiltaste drücken.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ProblemList</name>
+    <message>
+        <source>Try: %1</source>
+        <translation>Versuch: %1</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RecordPlace</name>
+    <message>
+        <source>Bend it in all directions</source>
+        <translation>In alle Richtungen biegen</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>What was recorded</source>
+        <translation>Was aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>File to record to</source>
+        <translation>Datei für die Aufnahme</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Wählen…</translation>
+    </message>
+    <message>
+        <source>&amp;Install as this finger's reference</source>
+        <translation>Als Referenz dieses Fingers &amp;einrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Stops the installation; nothing is changed.</source>
+        <translation>Hält die Einrichtung an; nichts wird geändert.</translation>
+    </message>
+    <message>
+        <source>Progress of the installation</source>
+        <translation>Fortschritt der Einrichtung</translation>
+    </message>
+    <message>
+        <source>Frames that were left out, with the reason</source>
+        <translation>Weggelassene Bilder mit Grund</translation>
+    </message>
+    <message>
+        <source>The markers have to be seen to tell how it bends.</source>
+        <translation>Um die Biegung zu erkennen, müssen die Marken zu sehen sein.</translation>
+    </message>
+    <message>
+        <source>All directions are reached.</source>
+        <translation>Alle Richtungen sind erreicht.</translation>
+    </message>
+    <message>
+        <source>Still missing: %1.</source>
+        <translation>Es fehlen noch: %1.</translation>
+    </message>
+    <message>
+        <source>Record to</source>
+        <translation>Aufnehmen nach</translation>
+    </message>
+    <message>
+        <source>Video (*.mkv)</source>
+        <translation>Video (*.mkv)</translation>
+    </message>
+    <message>
+        <source>The recording is being installed.</source>
+        <translation>Die Aufnahme wird eingerichtet.</translation>
+    </message>
+    <message>
+        <source>The last frames are being written.</source>
+        <translation>Die letzten Bilder werden geschrieben.</translation>
+    </message>
+    <message>
+        <source>Open a source first: a camera, or the simulated finger.</source>
+        <translation>Öffnen Sie zuerst eine Quelle: eine Kamera oder den simulierten Finger.</translation>
+    </message>
+    <message>
+        <source>Stop &amp;recording</source>
+        <translation>Aufnahme a&amp;nhalten</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Recording&lt;/b&gt; %1 min&lt;br&gt;%2, %3, %4 GB</source>
+        <translation>&lt;b&gt;Aufnahme läuft&lt;/b&gt; %1 min&lt;br&gt;%2, %3, %4 GB</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lost</source>
+        <translation>
+            <numerusform>%n verloren</numerusform>
+            <numerusform>%n verloren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Space left: %1 GB</source>
+        <translation>Freier Platz: %1 GB</translation>
+    </message>
+    <message numerus="yes">
+        <source>, room for about %n minute(s)</source>
+        <translation>
+            <numerusform>, reicht für etwa %n Minute</numerusform>
+            <numerusform>, reicht für etwa %n Minuten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open the finger that was recorded first.</source>
+        <translation>Öffnen Sie zuerst den Finger, der aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>A flat sensor has one untouched picture instead of a recording.</source>
+        <translation>Ein flacher Sensor hat statt einer Aufnahme ein einziges unberührtes Bild.</translation>
+    </message>
+    <message>
+        <source>A recording is under way.</source>
+        <translation>Eine Aufnahme läuft.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 min</source>
+        <translation>%1: %2, %3 min</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) were lost because this computer or its disk was too slow.</source>
+        <translation>
+            <numerusform>%n Bild ging verloren, weil dieser Rechner oder sein Datenträger zu langsam war.</numerusform>
+            <numerusform>%n Bilder gingen verloren, weil dieser Rechner oder sein Datenträger zu langsam war.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) never came from the source.</source>
+        <translation>
+            <numerusform>%n Bild kam nie von der Quelle.</numerusform>
+            <numerusform>%n Bilder kamen nie von der Quelle.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No frame was lost.</source>
+        <translation>Kein Bild ging verloren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The contact face was touched in %n frame(s).</source>
+        <translation>
+            <numerusform>Die Kontaktfläche wurde in %n Bild berührt.</numerusform>
+            <numerusform>Die Kontaktfläche wurde in %n Bildern berührt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reading the recording…</source>
+        <translation>Die Aufnahme wird gelesen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>Noch etwa %n Sekunde.</numerusform>
+            <numerusform>Noch etwa %n Sekunden.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Installed: %1 of %n frame(s) are in the reference.</source>
+        <translation>
+            <numerusform>Eingerichtet: %1 von %n Bild ist in der Referenz.</numerusform>
+            <numerusform>Eingerichtet: %1 von %n Bildern sind in der Referenz.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Left out, with the reason:</source>
+        <translation>Weggelassen, mit Grund:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) of this recording are lost.</source>
+        <translation>
+            <numerusform>%n Bild dieser Aufnahme ist verloren.</numerusform>
+            <numerusform>%n Bilder dieser Aufnahme sind verloren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Try another disk, or a smaller picture.</source>
+        <translation>Versuchen Sie einen anderen Datenträger oder ein kleineres Bild.</translation>
+    </message>
+    <message>
+        <source>The contact face is touched.</source>
+        <translation>Die Kontaktfläche wird berührt.</translation>
+    </message>
+    <message>
+        <source>Keep it free: bend the finger at its tip, its sides or its back.</source>
+        <translation>Halten Sie sie frei: Biegen Sie den Finger an Spitze, Seiten oder Rücken.</translation>
+    </message>
+    <message>
+        <source>Little space is left on the disk.</source>
+        <translation>Auf dem Datenträger ist wenig Platz.</translation>
+    </message>
+    <message>
+        <source>Choose a file on another disk, or make room.</source>
+        <translation>Eine Datei auf einem anderen Datenträger wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>Start &amp;recording</source>
+        <translation>Aufnahme &amp;starten</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Strg+R</translation>
+    </message>
+    <message>
+        <source>What it leaves open: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
+        <translation>Was offen bleibt: Die Hälfte der daraus gebildeten Referenzen weicht um weniger als %1 mm ab, 95 % um weniger als %2 mm.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) showed a pose that others show as well.</source>
+        <translation>
+            <numerusform>%n Bild zeigte eine Haltung, die auch andere zeigen.</numerusform>
+            <numerusform>%n Bilder zeigten eine Haltung, die auch andere zeigen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Aussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::StartPanel</name>
+    <message>
+        <source>What shall be shown?</source>
+        <translation>Was soll gezeigt werden?</translation>
+    </message>
+    <message>
+        <source>Choose where pictures come from. A finger can be opened before or after.</source>
+        <translation>Wählen Sie, woher die Bilder kommen. Ein Finger kann davor oder danach geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Simulated finger</source>
+        <translation>&amp;Simulierter Finger</translation>
+    </message>
+    <message>
+        <source>&amp;Video file…</source>
+        <translation>&amp;Videodatei…</translation>
+    </message>
+    <message>
+        <source>Folder of &amp;pictures…</source>
+        <translation>Ordner mit &amp;Bildern…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a finger…</source>
+        <translation>Finger ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;New finger…</source>
+        <translation>&amp;Neuer Finger…</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with %1</source>
+        <translation>&amp;Weiter mit %1</translation>
+    </message>
+    <message>
+        <source>No camera is plugged in.</source>
+        <translation>Keine Kamera angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,76 @@
+#include "widgets/background_work.h"
+
+#include <thread>
+
+namespace alltact {
+
+namespace {
+
+constexpr int kBetweenLooks_ms = 50;
+
+}  // namespace
+
+struct BackgroundWork::Shared {
+  std::mutex mutex;
+  double fraction = 0;
+  std::string what;
+  bool is_done = false;
+  std::function<void()> at_end;
+  Job job{[this](double part, std::string_view words) {
+    const std::lock_guard lock(mutex);
+    fraction = part;
+    what = words;
+  }};
+};
+
+BackgroundWork::BackgroundWork(QObject* parent) : QObject(parent) {
+  connect(&timer_, &QTimer::timeout, this, &BackgroundWork::look);
+}
+
+BackgroundWork::~BackgroundWork() {
+  stop();
+}
+
+void BackgroundWork::start(Work work) {
+  if (shared_) return;
+  shared_ = std::make_shared<Shared>();
+  fraction_ = 0;
+  what_.clear();
+  since_.start();
+  timer_.start(kBetweenLooks_ms);
+  std::thread([shared = shared_, work = std::move(work)] {
+    auto at_end = work(shared->job);
+    const std::lock_guard lock(shared->mutex);
+    shared->at_end = std::move(at_end);
+    shared->is_done = true;
+  }).detach();
+}
+
+void BackgroundWork::stop() {
+  if (shared_) shared_->job.request_stop();
+}
+
+std::optional<double> BackgroundWork::seconds_left() const {
+  constexpr double kEnoughToTell = 0.05;
+  if (!shared_ || fraction_ < kEnoughToTell) return std::nullopt;
+  return static_cast<double>(since_.elapsed()) * 1e-3 * (1 - fraction_) / fraction_;
+}
+
+void BackgroundWork::look() {
+  std::function<void()> at_end;
+  bool is_done = false;
+  {
+    const std::lock_guard lock(shared_->mutex);
+    fraction_ = shared_->fraction;
+    what_ = QString::fromStdString(shared_->what);
+    is_done = shared_->is_done;
+    at_end = std::move(shared_->at_end);
+  }
+  if (!is_done) return Q_EMIT progressed();
+  timer_.stop();
+  shared_.reset();
+  if (at_end) at_end();
+  Q_EMIT finished();
+}
+
+}  // namespace alltact

@@ -1,0 +1,257 @@
+#include "widgets/controls/control_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QSlider>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <linux/videodev2.h>
+
+namespace alltact {
+namespace {
+
+/// First to last; what is not named comes behind, as the camera lists it.
+constexpr std::array<std::uint32_t, 9> kImportant{V4L2_CID_EXPOSURE_AUTO,
+                                                  V4L2_CID_EXPOSURE_ABSOLUTE,
+                                                  V4L2_CID_AUTOGAIN,
+                                                  V4L2_CID_GAIN,
+                                                  V4L2_CID_AUTO_WHITE_BALANCE,
+                                                  V4L2_CID_WHITE_BALANCE_TEMPERATURE,
+                                                  V4L2_CID_FOCUS_AUTO,
+                                                  V4L2_CID_FOCUS_ABSOLUTE,
+                                                  V4L2_CID_BRIGHTNESS};
+
+std::size_t rank(const CameraControl& control) {
+  return static_cast<std::size_t>(std::find(kImportant.begin(), kImportant.end(), control.id) -
+                                  kImportant.begin());
+}
+
+QString name_of(const CameraControl& control) {
+  switch (control.id) {
+    case V4L2_CID_EXPOSURE_AUTO:
+      return ControlPanel::tr("Automatic exposure");
+    case V4L2_CID_EXPOSURE_ABSOLUTE:
+      return ControlPanel::tr("Exposure time");
+    case V4L2_CID_AUTOGAIN:
+      return ControlPanel::tr("Automatic gain");
+    case V4L2_CID_GAIN:
+      return ControlPanel::tr("Gain");
+    case V4L2_CID_AUTO_WHITE_BALANCE:
+      return ControlPanel::tr("Automatic white balance");
+    case V4L2_CID_WHITE_BALANCE_TEMPERATURE:
+      return ControlPanel::tr("White balance");
+    case V4L2_CID_FOCUS_AUTO:
+      return ControlPanel::tr("Automatic focus");
+    case V4L2_CID_FOCUS_ABSOLUTE:
+      return ControlPanel::tr("Focus");
+    case V4L2_CID_BRIGHTNESS:
+      return ControlPanel::tr("Brightness");
+    default:
+      return QString::fromStdString(control.name);
+  }
+}
+
+QString unit_of(const CameraControl& control) {
+  if (control.id == V4L2_CID_EXPOSURE_ABSOLUTE) return ControlPanel::tr(" × 0.1 ms");
+  if (control.id == V4L2_CID_WHITE_BALANCE_TEMPERATURE) return ControlPanel::tr(" K");
+  return {};
+}
+
+int as_int(std::int64_t value) {
+  return static_cast<int>(std::clamp<std::int64_t>(
+      value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+}
+
+bool is_same_control(const CameraControl& a, const CameraControl& b) {
+  return a.id == b.id && a.name == b.name && a.type == b.type && a.low == b.low &&
+         a.high == b.high && a.step == b.step && a.menu.size() == b.menu.size();
+}
+
+}  // namespace
+
+/// One control: what is moved, and its value.
+class ControlPanel::Row : public QWidget {
+ public:
+  Row(const CameraControl& control, ControlPanel& panel) : control_(control), panel_(panel) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 2, 0, 2);
+    layout->setSpacing(2);
+    switch (control.type) {
+      case ControlType::kBoolean:
+        make_switch(*layout);
+        break;
+      case ControlType::kMenu:
+      case ControlType::kIntegerMenu:
+        make_choice(*layout);
+        break;
+      default:
+        make_number(*layout);
+    }
+  }
+
+  void show_value(const CameraControl& control, bool is_locked) {
+    const bool is_in_use = (slider_ != nullptr && slider_->isSliderDown()) ||
+                           (number_ != nullptr && number_->hasFocus());
+    control_ = control;
+    setEnabled(!is_locked && !control.is_inactive && !control.is_read_only);
+    setToolTip(is_locked             ? ControlPanel::tr("Locked: unlock above to change it.")
+               : control.is_inactive ? ControlPanel::tr("An automatic mode has it in hand.")
+                                     : QString());
+    if (is_in_use) return;
+    is_showing_ = true;
+    if (number_ != nullptr) number_->setValue(as_int(control.value));
+    if (slider_ != nullptr) slider_->setValue(as_int(control.value));
+    if (switch_ != nullptr) switch_->setChecked(control.value != 0);
+    if (choice_ != nullptr) choice_->setCurrentIndex(choice_->findData(qint64{control.value}));
+    is_showing_ = false;
+  }
+
+ private:
+  void make_number(QVBoxLayout& layout) {
+    auto* label = new QLabel(name_of(control_));
+    number_ = new QSpinBox;
+    number_->setRange(as_int(control_.low), as_int(control_.high));
+    number_->setSingleStep(as_int(std::max<std::int64_t>(control_.step, 1)));
+    number_->setSuffix(unit_of(control_));
+    number_->setKeyboardTracking(false);
+    number_->setAccessibleName(name_of(control_));
+    label->setBuddy(number_);
+    slider_ = new QSlider(Qt::Horizontal);
+    slider_->setRange(number_->minimum(), number_->maximum());
+    slider_->setSingleStep(number_->singleStep());
+    slider_->setPageStep(
+        std::max(number_->singleStep(), (slider_->maximum() - slider_->minimum()) / 10));
+    slider_->setAccessibleName(name_of(control_));
+    const QString range = ControlPanel::tr("%1 to %2")
+                              .arg(QLocale().toString(qint64{control_.low}),
+                                   QLocale().toString(qint64{control_.high}));
+    number_->setAccessibleDescription(range);
+    slider_->setAccessibleDescription(range);
+    auto* head = new QHBoxLayout;
+    head->addWidget(label, 1);
+    head->addWidget(number_);
+    layout.addLayout(head);
+    layout.addWidget(slider_);
+    connect(number_, &QSpinBox::valueChanged, this, [this](int value) { change(value); });
+    connect(slider_, &QSlider::valueChanged, this, [this](int value) { change(value); });
+  }
+
+  void make_switch(QVBoxLayout& layout) {
+    switch_ = new QCheckBox(name_of(control_));
+    layout.addWidget(switch_);
+    connect(switch_, &QCheckBox::toggled, this, [this](bool is_on) { change(is_on ? 1 : 0); });
+  }
+
+  void make_choice(QVBoxLayout& layout) {
+    auto* label = new QLabel(name_of(control_));
+    choice_ = new QComboBox;
+    choice_->setAccessibleName(name_of(control_));
+    for (const MenuItem& item : control_.menu)
+      choice_->addItem(QString::fromStdString(item.name), qint64{item.value});
+    label->setBuddy(choice_);
+    layout.addWidget(label);
+    layout.addWidget(choice_);
+    connect(choice_, &QComboBox::currentIndexChanged, this, [this](int) {
+      change(choice_->currentData().toLongLong());
+    });
+  }
+
+  void change(std::int64_t value) {
+    if (is_showing_ || value == control_.value) return;
+    const std::int64_t before = std::exchange(control_.value, value);
+    is_showing_ = true;  // what stands beside it follows
+    if (number_ != nullptr) number_->setValue(as_int(value));
+    if (slider_ != nullptr) slider_->setValue(as_int(value));
+    is_showing_ = false;
+    Q_EMIT panel_.control_changed(control_.id, before, value);
+  }
+
+  CameraControl control_;
+  ControlPanel& panel_;
+  QSpinBox* number_ = nullptr;
+  QSlider* slider_ = nullptr;
+  QCheckBox* switch_ = nullptr;
+  QComboBox* choice_ = nullptr;
+  bool is_showing_ = false;
+};
+
+ControlPanel::ControlPanel(QWidget* parent)
+    : Translated(parent),
+      lock_(new QCheckBox),
+      reason_(new QLabel),
+      empty_(new QLabel),
+      list_(new QWidget) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  reason_->setWordWrap(true);
+  empty_->setWordWrap(true);
+  auto* rows = new QVBoxLayout(list_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(empty_);
+  layout->addWidget(lock_);
+  layout->addWidget(reason_);
+  layout->addWidget(list_);
+  lock_->setChecked(true);
+  connect(lock_, &QCheckBox::clicked, this, &ControlPanel::lock_changed);
+  say([this] {
+    lock_->setText(tr("&Lock brightness"));
+    lock_->setAccessibleDescription(
+        tr("Automatic modes stay off, and what changes by itself is put back."));
+    reason_->setText(
+        tr("Brightness is the measurement: locked, nothing changes it. "
+           "Unlock it before calibrating only."));
+    empty_->setText(
+        tr("A camera's exposure, gain, white balance and focus stand here. "
+           "This source is no camera."));
+  });
+  refresh();
+}
+
+void ControlPanel::set_controls(const std::vector<CameraControl>& controls, bool is_locked) {
+  std::vector<CameraControl> shown;
+  std::copy_if(controls.begin(),
+               controls.end(),
+               std::back_inserter(shown),
+               [](const CameraControl& control) { return control.is_setting(); });
+  std::stable_sort(
+      shown.begin(), shown.end(), [](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const bool is_same =
+      std::equal(shown.begin(), shown.end(), controls_.begin(), controls_.end(), is_same_control);
+  controls_ = std::move(shown);
+  is_locked_ = is_locked;
+  if (!is_same) rebuild();
+  refresh();
+}
+
+void ControlPanel::rebuild() {
+  for (const auto& [id, row] : rows_) delete row;
+  rows_.clear();
+  for (const CameraControl& control : controls_) {
+    auto* row = new Row(control, *this);
+    rows_[control.id] = row;
+    list_->layout()->addWidget(row);
+  }
+}
+
+void ControlPanel::refresh() {
+  const bool has_controls = !controls_.empty();
+  empty_->setVisible(!has_controls);
+  for (QWidget* widget : {static_cast<QWidget*>(lock_), static_cast<QWidget*>(reason_), list_})
+    widget->setVisible(has_controls);
+  lock_->setChecked(is_locked_);
+  for (const CameraControl& control : controls_)
+    rows_.at(control.id)->show_value(control, is_locked_);
+}
+
+void ControlPanel::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() != QEvent::LanguageChange) return;
+  rebuild();
+  refresh();
+}
+
+}  // namespace alltact

@@ -1,0 +1,44 @@
+// A camera's controls beside the window: every system call is made on a thread of its own.
+#pragma once
+
+#include "core/sources/v4l2/v4l2_camera.h"
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace alltact {
+
+struct DeskStatus {
+  bool has_camera = false;
+  std::vector<CameraControl> controls;  ///< as they were at the last look, about once a second
+  bool is_locked = false;
+  std::optional<Error> problem;  ///< of the last change that was refused
+};
+
+/// Any thread may call any function; none waits for the camera.
+class CameraDesk {
+ public:
+  CameraDesk();
+
+  /// The camera to work on, null for none. A new one gets `wanted` first, and the lock where that
+  /// is on.
+  void attach(std::shared_ptr<V4l2Camera> camera, const std::vector<ControlValue>& wanted);
+  void set(const ControlValue& control);
+  void set_lock(bool is_locked);
+  [[nodiscard]] DeskStatus status() const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;  // the thread may be inside a slow driver when this ends
+  struct Stopper {
+    std::shared_ptr<State> state;
+    ~Stopper();
+  } stopper_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,85 @@
+// Looks at the newest frame, on a thread of its own, with whatever finger is open.
+#pragma once
+
+#include "core/sources/frame_hub.h"
+#include "widgets/live/finger_watch.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+/// What the pictures over the frame show that costs more than a painter should spend.
+struct WantedLayers {
+  bool depth = false;
+  bool faults = false;
+};
+
+/// A frame as it is shown. Layers are CV_8UC4, premultiplied blue, green, red, alpha, the oriented
+/// picture's size; empty where not wanted or not to be had.
+struct LiveView {
+  WatchedFrame watched;
+  cv::Mat depth_layer, faults_layer;
+  double depth_top_mm = 0;  ///< end of the depth layer's scale
+};
+
+enum class FingerState { kNone = 1, kLoading, kReady, kFailed };
+
+struct FingerStatus {
+  FingerState state = FingerState::kNone;
+  std::filesystem::path folder;  ///< empty for a finger that a scene describes
+  std::optional<Finger> finger;
+  bool has_reference = false;  ///< loaded, so that frames are compared with it
+  std::string loading;         ///< what loading is at, in words
+  std::optional<Error> problem;
+  std::vector<std::string> warnings;
+  std::uint64_t skipped = 0;  ///< frames that came and were never looked at: newer ones had come
+};
+
+/// Any thread may call any function.
+class FingerWatcher {
+ public:
+  /// `news` is called on the watcher's thread whenever there is a view that was not taken yet.
+  FingerWatcher(const FrameHub& hub, std::function<void()> news);
+  ~FingerWatcher();  ///< ends the threads; loading is asked to stop and not waited for
+  FingerWatcher(const FingerWatcher&) = delete;
+  FingerWatcher& operator=(const FingerWatcher&) = delete;
+
+  /// Loads on a thread of its own; what was open goes on until then. An empty folder closes it.
+  void open(const std::filesystem::path& folder);
+  /// The finger that a scene describes: it has no folder.
+  void open_scene(const std::filesystem::path& scene);
+  void set_layers(WantedLayers layers);
+  /// Depth that the colours end at, mm.
+  void set_depth_top_mm(double top_mm);
+  /// The newest view that was not taken yet.
+  [[nodiscard]] std::shared_ptr<const LiveView> take();
+  [[nodiscard]] FingerStatus status() const;
+
+ private:
+  struct Loading;
+  struct State;
+  void load(const std::filesystem::path& folder, const std::filesystem::path& scene);
+  void watch(const std::stop_token& stop);
+
+  std::shared_ptr<State> state_;
+  LatestFrameReader reader_;
+  std::function<void()> news_;
+  std::jthread thread_;
+};
+
+/// The depth map in colours (viridis), more see-through where little presses.
+[[nodiscard]] cv::Mat depth_layer(const DepthMap& depth, double top_mm);
+/// Stripes falling to the right where the picture is too bright to measure, to the left where it is
+/// too dark; on the face only, where that is known.
+[[nodiscard]] cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result);
+
+}  // namespace alltact

@@ -1,0 +1,138 @@
+#include "widgets/live/live_session.h"
+
+#include "core/sources/ending.h"
+
+#include <QMetaObject>
+
+namespace alltact {
+namespace {
+
+constexpr int kBetweenLooks_ms = 200;
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr std::size_t kMostAges = 1000;
+constexpr double kNewShare = 0.2;  // of a frame in the times shown
+
+void smooth(StepTimes& shown, const StepTimes& next) {
+  for (const auto step : {&StepTimes::prepare,
+                          &StepTimes::edges,
+                          &StepTimes::global,
+                          &StepTimes::markers,
+                          &StepTimes::reference,
+                          &StepTimes::local,
+                          &StepTimes::contact,
+                          &StepTimes::total})
+    shown.*step += kNewShare * (next.*step - shown.*step);
+}
+
+bool is_scene(const std::vector<std::filesystem::path>& inputs) {
+  return inputs.size() == 1 &&
+         (ending_of(inputs.front()) == ".yaml" || ending_of(inputs.front()) == ".yml");
+}
+
+}  // namespace
+
+LiveSession::LiveSession(SourceOpener opener, QObject* parent) : QObject(parent) {
+  // On the watcher's thread: one event at most waits for this one.
+  const auto tell = [this] {
+    if (is_told_.exchange(true)) return;
+    QMetaObject::invokeMethod(
+        this, [this] { take_view(); }, Qt::QueuedConnection);
+  };
+  watcher_ = std::make_unique<FingerWatcher>(hub_, tell);
+  runner_ = std::make_unique<SourceRunner>(hub_, std::move(opener));
+  connect(&timer_, &QTimer::timeout, this, &LiveSession::refresh);
+  timer_.start(kBetweenLooks_ms);
+}
+
+LiveSession::~LiveSession() {
+  runner_.reset();
+  watcher_.reset();
+}
+
+void LiveSession::open_source(const std::vector<std::filesystem::path>& inputs,
+                              const std::vector<ControlValue>& controls) {
+  wanted_controls_ = controls;
+  if (status_.recording.state != RecordingState::kNone) last_recording_ = status_.recording;
+  runner_->open(inputs);
+  view_.reset();
+  refresh();
+  if (folder_.empty()) follow_scene();
+}
+
+void LiveSession::close_source() {
+  runner_->close();
+  view_.reset();
+  refresh();
+}
+
+void LiveSession::open_finger(const std::filesystem::path& folder) {
+  folder_ = folder;
+  if (folder.empty()) {
+    follow_scene();
+  } else {
+    watcher_->open(folder);
+  }
+  refresh();
+}
+
+void LiveSession::follow_scene() {
+  const auto& inputs = status_.source.inputs;
+  if (is_scene(inputs))
+    watcher_->open_scene(inputs.front());
+  else
+    watcher_->open({});
+}
+
+void LiveSession::start_recording(const std::filesystem::path& file,
+                                  const RecorderSettings& settings) {
+  runner_->start_recording(file, settings);
+  refresh();
+}
+
+void LiveSession::take_view() {
+  is_told_ = false;
+  auto view = watcher_->take();
+  if (!view) return;
+  view_ = std::move(view);
+  smooth(times_ms_, view_->watched.result.times_ms);
+  const std::int64_t now_ns = monotonic_ns();
+  taken_ns_.push_back(now_ns);
+  while (taken_ns_.front() < now_ns - kSecond_ns) taken_ns_.pop_front();
+  status_.age_ms.reset();
+  if (const FramePtr& frame = view_->watched.result.frame)
+    status_.age_ms = runner_->age_ms(*frame, now_ns);
+  if (status_.age_ms) {
+    ages_ms_.push_back(*status_.age_ms);
+    if (ages_ms_.size() > kMostAges) ages_ms_.pop_front();
+  }
+  Q_EMIT view_ready();
+}
+
+void LiveSession::refresh() {
+  status_.source = runner_->status();
+  status_.recording = runner_->recording();
+  if (status_.recording.state == RecordingState::kNone) status_.recording = last_recording_;
+  status_.finger = watcher_->status();
+  desk_.attach(runner_->camera(), wanted_controls_);
+  status_.desk = desk_.status();
+  follow_remarks();
+  const std::int64_t now_ns = monotonic_ns();
+  while (!taken_ns_.empty() && taken_ns_.front() < now_ns - kSecond_ns) taken_ns_.pop_front();
+  status_.shown_per_s = 0;
+  if (taken_ns_.size() > 1)
+    status_.shown_per_s = static_cast<double>(taken_ns_.size() - 1) * 1e9 /
+                          static_cast<double>(taken_ns_.back() - taken_ns_.front());
+  Q_EMIT status_ready();
+}
+
+void LiveSession::follow_remarks() {
+  constexpr std::int64_t kShown_ns = 10 * kSecond_ns;
+  const auto remarks =
+      status_.source.camera ? status_.source.camera->remarks : std::vector<std::string>{};
+  if (remarks != remarks_ && !remarks.empty()) remarked_ns_ = monotonic_ns();
+  remarks_ = remarks;
+  const bool is_shown = !remarks_.empty() && monotonic_ns() < remarked_ns_ + kShown_ns;
+  status_.remark = is_shown ? remarks_.back() : std::string();
+}
+
+}  // namespace alltact

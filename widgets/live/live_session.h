@@ -1,0 +1,83 @@
+// Everything that runs while a source is shown, as one object of the window's thread: the source,
+// its recording, the finger, the camera's controls. Nothing here waits.
+#pragma once
+
+#include "widgets/live/camera_desk.h"
+#include "widgets/live/finger_watcher.h"
+#include "widgets/live/source_runner.h"
+
+#include <QObject>
+#include <QTimer>
+#include <atomic>
+#include <memory>
+
+namespace alltact {
+
+/// All that the window tells beside the picture.
+struct LiveStatus {
+  SourceStatus source;
+  RecordingStatus recording;
+  FingerStatus finger;
+  DeskStatus desk;
+  double shown_per_s = 0;        ///< views taken over the last second
+  std::optional<double> age_ms;  ///< of the last view, when it was taken
+  std::string remark;            ///< the camera's latest, for ten seconds; then empty
+};
+
+class LiveSession : public QObject {
+  Q_OBJECT
+ public:
+  explicit LiveSession(SourceOpener opener = &alltact::open_source, QObject* parent = nullptr);
+  ~LiveSession() override;
+
+  void open_source(const std::vector<std::filesystem::path>& inputs,
+                   const std::vector<ControlValue>& controls = {});
+  void close_source();
+  /// An empty folder closes the finger; a simulated source then shows the finger of its scene.
+  void open_finger(const std::filesystem::path& folder);
+  void start_recording(const std::filesystem::path& file, const RecorderSettings& settings = {});
+  void stop_recording() { runner_->stop_recording(); }
+  void set_layers(WantedLayers layers) { watcher_->set_layers(layers); }
+  void set_depth_top_mm(double top_mm) { watcher_->set_depth_top_mm(top_mm); }
+  void set_control(const ControlValue& control) { desk_.set(control); }
+  void set_lock(bool is_locked) { desk_.set_lock(is_locked); }
+
+  /// The newest view; null before the first.
+  [[nodiscard]] const std::shared_ptr<const LiveView>& view() const { return view_; }
+  [[nodiscard]] const LiveStatus& status() const { return status_; }
+  /// Times of a frame, smoothed over several so that they can be read.
+  [[nodiscard]] const StepTimes& times_ms() const { return times_ms_; }
+  /// Ages of the last views when they were taken, ms; at most the last thousand.
+  [[nodiscard]] const std::deque<double>& ages_ms() const { return ages_ms_; }
+
+ Q_SIGNALS:
+  /// There is a newer view. Never queued twice: whoever is slow sees fewer.
+  void view_ready();
+  /// status() was made anew: several times a second, and at once after a change made here.
+  void status_ready();
+
+ private:
+  void take_view();
+  void refresh();
+  void follow_scene();
+  void follow_remarks();
+
+  FrameHub hub_;
+  std::atomic<bool> is_told_{false};
+  std::unique_ptr<FingerWatcher> watcher_;
+  std::unique_ptr<SourceRunner> runner_;
+  CameraDesk desk_;
+  std::vector<ControlValue> wanted_controls_;
+  std::filesystem::path folder_;
+  std::shared_ptr<const LiveView> view_;
+  LiveStatus status_;
+  RecordingStatus last_recording_;  // of a source that was closed since
+  std::deque<std::int64_t> taken_ns_;
+  std::deque<double> ages_ms_;
+  StepTimes times_ms_;
+  std::vector<std::string> remarks_;
+  std::int64_t remarked_ns_ = 0;
+  QTimer timer_;
+};
+
+}  // namespace alltact

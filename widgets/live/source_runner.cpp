@@ -1,0 +1,353 @@
+#include "widgets/live/source_runner.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+namespace alltact {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+std::atomic<int> unfinished{0};
+constexpr std::chrono::milliseconds kAfterFault{20};  // a source that fails at once must not spin
+
+}  // namespace
+
+std::int64_t monotonic_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch())
+      .count();
+}
+
+// One source from opening to its end. The thread shares it, so that it may outlive the runner.
+struct SourceRunner::Run {
+  FrameHub* hub = nullptr;  // under publish_mutex; null once the runner has gone
+  std::mutex publish_mutex;
+  SourceOpener opener;
+  std::vector<std::filesystem::path> inputs;
+  std::uint64_t seed = 1;
+  Job job{[this](double, std::string_view what) {
+    const std::lock_guard lock(mutex);
+    status.opening = what;
+  }};
+
+  mutable std::mutex mutex;
+  std::condition_variable ended_news;
+  bool is_ended = false;
+  SourceStatus status;
+  std::deque<std::int64_t> arrivals_ns;  // of the last second
+  std::shared_ptr<V4l2Camera> camera;
+  std::optional<std::uint64_t> last_sequence;
+  // Added to a frame's time it is the monotonic clock; empty before the first frame with a time.
+  std::optional<std::int64_t> clock_offset_ns;
+
+  // The recording. The recorder itself may be used from any thread.
+  struct Wanted {
+    std::filesystem::path file;
+    RecorderSettings settings;
+  };
+  std::optional<Wanted> wanted;
+  std::atomic<bool> is_stop_wanted{false};
+  std::shared_ptr<Recorder> recorder;
+  RecordingStatus recording;
+  std::int64_t first_recorded_ns = 0;
+  double period_s = 0;
+  int finishers = 0;
+
+  static void start(const std::shared_ptr<Run>& run, std::shared_ptr<Run> before) {
+    std::thread([run, before = std::move(before)]() mutable {
+      if (before) before->wait_for_end(std::nullopt);
+      before.reset();
+      run->work(run);
+      const std::lock_guard lock(run->mutex);
+      run->is_ended = true;
+      run->ended_news.notify_all();
+    }).detach();
+  }
+
+  static void request_stop(const std::shared_ptr<Run>& self) {
+    self->job.request_stop();
+    std::shared_ptr<V4l2Camera> running;
+    {
+      const std::lock_guard lock(self->mutex);
+      running = std::exchange(self->camera, nullptr);
+      if (running) ++self->finishers;
+    }
+    // Beside: it joins the capturing thread, which may be inside a slow driver.
+    if (running)
+      std::thread([self, camera = std::move(running)]() mutable {
+        camera->stop();
+        camera.reset();
+        const std::lock_guard lock(self->mutex);
+        --self->finishers;
+        self->ended_news.notify_all();
+      }).detach();
+  }
+
+  /// False: it still goes on.
+  bool wait_for_end(std::optional<std::chrono::milliseconds> patience) {
+    std::unique_lock lock(mutex);
+    const auto is_over = [&] { return is_ended && finishers == 0; };
+    if (patience) return ended_news.wait_for(lock, *patience, is_over);
+    ended_news.wait(lock, is_over);
+    return true;
+  }
+
+  void work(const std::shared_ptr<Run>& self) {
+    SourceOptions options;
+    options.pace = Pace::kRecorded;
+    options.seed = seed;
+    options.job = &job;
+    auto source = job.stop_requested() ? Error{"stopped", "", ""} : opener(inputs, options);
+    if (!source) return fail(source.error());
+    begin(**source);
+    while (!job.stop_requested()) {
+      serve_recording(self, **source);
+      auto frame = (*source)->next();
+      if (!frame) {
+        on_fault(frame.error());
+        std::this_thread::sleep_for(kAfterFault);
+      } else if (*frame) {
+        on_frame(std::move(*frame), (*source)->is_live());
+        pace_untimed(**source);
+      } else {
+        break;
+      }
+    }
+    end(self);
+  }
+
+  void fail(const Error& error) {
+    const std::lock_guard lock(mutex);
+    status.state = job.stop_requested() ? SourceState::kClosed : SourceState::kFailed;
+    if (!job.stop_requested()) status.problem = error;
+  }
+
+  void begin(Source& source) {
+    const std::lock_guard lock(mutex);
+    status.state = SourceState::kRunning;
+    status.is_live = source.is_live();
+    status.is_continuous = source.is_continuous();
+    if (auto* from_camera = dynamic_cast<CameraSource*>(&source)) {
+      camera = from_camera->shared_camera();
+      clock_offset_ns = 0;
+    }
+    period_s = 1 / source.frames_per_s();
+  }
+
+  void on_fault(const Error& error) {
+    const std::lock_guard lock(mutex);
+    status.problem = error;
+  }
+
+  void on_frame(FramePtr frame, bool is_live) {
+    const std::int64_t now_ns = monotonic_ns();
+    std::shared_ptr<Recorder> into;
+    {
+      const std::lock_guard lock(mutex);
+      count(*frame, now_ns);
+      into = recorder;
+    }
+    if (into) record(*into, frame, is_live);
+    const std::lock_guard lock(publish_mutex);
+    if (hub != nullptr) hub->publish(std::move(frame));
+  }
+
+  void count(const Frame& frame, std::int64_t now_ns) {
+    status.problem.reset();
+    ++status.delivered;
+    if (last_sequence && frame.sequence > *last_sequence + 1)
+      status.missing += frame.sequence - *last_sequence - 1;
+    last_sequence = frame.sequence;
+    arrivals_ns.push_back(now_ns);
+    while (arrivals_ns.front() < now_ns - kSecond_ns) arrivals_ns.pop_front();
+    if (frame.time_ns == 0 || camera) return;
+    const std::int64_t offset = now_ns - frame.time_ns;
+    if (!clock_offset_ns || offset < *clock_offset_ns) clock_offset_ns = offset;
+  }
+
+  void record(Recorder& into, const FramePtr& frame, bool is_live) {
+    const bool is_taken = is_live ? into.add(frame) : into.add_waiting(frame);
+    const std::lock_guard lock(mutex);
+    if (!is_taken && into.problem()) is_stop_wanted = true;
+    if (!is_taken) return;
+    if (first_recorded_ns == 0) first_recorded_ns = frame->time_ns;
+    recording.seconds = static_cast<double>(frame->time_ns - first_recorded_ns) * 1e-9 + period_s;
+  }
+
+  /// Pictures have no times: they come as often as a camera's would.
+  void pace_untimed(Source& source) const {
+    if (source.is_live() || source.is_continuous()) {
+      const std::lock_guard lock(mutex);
+      if (clock_offset_ns) return;
+    }
+    const auto end = Clock::now() + std::chrono::duration<double>(1 / source.frames_per_s());
+    constexpr std::chrono::milliseconds kNap{20};
+    while (Clock::now() < end && !job.stop_requested())
+      std::this_thread::sleep_for(std::min<Clock::duration>(
+          kNap, std::chrono::duration_cast<Clock::duration>(end - Clock::now())));
+  }
+
+  void serve_recording(const std::shared_ptr<Run>& self, const Source& source) {
+    std::optional<Wanted> begin;
+    {
+      const std::lock_guard lock(mutex);
+      begin = std::exchange(wanted, std::nullopt);
+    }
+    if (begin) start_recorder(*begin, source);
+    if (is_stop_wanted) finish_recorder(self, "stopped by hand");
+  }
+
+  void start_recorder(const Wanted& wish, const Source& source) {
+    auto started =
+        Recorder::start(wish.file, wish.settings, source.frames_per_s(), inputs.front().string());
+    const std::lock_guard lock(mutex);
+    is_stop_wanted = false;
+    if (!started) {
+      recording.state = RecordingState::kDone;
+      recording.problem = started.error();
+      return;
+    }
+    first_recorded_ns = 0;
+    recorder = std::move(*started);
+  }
+
+  /// Beside the capture: what waits may take the disk a while.
+  void finish_recorder(const std::shared_ptr<Run>& self, const char* why) {
+    std::shared_ptr<Recorder> done;
+    {
+      const std::lock_guard lock(mutex);
+      is_stop_wanted = false;
+      if (!recorder) return;
+      done = std::exchange(recorder, nullptr);
+      recording.state = RecordingState::kFinishing;
+      ++finishers;
+      ++unfinished;
+    }
+    std::thread([self, done, why] {
+      const Status finished = done->finish(why);
+      const RecorderCounts counts = done->counts();
+      --unfinished;
+      const std::lock_guard lock(self->mutex);
+      self->recording.state = RecordingState::kDone;
+      self->recording.counts = counts;
+      if (!finished) self->recording.problem = finished.error();
+      --self->finishers;
+      self->ended_news.notify_all();
+    }).detach();
+  }
+
+  void end(const std::shared_ptr<Run>& self) {
+    finish_recorder(self, job.stop_requested() ? "stopped by hand" : "the source ended");
+    const std::lock_guard lock(mutex);
+    camera.reset();
+    status.camera.reset();
+    status.state = job.stop_requested() ? SourceState::kClosed : SourceState::kEnded;
+  }
+};
+
+SourceRunner::SourceRunner(FrameHub& hub, SourceOpener opener)
+    : hub_(hub), opener_(std::move(opener)) {}
+
+SourceRunner::~SourceRunner() {
+  const auto run = run_;
+  close();
+  if (run) run->wait_for_end(kPatience);
+}
+
+void SourceRunner::open(std::vector<std::filesystem::path> inputs, std::uint64_t seed) {
+  auto run = std::make_shared<Run>();
+  run->hub = &hub_;
+  run->opener = opener_;
+  run->inputs = std::move(inputs);
+  run->seed = seed;
+  run->status.inputs = run->inputs;
+  run->status.state = SourceState::kOpening;
+  std::shared_ptr<Run> before;
+  {
+    const std::lock_guard lock(mutex_);
+    before = std::exchange(run_, run);
+  }
+  if (before) {
+    Run::request_stop(before);
+    const std::lock_guard lock(before->publish_mutex);
+    before->hub = nullptr;
+  }
+  Run::start(run, before);
+}
+
+void SourceRunner::close() {
+  const std::lock_guard lock(mutex_);
+  if (!run_) return;
+  Run::request_stop(run_);
+  const std::lock_guard publish_lock(run_->publish_mutex);
+  run_->hub = nullptr;
+}
+
+void SourceRunner::start_recording(const std::filesystem::path& file,
+                                   const RecorderSettings& settings) {
+  const std::lock_guard lock(mutex_);
+  if (!run_) return;
+  const std::lock_guard run_lock(run_->mutex);
+  const RecordingState state = run_->recording.state;
+  if (state == RecordingState::kRunning || state == RecordingState::kFinishing) return;
+  run_->recording = {};
+  run_->recording.state = RecordingState::kRunning;
+  run_->recording.file = file;
+  run_->wanted = Run::Wanted{file, settings};
+}
+
+void SourceRunner::stop_recording() {
+  const std::lock_guard lock(mutex_);
+  if (run_) run_->is_stop_wanted = true;
+}
+
+int SourceRunner::unfinished_recordings() {
+  return unfinished;
+}
+
+SourceStatus SourceRunner::status() const {
+  const std::lock_guard lock(mutex_);
+  if (!run_) return {};
+  const std::lock_guard run_lock(run_->mutex);
+  SourceStatus status = run_->status;
+  const auto& arrivals = run_->arrivals_ns;
+  if (arrivals.size() > 1 && arrivals.back() > monotonic_ns() - kSecond_ns)
+    status.frames_per_s = static_cast<double>(arrivals.size() - 1) * 1e9 /
+                          static_cast<double>(arrivals.back() - arrivals.front());
+  if (run_->camera) {
+    status.camera = run_->camera->status();
+    if (status.camera->trouble) status.problem = status.camera->trouble;
+  }
+  return status;
+}
+
+RecordingStatus SourceRunner::recording() const {
+  const std::lock_guard lock(mutex_);
+  if (!run_) return {};
+  const std::lock_guard run_lock(run_->mutex);
+  RecordingStatus recording = run_->recording;
+  if (run_->recorder) recording.counts = run_->recorder->counts();
+  return recording;
+}
+
+std::shared_ptr<V4l2Camera> SourceRunner::camera() const {
+  const std::lock_guard lock(mutex_);
+  if (!run_) return nullptr;
+  const std::lock_guard run_lock(run_->mutex);
+  return run_->camera;
+}
+
+std::optional<double> SourceRunner::age_ms(const Frame& frame, std::int64_t now_ns) const {
+  const std::lock_guard lock(mutex_);
+  if (!run_ || frame.time_ns == 0) return std::nullopt;
+  const std::lock_guard run_lock(run_->mutex);
+  if (!run_->clock_offset_ns) return std::nullopt;
+  return std::max(0.0, static_cast<double>(now_ns - frame.time_ns - *run_->clock_offset_ns) * 1e-6);
+}
+
+}  // namespace alltact

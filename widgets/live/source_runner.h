@@ -1,0 +1,99 @@
+// A source that runs beside the window: opened, read and recorded on threads of its own.
+#pragma once
+
+#include "core/recording/recorder.h"
+#include "core/sources/frame_hub.h"
+#include "core/sources/source.h"
+#include "core/sources/v4l2/v4l2_camera.h"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+/// What opens a source: open_source, or a test's own.
+using SourceOpener = std::function<Result<std::unique_ptr<Source>>(
+    const std::vector<std::filesystem::path>& inputs, const SourceOptions& options)>;
+
+enum class SourceState {
+  kClosed = 1,
+  kOpening,
+  kRunning,
+  kEnded,   ///< the last frame came
+  kFailed,  ///< could not be opened: SourceStatus::problem
+};
+
+enum class RecordingState {
+  kNone = 1,
+  kRunning,
+  kFinishing,  ///< what waits is being written
+  kDone,       ///< or it could not begin, or had to end: RecordingStatus::problem
+};
+
+struct RecordingStatus {
+  RecordingState state = RecordingState::kNone;
+  std::filesystem::path file;
+  RecorderCounts counts;
+  double seconds = 0;            ///< of the recorded frames' own times
+  std::optional<Error> problem;  ///< why it could not begin, or ended by itself
+};
+
+struct SourceStatus {
+  SourceState state = SourceState::kClosed;
+  std::vector<std::filesystem::path> inputs;
+  std::string opening;           ///< what long opening is at, in words
+  std::optional<Error> problem;  ///< why there are no frames now
+  std::uint64_t delivered = 0;   ///< frames that came
+  std::uint64_t missing = 0;     ///< frames that never came: gaps in the source's numbers
+  double frames_per_s = 0;       ///< measured over the last second
+  bool is_live = false, is_continuous = false;
+  std::optional<CameraStatus> camera;
+};
+
+/// Any thread may call any function. Frames are published to `hub`, which has to outlive this.
+class SourceRunner {
+ public:
+  explicit SourceRunner(FrameHub& hub, SourceOpener opener = &alltact::open_source);
+  /// Asks everything to stop and waits for it, at most `kPatience`; what a stuck driver still holds
+  /// then ends by itself.
+  ~SourceRunner();
+  SourceRunner(const SourceRunner&) = delete;
+  SourceRunner& operator=(const SourceRunner&) = delete;
+  static constexpr std::chrono::milliseconds kPatience{700};
+
+  /// Ends what runs and opens this instead, at the recorded pace. Returns at once.
+  void open(std::vector<std::filesystem::path> inputs, std::uint64_t seed = 1);
+  void close();
+  /// Does nothing while a recording runs. Returns at once; what becomes of it shows in recording().
+  void start_recording(const std::filesystem::path& file, const RecorderSettings& settings);
+  void stop_recording();
+
+  [[nodiscard]] SourceStatus status() const;
+  [[nodiscard]] RecordingStatus recording() const;
+  /// The camera that runs; null where the source is none.
+  [[nodiscard]] std::shared_ptr<V4l2Camera> camera() const;
+  /// Recordings of this program whose last frames are being written.
+  [[nodiscard]] static int unfinished_recordings();
+  /// How long ago a frame was taken, at `now_ns` of the monotonic clock; empty where the source's
+  /// pictures have no times. Times that are not this computer's clock are placed on it by the frame
+  /// that came soonest.
+  [[nodiscard]] std::optional<double> age_ms(const Frame& frame, std::int64_t now_ns) const;
+
+ private:
+  struct Run;
+  FrameHub& hub_;
+  SourceOpener opener_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<Run> run_;
+};
+
+/// The monotonic clock by which cameras stamp their frames, ns.
+[[nodiscard]] std::int64_t monotonic_ns();
+
+}  // namespace alltact

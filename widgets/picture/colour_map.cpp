@@ -1,0 +1,37 @@
+#include "widgets/picture/colour_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+
+MapColour viridis(double part) {
+  // Every sixteenth of matplotlib's table; linear between, at most two levels from it.
+  static constexpr std::array<MapColour, 17> kStops{{{68, 1, 84},
+                                                     {72, 24, 106},
+                                                     {71, 45, 123},
+                                                     {66, 64, 134},
+                                                     {59, 82, 139},
+                                                     {51, 99, 141},
+                                                     {44, 114, 142},
+                                                     {38, 130, 142},
+                                                     {33, 145, 140},
+                                                     {31, 160, 136},
+                                                     {40, 174, 128},
+                                                     {63, 188, 115},
+                                                     {94, 201, 98},
+                                                     {132, 212, 75},
+                                                     {173, 220, 48},
+                                                     {216, 226, 25},
+                                                     {253, 231, 37}}};
+  const double at = std::clamp(std::isfinite(part) ? part : 0.0, 0.0, 1.0) * (kStops.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
+  const double share = at - static_cast<double>(low);
+  const auto mix = [&](std::uint8_t MapColour::*channel) {
+    const double a = kStops[low].*channel, b = kStops[low + 1].*channel;
+    return static_cast<std::uint8_t>(std::lround(a + share * (b - a)));
+  };
+  return {mix(&MapColour::red), mix(&MapColour::green), mix(&MapColour::blue)};
+}
+
+}  // namespace alltact

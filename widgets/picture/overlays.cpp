@@ -1,0 +1,196 @@
+#include "widgets/picture/overlays.h"
+
+#include "widgets/picture/colour_map.h"
+
+#include <QFontMetricsF>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+const QColor kHalo(0, 0, 0, 190);
+const QColor kEdge(86, 180, 233);       // Okabe and Ito's sky blue
+const QColor kSeen(255, 214, 64);       // yellow
+const QColor kEstimated(240, 145, 90);  // orange
+const QColor kArrow(47, 199, 155);      // bluish green
+const QColor kText(255, 255, 255);
+
+void stroke(QPainter& painter,
+            const QPainterPath& path,
+            const QColor& colour,
+            double width,
+            Qt::PenStyle style = Qt::SolidLine) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kHalo, width + 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(path);
+  painter.setPen(QPen(colour, width, style, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(path);
+}
+
+void write(QPainter& painter, QPointF centre, const QString& text) {
+  const QFontMetricsF metrics(painter.font());
+  QPainterPath path;
+  path.addText(centre.x() - 0.5 * metrics.horizontalAdvance(text),
+               centre.y() + 0.5 * metrics.capHeight(),
+               painter.font(),
+               text);
+  painter.setPen(QPen(kHalo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(path);
+  painter.fillPath(path, kText);
+}
+
+QPainterPath edge_path(const FaceEdges& edges, const Edge& edge, const ImageTransform& transform) {
+  QPainterPath path;
+  bool is_drawing = false;
+  for (std::size_t i = 0; i < edges.u.size(); ++i) {
+    if (edge.valid[i] == 0) {
+      is_drawing = false;
+      continue;
+    }
+    const QPointF at = transform.to_widget({edges.u[i], edge.v[i]});
+    if (is_drawing)
+      path.lineTo(at);
+    else
+      path.moveTo(at);
+    is_drawing = true;
+  }
+  return path;
+}
+
+QPainterPath ring(QPointF centre, double radius) {
+  QPainterPath path;
+  path.addEllipse(centre, radius, radius);
+  return path;
+}
+
+QPainterPath diamond(QPointF centre, double radius) {
+  QPainterPath path;
+  path.moveTo(centre + QPointF(0, -radius));
+  for (const QPointF corner : {QPointF(radius, 0), QPointF(0, radius), QPointF(-radius, 0)})
+    path.lineTo(centre + corner);
+  path.closeSubpath();
+  return path;
+}
+
+QPointF middle_of(const Markers& markers) {
+  QPointF sum;
+  for (const Marker& marker : markers) sum += QPointF(marker.u, marker.v);
+  return sum / static_cast<double>(markers.size());
+}
+
+}  // namespace
+
+Overlay edges_overlay(const FaceEdges& edges) {
+  return [edges](QPainter& painter, const ImageTransform& transform) {
+    for (const Edge* edge : {&edges.upper, &edges.lower})
+      stroke(painter, edge_path(edges, *edge, transform), kEdge, 1.6);
+  };
+}
+
+Overlay markers_overlay(const Markers& markers) {
+  return [markers](QPainter& painter, const ImageTransform& transform) {
+    const double radius = std::max(7.0, 9 * transform.scale);
+    for (std::size_t m = 0; m < markers.size(); ++m) {
+      const Marker& marker = markers[m];
+      const QPointF at = transform.to_widget({marker.u, marker.v});
+      if (marker.seen)
+        stroke(painter, ring(at, radius), kSeen, 1.8);
+      else
+        stroke(painter, diamond(at, 1.25 * radius), kEstimated, 1.8, Qt::DashLine);
+      // Numbers stand off the face: above the upper row, below the lower one.
+      const double side = 2 * m < markers.size() ? -1 : 1;
+      write(painter, at + QPointF(0, side * (radius + 11)), QString::number(m));
+    }
+  };
+}
+
+Overlay dots_overlay(const std::vector<Dot>& dots) {
+  return [dots](QPainter& painter, const ImageTransform& transform) {
+    const double half = std::max(5.0, 6 * transform.scale);
+    for (const Dot& dot : dots) {
+      QPainterPath square;
+      square.addRect(QRectF(transform.to_widget({dot.u, dot.v}) - QPointF(half, half),
+                            QSizeF(2 * half, 2 * half)));
+      stroke(painter, square, kEstimated, 1.5);
+    }
+  };
+}
+
+Overlay touch_overlay(const Touch& touch, const Markers& markers) {
+  if (!touch.direction || markers.empty()) return [](QPainter&, const ImageTransform&) {};
+  const QPointF from = middle_of(markers);
+  const QPointF direction(touch.direction->x(), touch.direction->y());
+  return [from, direction](QPainter& painter, const ImageTransform& transform) {
+    constexpr double kLength = 70, kHead = 16;
+    const QPointF start = transform.to_widget(from), end = start + kLength * direction;
+    const QPointF across(-direction.y(), direction.x());
+    QPainterPath arrow;
+    arrow.moveTo(start);
+    arrow.lineTo(end);
+    arrow.moveTo(end - kHead * direction + 0.6 * kHead * across);
+    arrow.lineTo(end);
+    arrow.lineTo(end - kHead * direction - 0.6 * kHead * across);
+    stroke(painter, arrow, kArrow, 4);
+  };
+}
+
+Overlay layer_overlay(const cv::Mat& layer) {
+  return [layer](QPainter& painter, const ImageTransform& transform) {
+    const QImage image(layer.data,
+                       layer.cols,
+                       layer.rows,
+                       static_cast<qsizetype>(layer.step),
+                       QImage::Format_ARGB32_Premultiplied);
+    painter.drawImage(transform.covered(image.size()), image);
+  };
+}
+
+Overlay colour_bar_overlay(double top_mm, const QString& title) {
+  return [top_mm, title](QPainter& painter, const ImageTransform& /*transform*/) {
+    const QRectF room(painter.viewport());
+    const QFontMetricsF metrics(painter.font());
+    constexpr double kHeight = 14, kMargin = 10, kGap = 8;
+    constexpr int kTicks = 4;
+    const QLocale locale;
+    const double width = std::clamp(0.3 * room.width(), 160.0, 280.0);
+    const double number = metrics.horizontalAdvance(locale.toString(top_mm, 'f', 2));
+    const double height = kHeight + 2 * metrics.height() + 2 * kGap;
+    const QRectF panel(room.right() - kMargin - width - number - 2 * kGap,
+                       room.bottom() - kMargin - height,
+                       width + number + 2 * kGap,
+                       height);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 190));
+    painter.drawRoundedRect(panel, 4, 4);
+    painter.setPen(kText);
+    painter.drawText(QPointF(panel.left() + kGap, panel.top() + kGap / 2 + metrics.ascent()),
+                     title);
+    const QRectF bar(panel.left() + kGap + 0.5 * number,
+                     panel.top() + kGap / 2 + metrics.height() + 3,
+                     width,
+                     kHeight);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    for (int i = 0; i <= 16; ++i) {
+      const MapColour colour = viridis(i / 16.0);
+      gradient.setColorAt(i / 16.0, QColor(colour.red, colour.green, colour.blue));
+    }
+    painter.setBrush(gradient);
+    painter.setPen(Qt::NoPen);
+    painter.drawRect(bar);
+    painter.setPen(kText);
+    for (int i = 0; i <= kTicks; ++i) {
+      const QString text = locale.toString(top_mm * i / kTicks, 'f', 2);
+      const double x = bar.left() + bar.width() * i / kTicks;
+      painter.drawText(
+          QPointF(x - 0.5 * metrics.horizontalAdvance(text), bar.bottom() + 3 + metrics.ascent()),
+          text);
+    }
+  };
+}
+
+}  // namespace alltact

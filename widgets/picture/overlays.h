@@ -1,0 +1,29 @@
+// What is drawn over a finger's picture. Lines have a dark edge, so that they show on any grey, and
+// keep their width whatever the zoom; what differs in meaning differs in shape.
+#pragma once
+
+#include "core/sensing/face_edges.h"
+#include "core/sensing/markers.h"
+#include "core/sensing/touch.h"
+#include "widgets/picture/image_view.h"
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+/// Both edges of the face, broken where they are not known.
+[[nodiscard]] Overlay edges_overlay(const FaceEdges& edges);
+/// Numbered; a ring where a marker is seen, a dashed diamond where its place is an estimate.
+[[nodiscard]] Overlay markers_overlay(const Markers& markers);
+/// Dots without numbers: small squares.
+[[nodiscard]] Overlay dots_overlay(const std::vector<Dot>& dots);
+/// An arrow in the direction of the force, from the middle of the markers.
+[[nodiscard]] Overlay touch_overlay(const Touch& touch, const Markers& markers);
+/// A layer of LiveView.
+[[nodiscard]] Overlay layer_overlay(const cv::Mat& layer);
+/// The scale of the depth's colours, 0 to top_mm, at the lower right of the view.
+[[nodiscard]] Overlay colour_bar_overlay(double top_mm, const QString& title);
+
+}  // namespace alltact

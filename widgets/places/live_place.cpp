@@ -1,0 +1,190 @@
+#include "widgets/places/live_place.h"
+
+#include "widgets/value_change.h"
+
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+namespace alltact {
+namespace {
+
+constexpr int kSideWidth = 300;
+
+enum MergeId { kDepthTop = 1, kControls = 1000 };
+
+}  // namespace
+
+LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
+    : Translated(parent),
+      session_(session),
+      undo_(undo),
+      panel_(new PicturePanel(session)),
+      over_(new QGroupBox),
+      camera_(new QGroupBox),
+      contact_group_(new QGroupBox),
+      times_group_(new QGroupBox),
+      choices_{{{new QCheckBox, &ViewOptions::edges},
+                {new QCheckBox, &ViewOptions::markers},
+                {new QCheckBox, &ViewOptions::direction},
+                {new QCheckBox, &ViewOptions::depth},
+                {new QCheckBox, &ViewOptions::faults}}},
+      top_label_(new QLabel),
+      top_(new QDoubleSpinBox),
+      contact_(new QLabel),
+      times_(new QLabel),
+      controls_(new ControlPanel) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(panel_, 1);
+  layout->addWidget(make_side());
+  for (const Choice& choice : choices_)
+    connect(choice.box, &QCheckBox::clicked, this, [this, choice](bool is_on) {
+      ViewOptions next = options_;
+      next.*choice.member = is_on;
+      const QString name = choice.box->text().remove(QLatin1Char('&'));
+      change_options(next, is_on ? tr("show %1").arg(name) : tr("hide %1").arg(name), -1);
+    });
+  connect(top_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    if (value == options_.depth_top_mm) return;
+    ViewOptions next = options_;
+    next.depth_top_mm = value;
+    change_options(next, tr("change the depth colours"), kDepthTop);
+  });
+  connect(controls_, &ControlPanel::control_changed, this, &LivePlace::change_control);
+  connect(controls_, &ControlPanel::lock_changed, this, &LivePlace::change_lock);
+  connect(&session_, &LiveSession::status_ready, this, &LivePlace::show_status);
+  say([this] {
+    over_->setTitle(tr("Over the picture"));
+    const std::array<QString, 5> names{tr("&Edges of the face"),
+                                       tr("&Markers with numbers"),
+                                       tr("Direction of &contact"),
+                                       tr("&Depth in colours"),
+                                       tr("&Too dark or too bright")};
+    for (std::size_t i = 0; i < names.size(); ++i) choices_[i].box->setText(names[i]);
+    choices_[1].box->setToolTip(
+        tr("A ring: the marker is seen. A dashed diamond: its place is an estimate."));
+    choices_[4].box->setToolTip(
+        tr("Stripes falling to the right: too bright to measure. "
+           "Stripes falling to the left: too dark."));
+    top_label_->setText(tr("Colours &end at"));
+    top_->setSuffix(tr(" mm"));
+    top_->setAccessibleName(tr("Depth at which the colours end"));
+    camera_->setTitle(tr("Camera"));
+    contact_group_->setTitle(tr("Contact"));
+    times_group_->setTitle(tr("Time of a frame"));
+    show_status();
+  });
+  set_options(options_);
+}
+
+QWidget* LivePlace::make_side() {
+  auto* side = new QWidget;
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(8, 0, 8, 0);
+  auto* over = new QVBoxLayout(over_);
+  for (const Choice& choice : choices_) over->addWidget(choice.box);
+  auto* top = new QHBoxLayout;
+  top_->setRange(0.1, 10);
+  top_->setSingleStep(0.1);
+  top_->setDecimals(1);
+  top_->setKeyboardTracking(false);
+  top_label_->setBuddy(top_);
+  top->addSpacing(24);
+  top->addWidget(top_label_);
+  top->addWidget(top_);
+  top->addStretch();
+  over->insertLayout(4, top);
+  column->addWidget(over_);
+  for (const auto& [group, label] : {std::pair{contact_group_, contact_}, {times_group_, times_}}) {
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::AutoText);
+    (new QVBoxLayout(group))->addWidget(label);
+    column->addWidget(group);
+  }
+  // Room for what it says most, so that nothing jumps while contacts come and go.
+  constexpr int kContactLines = 5;
+  contact_->setMinimumHeight(kContactLines * contact_->fontMetrics().lineSpacing());
+  contact_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  (new QVBoxLayout(camera_))->addWidget(controls_);
+  column->addWidget(camera_);
+  column->addStretch();
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(side);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(kSideWidth);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  return scroll;
+}
+
+void LivePlace::set_options(const ViewOptions& options) {
+  options_ = options;
+  for (const Choice& choice : choices_) choice.box->setChecked(options.*choice.member);
+  top_->setValue(options.depth_top_mm);
+  top_->setEnabled(options.depth);
+  session_.set_layers({options.depth, options.faults});
+  session_.set_depth_top_mm(options.depth_top_mm);
+  panel_->set_options(options);
+  Q_EMIT options_changed();
+}
+
+void LivePlace::change_options(const ViewOptions& options, const QString& what, int merge_id) {
+  undo_.push(new ValueChange<ViewOptions>(
+      what, options_, options, [this](const ViewOptions& value) { set_options(value); }, merge_id));
+}
+
+void LivePlace::change_control(std::uint32_t id, std::int64_t before, std::int64_t value) {
+  const auto& controls = session_.status().desk.controls;
+  const auto control =
+      std::find_if(controls.begin(), controls.end(), [&](const auto& c) { return c.id == id; });
+  const std::string name = control == controls.end() ? std::string() : control->name;
+  undo_.push(new ValueChange<std::int64_t>(
+      tr("change %1").arg(QString::fromStdString(name)),
+      before,
+      value,
+      [this, id, name](const std::int64_t& wanted) {
+        session_.set_control({id, name, wanted});
+        Q_EMIT control_set({id, name, wanted});
+      },
+      static_cast<int>(kControls + id % 1000000)));
+}
+
+void LivePlace::change_lock(bool is_locked) {
+  undo_.push(new ValueChange<bool>(is_locked ? tr("lock brightness") : tr("unlock brightness"),
+                                   !is_locked,
+                                   is_locked,
+                                   [this](const bool& value) {
+                                     session_.set_lock(value);
+                                     Q_EMIT lock_set(value);
+                                   }));
+}
+
+void LivePlace::show_status() {
+  const LiveStatus& status = session_.status();
+  controls_->set_controls(status.desk.controls, status.desk.is_locked);
+  const auto& view = session_.view();
+  contact_->setText(view ? contact_text(*view) : tr("No picture yet."));
+  const QLocale locale;
+  const StepTimes& times = session_.times_ms();
+  QString rows;
+  const auto add = [&](const QString& name, double milliseconds) {
+    if (milliseconds <= 0) return;
+    rows += QStringLiteral("<tr><td>%1</td><td align='right'>&nbsp;&nbsp;%2</td></tr>")
+                .arg(name, tr("%1 ms").arg(locale.toString(milliseconds, 'f', 2)));
+  };
+  add(tr("Preparation"), times.prepare);
+  add(tr("Edges"), times.edges);
+  add(tr("Shape"), times.global);
+  add(tr("Markers"), times.markers);
+  add(tr("Reference"), times.reference);
+  add(tr("Depth"), times.local);
+  add(tr("Contacts"), times.contact);
+  add(tr("All together"), times.total);
+  times_->setText(rows.isEmpty() ? tr("No picture yet.")
+                                 : QStringLiteral("<table>%1</table>").arg(rows));
+}
+
+}  // namespace alltact

@@ -1,0 +1,54 @@
+// The place Live: the picture at full rate, what is drawn over it, the camera's controls.
+#pragma once
+
+#include "widgets/controls/control_panel.h"
+#include "widgets/places/picture_panel.h"
+#include "widgets/translated.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QUndoStack>
+#include <array>
+
+namespace alltact {
+
+class LivePlace : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  /// Changes go through `undo`.
+  LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent = nullptr);
+
+  [[nodiscard]] const ViewOptions& options() const { return options_; }
+  /// Not undoable: what a kept session begins with.
+  void set_options(const ViewOptions& options);
+
+ Q_SIGNALS:
+  void options_changed();
+  void control_set(const alltact::ControlValue& control);
+  void lock_set(bool is_locked);
+
+ private:
+  struct Choice {
+    QCheckBox* box;
+    bool ViewOptions::*member;
+  };
+  [[nodiscard]] QWidget* make_side();
+  void change_options(const ViewOptions& options, const QString& what, int merge_id);
+  void change_control(std::uint32_t id, std::int64_t before, std::int64_t value);
+  void change_lock(bool is_locked);
+  void show_status();
+
+  LiveSession& session_;
+  QUndoStack& undo_;
+  ViewOptions options_;
+  PicturePanel* panel_;
+  QGroupBox *over_, *camera_, *contact_group_, *times_group_;
+  std::array<Choice, 5> choices_;
+  QLabel* top_label_;
+  QDoubleSpinBox* top_;
+  QLabel *contact_, *times_;
+  ControlPanel* controls_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,287 @@
+#include "widgets/places/record_place.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace alltact {
+namespace {
+
+constexpr int kSideWidth = 330;
+constexpr double kGigabyte = 1e9;
+constexpr int kBetweenSpace_ms = 2000;
+
+ViewOptions only_finger() {
+  ViewOptions options;
+  options.direction = options.depth = false;
+  return options;
+}
+
+QLabel* wrapped_label() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  return label;
+}
+
+std::filesystem::path path_of(const QString& text) {
+  return std::filesystem::path(text.trimmed().toStdString());
+}
+
+}  // namespace
+
+RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWidget* parent)
+    : Translated(parent),
+      session_(session),
+      installer_(std::move(installer)),
+      panel_(new PicturePanel(session)),
+      problems_(new ProblemList),
+      coverage_group_(new QGroupBox),
+      recording_group_(new QGroupBox),
+      result_group_(new QGroupBox),
+      coverage_view_(new CoverageView),
+      missing_(wrapped_label()),
+      file_label_(new QLabel),
+      file_(new QLineEdit),
+      browse_(new QPushButton),
+      record_(new QPushButton),
+      reason_(wrapped_label()),
+      progress_(wrapped_label()),
+      space_(wrapped_label()),
+      summary_(wrapped_label()),
+      install_(new QPushButton),
+      stop_install_(new QPushButton),
+      bar_(new QProgressBar),
+      install_reason_(wrapped_label()),
+      outcome_(wrapped_label()),
+      rejected_(new QListWidget) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* left = new QVBoxLayout;
+  left->addWidget(problems_);
+  left->addWidget(panel_, 1);
+  layout->addLayout(left, 1);
+  layout->addWidget(make_side());
+  panel_->set_options(only_finger());
+  connect(record_, &QPushButton::clicked, this, &RecordPlace::start_or_stop);
+  connect(browse_, &QPushButton::clicked, this, &RecordPlace::choose_file);
+  connect(install_, &QPushButton::clicked, this, &RecordPlace::install);
+  connect(stop_install_, &QPushButton::clicked, this, [this] { install_work_.stop(); });
+  connect(&install_work_, &BackgroundWork::progressed, this, &RecordPlace::show_installing);
+  connect(&install_work_, &BackgroundWork::finished, this, &RecordPlace::show_status);
+  connect(&session_, &LiveSession::view_ready, this, &RecordPlace::look_at_frame);
+  connect(&session_, &LiveSession::status_ready, this, &RecordPlace::show_status);
+  say([this] { name_parts(); });
+}
+
+QWidget* RecordPlace::make_side() {
+  auto* side = new QWidget;
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(8, 0, 8, 0);
+  auto* coverage = new QVBoxLayout(coverage_group_);
+  coverage->addWidget(coverage_view_);
+  coverage->addWidget(missing_);
+  column->addWidget(coverage_group_);
+  make_recording_group(*column);
+  make_result_group(*column);
+  column->addStretch();
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(side);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(kSideWidth);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  return scroll;
+}
+
+void RecordPlace::make_recording_group(QVBoxLayout& column) {
+  auto* layout = new QVBoxLayout(recording_group_);
+  auto* line = new QHBoxLayout;
+  file_label_->setBuddy(file_);
+  line->addWidget(file_label_, 1);
+  line->addWidget(browse_);
+  layout->addLayout(line);
+  layout->addWidget(file_);
+  record_->setMinimumHeight(36);
+  record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+  for (QWidget* widget : {static_cast<QWidget*>(record_),
+                          static_cast<QWidget*>(reason_),
+                          static_cast<QWidget*>(progress_),
+                          static_cast<QWidget*>(space_)})
+    layout->addWidget(widget);
+  column.addWidget(recording_group_);
+}
+
+void RecordPlace::make_result_group(QVBoxLayout& column) {
+  auto* layout = new QVBoxLayout(result_group_);
+  rejected_->setMaximumHeight(140);
+  rejected_->setWordWrap(true);
+  auto* line = new QHBoxLayout;
+  line->addWidget(bar_, 1);
+  line->addWidget(stop_install_);
+  layout->addWidget(summary_);
+  layout->addWidget(install_);
+  layout->addWidget(install_reason_);
+  layout->addLayout(line);
+  layout->addWidget(outcome_);
+  layout->addWidget(rejected_);
+  column.addWidget(result_group_);
+}
+
+void RecordPlace::name_parts() {
+  coverage_group_->setTitle(tr("Bend it in all directions"));
+  recording_group_->setTitle(tr("Recording"));
+  result_group_->setTitle(tr("What was recorded"));
+  file_label_->setText(tr("&File"));
+  file_->setAccessibleName(tr("File to record to"));
+  browse_->setText(tr("&Choose…"));
+  install_->setText(tr("&Install as this finger's reference"));
+  stop_install_->setText(tr("&Stop"));
+  stop_install_->setAccessibleDescription(tr("Stops the installation; nothing is changed."));
+  bar_->setAccessibleName(tr("Progress of the installation"));
+  rejected_->setAccessibleName(tr("Frames that were left out, with the reason"));
+  show_status();
+  show_coverage();
+}
+
+bool RecordPlace::is_busy() const {
+  const RecordingState state = session_.status().recording.state;
+  return state == RecordingState::kRunning || state == RecordingState::kFinishing ||
+         install_work_.is_running();
+}
+
+void RecordPlace::begin_coverage() {
+  coverage_.begin();
+  touched_frames_ = 0;
+}
+
+void RecordPlace::look_at_frame() {
+  if (!isVisible()) return;
+  const FrameResult& result = session_.view()->watched.result;
+  if (result.markers && result.shape)
+    coverage_.add(*result.markers, *result.shape);
+  else
+    coverage_.add_nothing();
+  touch_ = face_touch(result);
+  const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
+  if (is_recording && touch_ == FaceTouch::kTouched) ++touched_frames_;
+  show_coverage();
+}
+
+void RecordPlace::show_coverage() {
+  const BendPicture& picture = coverage_.picture();
+  coverage_view_->show_coverage(picture);
+  QStringList missing;
+  for (const BendDirection direction : picture.missing()) missing << bend_direction_text(direction);
+  missing_->setText(picture.poses == 0  ? tr("The markers have to be seen to tell how it bends.")
+                    : missing.isEmpty() ? tr("All directions are reached.")
+                                        : tr("Still missing: %1.").arg(missing.join(", ")));
+}
+
+void RecordPlace::start_or_stop() {
+  if (session_.status().recording.state == RecordingState::kRunning)
+    session_.stop_recording();
+  else
+    begin_recording();
+}
+
+void RecordPlace::begin_recording() {
+  report_.reset();
+  installed_.clear();
+  begin_coverage();
+  session_.start_recording(path_of(file_->text()));
+}
+
+void RecordPlace::choose_file() {
+  auto* dialog = new QFileDialog(this, tr("Record to"), file_->text(), tr("Video (*.mkv)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("mkv"));
+  connect(dialog, &QFileDialog::fileSelected, file_, &QLineEdit::setText);
+  dialog->show();
+}
+
+void RecordPlace::propose_file() {
+  const auto& folder = session_.status().finger.folder;
+  const QDir where(folder.empty() ? QDir::homePath() : QString::fromStdString(folder.string()));
+  file_->setText(where.filePath(
+      QStringLiteral("bending_%1.mkv")
+          .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss")))));
+}
+
+void RecordPlace::measure_space() {
+  if (since_space_.isValid() && since_space_.elapsed() < kBetweenSpace_ms) return;
+  since_space_.start();
+  space_work_.start([this, file = path_of(file_->text())](const Job&) -> std::function<void()> {
+    std::error_code failed;
+    const auto space =
+        std::filesystem::space(std::filesystem::absolute(file).parent_path(), failed);
+    const auto free_bytes = failed ? std::optional<double>() : static_cast<double>(space.available);
+    return [this, free_bytes] {
+      free_gb_ = free_bytes ? std::optional(*free_bytes / kGigabyte) : std::nullopt;
+    };
+  });
+}
+
+void RecordPlace::install() {
+  const auto folder = session_.status().finger.folder;
+  const auto video = recorded_;
+  report_.reset();
+  install_work_.start([this, folder, video, installer = installer_](const Job& job) {
+    auto report = std::make_shared<Result<ReferenceReport>>(installer(folder, video, job));
+    return std::function<void()>([this, report, video] {
+      installed_ = video;
+      report_ = *report;
+      show_installed(*report);
+    });
+  });
+  show_status();
+}
+
+void RecordPlace::show_installed(const Result<ReferenceReport>& report) {
+  rejected_->clear();
+  if (!report) return;
+  for (const std::string& reason : report->rejected)
+    rejected_->addItem(QString::fromStdString(reason));
+  Q_EMIT installed();
+}
+
+void RecordPlace::show_status() {
+  const LiveStatus& status = session_.status();
+  const RecordingState state = status.recording.state;
+  if (status.finger.folder != shown_finger_ || file_->text().isEmpty()) {
+    if (status.finger.folder != shown_finger_ && !was_recording_) report_.reset();
+    shown_finger_ = status.finger.folder;
+    if (state != RecordingState::kRunning) propose_file();
+    coverage_ = BendCoverage();
+  }
+  const bool is_recording = state == RecordingState::kRunning;
+  if (was_recording_ && state == RecordingState::kDone) {
+    if (status.recording.counts.recorded > 0) {
+      recorded_ = status.recording.file;
+      propose_file();
+    }
+    was_recording_ = false;
+  }
+  was_recording_ = was_recording_ || is_recording;
+  if (isVisible()) measure_space();
+  show_button(status);
+  show_progress(status.recording);
+  show_recorded(status);
+  show_problems(status);
+}
+
+void RecordPlace::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) show_status();
+}
+
+void RecordPlace::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  show_status();
+}
+
+}  // namespace alltact

@@ -1,0 +1,94 @@
+// The place Record: a reference video with what it covers, and its installation in the finger.
+#pragma once
+
+#include "calibration/reference_recording.h"
+#include "widgets/background_work.h"
+#include "widgets/places/picture_panel.h"
+#include "widgets/recording/bend_coverage.h"
+#include "widgets/recording/coverage_view.h"
+#include "widgets/shell/problem_list.h"
+#include "widgets/translated.h"
+
+#include <QGroupBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace alltact {
+
+/// Installs a recording in a finger's folder; runs on a thread of its own.
+using ReferenceInstaller = std::function<Result<ReferenceReport>(
+    const std::filesystem::path& folder, const std::filesystem::path& video, const Job& job)>;
+
+class RecordPlace : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  RecordPlace(LiveSession& session, ReferenceInstaller installer, QWidget* parent = nullptr);
+
+  void set_file(const QString& file) { file_->setText(file); }
+  [[nodiscard]] bool is_busy() const;
+
+ Q_SIGNALS:
+  /// A new reference lies in the finger's folder.
+  void installed();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  [[nodiscard]] QWidget* make_side();
+  void make_recording_group(QVBoxLayout& column);
+  void make_result_group(QVBoxLayout& column);
+  void name_parts();
+  void begin_coverage();
+  void look_at_frame();
+  void start_or_stop();
+  void begin_recording();
+  void choose_file();
+  void propose_file();
+  void measure_space();
+  void install();
+  void show_installed(const Result<ReferenceReport>& report);
+  void show_status();
+  void show_button(const LiveStatus& status);
+  void show_progress(const RecordingStatus& recording);
+  void show_recorded(const LiveStatus& status);
+  void show_installing();
+  void show_coverage();
+  void show_problems(const LiveStatus& status);
+  [[nodiscard]] QString why_not(const LiveStatus& status) const;
+  [[nodiscard]] QString why_not_install(const LiveStatus& status) const;
+  [[nodiscard]] QString outcome_text() const;
+
+  LiveSession& session_;
+  ReferenceInstaller installer_;
+  PicturePanel* panel_;
+  ProblemList* problems_;
+  QGroupBox *coverage_group_, *recording_group_, *result_group_;
+  CoverageView* coverage_view_;
+  QLabel* missing_;
+  QLabel* file_label_;
+  QLineEdit* file_;
+  QPushButton *browse_, *record_;
+  QLabel *reason_, *progress_, *space_;
+  QLabel* summary_;
+  QPushButton *install_, *stop_install_;
+  QProgressBar* bar_;
+  QLabel *install_reason_, *outcome_;
+  QListWidget* rejected_;
+
+  BendCoverage coverage_;
+  std::filesystem::path shown_finger_;
+  bool was_recording_ = false;
+  std::uint64_t touched_frames_ = 0;
+  FaceTouch touch_ = FaceTouch::kUnknown;
+  BackgroundWork install_work_, space_work_;
+  std::optional<double> free_gb_;
+  std::optional<Result<ReferenceReport>> report_;
+  std::filesystem::path recorded_, installed_;
+  QElapsedTimer since_space_;
+};
+
+}  // namespace alltact

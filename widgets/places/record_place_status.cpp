@@ -1,0 +1,173 @@
+// What the place Record says while it works: what is needed, how far it is, what came of it.
+#include "widgets/places/record_place.h"
+#include "widgets/shell/icons.h"
+
+namespace alltact {
+namespace {
+
+constexpr double kGigabyte = 1e9;
+constexpr double kLittleSpace_gb = 2;
+
+QString time_text(double seconds) {
+  const int whole = static_cast<int>(seconds);
+  return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
+}  // namespace
+
+QString RecordPlace::why_not(const LiveStatus& status) const {
+  if (install_work_.is_running()) return tr("The recording is being installed.");
+  if (status.recording.state == RecordingState::kFinishing)
+    return tr("The last frames are being written.");
+  if (status.source.state != SourceState::kRunning)
+    return tr("Open a source first: a camera, or the simulated finger.");
+  return {};
+}
+
+void RecordPlace::show_button(const LiveStatus& status) {
+  const bool is_recording = status.recording.state == RecordingState::kRunning;
+  const QString why = is_recording ? QString() : why_not(status);
+  record_->setText(is_recording ? tr("Stop &recording") : tr("Start &recording"));
+  // A new text takes the shortcut away.
+  record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+  record_->setToolTip(tr("Ctrl+R"));
+  record_->setIcon(
+      icon(is_recording ? QStringLiteral("stop") : QStringLiteral("record"), palette()));
+  record_->setEnabled(why.isEmpty());
+  reason_->setText(why);
+  reason_->setVisible(!why.isEmpty());
+  for (QWidget* widget : {static_cast<QWidget*>(file_), static_cast<QWidget*>(browse_)})
+    widget->setEnabled(!is_recording);
+}
+
+void RecordPlace::show_progress(const RecordingStatus& recording) {
+  const QLocale locale;
+  const bool is_recording = recording.state == RecordingState::kRunning;
+  progress_->setVisible(is_recording);
+  const std::uint64_t lost = recording.counts.dropped + recording.counts.missing;
+  if (is_recording)
+    progress_->setText(
+        tr("<b>Recording</b> %1 min<br>%2, %3, %4 GB")
+            .arg(time_text(recording.seconds),
+                 tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
+                 tr("%n lost", nullptr, static_cast<int>(lost)),
+                 locale.toString(static_cast<double>(recording.counts.bytes) / kGigabyte, 'f', 2)));
+  std::optional<double> free_gb = free_gb_;
+  if (is_recording && recording.counts.free_bytes > 0)
+    free_gb = static_cast<double>(recording.counts.free_bytes) / kGigabyte;
+  QString text;
+  if (free_gb) text = tr("Space left: %1 GB").arg(locale.toString(*free_gb, 'f', 1));
+  if (free_gb && is_recording && recording.seconds > 2 && recording.counts.bytes > 0) {
+    const double gb_per_s =
+        static_cast<double>(recording.counts.bytes) / kGigabyte / recording.seconds;
+    text += tr(", room for about %n minute(s)",
+               nullptr,
+               static_cast<int>(std::min(*free_gb / gb_per_s / 60, 99999.0)));
+  }
+  space_->setText(text);
+  space_->setVisible(!text.isEmpty());
+}
+
+QString RecordPlace::why_not_install(const LiveStatus& status) const {
+  if (status.finger.folder.empty()) return tr("Open the finger that was recorded first.");
+  if (status.finger.finger && status.finger.finger->face.kind == FaceKind::kFlat)
+    return tr("A flat sensor has one untouched picture instead of a recording.");
+  if (is_busy()) return install_work_.is_running() ? QString() : tr("A recording is under way.");
+  return {};
+}
+
+void RecordPlace::show_recorded(const LiveStatus& status) {
+  const RecordingStatus& recording = status.recording;
+  const bool has_recorded = !recorded_.empty();
+  result_group_->setVisible(has_recorded);
+  if (!has_recorded) return;
+  const QLocale locale;
+  if (recording.file == recorded_) {
+    QStringList lines{
+        tr("%1: %2, %3 min")
+            .arg(QString::fromStdString(recorded_.filename().string()),
+                 tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
+                 time_text(recording.seconds))};
+    if (const auto dropped = recording.counts.dropped; dropped > 0)
+      lines << tr("%n frame(s) were lost because this computer or its disk was too slow.",
+                  nullptr,
+                  static_cast<int>(dropped));
+    if (const auto missing = recording.counts.missing; missing > 0)
+      lines << tr("%n frame(s) never came from the source.", nullptr, static_cast<int>(missing));
+    if (recording.counts.dropped + recording.counts.missing == 0) lines << tr("No frame was lost.");
+    if (touched_frames_ > 0)
+      lines << tr("The contact face was touched in %n frame(s).",
+                  nullptr,
+                  static_cast<int>(touched_frames_));
+    summary_->setText(lines.join(QLatin1Char('\n')));
+  }
+  const QString why = why_not_install(status);
+  const bool is_installing = install_work_.is_running();
+  install_->setEnabled(why.isEmpty() && !is_installing);
+  install_->setVisible(!is_installing);
+  install_reason_->setText(why);
+  install_reason_->setVisible(!why.isEmpty());
+  bar_->setVisible(is_installing);
+  stop_install_->setVisible(is_installing);
+  outcome_->setText(outcome_text());
+  outcome_->setVisible(!outcome_->text().isEmpty());
+  rejected_->setVisible(report_ && report_->ok() && rejected_->count() > 0 && !is_installing);
+}
+
+QString RecordPlace::outcome_text() const {
+  if (install_work_.is_running()) {
+    const auto left = install_work_.seconds_left();
+    if (!left) return tr("Reading the recording…");
+    return tr("About %n second(s) left.", nullptr, static_cast<int>(*left) + 1);
+  }
+  if (!report_ || !report_->ok()) return {};
+  const ReferenceReport& report = report_->value();
+  QStringList lines{
+      tr("Installed: %1 of %n frame(s) are in the reference.", nullptr, report.frames_read)
+          .arg(report.frames_kept),
+      tr("What it leaves open: half of the references made from it are off by less than %1 mm, 95 "
+         "% "
+         "by less than %2 mm.")
+          .arg(QLocale().toString(report.error_median_mm, 'f', 3),
+               QLocale().toString(report.error_p95_mm, 'f', 3))};
+  if (report.repeated > 0)
+    lines << tr("%n frame(s) showed a pose that others show as well.", nullptr, report.repeated);
+  if (!report.rejected.empty()) lines << tr("Left out, with the reason:");
+  return lines.join(QLatin1Char('\n'));
+}
+
+void RecordPlace::show_installing() {
+  bar_->setValue(static_cast<int>(100 * install_work_.fraction()));
+  outcome_->setText(outcome_text());
+  outcome_->setVisible(true);
+}
+
+void RecordPlace::show_problems(const LiveStatus& status) {
+  std::vector<Problem> problems;
+  if (status.recording.problem) problems.push_back(Problem::of(*status.recording.problem));
+  if (report_ && !report_->ok()) problems.push_back(Problem::of(report_->error()));
+  const auto note = [&](Meaning meaning, const QString& what, const QString& advice) {
+    problems.push_back({meaning, what, advice, {}, {}});
+  };
+  const bool is_recording = status.recording.state == RecordingState::kRunning;
+  const std::uint64_t lost =
+      is_recording ? status.recording.counts.dropped + status.recording.counts.missing : 0;
+  if (lost > 0)
+    note(Meaning::kBad,
+         tr("%n frame(s) of this recording are lost.", nullptr, static_cast<int>(lost)),
+         tr("Try another disk, or a smaller picture."));
+  if (session_.view() && touch_ == FaceTouch::kTouched)
+    note(Meaning::kBad,
+         tr("The contact face is touched."),
+         tr("Keep it free: bend the finger at its tip, its sides or its back."));
+  if (free_gb_ && *free_gb_ < kLittleSpace_gb)
+    note(Meaning::kDoubtful,
+         tr("Little space is left on the disk."),
+         tr("Choose a file on another disk, or make room."));
+  if (report_ && report_->ok())
+    for (const std::string& warning : report_->value().warnings)
+      note(Meaning::kDoubtful, QString::fromStdString(warning), {});
+  problems_->set_problems(std::move(problems));
+}
+
+}  // namespace alltact

@@ -1,0 +1,26 @@
+// What is drawn over the live picture, and what is said of a frame.
+#pragma once
+
+#include "widgets/live/finger_watcher.h"
+#include "widgets/picture/image_view.h"
+
+#include <QString>
+#include <vector>
+
+namespace alltact {
+
+struct ViewOptions {
+  bool edges = true, markers = true, direction = true, depth = true, faults = false;
+  double depth_top_mm = 1.0;  ///< where the depth's colours end, [0.1, 10]
+  bool operator==(const ViewOptions&) const = default;
+};
+
+[[nodiscard]] std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& options);
+
+/// "u 120 px, v 44 px, grey 131, depth 0.42 mm"; why there is no depth where there is none.
+[[nodiscard]] QString readout_text(const LiveView& view, QPoint pixel);
+
+/// "Touched on the contact face from 12°", "Deepest 0.83 mm, 11.9 mm²", or that nothing touches.
+[[nodiscard]] QString contact_text(const LiveView& view);
+
+}  // namespace alltact

@@ -1,0 +1,35 @@
+#include "widgets/shell/icons.h"
+
+#include <QFile>
+#include <QPainter>
+#include <QSvgRenderer>
+#include <cmath>
+
+namespace alltact {
+
+QPixmap symbol(const QString& name, const QColor& colour, int size, double ratio) {
+  QFile file(QStringLiteral(":/alltact/icons/%1.svg").arg(name));
+  QPixmap pixmap(QSize(size, size) * ratio);
+  pixmap.setDevicePixelRatio(ratio);
+  pixmap.fill(Qt::transparent);
+  if (!file.open(QIODevice::ReadOnly)) return pixmap;
+  QSvgRenderer renderer(file.readAll().replace("currentColor", colour.name().toLatin1()));
+  QPainter painter(&pixmap);
+  renderer.render(&painter, QRectF(0, 0, size, size));
+  return pixmap;
+}
+
+QIcon icon(const QString& name, const QPalette& palette) {
+  QIcon icon;
+  for (const int size : {16, 24, 32})
+    for (const double ratio : {1.0, 2.0}) {
+      const auto add = [&](QPalette::ColorGroup group, QIcon::Mode mode) {
+        icon.addPixmap(symbol(name, palette.color(group, QPalette::ButtonText), size, ratio), mode);
+      };
+      add(QPalette::Active, QIcon::Normal);
+      add(QPalette::Disabled, QIcon::Disabled);
+    }
+  return icon;
+}
+
+}  // namespace alltact

@@ -1,0 +1,16 @@
+// The project's own symbols, in the palette's colours.
+#pragma once
+
+#include <QIcon>
+#include <QPalette>
+
+namespace alltact {
+
+/// `name`: a file of resources/icons without its ending. Sharp at any scale; make it anew when the
+/// palette changes.
+[[nodiscard]] QIcon icon(const QString& name, const QPalette& palette);
+
+/// The same in one colour of its own.
+[[nodiscard]] QPixmap symbol(const QString& name, const QColor& colour, int size, double ratio);
+
+}  // namespace alltact

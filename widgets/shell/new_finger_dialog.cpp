@@ -1,0 +1,173 @@
+#include "widgets/shell/new_finger_dialog.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace alltact {
+
+NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
+    : Translated(parent),
+      maker_(std::move(maker)),
+      form_(new QFormLayout),
+      folder_(new QLineEdit),
+      camera_(new QLineEdit),
+      choose_folder_(new QPushButton),
+      choose_camera_(new QPushButton),
+      kind_(new QComboBox),
+      polarity_(new QComboBox),
+      width_(new QDoubleSpinBox),
+      layer_(new QDoubleSpinBox),
+      plane_(new QDoubleSpinBox),
+      per_row_(new QSpinBox),
+      folder_row_(with_button(folder_, choose_folder_)),
+      camera_row_(with_button(camera_, choose_camera_)),
+      intro_(new QLabel),
+      problems_(new ProblemList),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+  auto* layout = new QVBoxLayout(this);
+  intro_->setWordWrap(true);
+  layout->addWidget(intro_);
+  layout->addWidget(problems_);
+  layout->addLayout(form_);
+  layout->addWidget(buttons_);
+  for (int i = 0; i < 2; ++i) kind_->addItem({});
+  for (int i = 0; i < 3; ++i) polarity_->addItem({});
+  width_->setRange(0.1, 500);
+  width_->setValue(24);
+  layer_->setRange(0.01, 50);
+  layer_->setValue(1.5);
+  plane_->setRange(0, 10000);
+  per_row_->setRange(2, 64);
+  per_row_->setValue(6);
+  form_->addRow(new QLabel, folder_row_);
+  form_->addRow(new QLabel, camera_row_);
+  for (QWidget* field : {static_cast<QWidget*>(kind_),
+                         static_cast<QWidget*>(width_),
+                         static_cast<QWidget*>(layer_),
+                         static_cast<QWidget*>(plane_),
+                         static_cast<QWidget*>(per_row_),
+                         static_cast<QWidget*>(polarity_)})
+    form_->addRow(new QLabel, field);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &NewFingerDialog::show_kind);
+  connect(choose_folder_, &QPushButton::clicked, this, &NewFingerDialog::choose_folder);
+  connect(choose_camera_, &QPushButton::clicked, this, &NewFingerDialog::choose_camera);
+  connect(buttons_, &QDialogButtonBox::accepted, this, &NewFingerDialog::make);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  say([this] {
+    setWindowTitle(tr("New finger"));
+    intro_->setText(
+        tr("Measure width and layer with a caliper, and count the dots. The camera file comes from "
+           "the lens calibration (alltact lens)."));
+    const auto name = [this](QWidget* field, QWidget* focus, const QString& text) {
+      auto* label = qobject_cast<QLabel*>(form_->labelForField(field));
+      label->setText(text);
+      label->setBuddy(focus);
+      focus->setAccessibleName(QString(text).remove(QLatin1Char('&')));
+    };
+    name(folder_row_, folder_, tr("&Folder to make"));
+    name(camera_row_, camera_, tr("&Camera file"));
+    name(kind_, kind_, tr("&Kind"));
+    name(width_, width_, tr("&Width of the face"));
+    name(layer_, layer_, tr("Thickness of the &layer"));
+    name(plane_, plane_, tr("Distance of the &plane"));
+    name(per_row_, per_row_, tr("&Dots on each side"));
+    name(polarity_, polarity_, tr("Dots &are"));
+    kind_->setItemText(0, tr("Fin Ray finger: its shape is read from the face's edges"));
+    kind_->setItemText(1, tr("Flat, rigid sensor"));
+    polarity_->setItemText(0, tr("found out by the reference recording"));
+    polarity_->setItemText(1, tr("brighter than around them"));
+    polarity_->setItemText(2, tr("darker than around them"));
+    for (QDoubleSpinBox* field : {width_, layer_, plane_}) field->setSuffix(tr(" mm"));
+    choose_folder_->setText(tr("Choose…"));
+    choose_camera_->setText(tr("Choose…"));
+    choose_folder_->setAccessibleName(tr("Choose the folder"));
+    choose_camera_->setAccessibleName(tr("Choose the camera file"));
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Make the finger"));
+    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+  });
+  show_kind();
+}
+
+QWidget* NewFingerDialog::with_button(QLineEdit* line, QPushButton* button) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(line, 1);
+  layout->addWidget(button);
+  line->setMinimumWidth(260);
+  return row;
+}
+
+FingerDescription NewFingerDialog::description() const {
+  FingerDescription finger;
+  finger.folder = folder_->text().trimmed().toStdString();
+  finger.camera = camera_->text().trimmed().toStdString();
+  finger.kind = kind_->currentIndex() == 1 ? FaceKind::kFlat : FaceKind::kFinRay;
+  finger.layer_mm = layer_->value();
+  if (finger.kind == FaceKind::kFlat) {
+    finger.plane_z_mm = plane_->value();
+    return finger;
+  }
+  finger.width_mm = width_->value();
+  finger.per_row = per_row_->value();
+  constexpr Polarity kPolarities[] = {Polarity::kAuto, Polarity::kBright, Polarity::kDark};
+  finger.polarity = kPolarities[polarity_->currentIndex()];
+  return finger;
+}
+
+void NewFingerDialog::show_kind() {
+  const bool is_flat = kind_->currentIndex() == 1;
+  for (QWidget* field : {static_cast<QWidget*>(width_),
+                         static_cast<QWidget*>(per_row_),
+                         static_cast<QWidget*>(polarity_)}) {
+    field->setVisible(!is_flat);
+    form_->labelForField(field)->setVisible(!is_flat);
+  }
+  plane_->setVisible(is_flat);
+  form_->labelForField(plane_)->setVisible(is_flat);
+}
+
+void NewFingerDialog::choose_folder() {
+  auto* dialog = new QFileDialog(this, tr("Folder to make"), folder_->text());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  connect(dialog, &QFileDialog::fileSelected, folder_, &QLineEdit::setText);
+  dialog->show();
+}
+
+void NewFingerDialog::choose_camera() {
+  auto* dialog =
+      new QFileDialog(this, tr("Camera file"), camera_->text(), tr("Camera (*.yaml *.yml)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, camera_, &QLineEdit::setText);
+  dialog->show();
+}
+
+void NewFingerDialog::make() {
+  const FingerDescription finger = description();
+  std::vector<Problem> problems;
+  if (finger.folder.empty()) problems.push_back({Meaning::kBad, tr("No folder is named."), {}, {}});
+  if (finger.camera.empty())
+    problems.push_back({Meaning::kBad,
+                        tr("No camera file is named."),
+                        tr("A lens calibration makes one: alltact lens."),
+                        {}});
+  problems_->set_problems(problems);
+  if (!problems.empty()) return;
+  buttons_->setEnabled(false);
+  work_.start([this, finger, maker = maker_](const Job&) {
+    const Status status = maker(finger);
+    return std::function<void()>([this, finger, status] {
+      buttons_->setEnabled(true);
+      if (!status) return problems_->set_problems({Problem::of(status.error())});
+      Q_EMIT made(QString::fromStdString(finger.folder.string()));
+      accept();
+    });
+  });
+}
+
+}  // namespace alltact

@@ -1,0 +1,43 @@
+// What stands where the picture will be: ways to begin, in the order in which they are wanted.
+#pragma once
+
+#include "core/sources/v4l2/camera_list.h"
+#include "widgets/translated.h"
+
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <vector>
+
+namespace alltact {
+
+class StartPanel : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit StartPanel(QWidget* parent = nullptr);
+  void set_cameras(const std::vector<FoundCamera>& cameras);
+  /// What was worked on last; empty for nothing.
+  void set_last(const QString& what);
+
+ Q_SIGNALS:
+  void last_wanted();
+  void camera_wanted(const QString& name);
+  void simulated_wanted();
+  void video_wanted();
+  void folder_wanted();
+  void finger_wanted();
+  void new_finger_wanted();
+
+ private:
+  void show_cameras();
+
+  std::vector<FoundCamera> found_;
+  QString last_text_;
+  QLabel *title_, *intro_;
+  QPushButton *last_, *simulated_, *video_, *folder_, *finger_, *new_finger_;
+  QGroupBox *sources_, *fingers_;
+  QVBoxLayout* cameras_;
+};
+
+}  // namespace alltact

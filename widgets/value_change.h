@@ -1,0 +1,41 @@
+// A change of one value that can be undone.
+#pragma once
+
+#include <QUndoCommand>
+#include <functional>
+#include <utility>
+
+namespace alltact {
+
+/// Holds the values before and after, never a pointer into what they belong to. Changes with the
+/// same `merge_id` (>= 0) that follow each other are one step.
+template <class T>
+class ValueChange : public QUndoCommand {
+ public:
+  using Apply = std::function<void(const T&)>;
+
+  ValueChange(const QString& text, T before, T after, Apply apply, int merge_id = -1)
+      : QUndoCommand(text),
+        before_(std::move(before)),
+        after_(std::move(after)),
+        apply_(std::move(apply)),
+        merge_id_(merge_id) {}
+
+  void undo() override { apply_(before_); }
+  void redo() override { apply_(after_); }
+  [[nodiscard]] int id() const override { return merge_id_; }
+  bool mergeWith(const QUndoCommand* next) override {
+    const auto* same = dynamic_cast<const ValueChange*>(next);
+    if (same == nullptr) return false;
+    after_ = same->after_;
+    setObsolete(before_ == after_);
+    return true;
+  }
+
+ private:
+  T before_, after_;
+  Apply apply_;
+  int merge_id_;
+};
+
+}  // namespace alltact
