@@ -9,6 +9,7 @@
 #include "core/sources/source.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <set>
@@ -33,6 +34,8 @@ struct Work {
   MakeReport make_report;
   std::vector<FramePtr> frames;  ///< one a press, as they are to be kept
 };
+
+constexpr std::array kReportPages{"calibration_report.html", "calibration_report.pdf"};
 
 Error stopped() {
   return {"stopped before the calibration was done", "", ""};
@@ -127,6 +130,8 @@ Status check_exclusions(const FingerCalibration& done) {
 
 /// What a person can see in the figures but a table of residuals does not say.
 void add_remarks(Calibration& calibration) {
+  if (calibration.weakness) calibration.remarks.push_back(calibration.weakness->sentence);
+  if (calibration.next_press) calibration.remarks.push_back(calibration.next_press->sentence);
   for (const BallFit& ball : calibration.balls) {
     if (calibration.balls.size() > 2 && ball.residual_mm > 3 * calibration.residual_mm) {
       calibration.remarks.push_back(fmt::format(
@@ -158,9 +163,11 @@ Status solve(FingerCalibration& done, const Job& job) {
   auto calibration =
       calibrate(used, *camera, done.finger.face, radius_mm, done.inputs.calibration, job);
   if (!calibration) return calibration.error();
-  // Half a solution could not be repeated.
-  if (job.stop_requested()) return stopped();
   done.calibration = std::move(calibration).value();
+  if (job.stop_requested())
+    done.calibration.remarks.emplace_back(
+        "stopped before the end: this is the best solution until then, without a report; "
+        "calibrating again from what is kept finishes it");
   auto& all_left_out = done.calibration.left_out;
   all_left_out.insert(all_left_out.begin(), left_out.begin(), left_out.end());
   add_remarks(done.calibration);
@@ -268,13 +275,15 @@ Status write(const Work& work, FingerCalibration& done, const Job& job) {
   record(done);
   std::vector<ReportFile> files{{CalibrationInputs::kFileName, done.inputs.to_yaml()},
                                 {"calibration_report.json", calibration_report_json(done)}};
-  if (work.make_report) {
+  bool has_pages = false;
+  if (work.make_report && !job.stop_requested()) {
     job.report(0.95, "writing the report");
     auto reports = work.make_report(done, job);
-    if (!reports) return reports.error();
-    files.insert(files.end(), reports->begin(), reports->end());
+    // Whoever stops wants what there is, not the pages about it.
+    if (!reports && !job.stop_requested()) return reports.error();
+    has_pages = reports.ok();
+    if (has_pages) files.insert(files.end(), reports->begin(), reports->end());
   }
-  if (job.stop_requested()) return stopped();
   if (work.reference) {
     const auto known = install_flat_reference(*work.reference, work.folder, done.finger);
     if (!known) return known.error();
@@ -283,6 +292,10 @@ Status write(const Work& work, FingerCalibration& done, const Job& job) {
   for (const ReportFile& file : files) {
     const Status status = write_file_atomically(work.folder / file.name, file.content);
     if (!status) return status;
+  }
+  if (!has_pages) {  // nor those about another solution
+    std::error_code absent;
+    for (const char* page : kReportPages) fs::remove(work.folder / page, absent);
   }
   return done.finger.save(work.folder);
 }
