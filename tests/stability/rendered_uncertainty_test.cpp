@@ -295,7 +295,9 @@ TEST(RenderedUncertainty, AllTheRestCostsLittleInMillimetres) {
     for (const Mean& mean : {tally.mapping, tally.depth, tally.centre[1], tally.centre[2]})
       EXPECT_LT(mean.value() - 2 * mean.sd(), 1.15) << name;
     // Along the finger that fifth of a pixel is more than the uncertainty.
-    if (flat) EXPECT_LT(tally.centre[0].value() - 2 * tally.centre[0].sd(), 1.15) << name;
+    if (flat) {
+      EXPECT_LT(tally.centre[0].value() - 2 * tally.centre[0].sd(), 1.15) << name;
+    }
   }
 }
 
