@@ -3,6 +3,7 @@
 #include "calibration/check_history.h"
 #include "calibration/finger_check.h"
 #include "calibration/hard_cases/hard_cases.h"
+#include "calibration/untouched_check.h"
 
 #include <fmt/format.h>
 
@@ -100,6 +101,32 @@ Status run_check_presses(const PressCheckInput& input, Console& console) {
   return {};
 }
 
+Status run_check_untouched(const Path& folder,
+                           const std::vector<Path>& pictures,
+                           Console& console) {
+  const auto finger = load_finger(folder, console);
+  if (!finger) return finger.error();
+  const auto check = check_untouched(folder, *finger, pictures, console.job());
+  if (!check) return check.error();
+  for (const std::string& reason : check->left_out) console.warn("Left out: " + reason);
+  console.say("Verdict: " + check->sentence + ".");
+  Console::Json& answer = console.answer();
+  answer["finger"] = finger->name;
+  answer["verdict"] = to_string(check->verdict);
+  answer["sentence"] = check->sentence;
+  answer["light_percent"] = 100 * check->light_change;
+  answer["false_depth_mm"] = check->false_depth_mm;
+  answer["uncorrected_mm"] = check->uncorrected_mm;
+  answer["limit_mm"] = check->limit_mm;
+  answer["pictures"] = check->pictures;
+  answer["left_out"] = check->left_out;
+  if (check->verdict == CheckVerdict::kRecalibrate)
+    return Error{"the reference must be recorded again; the reason is above",
+                 folder.string(),
+                 "alltact reference with a new recording, then alltact check with presses"};
+  return {};
+}
+
 Status run_check(const Path& folder, Console& console) {
   const auto finger = load_finger(folder, console);
   if (!finger) return finger.error();
@@ -164,6 +191,7 @@ void add_check(CLI::App& program, Chosen& chosen) {
   auto folder = std::make_shared<Path>();
   auto numerics = std::make_shared<bool>(false);
   auto presses = std::make_shared<PressCheckInput>();
+  auto untouched = std::make_shared<std::vector<Path>>();
   CLI::App* command =
       program.add_subcommand("check", "Is this finger fit to use? What is missing, stale or weak");
   CLI::Option* finger = command->add_option("FINGER", *folder, "The finger's folder");
@@ -184,6 +212,14 @@ void add_check(CLI::App& program, Chosen& chosen) {
       ->check(CLI::PositiveNumber)
       ->needs(pictures);
   command
+      ->add_option("--untouched",
+                   *untouched,
+                   "Checks the reference with new pictures of the untouched finger: has the light "
+                   "drifted, and must it be recorded again?")
+      ->type_name("PICTURE...")
+      ->needs(finger)
+      ->excludes(pictures);
+  command
       ->add_flag(
           "--numerics",
           *numerics,
@@ -193,6 +229,7 @@ void add_check(CLI::App& program, Chosen& chosen) {
   command->callback([=, &chosen] {
     if (!*numerics && finger->count() == 0) throw CLI::RequiredError("FINGER");
     chosen = [=](Console& console) {
+      if (!untouched->empty()) return run_check_untouched(*folder, *untouched, console);
       if (!presses->presses.empty()) {
         presses->folder = *folder;
         return run_check_presses(*presses, console);

@@ -121,6 +121,8 @@ Status run_record(const RecordOptions& options, Console& console);
 Status run_check(const Path& finger, Console& console);
 /// Holds new presses against the calibration and keeps the outcome. Error: calibrate again.
 Status run_check_presses(const PressCheckInput& input, Console& console);
+/// Holds pictures of the untouched finger against its reference. Error: record that again.
+Status run_check_untouched(const Path& finger, const std::vector<Path>& pictures, Console& console);
 /// Shows what this computer makes of hard calculations (hard_cases.h). Error: one is out of bounds.
 Status run_check_numerics(Console& console);
 

@@ -26,17 +26,6 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "alltact-test-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 ProgramRun run_shell(const std::string& command) {
   const TemporaryFolder folder;
   std::string redirected = "{ ";
