@@ -240,6 +240,8 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   if (covariance.covariance.size() > 0)
     calibration.weakness = weakest_direction(fit.curve, calibration.mapping.covariance);
   if (!job.stop_requested())
+    calibration.radius_sense = sense_radius(coarse.presses, fit, choice->options, job);
+  if (!job.stop_requested())
     calibration.next_press = advise(coarse.presses, fit, choice->options, face_length_mm(found));
   calibration.balls = balls_of(found, *choice, fit, covariance);
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);

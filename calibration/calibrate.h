@@ -56,7 +56,8 @@ struct Calibration {
   std::vector<std::string> left_out;  ///< presses not used, each with the reason
   std::vector<std::string> remarks;   ///< what the user should know (one press only, ...)
   std::optional<Weakness> weakness;   ///< joint method, when the presses determine every unknown
-  std::optional<PressAdvice> next_press;  ///< joint method; absent when stopped before
+  std::optional<PressAdvice> next_press;    ///< joint method; absent when stopped before
+  std::optional<RadiusSense> radius_sense;  ///< the same
 };
 
 /// Errors: no usable press (with each press's reason), a solution that is not finite or not

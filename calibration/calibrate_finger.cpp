@@ -131,6 +131,7 @@ Status check_exclusions(const FingerCalibration& done) {
 /// What a person can see in the figures but a table of residuals does not say.
 void add_remarks(Calibration& calibration) {
   if (calibration.weakness) calibration.remarks.push_back(calibration.weakness->sentence);
+  if (calibration.radius_sense) calibration.remarks.push_back(calibration.radius_sense->sentence);
   if (calibration.next_press) calibration.remarks.push_back(calibration.next_press->sentence);
   for (const BallFit& ball : calibration.balls) {
     if (calibration.balls.size() > 2 && ball.residual_mm > 3 * calibration.residual_mm) {

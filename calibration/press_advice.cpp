@@ -143,6 +143,55 @@ Weakness weakest_direction(const MappingCurve& curve, const Eigen::MatrixXd& cov
   return weakness;
 }
 
+std::optional<RadiusSense> sense_radius(const std::vector<const PressSamples*>& presses,
+                                        const JointFit& fit,
+                                        const JointOptions& options,
+                                        const Job& job) {
+  constexpr double kPart = 0.01;
+  constexpr double kSeen = 0.1;  // of the residual
+  struct Tried {
+    double residual_mm, depth_mm;
+  };
+  const double x = fit.curve.x_max();
+  const auto try_radius = [&](double factor) -> std::optional<Tried> {
+    JointOptions other = options;
+    other.ball_radius_mm *= factor;
+    JointFit start = fit;
+    for (std::size_t i = 0; i < presses.size(); ++i)  // so that the ball goes as deep as before
+      start.centres_mm[i] += (factor - 1.0) * options.ball_radius_mm *
+                             pressed_by(*presses[i], fit.centres_mm[i], options).normal;
+    const JointFit fitted = fit_jointly(presses, start, other, job);
+    if (!fitted.converged || job.stop_requested()) return std::nullopt;
+    double mean = 0;
+    for (const double residual : quality_of(presses, fitted, other).residual_mm)
+      mean += residual / static_cast<double>(presses.size());
+    return Tried{mean, fitted.curve.depth_mm(x)};
+  };
+  const auto smaller = try_radius(1.0 - kPart), given = try_radius(1.0),
+             larger = try_radius(1.0 + kPart);
+  if (!smaller || !given || !larger) return std::nullopt;
+  RadiusSense sense;
+  sense.depth_part = larger->depth_mm / given->depth_mm - 1.0;
+  sense.smaller_mm = smaller->residual_mm;
+  sense.given_mm = given->residual_mm;
+  sense.larger_mm = larger->residual_mm;
+  sense.is_seen =
+      std::min(smaller->residual_mm, larger->residual_mm) > (1.0 + kSeen) * given->residual_mm;
+  const std::string figures = fmt::format(
+      "a ball 1 % larger than said makes depths {:.1f} % {}; the residual is {:.4f} mm "
+      "with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger",
+      100.0 * std::abs(sense.depth_part),
+      sense.depth_part < 0 ? "smaller" : "larger",
+      sense.smaller_mm,
+      sense.given_mm,
+      sense.larger_mm);
+  sense.sentence = sense.is_seen ? figures + ": a wrong radius would be noticed"
+                                 : figures +
+                                       ": the presses cannot show a wrong radius, so measure "
+                                       "the ball to a hundredth of a millimetre";
+  return sense;
+}
+
 PressAdvice advise(const std::vector<const PressSamples*>& presses,
                    const JointFit& fit,
                    const JointOptions& options,

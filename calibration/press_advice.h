@@ -3,6 +3,7 @@
 
 #include "calibration/joint_fit.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,22 @@ struct Weakness {
 /// covariance: of curve.values(). Its principal component on depths over the whole domain.
 [[nodiscard]] Weakness weakest_direction(const MappingCurve& curve,
                                          const Eigen::MatrixXd& covariance);
+
+/// What a radius that is wrong by 1 % does, and whether the presses would show it.
+struct RadiusSense {
+  double depth_part = 0;  ///< change of depths, as a part of them, for a radius 1 % larger
+  double smaller_mm = 0, given_mm = 0,
+         larger_mm = 0;  ///< residual with 1 % less, as given, 1 % more
+  bool is_seen = false;  ///< the radius given fits better than both by a tenth
+  std::string sentence;
+};
+/// Fits the presses again with a radius 1 % smaller and larger. nullopt when a fit fails or the job
+/// is stopped.
+[[nodiscard]] std::optional<RadiusSense> sense_radius(
+    const std::vector<const PressSamples*>& presses,
+    const JointFit& fit,
+    const JointOptions& options,
+    const Job& job);
 
 struct PressAdvice {
   bool enough = false;                               ///< another press would hardly help

@@ -79,6 +79,31 @@ TEST(PressAdvice, AnEmptyThirdOfTheFaceComesFirst) {
   EXPECT_GT(calibration.next_press->along_mm, 20.0 / 3);
 }
 
+TEST(PressAdvice, SaysWhatAWrongRadiusDoesAndThatItCannotBeSeen) {
+  std::mt19937 random(33);
+  const Layer layer{0.7, 0.02};
+  std::vector<Press> presses;
+  for (int i = 0; i < 4; ++i)
+    presses.push_back(pressed(layer, 90 + 70 * i, 110 + 25 * i, 0.5 + 0.15 * i, random, i));
+  const Scene scene = flat_scene();
+  const auto run_with = [&](double radius_mm) {
+    return calibrate(presses, scene.camera, scene.face, radius_mm, {}, Job{}).value();
+  };
+  const Calibration given = run_with(4.0), larger = run_with(4.04);
+  ASSERT_TRUE(given.radius_sense);
+  const RadiusSense& sense = *given.radius_sense;
+  // What it says, against a calibration that was really told another radius.
+  const double x = given.mapping.x_max;
+  const double changed =
+      Mapping::create(larger.mapping)->depth_mm(x) / Mapping::create(given.mapping)->depth_mm(x) -
+      1.0;
+  EXPECT_LT(changed, 0.0);
+  EXPECT_NEAR(sense.depth_part, changed, 0.4 * std::abs(changed));
+  EXPECT_NEAR(sense.larger_mm - sense.given_mm, larger.residual_mm - given.residual_mm, 3e-4);
+  EXPECT_FALSE(sense.is_seen);
+  EXPECT_THAT(sense.sentence, testing::HasSubstr("cannot show a wrong radius"));
+}
+
 TEST(PressAdvice, TheWeakestDirectionIsNamed) {
   MappingCurve curve({MappingKind::kPolynomial, 2}, 0.5);
   curve.values() << 2.5, 0.3;
