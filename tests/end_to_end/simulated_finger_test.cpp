@@ -67,9 +67,9 @@ class Day {
 
 void expect_measured_well(const Evaluation& evaluation) {
   EXPECT_EQ(evaluation.frames_missing, 0);
-  EXPECT_LE(evaluation.contact_depth_mm.value(), 0.06);
+  EXPECT_LE(evaluation.contact_depth_mm.value(), 0.03);
   EXPECT_GE(evaluation.contact_coverage.value(), 0.95);
-  EXPECT_LE(evaluation.false_depth_mm.value(), 0.04);
+  EXPECT_LE(evaluation.false_depth_mm.value(), 0.015);
   EXPECT_LE(evaluation.position_mm.value(), 0.05);
   EXPECT_LE(evaluation.marker_seen_px.value(), 0.1);
   EXPECT_LE(evaluation.marker_hidden_px.value(), 1.0);
