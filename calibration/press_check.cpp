@@ -19,12 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSamples = 1500;  // a press
-constexpr double kLeastErrorMm = kGoodErrorMm / 3;
+constexpr int kSamples = 1500;        // a press
 constexpr double kFactorSeen = 0.02;  // a factor nearer to 1 is as good as 1
 constexpr double kChance = 3.0;       // standard deviations
-constexpr double kLightLimit = 0.02;  // lamps that are warm stay within
-constexpr double kLightOff = 0.06;
 
 Error stopped() {
   return {"stopped before the check was done", "", ""};

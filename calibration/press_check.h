@@ -68,6 +68,12 @@ struct PressCheckInput {
                                                     const Finger& finger,
                                                     const Job& job);
 
+/// What checks go by: light beyond the first is drifting, beyond the second no light to measure in;
+/// no error below the third counts.
+inline constexpr double kLightLimit = 0.02;  // lamps that are warm stay within
+inline constexpr double kLightOff = 0.06;
+inline constexpr double kLeastErrorMm = kGoodErrorMm / 3;
+
 /// How many presses a check should have; fewer only say so.
 inline constexpr int kCheckPresses = 3;
 

@@ -12,9 +12,6 @@
 namespace alltact {
 namespace {
 
-constexpr double kLightLimit = 0.02;  // lamps that are warm stay within
-constexpr double kLightOff = 0.06;
-constexpr double kLeastMm = kGoodErrorMm / 3;
 constexpr double kWorst = 0.95;  // part of the face that is better
 
 /// The depth that the worst twentieth of the face's patches exceeds.
@@ -106,7 +103,7 @@ Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
   for (double* mean :
        {&check.light_change, &check.false_depth_mm, &check.uncorrected_mm, &noise_mm})
     *mean /= check.pictures;
-  check.limit_mm = std::max(kLeastMm, 3.0 * noise_mm);
+  check.limit_mm = std::max(kLeastErrorMm, 3.0 * noise_mm);
   const double light = std::abs(check.light_change);
   if (light > kLightOff || check.false_depth_mm > check.limit_mm)
     check.verdict = CheckVerdict::kRecalibrate;
