@@ -202,10 +202,8 @@ Inside look_inside(const Press& press, const cv::Mat& x, const Circle& circle, d
   return inside;
 }
 
-Result<BallGuess> find(const Press& press,
-                       const Face& face,
-                       double ball_radius_mm,
-                       const BallFinderOptions& options) {
+Result<BallGuess> find(const Press& press, const Face& face, const BallFinderOptions& options) {
+  const double ball_radius_mm = press.ball_radius_mm;
   const cv::Mat x = smoothed(press.difference.x);
   const auto levels = levels_of(x);
   if (!levels)
@@ -302,17 +300,16 @@ Result<BallGuess> find(const Press& press,
 
 Result<BallGuess> find_ball(const Press& press,
                             const Face& face,
-                            double ball_radius_mm,
                             const BallFinderOptions& options) {
-  if (!(ball_radius_mm > 0.0) || !std::isfinite(ball_radius_mm))
-    return Error{fmt::format("a ball radius of {} mm is impossible", ball_radius_mm),
-                 "ball radius",
+  if (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm))
+    return Error{fmt::format("a ball radius of {} mm is impossible", press.ball_radius_mm),
+                 press.name,
                  "the radius in millimetres, as measured with callipers"};
   if (press.difference.x.type() != CV_32FC1 || press.difference.x.empty() ||
       press.difference.x.cols != press.shape.width_px())
     return refuse(press, "the press has no difference picture", "taking the picture again");
   try {
-    return find(press, face, ball_radius_mm, options);
+    return find(press, face, options);
   } catch (const cv::Exception& problem) {
     return refuse(press, fmt::format("OpenCV failed: {}", problem.what()), "a smaller picture");
   }

@@ -2,7 +2,7 @@
 
 #include "calibration/joint_fit.h"
 #include "calibration/model_choice.h"
-#include "calibration/paper_method.h"
+#include "calibration/outline_methods.h"
 #include "calibration/press_samples.h"
 #include "calibration/tangent_arc.h"
 
@@ -50,7 +50,6 @@ bool before(const Found& a, const Found& b) {
 
 std::vector<Found> find_balls(const std::vector<Press>& presses,
                               const Face& face,
-                              double ball_radius_mm,
                               const BallFinderOptions& options,
                               const Job& job,
                               std::vector<std::string>* left_out) {
@@ -67,13 +66,13 @@ std::vector<Found> find_balls(const std::vector<Press>& presses,
           fmt::format("{}: the same picture as {}, counted once.", press.name, twin->name));
       continue;
     }
-    auto guess = find_ball(press, face, ball_radius_mm, options);
+    auto guess = find_ball(press, face, options);
     if (!guess) {
       left_out->push_back(guess.error().sentence());
       continue;
     }
     const Eigen::Vector3d& centre = guess->centre_mm;
-    const double reach = 1.06 * ball_radius_mm;
+    const double reach = 1.06 * press.ball_radius_mm;
     Found one{&press,
               *guess,
               sample_around(press, face, centre, reach, kFineSamples),
@@ -104,10 +103,10 @@ Error stopped() {
   return {"stopped before there was a solution", "", ""};
 }
 
-double deepest_mm(const Found& found, const Eigen::Vector3d& centre, double radius_mm) {
+double deepest_mm(const Found& found, const Eigen::Vector3d& centre) {
   double depth = 0;
   for (const Sample& sample : found.fine.samples) {
-    const double here = ball_depth_mm(sample, MappingAlong::kZ, centre, radius_mm);
+    const double here = ball_depth_mm(sample, MappingAlong::kZ, centre, found.fine.ball_radius_mm);
     if (std::isfinite(here)) depth = std::max(depth, here);
   }
   return depth;
@@ -124,13 +123,14 @@ std::vector<BallFit> balls_of(const std::vector<Found>& found,
   for (std::size_t i = 0; i < found.size(); ++i) {
     BallFit ball;
     ball.press = found[i].press->name;
+    ball.radius_mm = found[i].press->ball_radius_mm;
     ball.centre_mm = fit.centres_mm[i];
     ball.centre_sd_mm.setZero();
     if (covariance.covariance.size() > 0) {
       const Eigen::Index first = fit.curve.values().size() + 3 * static_cast<Eigen::Index>(i);
       ball.centre_sd_mm = covariance.covariance.diagonal().segment<3>(first).cwiseSqrt();
     }
-    ball.depth_mm = deepest_mm(found[i], ball.centre_mm, choice.options.ball_radius_mm);
+    ball.depth_mm = deepest_mm(found[i], ball.centre_mm);
     ball.residual_mm = quality.residual_mm[i];
     ball.held_out_mm = i < choice.held_out_mm.size() ? choice.held_out_mm[i] : 0.0;
     ball.tangent_arc_deg = found[i].tangent_arc_deg;
@@ -175,7 +175,7 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
   bool seen = false;
   for (std::size_t i = 0; i < found.size(); ++i) {
     TangentArc arc =
-        find_tangent_arc(*found[i].press, fit.centres_mm[i], choice.options.ball_radius_mm);
+        find_tangent_arc(*found[i].press, fit.centres_mm[i], found[i].press->ball_radius_mm);
     found[i].tangent_arc_deg = arc.arc_deg;
     found[i].fine.outline = std::move(arc.points);
     seen = seen || !found[i].fine.outline.empty();
@@ -186,7 +186,6 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
 }
 
 Result<Calibration> solve_jointly(std::vector<Found> found,
-                                  double ball_radius_mm,
                                   const CalibrationSettings& settings,
                                   const Job& job,
                                   Calibration calibration) {
@@ -197,7 +196,7 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
     place_within(part, &f.fine);
     place_within(part, &f.coarse);
   }
-  ChoiceInput coarse{{}, {}, ball_radius_mm};
+  ChoiceInput coarse;
   for (const Found& f : found) {
     coarse.presses.push_back(&f.coarse);
     coarse.centres_mm.push_back(f.guess.centre_mm);
@@ -247,6 +246,7 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
   calibration.condition = covariance.condition;
+  calibration.spread_mm = choice->spread_mm;
   calibration.degree_choice = choice->sentence;
   calibration.remarks.insert(
       calibration.remarks.end(), choice->remarks.begin(), choice->remarks.end());
@@ -266,10 +266,15 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
   static const std::vector<Setting<S>> settings{
       choice_setting<S, CalibrationMethod>(
           "method",
-          "how presses become a mapping: all balls and the mapping in one fit, or the source "
-          "paper's circle and polynomial",
+          "how presses become a mapping: all balls and the mapping in one fit; or, to compare "
+          "with, "
+          "every ball from its dark border alone: the source paper's way, a circle on the face, or "
+          "the cone of the ball's outline",
           &S::method,
-          {{"joint", CalibrationMethod::kJoint}, {"paper", CalibrationMethod::kPaper}}),
+          {{"joint", CalibrationMethod::kJoint},
+           {"paper", CalibrationMethod::kPaper},
+           {"circle", CalibrationMethod::kCircle},
+           {"cone", CalibrationMethod::kCone}}),
       choice_setting<S, FamilyChoice>(
           "family",
           "the mapping's curve; auto: whichever predicts presses left out best",
@@ -299,34 +304,35 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
   return settings;
 }
 
+std::string method_name(CalibrationMethod method) {
+  CalibrationSettings settings;
+  settings.method = method;
+  return calibration_settings().front().get(settings);
+}
+
 Result<Calibration> calibrate(const std::vector<Press>& presses,
                               const Camera& camera,
                               const Face& face,
-                              double ball_radius_mm,
                               const CalibrationSettings& settings,
                               const Job& job) {
-  if (!(ball_radius_mm > 0.0) || !std::isfinite(ball_radius_mm))
-    return Error{fmt::format("a ball radius of {} mm is impossible", ball_radius_mm),
-                 "ball radius",
-                 "the radius in millimetres, as measured with callipers"};
+  for (const Press& press : presses)
+    if (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm))
+      return Error{fmt::format("a ball radius of {} mm is impossible", press.ball_radius_mm),
+                   press.name,
+                   "the radius in millimetres, as measured with callipers"};
   try {
     Calibration calibration;
-    const bool as_paper = settings.method == CalibrationMethod::kPaper;
     const std::vector<Found> found =
-        find_balls(presses,
-                   face,
-                   ball_radius_mm,
-                   as_paper ? paper_ball_finder() : BallFinderOptions{},
-                   job,
-                   &calibration.left_out);
+        find_balls(presses, face, ball_finder_for(settings.method), job, &calibration.left_out);
     if (found.empty())
       return job.stop_requested() ? stopped() : no_press(presses, calibration.left_out);
     Result<Calibration> result = [&]() -> Result<Calibration> {
-      if (!as_paper)
-        return solve_jointly(found, ball_radius_mm, settings, job, std::move(calibration));
-      std::vector<PaperPress> circles;
-      for (const Found& f : found) circles.push_back({f.press, f.guess});
-      return calibrate_as_paper(circles, camera, face, ball_radius_mm, job, std::move(calibration));
+      if (settings.method == CalibrationMethod::kJoint)
+        return solve_jointly(found, settings, job, std::move(calibration));
+      std::vector<OutlinePress> outlines;
+      for (const Found& f : found) outlines.push_back({f.press, f.guess});
+      return calibrate_by_outline(
+          outlines, settings.method, camera, face, job, std::move(calibration));
     }();
     if (result) sort_as_given(presses, &result->balls);
     job.report(1.0, "done");

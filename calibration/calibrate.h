@@ -18,7 +18,10 @@ namespace alltact {
 
 enum class CalibrationMethod {
   kJoint = 1,  ///< all ball centres and the mapping in one robust least-squares problem
-  kPaper,  ///< the source paper: circle on each press, ball depth from its radius, one polynomial
+  // Every ball by itself from its dark border, then one polynomial (outline_methods.h):
+  kPaper,   ///< the source paper: a circle, its depth by its radius and a constant of zero
+  kCircle,  ///< a circle where ball and face part
+  kCone,    ///< the cone that touches the ball's outline
 };
 enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius };
 /// Whether the mapping may vary over the face.
@@ -34,9 +37,13 @@ struct CalibrationSettings {
 };
 [[nodiscard]] const std::vector<Setting<CalibrationSettings>>& calibration_settings();
 
+/// As the setting `method` says it.
+[[nodiscard]] std::string method_name(CalibrationMethod method);
+
 /// The ball of one press in the solution.
 struct BallFit {
   std::string press;
+  double radius_mm = 0;
   Eigen::Vector3d centre_mm;
   Eigen::Vector3d centre_sd_mm;
   double depth_mm = 0;         ///< greatest press depth along z
@@ -50,7 +57,11 @@ struct Calibration {
   MappingParameters mapping;
   std::vector<BallFit> balls;
   double residual_mm = 0;
-  double held_out_mm = 0;             ///< 0 when there was only one press
+  double held_out_mm = 0;  ///< 0 when there was only one press
+  /// How far depth is off as a whole, mean absolute over the domain, by what the mapping changes
+  /// when presses are left out (jackknife): the balls take this up, so that held_out_mm cannot see
+  /// it. 0 with one press and with methods other than the joint one.
+  double spread_mm = 0;
   double condition = 0;               ///< of the scaled problem
   std::string degree_choice;          ///< why this family and degree, a sentence
   std::vector<std::string> left_out;  ///< presses not used, each with the reason
@@ -60,12 +71,12 @@ struct Calibration {
   std::optional<RadiusSense> radius_sense;  ///< the same
 };
 
-/// Errors: no usable press (with each press's reason), a solution that is not finite or not
+/// Balls may be of several sizes. Errors: an impossible radius, no usable press (with each press's
+/// reason), a solution that is not finite or not
 /// increasing. A stopped job returns the best solution so far when there is one.
 [[nodiscard]] Result<Calibration> calibrate(const std::vector<Press>& presses,
                                             const Camera& camera,
                                             const Face& face,
-                                            double ball_radius_mm,
                                             const CalibrationSettings& settings,
                                             const Job& job);
 

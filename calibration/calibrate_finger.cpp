@@ -74,7 +74,10 @@ TakenPress press_of(const Frame& frame, FrameResult result, const CalibrationInp
   if (result.difference) press.sign.light_change = result.difference->light.change();
   if (result.reference) press.sign.known_pose = result.reference->known_pose;
   if (result.difference && result.shape) {
-    press.press = Press{frame.name, std::move(*result.difference), std::move(*result.shape)};
+    press.press = Press{frame.name,
+                        std::move(*result.difference),
+                        std::move(*result.shape),
+                        inputs.radius_of(frame.name)};
   } else {
     press.left_out = result.problems.empty() ? "no face was found" : result.problems.front();
   }
@@ -112,19 +115,18 @@ Status take_presses(Work& work, Pipeline& pipeline, FingerCalibration& done, con
   return {};
 }
 
-Status check_exclusions(const FingerCalibration& done) {
-  for (const ExcludedPress& excluded : done.inputs.excluded) {
-    const bool known =
-        std::any_of(done.presses.begin(), done.presses.end(), [&](const TakenPress& press) {
-          return press.name == excluded.name;
-        });
-    if (known) continue;
-    std::vector<std::string> names;
-    for (const TakenPress& press : done.presses) names.push_back(press.name);
-    return Error{fmt::format("no press is called '{}'", excluded.name),
-                 "",
-                 fmt::format("one of {}", fmt::join(names, ", "))};
-  }
+/// What is said of single presses must be said of presses that are there.
+Status check_names(const FingerCalibration& done) {
+  std::set<std::string> names;
+  for (const TakenPress& press : done.presses) names.insert(press.name);
+  std::vector<std::string> named;
+  for (const ExcludedPress& excluded : done.inputs.excluded) named.push_back(excluded.name);
+  for (const OtherBall& ball : done.inputs.other_balls) named.push_back(ball.name);
+  for (const std::string& name : named)
+    if (!names.contains(name))
+      return Error{fmt::format("no press is called '{}'", name),
+                   "",
+                   fmt::format("one of {}", fmt::join(names, ", "))};
   return {};
 }
 
@@ -143,7 +145,7 @@ void add_remarks(Calibration& calibration) {
   }
 }
 
-Status solve(FingerCalibration& done, const Job& job) {
+Status solve(FingerCalibration& done, bool compare, const Job& job) {
   std::vector<Press> used;
   std::vector<std::string> left_out;
   for (const TakenPress& one : done.presses) {
@@ -160,9 +162,7 @@ Status solve(FingerCalibration& done, const Job& job) {
   job.report(0.5, "solving");
   const auto camera = Camera::create(done.finger.camera);
   if (!camera) return camera.error();
-  const double radius_mm = done.inputs.ball_radius_mm;
-  auto calibration =
-      calibrate(used, *camera, done.finger.face, radius_mm, done.inputs.calibration, job);
+  auto calibration = calibrate(used, *camera, done.finger.face, done.inputs.calibration, job);
   if (!calibration) return calibration.error();
   done.calibration = std::move(calibration).value();
   if (job.stop_requested())
@@ -175,15 +175,21 @@ Status solve(FingerCalibration& done, const Job& job) {
 
   std::vector<const Press*> presses;
   for (const Press& press : used) presses.push_back(&press);
-  done.residuals = press_residuals(presses, done.finger.face, done.calibration, radius_mm);
+  done.residuals = press_residuals(presses, done.finger.face, done.calibration);
   done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
   std::vector<PressSign> signs;
   for (const TakenPress& press : done.presses)
     if (press.left_out.empty()) signs.push_back(press.sign);
   done.fault_signs = fault_signs(signs);
-  done.verdict = verdict(done.calibration.residual_mm,
-                         done.calibration.held_out_mm,
-                         static_cast<int>(done.calibration.balls.size()));
+  done.verdict = verdict({done.calibration.residual_mm,
+                          done.calibration.held_out_mm,
+                          done.calibration.spread_mm,
+                          static_cast<int>(done.calibration.balls.size())});
+  if (compare && done.inputs.calibration.method == CalibrationMethod::kJoint &&
+      !job.stop_requested()) {
+    job.report(0.9, "comparing with other methods");
+    done.methods = compare_methods(used, *camera, done.finger.face, done.calibration, job);
+  }
   return {};
 }
 
@@ -193,10 +199,11 @@ void record(FingerCalibration& done) {
   const Calibration& calibration = done.calibration;
   finger.mapping = calibration.mapping;
   MappingRecord record;
-  record.method = inputs.calibration.method == CalibrationMethod::kPaper ? "paper" : "joint";
+  record.method = method_name(inputs.calibration.method);
   for (const BallFit& ball : calibration.balls) record.presses.push_back(ball.press);
   record.residual_mm = calibration.residual_mm;
   record.held_out_mm = calibration.held_out_mm;
+  record.spread_mm = calibration.spread_mm;
   record.degree_choice = calibration.degree_choice;
   finger.mapping_record = std::move(record);
   finger.provenance["calibration_date"] = inputs.date;
@@ -316,8 +323,9 @@ Result<FingerCalibration> run(Work work, CalibrationInputs inputs, const Job& jo
   if (!pipeline) return pipeline.error();
   if (const Status status = take_presses(work, *pipeline, done, job); !status)
     return status.error();
-  if (const Status status = check_exclusions(done); !status) return status.error();
-  if (const Status status = solve(done, job); !status) return status.error();
+  if (const Status status = check_names(done); !status) return status.error();
+  if (const Status status = solve(done, work.make_report != nullptr, job); !status)
+    return status.error();
   if (const Status status = write(work, done, job); !status) return status.error();
   job.report(1.0, "done");
   return done;
@@ -340,6 +348,7 @@ Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, 
   inputs.program_version = input.program_version;
   inputs.operator_name = input.operator_name;
   inputs.ball_radius_mm = input.ball_radius_mm;
+  inputs.other_balls = input.other_balls;
   inputs.calibration = input.calibration;
   inputs.pipeline = input.pipeline;
   inputs.excluded = input.excluded;

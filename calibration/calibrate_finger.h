@@ -5,6 +5,7 @@
 #include "calibration/calibrate.h"
 #include "calibration/calibration_inputs.h"
 #include "calibration/fault_signs.h"
+#include "calibration/method_table.h"
 #include "calibration/press_residuals.h"
 #include "calibration/verdict.h"
 #include "core/finger/finger.h"
@@ -36,6 +37,7 @@ struct FingerCalibration {
   Calibration calibration;
   std::vector<PressResiduals> residuals;
   std::vector<ZoneError> zones;
+  std::vector<MethodRow> methods;  ///< for the reports; empty without, or with another method
   Verdict verdict;
   std::vector<std::string> fault_signs;     ///< see fault_signs.h
   std::vector<std::string> warnings;        ///< about files and how it was called
@@ -55,6 +57,7 @@ struct FingerCalibrationInput {
   std::filesystem::path folder;                ///< the finger's
   std::vector<std::filesystem::path> presses;  ///< pictures, folders or a video; see open_source
   double ball_radius_mm = 0;
+  std::vector<OtherBall> other_balls;              ///< presses of a ball of another size
   std::optional<std::filesystem::path> reference;  ///< flat sensors: the untouched picture
   CalibrationSettings calibration;
   PipelineSettings pipeline;
@@ -69,14 +72,14 @@ struct FingerCalibrationInput {
 /// calibration_report.json, what make_report gives, and last finger.yaml. A press in which no ball
 /// is found is left out with its reason; a picture that cannot be used at all fails the whole.
 /// Errors: those of loading, of the first picture that is unreadable or has another size, two
-/// presses of one name, an excluded press that is not there, no usable press, the job was stopped.
-/// On any error before writing the folder is as it was; a folder whose writing was cut off measures
-/// as before, and calibrate_finger_again() completes it.
+/// presses of one name, an excluded press or one of another ball that is not there, no usable
+/// press, the job was stopped. On any error before writing the folder is as it was; a folder whose
+/// writing was cut off measures as before, and calibrate_finger_again() completes it.
 [[nodiscard]] Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input,
                                                          const Job& job);
 
 /// The same from what the finger keeps. `inputs`: as CalibrationInputs::load gave them, or with
-/// another radius, other settings or exclusions. Without a change the files are the same bytes,
+/// other radii, other settings or exclusions. Without a change the files are the same bytes,
 /// date included; a change, another version of the program and another reference make a new
 /// calibration, dated now. Errors: as above; a picture in presses/ that is gone or is not the one
 /// that was calibrated with.

@@ -103,6 +103,16 @@ void read_presses(YamlSection& top, CalibrationInputs& inputs) {
   }
 }
 
+bool names_press(const CalibrationInputs& inputs, const std::string& name) {
+  return std::any_of(inputs.presses.begin(), inputs.presses.end(), [&](const KeptPress& press) {
+    return press.name == name;
+  });
+}
+
+bool is_radius(double mm) {
+  return mm > 0 && mm <= 1000;
+}
+
 void read_excluded(YamlSection& top, CalibrationInputs& inputs) {
   if (!top.has("excluded")) return;
   const auto names = top.texts("excluded");
@@ -112,12 +122,27 @@ void read_excluded(YamlSection& top, CalibrationInputs& inputs) {
                fmt::format("has {} entries for {} presses", because.size(), names.size()),
                "one for each press in excluded, \"\" where there is no reason");
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool known = std::any_of(inputs.presses.begin(),
-                                   inputs.presses.end(),
-                                   [&](const KeptPress& press) { return press.name == names[i]; });
-    if (!known)
+    if (!names_press(inputs, names[i]))
       top.refuse("excluded", fmt::format("'{}' is not among the presses", names[i]), "remove it");
     inputs.excluded.push_back({names[i], because[i]});
+  }
+}
+
+void read_other_balls(YamlSection& top, CalibrationInputs& inputs) {
+  if (!top.has("other_balls")) return;
+  const auto names = top.texts("other_balls");
+  const auto radii_mm = top.numbers("other_balls_mm");
+  if (names.size() != radii_mm.size())
+    top.refuse("other_balls_mm",
+               fmt::format("has {} entries for {} presses", radii_mm.size(), names.size()),
+               "a radius in mm for each press in other_balls");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!names_press(inputs, names[i]))
+      top.refuse(
+          "other_balls", fmt::format("'{}' is not among the presses", names[i]), "remove it");
+    if (!is_radius(radii_mm[i]))
+      top.refuse("other_balls_mm", "must be above 0 and at most 1000", "the balls' radii in mm");
+    inputs.other_balls.push_back({names[i], radii_mm[i]});
   }
 }
 
@@ -133,7 +158,7 @@ CalibrationInputs read_inputs(YamlSection& top) {
   inputs.program_version = top.text("program_version");
   if (top.has("operator")) inputs.operator_name = top.text("operator");
   inputs.ball_radius_mm = top.number("ball_radius_mm", "the ball's radius in mm");
-  if (!(inputs.ball_radius_mm > 0 && inputs.ball_radius_mm <= 1000))
+  if (!is_radius(inputs.ball_radius_mm))
     top.refuse("ball_radius_mm", "must be above 0 and at most 1000", "the ball's radius in mm");
   inputs.calibration = read_settings(top.section("calibration"), calibration_settings());
   inputs.pipeline = read_settings(top.section("pipeline"), pipeline_settings());
@@ -142,6 +167,7 @@ CalibrationInputs read_inputs(YamlSection& top) {
   inputs.reference_checksum = read_checksum(top, "reference");
   read_presses(top, inputs);
   read_excluded(top, inputs);
+  read_other_balls(top, inputs);
   top.keep_the_rest();
   return inputs;
 }
@@ -203,6 +229,15 @@ std::string CalibrationInputs::to_yaml() const {
   rest.add("continuous", is_continuous ? "true" : "false");
   rest.add("finger", '"' + finger_checksum + '"');
   rest.add("reference", '"' + reference_checksum + '"');
+  if (!other_balls.empty()) {
+    std::vector<std::string> names, radii;
+    for (const OtherBall& ball : other_balls) {
+      names.push_back(yaml_text(ball.name));
+      radii.push_back(yaml_number(ball.radius_mm));
+    }
+    rest.add("other_balls", yaml_list(names));
+    rest.add("other_balls_mm", yaml_list(radii));
+  }
   if (!excluded.empty()) {
     std::vector<std::string> names, because;
     for (const ExcludedPress& press : excluded) {
@@ -223,6 +258,13 @@ std::string CalibrationInputs::to_yaml() const {
   YamlBlock last("");
   last.add("presses", yaml_list(names));
   return text + last.on_many_lines();
+}
+
+double CalibrationInputs::radius_of(const std::string& press) const {
+  const auto found = std::find_if(other_balls.begin(),
+                                  other_balls.end(),
+                                  [&](const OtherBall& one) { return one.name == press; });
+  return found == other_balls.end() ? ball_radius_mm : found->radius_mm;
 }
 
 const ExcludedPress* CalibrationInputs::exclusion_of(const std::string& press) const {

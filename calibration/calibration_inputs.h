@@ -7,6 +7,8 @@
 //   program_version: 0.1.0
 //   operator: Ada                     # absent: not told
 //   ball_radius_mm: 4.0
+//   other_balls: [press_5]            # presses made with a ball of another radius,
+//   other_balls_mm: [6.0]             # and which
 //   calibration: {method: joint, ...} # the settings, by their names
 //   pipeline: {edge-method: crossing, ...}
 //   continuous: false                 # markers were followed from press to press
@@ -40,6 +42,12 @@ struct ExcludedPress {
   std::string because;  ///< empty: not told
 };
 
+/// A press that was made with a ball of another size.
+struct OtherBall {
+  std::string name;  ///< the press
+  double radius_mm = 0;
+};
+
 /// A picture in presses/.
 struct KeptPress {
   std::string name;      ///< its file's, without the ending
@@ -50,10 +58,11 @@ struct CalibrationInputs {
   static constexpr const char* kFormat = "alltact-calibration/1";
   static constexpr const char* kFileName = "calibration_inputs.yaml";
 
-  std::string date;             ///< UTC, as utc_now() writes it
-  std::string program_version;  ///< that solved
-  std::string operator_name;    ///< empty: not told
-  double ball_radius_mm = 0;
+  std::string date;                    ///< UTC, as utc_now() writes it
+  std::string program_version;         ///< that solved
+  std::string operator_name;           ///< empty: not told
+  double ball_radius_mm = 0;           ///< of all presses but those in other_balls
+  std::vector<OtherBall> other_balls;  ///< each names one of the presses
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   bool is_continuous = false;
@@ -70,6 +79,8 @@ struct CalibrationInputs {
                                          std::vector<std::string>* warnings = nullptr);
   [[nodiscard]] std::string to_yaml() const;
 
+  /// Of the ball that a press was made with.
+  [[nodiscard]] double radius_of(const std::string& press) const;
   /// nullptr: the press is used.
   [[nodiscard]] const ExcludedPress* exclusion_of(const std::string& press) const;
 

@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 Json press_json(const BallFit& ball, const std::vector<PressResiduals>& residuals) {
   Json entry;
   entry["press"] = ball.press;
+  entry["ball_radius_mm"] = ball.radius_mm;
   entry["centre_mm"] = {ball.centre_mm.x(), ball.centre_mm.y(), ball.centre_mm.z()};
   entry["centre_sd_mm"] = {ball.centre_sd_mm.x(), ball.centre_sd_mm.y(), ball.centre_sd_mm.z()};
   entry["depth_mm"] = ball.depth_mm;
@@ -28,6 +29,24 @@ Json press_json(const BallFit& ball, const std::vector<PressResiduals>& residual
     entry["across_mm"] = place->across_mm;
   }
   return entry;
+}
+
+Json methods_json(const std::vector<MethodRow>& methods) {
+  Json rows = Json::array();
+  for (const MethodRow& row : methods) {
+    Json entry{{"method", method_name(row.method)}};
+    if (row.failed.empty()) {
+      entry["presses"] = row.presses;
+      entry["press_depth_mm"] = row.press_depth_mm;
+      entry["residual_mm"] = row.residual_mm;
+      entry["at_depth_mm"] = row.at_depth_mm;
+      entry["joint_depth_mm"] = row.joint_depth_mm;
+    } else {
+      entry["failed"] = row.failed;
+    }
+    rows.push_back(std::move(entry));
+  }
+  return rows;
 }
 
 }  // namespace
@@ -48,6 +67,9 @@ std::string calibration_report_json(const FingerCalibration& done) {
     zones.push_back(std::move(entry));
   }
   report["zones"] = std::move(zones);
+  if (calibration.spread_mm > 0) report["spread_mm"] = calibration.spread_mm;
+  report["expected_error_mm"] = done.verdict.error_mm;
+  if (!done.methods.empty()) report["methods"] = methods_json(done.methods);
   report["condition"] = calibration.condition;
   report["degree_choice"] = calibration.degree_choice;
   Json presses = Json::array();

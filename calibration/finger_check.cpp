@@ -71,8 +71,10 @@ CheckItem check_mapping(const Finger& finger) {
             "nothing says how it came about or how good it is; run alltact calibrate again"};
   }
   const MappingRecord& record = *finger.mapping_record;
-  const Verdict worth =
-      verdict(record.residual_mm, record.held_out_mm, static_cast<int>(record.presses.size()));
+  const Verdict worth = verdict({record.residual_mm,
+                                 record.held_out_mm,
+                                 record.spread_mm,
+                                 static_cast<int>(record.presses.size())});
   const CheckState state = worth.grade == Grade::kUnfit  ? CheckState::kMissing
                            : worth.grade == Grade::kGood ? CheckState::kFine
                                                          : CheckState::kWeak;

@@ -30,10 +30,10 @@ bool PressCost::Evaluate(double const* const* parameters,
     const double weight = weighted_.root_weight[i];
     Eigen::Vector3d by_centre;
     const double depth =
-        ball_depth_mm(sample, options_.along, centre, options_.ball_radius_mm, &by_centre);
+        ball_depth_mm(sample, options_.along, centre, weighted_.ball_radius_mm, &by_centre);
     const double read = curve_.evaluate(parameters[1], sample.x, sample.place, by_values.data());
     if (!std::isfinite(depth) || !std::isfinite(read)) return false;
-    residuals[i] = weight * (read - depth);
+    residuals[i] = weight * (read - depth - weighted_.blur_mm[i]);
     if (jacobians == nullptr) continue;
     if (jacobians[0] != nullptr)
       Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = -weight * by_centre;
@@ -45,8 +45,7 @@ bool PressCost::Evaluate(double const* const* parameters,
   return true;
 }
 
-OutlineCost::OutlineCost(const Weighted& weighted, double ball_radius_mm)
-    : weighted_(weighted), radius_mm_(ball_radius_mm) {
+OutlineCost::OutlineCost(const Weighted& weighted) : weighted_(weighted) {
   set_num_residuals(static_cast<int>(weighted.outline.size()));
   mutable_parameter_block_sizes()->push_back(3);
 }
@@ -58,8 +57,8 @@ bool OutlineCost::Evaluate(double const* const* parameters,
   for (std::size_t i = 0; i < weighted_.outline.size(); ++i) {
     const double weight = weighted_.outline_root_weight[i];
     Eigen::Vector3d by_centre;
-    const double angle =
-        outline_angle_rad(weighted_.outline[i]->direction, centre, radius_mm_, &by_centre);
+    const double angle = outline_angle_rad(
+        weighted_.outline[i]->direction, centre, weighted_.ball_radius_mm, &by_centre);
     if (!std::isfinite(angle)) return false;
     residuals[i] = weight * angle;
     if (jacobians != nullptr && jacobians[0] != nullptr)

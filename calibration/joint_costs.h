@@ -14,7 +14,9 @@ namespace alltact {
 
 /// One press's samples in the zone, and its outline, with their weights for one round.
 struct Weighted {
+  double ball_radius_mm = 0;
   std::vector<const Sample*> samples;
+  std::vector<double> blur_mm;      ///< see blur_mm(), of the round before
   std::vector<double> root_weight;  ///< 1 / sigma with the robust and the zone's weight, 1/mm
   /// By what the robust loss bends less than a square of the same weight, in (0, 1]: its second
   /// derivative over the weight.
@@ -29,8 +31,8 @@ struct Weighted {
                              const Eigen::Vector3d& centre,
                              const JointOptions& options);
 
-/// Brightness: w (M(x) - d(c)), one residual a sample. Parameter blocks: the ball's centre, the
-/// mapping's numbers. Keeps references to what it is made from.
+/// Brightness: w (M(x) - d(c) - blur), one residual a sample. Parameter blocks: the ball's centre,
+/// the mapping's numbers. Keeps references to what it is made from.
 class PressCost final : public ceres::CostFunction {
  public:
   PressCost(const Weighted& weighted, const MappingCurve& curve, const JointOptions& options);
@@ -48,14 +50,13 @@ class PressCost final : public ceres::CostFunction {
 /// Parameter block: the ball's centre. Keeps a reference.
 class OutlineCost final : public ceres::CostFunction {
  public:
-  OutlineCost(const Weighted& weighted, double ball_radius_mm);
+  explicit OutlineCost(const Weighted& weighted);
   bool Evaluate(double const* const* parameters,
                 double* residuals,
                 double** jacobians) const override;
 
  private:
   const Weighted& weighted_;
-  double radius_mm_;
 };
 
 /// The angle by which a ray passes outside the ball (negative: meets it), and its derivative by the

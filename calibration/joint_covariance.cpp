@@ -29,7 +29,7 @@ Linear linearised(const PressSamples& press,
                   const Eigen::Vector3d& centre,
                   const JointOptions& options) {
   const Weighted weighted = weigh(press, fit.curve, centre, options);
-  const ContactDisc disc(press, options.along, centre, options.ball_radius_mm);
+  const ContactDisc disc(press, options.along, centre);
   const Eigen::Index n_map = fit.curve.values().size();
   const auto count = static_cast<Eigen::Index>(weighted.samples.size());
   Linear linear;
@@ -42,10 +42,10 @@ Linear linearised(const PressSamples& press,
     const Sample& sample = *weighted.samples[static_cast<std::size_t>(k)];
     Eigen::Vector3d by_centre;
     const double depth =
-        ball_depth_mm(sample, options.along, centre, options.ball_radius_mm, &by_centre);
+        ball_depth_mm(sample, options.along, centre, press.ball_radius_mm, &by_centre);
     const double weight = linear.weight[k];
-    linear.residual[k] =
-        weight * (fit.curve.depth_mm(sample.x, sample.place, by_values.data()) - depth);
+    linear.residual[k] = weight * (fit.curve.depth_mm(sample.x, sample.place, by_values.data()) -
+                                   depth - weighted.blur_mm[static_cast<std::size_t>(k)]);
     linear.rows.row(k).head(n_map) = weight * by_values.transpose();
     linear.rows.row(k).tail<3>() = -weight * by_centre.transpose();
     linear.patch.push_back(disc.place_of(sample).patch);
@@ -60,8 +60,8 @@ Linear linearised(const PressSamples& press,
     Eigen::Vector3d by_centre;
     const double weight = weighted.outline_root_weight[i];
     linear.outline_residual[k] =
-        weight * outline_angle_rad(
-                     weighted.outline[i]->direction, centre, options.ball_radius_mm, &by_centre);
+        weight *
+        outline_angle_rad(weighted.outline[i]->direction, centre, press.ball_radius_mm, &by_centre);
     linear.outline_rows.row(k) = weight * by_centre.transpose();
   }
   return linear;

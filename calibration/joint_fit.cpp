@@ -33,16 +33,14 @@ double facing_of(const Sample& sample,
 }
 
 /// The outline's weights, robust against points that lie on something else.
-void weigh_outline(const PressSamples& press,
-                   const Eigen::Vector3d& centre,
-                   double radius_mm,
-                   Weighted* weighted) {
+void weigh_outline(const PressSamples& press, const Eigen::Vector3d& centre, Weighted* weighted) {
   // Samples beside each other share their errors: only a patch is one observation. The outline's
   // points are so far apart that each is one.
   const double each = std::sqrt(
       std::max(1.0, static_cast<double>(weighted->samples.size()) / ContactDisc::kPatches));
   for (const OutlinePoint& point : press.outline) {
-    const double z = outline_angle_rad(point.direction, centre, radius_mm) / point.sd_rad;
+    const double z =
+        outline_angle_rad(point.direction, centre, press.ball_radius_mm) / point.sd_rad;
     if (!std::isfinite(z)) continue;
     weighted->outline.push_back(&point);
     weighted->outline_root_weight.push_back(
@@ -75,8 +73,7 @@ bool solve(const std::vector<Weighted>& weighted,
                              fit->centres_mm[i].data(),
                              fit->curve.values().data());
     if (!weighted[i].outline.empty())
-      problem.AddResidualBlock(
-          new OutlineCost(weighted[i], options.ball_radius_mm), nullptr, fit->centres_mm[i].data());
+      problem.AddResidualBlock(new OutlineCost(weighted[i]), nullptr, fit->centres_mm[i].data());
   }
   if (options.fix_mapping) problem.SetParameterBlockConstant(fit->curve.values().data());
   ceres::Solver::Options solver = solver_settings();
@@ -107,24 +104,27 @@ Weighted weigh(const PressSamples& press,
                const MappingCurve& curve,
                const Eigen::Vector3d& centre,
                const JointOptions& options) {
-  const ContactDisc disc(press, options.along, centre, options.ball_radius_mm);
+  const ContactDisc disc(press, options.along, centre);
   Weighted weighted;
+  weighted.ball_radius_mm = press.ball_radius_mm;
   std::vector<double> normed;
   std::vector<double> taper;
   std::vector<double> sigma;
   for (const Sample& sample : press.samples) {
     const double inside = (options.zone + kTaper - disc.place_of(sample).radius) / (2.0 * kTaper);
     if (!(inside > 0.0)) continue;
-    const double depth = ball_depth_mm(sample, options.along, centre, options.ball_radius_mm);
+    const double depth = ball_depth_mm(sample, options.along, centre, press.ball_radius_mm);
     const double read = curve.depth_mm(sample.x, sample.place);
     if (!std::isfinite(depth) || !std::isfinite(read)) continue;
-    const double facing = facing_of(sample, options.along, centre, options.ball_radius_mm);
+    const double facing = facing_of(sample, options.along, centre, press.ball_radius_mm);
     if (!(facing > kGrazing)) continue;
+    const double blur = blur_mm(sample, press, curve, options.along, centre);
     const double sd = std::hypot(curve.slope_mm(sample.x) * press.x_sd, kFloorMm);
     weighted.samples.push_back(&sample);
+    weighted.blur_mm.push_back(blur);
     taper.push_back(std::min(1.0, inside));
     sigma.push_back(sd);
-    normed.push_back((read - depth) / sd);
+    normed.push_back((read - depth - blur) / sd);
   }
   std::vector<double> sizes;
   sizes.reserve(normed.size());
@@ -136,7 +136,7 @@ Weighted weigh(const PressSamples& press,
     weighted.root_weight.push_back(std::sqrt(weight) / (sigma[i] * scale));
     weighted.bend.push_back(1.0 / (1.0 + z * z));
   }
-  weigh_outline(press, centre, options.ball_radius_mm, &weighted);
+  weigh_outline(press, centre, &weighted);
   return weighted;
 }
 
@@ -160,11 +160,34 @@ double ball_depth_mm(const Sample& sample,
   return scale * (ahead + half);
 }
 
+double blur_mm(const Sample& sample,
+               const PressSamples& press,
+               const MappingCurve& curve,
+               MappingAlong along,
+               const Eigen::Vector3d& centre_mm) {
+  const double depth = ball_depth_mm(sample, along, centre_mm, press.ball_radius_mm);
+  double laplacian = 0, slope2 = 0;
+  for (const Eigen::Vector3d& step : {sample.by_u, sample.by_v}) {
+    const auto at = [&](double pixels) {
+      Sample there = sample;
+      there.untouched_z += pixels * step;
+      there.untouched_n += pixels * step;
+      return ball_depth_mm(there, along, centre_mm, press.ball_radius_mm);
+    };
+    const double before = at(-1), after = at(1);
+    laplacian += before + after - 2 * depth;
+    slope2 += std::pow(0.5 * (after - before), 2);
+  }
+  const double h = 0.01 * curve.x_max(), slope = curve.slope_mm(sample.x);
+  const double bend = (curve.slope_mm(sample.x + h) - curve.slope_mm(sample.x - h)) / (2 * h);
+  const double blur = 0.5 * press.blur_px2 * (laplacian - bend / (slope * slope) * slope2);
+  return std::isfinite(blur) ? blur : 0.0;
+}
+
 ContactDisc::ContactDisc(const PressSamples& press,
                          MappingAlong along,
-                         const Eigen::Vector3d& centre_mm,
-                         double radius_mm)
-    : along_(along), centre_mm_(centre_mm), radius_mm_(radius_mm) {
+                         const Eigen::Vector3d& centre_mm)
+    : along_(along), centre_mm_(centre_mm), radius_mm_(press.ball_radius_mm) {
   const Sample* nearest = nullptr;
   double nearest2 = std::numeric_limits<double>::infinity();
   for (const Sample& sample : press.samples) {
@@ -175,9 +198,9 @@ ContactDisc::ContactDisc(const PressSamples& press,
   }
   // Height over the face's plane there, so that a middle beyond the face's edge counts as well.
   const double height =
-      nearest != nullptr ? nearest->normal.dot(centre_mm - nearest->untouched_n) : radius_mm;
+      nearest != nullptr ? nearest->normal.dot(centre_mm - nearest->untouched_n) : radius_mm_;
   // A ball that no longer touches keeps a speck of a rim, so that a fit can come back.
-  rim2_ = std::max((radius_mm - height) * (radius_mm + height), 1e-3 * radius_mm * radius_mm);
+  rim2_ = std::max((radius_mm_ - height) * (radius_mm_ + height), 1e-3 * radius_mm_ * radius_mm_);
 }
 
 ContactDisc::Place ContactDisc::place_of(const Sample& sample) const {
@@ -229,7 +252,7 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
   std::vector<std::vector<double>> ring_values(ContactDisc::kRings);
   std::vector<double> ring_scatter;
   for (std::size_t i = 0; i < presses.size(); ++i) {
-    const ContactDisc disc(*presses[i], options.along, fit.centres_mm[i], options.ball_radius_mm);
+    const ContactDisc disc(*presses[i], options.along, fit.centres_mm[i]);
     std::vector<Patch> patches(ContactDisc::kPatches);
     double absolute = 0;
     int count = 0;
@@ -238,7 +261,8 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
       if (!(place.radius <= options.zone)) continue;
       const double residual =
           fit.curve.depth_mm(sample.x, sample.place) -
-          ball_depth_mm(sample, options.along, fit.centres_mm[i], options.ball_radius_mm);
+          ball_depth_mm(sample, options.along, fit.centres_mm[i], presses[i]->ball_radius_mm) -
+          blur_mm(sample, *presses[i], fit.curve, options.along, fit.centres_mm[i]);
       if (!std::isfinite(residual)) continue;
       absolute += std::abs(residual);
       ++count;

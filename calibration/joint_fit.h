@@ -1,9 +1,10 @@
 // All ball centres and the mapping in one robust weighted least-squares problem.
 //
-// A ball of radius R at c gives every sample inside its contact a depth d(c); the mapping says
-// M(x). Both must agree: minimise sum ((M(x_i) - d_i(c)) / sigma_i)^2, robustly, over the part of
-// every contact where skin and ball certainly touch (the zone). Where part of the ball's outline is
-// seen (tangent_arc.h), the angles of its rays to the centre, less asin(R / |c|), join the sum.
+// A ball of radius R, its press's own, at c gives every sample inside its contact a depth d(c); the
+// mapping says M(x). Both must agree: minimise sum ((M(x_i) - d_i(c)) / sigma_i)^2, robustly, over
+// the part of every contact where skin and ball certainly touch (the zone). Where part of the
+// ball's outline is seen (tangent_arc.h), the angles of its rays to the centre, less asin(R / |c|),
+// join the sum.
 #pragma once
 
 #include "calibration/mapping_curve.h"
@@ -24,14 +25,23 @@ namespace alltact {
                                    double radius_mm,
                                    Eigen::Vector3d* by_centre = nullptr);
 
+/// What a sample reads a ball deeper by than the ball is at its middle, mm: it is a mean over some
+/// pixels (PressSamples::blur_px2), and a mean over what is curved is not its middle. By the second
+/// derivatives of x = g(d) over the picture, g the curve's inverse:
+///   blur / 2 (laplacian d - M'' / M'^2 |gradient d|^2).
+/// Two thousandths of a millimetre in the middle of a contact are a hundredth in the scale of all
+/// depths, because the ball gives way. 0 where the ball's edge is near.
+[[nodiscard]] double blur_mm(const Sample& sample,
+                             const PressSamples& press,
+                             const MappingCurve& curve,
+                             MappingAlong along,
+                             const Eigen::Vector3d& centre_mm);
+
 /// Where in the contact the samples lie: 0 at its middle, 1 at the rim of the ball's cap, where
 /// face and ball part if the skin followed the ball to the end.
 class ContactDisc {
  public:
-  ContactDisc(const PressSamples& press,
-              MappingAlong along,
-              const Eigen::Vector3d& centre_mm,
-              double radius_mm);
+  ContactDisc(const PressSamples& press, MappingAlong along, const Eigen::Vector3d& centre_mm);
 
   /// Where the skin over a sample touches the ball.
   struct Place {
@@ -56,7 +66,6 @@ constexpr double kFloorMm = 0.003;  ///< no sample is believed better than this,
 
 struct JointOptions {
   MappingAlong along = MappingAlong::kZ;
-  double ball_radius_mm = 0;
   double zone = 0.65;        ///< contacts are read up to this part of the rim's radius
   double settled_mm = 1e-8;  ///< the reweighting ends when no unknown changes by more
   bool fix_mapping = false;  ///< only the balls are free

@@ -8,6 +8,7 @@
 namespace alltact {
 namespace {
 
+constexpr int kDomainPlaces = 12;       // of the curve, where curves are compared
 constexpr double kInnerZone = 0.65;     // skin and ball touch here on any material (Hertz: 0.71)
 constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is never held against it
 constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
@@ -28,7 +29,7 @@ constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};
 double domain_of(const ChoiceInput& input, MappingAlong along) {
   double x_max = 0;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
-    const ContactDisc disc(*input.presses[i], along, input.centres_mm[i], input.ball_radius_mm);
+    const ContactDisc disc(*input.presses[i], along, input.centres_mm[i]);
     std::vector<double> x;
     for (const Sample& sample : input.presses[i]->samples)
       if (disc.place_of(sample).radius < kInnerZone) x.push_back(sample.x);
@@ -45,10 +46,11 @@ JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_m
   JointFit fit{MappingCurve({MappingKind::kPolynomial, 1}, x_max), input.centres_mm};
   double xd = 0, xx = 0;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
-    const ContactDisc disc(*input.presses[i], along, input.centres_mm[i], input.ball_radius_mm);
+    const ContactDisc disc(*input.presses[i], along, input.centres_mm[i]);
     for (const Sample& sample : input.presses[i]->samples) {
       if (disc.place_of(sample).radius > kInnerZone) continue;
-      const double depth = ball_depth_mm(sample, along, input.centres_mm[i], input.ball_radius_mm);
+      const double depth =
+          ball_depth_mm(sample, along, input.centres_mm[i], input.presses[i]->ball_radius_mm);
       if (!std::isfinite(depth)) continue;
       xd += sample.x * depth;
       xx += sample.x * sample.x;
@@ -119,14 +121,19 @@ JointFit grow_zone(const ChoiceInput& input,
   return fit;
 }
 
-/// Mean absolute error in the inner part of each press, the mapping fitted without it. Infinite
-/// where that did not come to an increasing curve: a family that leaving one press out sends astray
-/// is not to be trusted with all of them either.
-std::vector<double> held_out_errors(const ChoiceInput& input,
-                                    const JointFit& all,
-                                    const JointOptions& options,
-                                    const Job& job) {
-  std::vector<double> errors;
+/// What leaving presses out, one after the other, shows.
+struct HeldOut {
+  std::vector<double> errors_mm;  ///< in the inner part of the press left out, mean absolute
+  std::vector<MappingCurve> curves;
+};
+
+/// Errors are infinite where the others did not come to an increasing curve: a family that leaving
+/// one press out sends astray is not to be trusted with all of them either.
+HeldOut hold_out(const ChoiceInput& input,
+                 const JointFit& all,
+                 const JointOptions& options,
+                 const Job& job) {
+  HeldOut result;
   for (std::size_t left = 0; left < input.presses.size() && !job.stop_requested(); ++left) {
     std::vector<const PressSamples*> others;
     JointFit fit{all.curve, {}, false};
@@ -142,11 +149,28 @@ std::vector<double> held_out_errors(const ChoiceInput& input,
     const JointFit ball = fit_jointly(one, {fit.curve, {all.centres_mm[left]}, false}, alone, job);
     JointOptions inner = options;
     inner.zone = kInnerZone;
-    errors.push_back(fit.converged && ball.converged && increases(fit.curve, options.along)
-                         ? quality_of(one, ball, inner).residual_mm.front()
-                         : std::numeric_limits<double>::infinity());
+    const bool is_good = fit.converged && ball.converged && increases(fit.curve, options.along);
+    result.errors_mm.push_back(is_good ? quality_of(one, ball, inner).residual_mm.front()
+                                       : std::numeric_limits<double>::infinity());
+    result.curves.push_back(std::move(fit.curve));
   }
-  return errors;
+  return result;
+}
+
+/// Mean absolute error of depth over the domain that the jackknife gives for a curve.
+double spread_of(const std::vector<MappingCurve>& curves) {
+  constexpr double kMeanOfSd = 0.798;  // sqrt(2 / pi): mean size of a normal error
+  const auto n = static_cast<double>(curves.size());
+  if (curves.size() < 2) return 0;
+  double spread = 0;
+  for (int i = 1; i <= kDomainPlaces; ++i) {
+    const double x = curves.front().x_max() * i / kDomainPlaces;
+    double mean = 0, squares = 0;
+    for (const MappingCurve& curve : curves) mean += curve.depth_mm(x) / n;
+    for (const MappingCurve& curve : curves) squares += std::pow(curve.depth_mm(x) - mean, 2);
+    spread += kMeanOfSd * std::sqrt(squares * (n - 1) / n) / kDomainPlaces;
+  }
+  return spread;
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -207,16 +231,37 @@ double steepest_deg(const ChoiceInput& input) {
   return 180.0 / M_PI * std::acos(std::clamp(low, 0.0, 1.0));
 }
 
+/// How far a curve lies from the one with a number more, fitted to the same presses, mean absolute
+/// over the domain: what the chosen family cannot follow, all presses show alike and the balls take
+/// up, so that leaving presses out does not show it.
+double beyond_family_mm(const ChoiceInput& input,
+                        const JointFit& fit,
+                        const JointOptions& options,
+                        const Job& job) {
+  CurveFamily richer = fit.curve.family();
+  richer.kind = MappingKind::kPolynomial;
+  if (++richer.coefficients > kMostCoefficients) return 0;
+  const JointFit other = fit_jointly(input.presses, as_family(fit, richer), options, job);
+  if (!other.converged || !increases(other.curve, options.along)) return 0;
+  double apart = 0;
+  for (int i = 1; i <= kDomainPlaces; ++i) {
+    const double x = fit.curve.x_max() * i / kDomainPlaces;
+    apart += std::abs(other.curve.depth_mm(x) - fit.curve.depth_mm(x)) / kDomainPlaces;
+  }
+  return apart;
+}
+
+void keep(const HeldOut& held_out, ModelChoice* choice) {
+  choice->held_out_mm = held_out.errors_mm;
+  choice->spread_mm = spread_of(held_out.curves);
+}
+
 /// The best family for one way of measuring thickness.
 std::optional<ModelChoice> choose_family(const ChoiceInput& input,
                                          const CalibrationSettings& settings,
                                          MappingAlong along,
                                          const Job& job) {
-  ModelChoice choice{{along, input.ball_radius_mm},
-                     straight_start(input, along, domain_of(input, along)),
-                     {},
-                     {},
-                     {}};
+  ModelChoice choice{{along}, straight_start(input, along, domain_of(input, along)), {}, 0, {}, {}};
   if (!(choice.fit.curve.x_max() > 0.0)) return std::nullopt;
   choice.options.zone = kInnerZone;
   choice.options.settled_mm = kSettledMm;
@@ -226,7 +271,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
 
   struct Candidate {
     JointFit fit;
-    std::vector<double> errors;
+    HeldOut held_out;
   };
   std::vector<Candidate> candidates;
   std::size_t best = 0;
@@ -241,12 +286,14 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
         fit_jointly(input.presses, as_family(start, families[i]), choice.options, job), {}};
     if (!candidate.fit.converged || !increases(candidate.fit.curve, along)) continue;
     if (!alone && families.size() > 1)
-      candidate.errors = held_out_errors(input, candidate.fit, choice.options, job);
-    if (!alone && families.size() > 1 && candidate.errors.size() < input.presses.size()) break;
+      candidate.held_out = hold_out(input, candidate.fit, choice.options, job);
+    if (!alone && families.size() > 1 && candidate.held_out.errors_mm.size() < input.presses.size())
+      break;
     candidates.push_back(std::move(candidate));
     if (alone || families.size() == 1) break;
     const std::size_t last = candidates.size() - 1;
-    if (mean_of(candidates[last].errors) < mean_of(candidates[best].errors)) {
+    if (mean_of(candidates[last].held_out.errors_mm) <
+        mean_of(candidates[best].held_out.errors_mm)) {
       best = last;
       worse = 0;
     } else if (++worse == 3) {
@@ -256,7 +303,9 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
   if (candidates.empty()) return std::nullopt;
   std::size_t chosen = 0;
   if (!alone && families.size() > 1)
-    while (chosen < best && !as_good(candidates[chosen].errors, candidates[best].errors)) ++chosen;
+    while (chosen < best &&
+           !as_good(candidates[chosen].held_out.errors_mm, candidates[best].held_out.errors_mm))
+      ++chosen;
 
   choice.fit = candidates[chosen].fit;
   const std::string name = choice.fit.curve.family().name();
@@ -264,20 +313,20 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
     choice.sentence = fmt::format("{}: with one press nothing can be held out", name);
   } else if (families.size() == 1) {
     choice.sentence = fmt::format("{}: as asked for", name);
-    choice.held_out_mm = held_out_errors(input, choice.fit, choice.options, job);
+    keep(hold_out(input, choice.fit, choice.options, job), &choice);
   } else {
-    choice.held_out_mm = candidates[chosen].errors;
+    keep(candidates[chosen].held_out, &choice);
     choice.sentence =
         chosen == best ? fmt::format("{}: least error on presses left out, {:.4f} mm",
                                      name,
-                                     mean_of(candidates[chosen].errors))
+                                     mean_of(candidates[chosen].held_out.errors_mm))
                        : fmt::format(
                              "{}: {:.4f} mm on presses left out, not distinguishable from the best "
                              "({}, {:.4f} mm) and simpler",
                              name,
-                             mean_of(candidates[chosen].errors),
+                             mean_of(candidates[chosen].held_out.errors_mm),
                              candidates[best].fit.curve.family().name(),
-                             mean_of(candidates[best].errors));
+                             mean_of(candidates[best].held_out.errors_mm));
   }
   if (!zone_remark.empty()) choice.remarks.push_back(std::move(zone_remark));
   return choice;
@@ -351,7 +400,8 @@ void let_vary(const ChoiceInput& input, ModelChoice* choice, const Job& job) {
   const JointFit varying =
       fit_jointly(input.presses, as_family(choice->fit, family), choice->options, job);
   if (!varying.converged || !increases(varying.curve, choice->options.along)) return;
-  std::vector<double> errors = held_out_errors(input, varying, choice->options, job);
+  const HeldOut held_out = hold_out(input, varying, choice->options, job);
+  const std::vector<double>& errors = held_out.errors_mm;
   if (errors.size() < choice->held_out_mm.size() || as_good(choice->held_out_mm, errors)) return;
   const Eigen::Vector2d part = varying.curve.values().tail<2>();
   choice->remarks.push_back(fmt::format(
@@ -365,7 +415,7 @@ void let_vary(const ChoiceInput& input, ModelChoice* choice, const Job& job) {
   choice->sentence =
       fmt::format("{}: least error on presses left out, {:.4f} mm", family.name(), mean_of(errors));
   choice->fit = varying;
-  choice->held_out_mm = std::move(errors);
+  keep(held_out, choice);
 }
 
 }  // namespace
@@ -375,6 +425,9 @@ std::optional<ModelChoice> choose_model(const ChoiceInput& input,
                                         const Job& job) {
   auto choice = choose_along(input, settings, job);
   if (choice && settings.over_face == OverFaceChoice::kAuto) let_vary(input, &*choice, job);
+  if (choice && input.presses.size() > 1 && !job.stop_requested())
+    choice->spread_mm =
+        std::hypot(choice->spread_mm, beyond_family_mm(input, choice->fit, choice->options, job));
   return choice;
 }
 

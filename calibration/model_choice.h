@@ -14,13 +14,13 @@ namespace alltact {
 struct ChoiceInput {
   std::vector<const PressSamples*> presses;
   std::vector<Eigen::Vector3d> centres_mm;
-  double ball_radius_mm = 0;
 };
 
 struct ModelChoice {
   JointOptions options;             ///< along and zone
   JointFit fit;                     ///< of the chosen family, to go on from
   std::vector<double> held_out_mm;  ///< one a press; empty with one press
+  double spread_mm = 0;             ///< see Calibration::spread_mm; 0 with one press
   std::string sentence;             ///< why
   std::vector<std::string> remarks;
 };

@@ -19,6 +19,7 @@ struct Press {
   std::string name;  ///< picture's file name without its ending
   Difference difference;
   FaceShape shape;
+  double ball_radius_mm = 0;  ///< of the ball that was pressed
 };
 
 /// A ball found in a press before anything is known of the mapping.
@@ -44,10 +45,9 @@ struct BallFinderOptions {
 /// a bright halo, whole or cut by an edge of the face.
 /// Errors, each saying what was found and what to try: nothing dark enough; two contacts; a shape
 /// that is no disc on the face; less than 60 degrees of the rim visible; a disc larger than the
-/// ball.
+/// ball; a ball radius that is not finite and positive.
 [[nodiscard]] Result<BallGuess> find_ball(const Press& press,
                                           const Face& face,
-                                          double ball_radius_mm,
                                           const BallFinderOptions& options = {});
 
 }  // namespace alltact

@@ -62,7 +62,7 @@ PressSamples imagined(const PressSamples& like,
   press.outline.clear();
   std::uint32_t k = 0;
   for (Sample& sample : press.samples) {
-    const double depth = ball_depth_mm(sample, options.along, centre, options.ball_radius_mm);
+    const double depth = ball_depth_mm(sample, options.along, centre, press.ball_radius_mm);
     // Four even numbers make one that is nearly enough normal: only its spread matters.
     double noise = 0;
     for (const std::uint32_t part : philox({k++, number, 0, 0}, {0, fnv1a("press advice")}))
@@ -79,16 +79,14 @@ struct Pressed {
   Eigen::Vector2d place_mm = Eigen::Vector2d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
 };
-Pressed pressed_by(const PressSamples& press,
-                   const Eigen::Vector3d& centre,
-                   const JointOptions& options) {
+Pressed pressed_by(const PressSamples& press, const Eigen::Vector3d& centre) {
   Pressed pressed;
   double nearest = std::numeric_limits<double>::infinity();
   for (const Sample& sample : press.samples) {
     const double distance = (sample.untouched_n - centre).squaredNorm();
     if (distance >= nearest) continue;
     nearest = distance;
-    pressed.depth_mm = options.ball_radius_mm - sample.normal.dot(centre - sample.untouched_n);
+    pressed.depth_mm = press.ball_radius_mm - sample.normal.dot(centre - sample.untouched_n);
     pressed.place_mm = sample.place_mm;
     pressed.normal = sample.normal;
   }
@@ -154,16 +152,21 @@ std::optional<RadiusSense> sense_radius(const std::vector<const PressSamples*>& 
   };
   const double x = fit.curve.x_max();
   const auto try_radius = [&](double factor) -> std::optional<Tried> {
-    JointOptions other = options;
-    other.ball_radius_mm *= factor;
+    std::vector<PressSamples> others;
     JointFit start = fit;
-    for (std::size_t i = 0; i < presses.size(); ++i)  // so that the ball goes as deep as before
-      start.centres_mm[i] += (factor - 1.0) * options.ball_radius_mm *
-                             pressed_by(*presses[i], fit.centres_mm[i], options).normal;
-    const JointFit fitted = fit_jointly(presses, start, other, job);
+    for (std::size_t i = 0; i < presses.size(); ++i) {
+      others.push_back(*presses[i]);
+      others.back().ball_radius_mm *= factor;
+      // So that the ball goes as deep as before.
+      start.centres_mm[i] += (factor - 1.0) * presses[i]->ball_radius_mm *
+                             pressed_by(*presses[i], fit.centres_mm[i]).normal;
+    }
+    std::vector<const PressSamples*> tried;
+    for (const PressSamples& press : others) tried.push_back(&press);
+    const JointFit fitted = fit_jointly(tried, start, options, job);
     if (!fitted.converged || job.stop_requested()) return std::nullopt;
     double mean = 0;
-    for (const double residual : quality_of(presses, fitted, other).residual_mm)
+    for (const double residual : quality_of(tried, fitted, options).residual_mm)
       mean += residual / static_cast<double>(presses.size());
     return Tried{mean, fitted.curve.depth_mm(x)};
   };
@@ -201,7 +204,7 @@ PressAdvice advise(const std::vector<const PressSamples*>& presses,
   std::vector<Pressed> made;
   double deepest = 0;
   for (std::size_t i = 0; i < presses.size(); ++i) {
-    made.push_back(pressed_by(*presses[i], fit.centres_mm[i], options));
+    made.push_back(pressed_by(*presses[i], fit.centres_mm[i]));
     deepest = std::max(deepest, made.back().depth_mm);
   }
   advice.sd_then_mm = std::numeric_limits<double>::infinity();

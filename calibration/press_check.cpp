@@ -59,18 +59,17 @@ Result<CheckedPress> measure(const Press& press,
                              double light_change,
                              const Face& face,
                              const Mapping& mapping,
-                             double radius_mm,
                              const Job& job) {
-  const auto guess = find_ball(press, face, radius_mm);
+  const auto guess = find_ball(press, face);
   if (!guess) return guess.error();
   const Error too_small{fmt::format("{}: the contact covers too few pixels", press.name),
                         "",
                         "pressing deeper, or a larger picture"};
-  PressSamples samples = sample_around(press, face, guess->centre_mm, 1.06 * radius_mm, kSamples);
+  PressSamples samples =
+      sample_around(press, face, guess->centre_mm, 1.06 * press.ball_radius_mm, kSamples);
   if (samples.samples.size() < 60) return too_small;
   JointOptions options;
   options.along = mapping.parameters().along;
-  options.ball_radius_mm = radius_mm;
   options.zone = kSureRim;
   double deepest = 0;
   for (Sample& sample : samples.samples) {
@@ -93,10 +92,11 @@ Result<CheckedPress> measure(const Press& press,
   result.name = press.name;
   result.light_change = light_change;
   result.factor = fit.curve.values()[0];
-  const ContactDisc disc(samples, options.along, fit.centres_mm[0], radius_mm);
+  const ContactDisc disc(samples, options.along, fit.centres_mm[0]);
   int count = 0;
   for (const Sample& sample : samples.samples) {
-    const double depth = ball_depth_mm(sample, options.along, fit.centres_mm[0], radius_mm);
+    const double depth =
+        ball_depth_mm(sample, options.along, fit.centres_mm[0], press.ball_radius_mm);
     if (!std::isfinite(depth) || !(disc.place_of(sample).radius <= kSureRim)) continue;
     result.error_mm += std::abs(sample.x - depth);
     result.depth_mm = std::max(result.depth_mm, depth);
@@ -107,6 +107,9 @@ Result<CheckedPress> measure(const Press& press,
   return result;
 }
 
+/// The radius of the ball of a press, by its name.
+using RadiusOf = std::function<double(const std::string&)>;
+
 struct Measured {
   std::vector<CheckedPress> presses;
   std::vector<std::string> left_out;
@@ -115,7 +118,7 @@ struct Measured {
 Result<Measured> measure_all(const std::vector<fs::path>& pictures,
                              Pipeline& pipeline,
                              const Mapping& mapping,
-                             double radius_mm,
+                             const RadiusOf& radius_of,
                              const Job& job) {
   auto source = open_source(pictures);
   if (!source) return source.error();
@@ -136,8 +139,11 @@ Result<Measured> measure_all(const std::vector<fs::path>& pictures,
       continue;
     }
     const double light = result->difference->light.change();
-    const Press press{(*frame)->name, std::move(*result->difference), std::move(*result->shape)};
-    auto measured = measure(press, light, pipeline.finger().face, mapping, radius_mm, job);
+    const Press press{(*frame)->name,
+                      std::move(*result->difference),
+                      std::move(*result->shape),
+                      radius_of((*frame)->name)};
+    auto measured = measure(press, light, pipeline.finger().face, mapping, job);
     if (measured) {
       all.presses.push_back(std::move(measured).value());
     } else {
@@ -175,7 +181,12 @@ std::vector<CheckedPress> own_presses(const fs::path& folder,
     pictures.push_back(file);
   }
   if (pictures.empty()) return {};
-  auto measured = measure_all(pictures, pipeline, mapping, inputs->ball_radius_mm, job);
+  auto measured = measure_all(
+      pictures,
+      pipeline,
+      mapping,
+      [&](const std::string& press) { return inputs->radius_of(press); },
+      job);
   return measured ? std::move(measured->presses) : std::vector<CheckedPress>{};
 }
 
@@ -270,7 +281,12 @@ Result<PressCheck> check_with_presses(const PressCheckInput& input,
   auto pipeline = Pipeline::create(input.folder, blank, settings, job);
   if (!pipeline) return pipeline.error();
   job.report(0.3, "measuring the presses");
-  auto measured = measure_all(input.presses, *pipeline, *mapping, check.ball_radius_mm, job);
+  auto measured = measure_all(
+      input.presses,
+      *pipeline,
+      *mapping,
+      [&](const std::string&) { return check.ball_radius_mm; },
+      job);
   if (!measured) return measured.error();
   check.presses = std::move(measured->presses);
   check.left_out = std::move(measured->left_out);

@@ -34,12 +34,12 @@ double face_length_mm(const FaceShape& shape) {
 std::optional<PressResiduals> residuals_of(const Press& press,
                                            const Face& face,
                                            const Mapping& mapping,
-                                           const BallFit& ball,
-                                           double radius_mm) {
+                                           const BallFit& ball) {
+  const double radius_mm = press.ball_radius_mm;
   const MappingAlong along = mapping.parameters().along;
   const PressSamples around =
       sample_around(press, face, ball.centre_mm, 1.06 * radius_mm, kSamples);
-  const ContactDisc disc(around, along, ball.centre_mm, radius_mm);
+  const ContactDisc disc(around, along, ball.centre_mm);
   PressResiduals result;
   result.press = press.name;
   const Sample* nearest = nullptr;
@@ -75,8 +75,7 @@ std::optional<PressResiduals> residuals_of(const Press& press,
 
 std::vector<PressResiduals> press_residuals(const std::vector<const Press*>& presses,
                                             const Face& face,
-                                            const Calibration& calibration,
-                                            double ball_radius_mm) {
+                                            const Calibration& calibration) {
   std::vector<PressResiduals> all;
   const auto mapping = Mapping::create(calibration.mapping);
   if (!mapping) return all;
@@ -84,7 +83,7 @@ std::vector<PressResiduals> press_residuals(const std::vector<const Press*>& pre
     const auto press = std::find_if(
         presses.begin(), presses.end(), [&](const Press* one) { return one->name == ball.press; });
     if (press == presses.end()) continue;
-    auto residuals = residuals_of(**press, face, *mapping, ball, ball_radius_mm);
+    auto residuals = residuals_of(**press, face, *mapping, ball);
     if (residuals) all.push_back(std::move(*residuals));
   }
   return all;

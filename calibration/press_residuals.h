@@ -41,8 +41,7 @@ struct PressResiduals {
 /// Presses in which no sample lies under the ball are left out.
 [[nodiscard]] std::vector<PressResiduals> press_residuals(const std::vector<const Press*>& presses,
                                                           const Face& face,
-                                                          const Calibration& calibration,
-                                                          double ball_radius_mm);
+                                                          const Calibration& calibration);
 
 /// The error of the presses in one part of the face.
 struct ZoneError {

@@ -42,9 +42,23 @@ cv::Mat block_means(const cv::Mat& x, int block) {
   return means;
 }
 
+/// How the untouched point moves with the pixel; zero where the face ends.
+Eigen::Vector3d by_pixel(const FaceShape& shape,
+                         const Face& face,
+                         const Eigen::Vector2d& pixel,
+                         const Eigen::Vector2d& step) {
+  const Eigen::Vector2d from = pixel - step, to = pixel + step;
+  const auto before = shape.at(from.x(), from.y()), after = shape.at(to.x(), to.y());
+  if (!before || !after) return Eigen::Vector3d::Zero();
+  return 0.5 * (untouched_point_mm(*after, face.layer_mm, MappingAlong::kNormal) -
+                untouched_point_mm(*before, face.layer_mm, MappingAlong::kNormal));
+}
+
 PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box, int block_px) {
   PressSamples result;
+  result.ball_radius_mm = press.ball_radius_mm;
   result.block_px = block_px;
+  result.blur_px2 = std::pow(press.difference.smoothing_px, 2) + block_px * block_px / 12.0;
   const cv::Mat means = block_means(press.difference.x(box), block_px);
   result.x_sd = noise_of(means);
   for (int row = 0; row < means.rows; ++row) {
@@ -60,6 +74,8 @@ PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box
       sample.untouched_z = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ);
       sample.untouched_n = untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal);
       sample.normal = local->normal;
+      sample.by_u = by_pixel(press.shape, face, pixel, {1, 0});
+      sample.by_v = by_pixel(press.shape, face, pixel, {0, 1});
       sample.cos_incline = local->cos_incline;
       sample.x = x;
       sample.place_mm = press.shape.place_mm(pixel.x(), pixel.y());

@@ -15,6 +15,8 @@ struct Sample {
   Eigen::Vector3d untouched_z;  ///< outer side of the layer along z, mm
   Eigen::Vector3d untouched_n;  ///< the same along the normal, mm
   Eigen::Vector3d normal;       ///< outward, away from the camera
+  /// How untouched_n moves from pixel to pixel, mm.
+  Eigen::Vector3d by_u = Eigen::Vector3d::Zero(), by_v = Eigen::Vector3d::Zero();
   double cos_incline = 1;
   double x = 0;
   Eigen::Vector2d place_mm;  ///< along the face and across it (FaceShape::place_mm)
@@ -30,7 +32,11 @@ struct OutlinePoint {
 struct PressSamples {
   std::vector<Sample> samples;  ///< by rows, then columns; only blocks that lie wholly on the face
   std::vector<OutlinePoint> outline;  ///< empty where no part of the ball hides another
+  double ball_radius_mm = 0;
   int block_px = 1;
+  /// Every sample is a mean over a part of the picture: that part's variance along either axis, by
+  /// smoothing and block.
+  double blur_px2 = 0;
   double x_sd = 0;  ///< noise of a block's mean, from second differences along rows
 };
 

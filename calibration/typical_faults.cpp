@@ -88,6 +88,7 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault,
   auto pipeline = Pipeline::create(finger, std::move(library).value(), settings);
   if (!pipeline) return pipeline.error();
 
+  const double radius_mm = kBallRadiusMm * (fault == Fault::kBallRadius ? kRadiusError : 1.0);
   SimulatedCalibration made;
   std::vector<Press> presses;
   for (int i = 0; i < pressed->frame_count(); ++i) {
@@ -99,18 +100,18 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault,
     if (!result) return result.error();
     if (!result->difference || !result->shape) continue;
     made.signs.push_back({result->difference->light.change(), true});
-    presses.push_back({frame->name, std::move(*result->difference), std::move(*result->shape)});
+    presses.push_back(
+        {frame->name, std::move(*result->difference), std::move(*result->shape), radius_mm});
   }
   CalibrationSettings simple;  // the faults are seen with any curve
   simple.family = FamilyChoice::kMoebius;
   simple.along = AlongChoice::kZ;
-  const double radius_mm = kBallRadiusMm * (fault == Fault::kBallRadius ? kRadiusError : 1.0);
-  auto calibration = calibrate(presses, pipeline->camera(), finger.face, radius_mm, simple, job);
+  auto calibration = calibrate(presses, pipeline->camera(), finger.face, simple, job);
   if (!calibration) return calibration.error();
   made.calibration = std::move(calibration).value();
   std::vector<const Press*> all;
   for (const Press& press : presses) all.push_back(&press);
-  made.residuals = press_residuals(all, finger.face, made.calibration, radius_mm);
+  made.residuals = press_residuals(all, finger.face, made.calibration);
   return made;
 }
 

@@ -6,14 +6,20 @@
 
 namespace alltact {
 
-Verdict verdict(double residual_mm, double held_out_mm, int press_count) {
-  const bool proven = press_count > 1 && held_out_mm > 0;
+Verdict verdict(const VerdictEvidence& evidence) {
+  const bool proven = evidence.presses > 1 && evidence.held_out_mm > 0;
   Verdict result;
-  result.error_mm = proven ? held_out_mm : residual_mm;
-  const std::string measured =
-      proven ? fmt::format("{:.3f} mm of depth error on presses it had not seen", result.error_mm)
-             : fmt::format("{:.3f} mm of depth error on the very presses it was made from",
-                           result.error_mm);
+  result.error_mm =
+      proven ? std::hypot(evidence.held_out_mm, evidence.spread_mm) : evidence.residual_mm;
+  std::string measured =
+      fmt::format("{:.3f} mm of depth error on the very presses it was made from", result.error_mm);
+  if (proven)
+    measured = fmt::format(
+        "{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; "
+        "{:.3f} mm as a whole)",
+        result.error_mm,
+        evidence.held_out_mm,
+        evidence.spread_mm);
   if (!std::isfinite(result.error_mm) || result.error_mm > kUsableErrorMm) {
     result.grade = Grade::kUnfit;
     result.sentence = "not fit to measure with: " + measured +
@@ -22,9 +28,9 @@ Verdict verdict(double residual_mm, double held_out_mm, int press_count) {
     result.grade = Grade::kUnproven;
     result.sentence =
         "unproven: " + measured +
-        (press_count > 1 ? "; none was left out to show what happens on others"
-                         : "; one press cannot show what happens on others, add presses of "
-                           "different depth");
+        (evidence.presses > 1 ? "; none was left out to show what happens on others"
+                              : "; one press cannot show what happens on others, add presses of "
+                                "different depth");
   } else if (result.error_mm > kGoodErrorMm) {
     result.grade = Grade::kUsable;
     result.sentence = "usable for contact and its place: " + measured +

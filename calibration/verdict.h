@@ -15,7 +15,10 @@ enum class Grade {
 /// Errors in mm of press depth, mean absolute inside the contacts.
 struct Verdict {
   Grade grade = Grade::kUnfit;
-  double error_mm = 0;   ///< the one that counts: on presses left out, or on its own with one press
+  /// The one that counts, to be expected of the next press: the error in shape on presses left out
+  /// and how far depth is off as a whole, as the root of the sum of their squares. With one press
+  /// the error on that press.
+  double error_mm = 0;
   std::string sentence;  ///< grade, figure and what to do about it
 };
 
@@ -23,7 +26,12 @@ struct Verdict {
 inline constexpr double kGoodErrorMm = 0.06;
 inline constexpr double kUsableErrorMm = 0.15;
 
-/// held_out_mm is 0 when there was only one press to learn from.
-[[nodiscard]] Verdict verdict(double residual_mm, double held_out_mm, int press_count);
+struct VerdictEvidence {
+  double residual_mm = 0;
+  double held_out_mm = 0;  ///< 0 when there was only one press to learn from
+  double spread_mm = 0;    ///< see Calibration::spread_mm
+  int presses = 0;
+};
+[[nodiscard]] Verdict verdict(const VerdictEvidence& evidence);
 
 }  // namespace alltact

@@ -5,10 +5,32 @@
 #include "widgets/report/calibration_pages.h"
 #include "widgets/report/offscreen.h"
 
+#include <charconv>
+
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
+
+void tell_methods(const std::vector<MethodRow>& methods, Console& console) {
+  console.say(fmt::format("{:<24} {:>7} {:>13} {:>12} {:>9} {:>9}",
+                          "other methods, same balls",
+                          "presses",
+                          "mean depth mm",
+                          "residual mm",
+                          "reads mm",
+                          "joint mm"));
+  for (const MethodRow& row : methods)
+    console.say(row.failed.empty()
+                    ? fmt::format("{:<25} {:>7} {:>13.3f} {:>12.4f} {:>9.3f} {:>9.3f}",
+                                  method_name(row.method),
+                                  row.presses,
+                                  row.press_depth_mm,
+                                  row.residual_mm,
+                                  row.at_depth_mm,
+                                  row.joint_depth_mm)
+                    : fmt::format("{:<25} {}", method_name(row.method), row.failed));
+}
 
 void tell(const FingerCalibration& done, Console& console) {
   const Calibration& calibration = done.calibration;
@@ -27,6 +49,7 @@ void tell(const FingerCalibration& done, Console& console) {
   console.say("Mapping: " + calibration.degree_choice);
   console.say("Verdict: " + done.verdict.sentence + ".");
   console.say("By zone of the face: " + zone_sentence(done.zones) + ".");
+  if (!done.methods.empty()) tell_methods(done.methods, console);
 }
 
 /// NAME or NAME=WHY.
@@ -34,6 +57,22 @@ ExcludedPress excluded_press(const std::string& text) {
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos) return {text, ""};
   return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+/// NAME=R; nullopt: it is not.
+std::optional<OtherBall> other_ball(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos || sign == 0) return std::nullopt;
+  OtherBall ball{text.substr(0, sign), 0};
+  const char* end = text.data() + text.size();
+  const auto [read, status] = std::from_chars(text.data() + sign + 1, end, ball.radius_mm);
+  if (status != std::errc{} || read != end || !(ball.radius_mm > 0)) return std::nullopt;
+  return ball;
+}
+
+std::string refuse_other_ball(const std::string& text) {
+  if (other_ball(text)) return {};
+  return fmt::format("'{}' is not NAME=R, a press and its ball's radius in mm", text);
 }
 
 /// What a repetition starts from, changed by what was said on the command line.
@@ -51,6 +90,11 @@ Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console&
         std::erase_if(inputs.excluded, [&](const ExcludedPress& one) { return one.name == name; });
     if (removed == 0)
       return Error{fmt::format("'{}' is not excluded", name), options.finger.string(), ""};
+  }
+  for (const std::string& text : options.other_balls) {
+    const OtherBall ball = other_ball(text).value();
+    std::erase_if(inputs.other_balls, [&](const OtherBall& one) { return one.name == ball.name; });
+    inputs.other_balls.push_back(ball);
   }
   for (const std::string& text : options.excluded) {
     const ExcludedPress press = excluded_press(text);
@@ -79,6 +123,8 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   input.folder = options.finger;
   input.presses = options.presses;
   input.ball_radius_mm = options.ball_radius_mm;
+  for (const std::string& text : options.other_balls)
+    input.other_balls.push_back(other_ball(text).value());
   input.reference = options.reference;
   input.calibration = options.calibration;
   input.pipeline = options.pipeline;
@@ -103,6 +149,7 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   answer["verdict"] = done->verdict.sentence;
   answer["residual_mm"] = done->calibration.residual_mm;
   if (done->calibration.held_out_mm > 0) answer["held_out_mm"] = done->calibration.held_out_mm;
+  answer["expected_error_mm"] = done->verdict.error_mm;
   answer["presses"] = done->calibration.balls.size();
   answer["left_out"] = done->calibration.left_out;
   answer["remarks"] = done->calibration.remarks;
@@ -124,6 +171,15 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
       command->add_option("--ball-radius-mm", options->ball_radius_mm, "Radius of the ball, mm")
           ->type_name("R")
           ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--other-ball",
+                   options->other_balls,
+                   "A press made with a ball of another radius, by its picture's name without the "
+                   "ending; may be given again for another")
+      ->type_name("NAME=R")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->check(refuse_other_ball);
   CLI::Option* reference =
       command
           ->add_option("--reference",

@@ -69,8 +69,9 @@ struct CalibrateOptions {
   std::vector<Path> presses;
   double ball_radius_mm = 0;  ///< with `again` 0 for the same
   std::optional<Path> reference;
-  std::string operator_name;          ///< kept with the calibration; empty: not told
-  std::vector<std::string> excluded;  ///< NAME or NAME=WHY
+  std::string operator_name;             ///< kept with the calibration; empty: not told
+  std::vector<std::string> other_balls;  ///< NAME=R
+  std::vector<std::string> excluded;     ///< NAME or NAME=WHY
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   bool again = false;                 ///< from what the finger keeps, and with it:

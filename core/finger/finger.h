@@ -34,10 +34,11 @@ struct MarkerRows {
 
 /// How a calibration came about; written beside the mapping for people and for `check`.
 struct MappingRecord {
-  std::string method;                ///< joint | paper
+  std::string method;                ///< joint | paper | circle | cone
   std::vector<std::string> presses;  ///< picture names that were used
   double residual_mm = 0;            ///< mean absolute residual inside the contacts
   double held_out_mm = 0;     ///< mean absolute error on presses left out; 0 when only one press
+  double spread_mm = 0;       ///< how far depth may be off as a whole, mean absolute; 0: unknown
   std::string degree_choice;  ///< a sentence
 };
 

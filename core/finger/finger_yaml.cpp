@@ -115,7 +115,8 @@ MappingParameters read_mapping(YamlSection& section) {
 }
 
 std::optional<MappingRecord> read_record(YamlSection& section) {
-  const std::array keys{"method", "presses", "residual_mm", "held_out_mm", "degree_choice"};
+  const std::array keys{
+      "method", "presses", "residual_mm", "held_out_mm", "spread_mm", "degree_choice"};
   if (std::none_of(keys.begin(), keys.end(), [&](const char* key) { return section.has(key); }))
     return std::nullopt;
   MappingRecord record;
@@ -123,6 +124,7 @@ std::optional<MappingRecord> read_record(YamlSection& section) {
   if (section.has("presses")) record.presses = section.texts("presses");
   if (section.has("residual_mm")) record.residual_mm = section.number("residual_mm", "in mm");
   if (section.has("held_out_mm")) record.held_out_mm = section.number("held_out_mm", "in mm");
+  if (section.has("spread_mm")) record.spread_mm = section.number("spread_mm", "in mm");
   if (section.has("degree_choice")) record.degree_choice = section.text("degree_choice");
   return record;
 }
@@ -212,6 +214,7 @@ void add_record(const MappingRecord& record, YamlBlock& block) {
   block.add("presses", yaml_list(presses));
   block.add("residual_mm", yaml_number(record.residual_mm));
   block.add("held_out_mm", yaml_number(record.held_out_mm));
+  if (record.spread_mm > 0) block.add("spread_mm", yaml_number(record.spread_mm));
   block.add("degree_choice", yaml_text(record.degree_choice));
 }
 

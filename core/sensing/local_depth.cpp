@@ -387,6 +387,7 @@ Difference difference(const cv::Mat& grey,
   result.flags = pooled_picture(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size());
   result.grey_sd = smoothed_sd(options) * std::hypot(1.0, reference.noise_gain);
+  result.smoothing_px = options.smoothing_px;
   result.light = light_now(grey, reference, result.face, options);
   compare(
       grey,

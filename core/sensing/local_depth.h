@@ -29,7 +29,8 @@ struct Difference {
   /// Noise of both pictures after smoothing, grey levels: sd(x) of an untouched pixel is
   /// grey_sd / I_ref.
   double grey_sd = 0;
-  LightGain light;  ///< how the light has changed, if that was asked for
+  double smoothing_px = 0;  ///< sd of the Gaussian that x went through
+  LightGain light;          ///< how the light has changed, if that was asked for
 };
 
 struct DepthMap {

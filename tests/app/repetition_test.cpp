@@ -66,6 +66,23 @@ TEST_F(Repetition, GivesTheSameBytes) {
   for (const auto& [name, bytes] : second) EXPECT_TRUE(kept(name) == bytes) << name;
 }
 
+TEST_F(Repetition, KnowsWhichPressWasMadeWithAnotherBall) {
+  const ProgramRun other = again({"--other-ball", "press_2=4.2"});
+  ASSERT_EQ(other.status, 0) << other.errors;
+  EXPECT_THAT(kept("calibration_inputs.yaml"),
+              testing::AllOf(HasSubstr("other_balls: [press_2]"),
+                             HasSubstr("other_balls_mm: [4.2]"),
+                             HasSubstr("ball_radius_mm: 4\n")));
+  EXPECT_THAT(kept("calibration_report.json"), HasSubstr("\"ball_radius_mm\": 4.2"));
+  const std::string yaml = kept("finger.yaml");
+  ASSERT_EQ(again().status, 0);
+  EXPECT_EQ(kept("finger.yaml"), yaml) << "the other ball was not kept";
+  EXPECT_THAT(again({"--other-ball", "press_9=3"}).errors,
+              HasSubstr("no press is called 'press_9'"));
+  EXPECT_EQ(again({"--other-ball", "press_2"}).status, 2);
+  EXPECT_EQ(again({"--other-ball", "press_2=-1"}).status, 2);
+}
+
 TEST_F(Repetition, LeavesOutWhatIsExcludedAndTakesItBack) {
   const ProgramRun without = again({"--exclude", "press_2=glove in view"});
   ASSERT_EQ(without.status, 0) << without.errors;

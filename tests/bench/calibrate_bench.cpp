@@ -22,7 +22,7 @@ void six_presses(benchmark::State& state) {
     presses.push_back(make_press(*scene, {}, {}, {ball}, 1.0, random, fmt::format("p{}", i)).press);
   }
   for (auto _ : state) {
-    auto result = calibrate(presses, scene->camera, scene->face, 4.0, {}, Job{});
+    auto result = calibrate(presses, scene->camera, scene->face, {}, Job{});
     if (!result) state.SkipWithError(result.error().sentence().c_str());
     benchmark::DoNotOptimize(result);
   }

@@ -17,7 +17,7 @@ Press flat_press(const cv::Mat& x, const Scene& scene) {
   difference.x = x;
   difference.flags = cv::Mat(x.size(), CV_8UC1, cv::Scalar(kMeasured));
   difference.face = whole_picture_runs(x.size());
-  return {"picture_07", difference, scene.shape};
+  return {"picture_07", difference, scene.shape, 4.0};
 }
 
 cv::Mat noise(const cv::Size& size, double sd) {
@@ -29,7 +29,7 @@ cv::Mat noise(const cv::Size& size, double sd) {
 
 /// Refused, with the picture's name, a reason holding `word`, and advice.
 void expect_refusal(const Press& press, const Scene& scene, const std::string& word) {
-  const auto ball = find_ball(press, scene.face, 4.0);
+  const auto ball = find_ball(press, scene.face);
   ASSERT_FALSE(ball.ok());
   EXPECT_EQ(ball.error().where, press.name);
   EXPECT_NE(ball.error().what.find(word), std::string::npos) << ball.error().what;
@@ -47,7 +47,7 @@ TEST(BallFinder, FindsBallsOfAllDepthsAnywhereOnTheFlatFace) {
                     0.3 + 0.9 * uniform(random)};
     const Contact contact{static_cast<Skin>(i % 4), i % 4 == 2 ? 0.9 : 0.15, 0.02 * (i % 3)};
     const Made made = make_press(scene, {}, contact, {ball}, 1.0, random);
-    const auto guess = find_ball(made.press, scene.face, ball.radius_mm);
+    const auto guess = find_ball(made.press, scene.face);
     ASSERT_TRUE(guess.ok()) << guess.error().sentence();
     EXPECT_LT((guess->centre_mm - made.centre_mm).head<2>().norm(), 0.1);
     EXPECT_NEAR(guess->centre_mm.z(), made.centre_mm.z(), 0.6 * ball.depth_mm);
@@ -61,7 +61,7 @@ TEST(BallFinder, FindsBallsOnAnInclinedFaceOffTheAxis) {
   for (const double incline : {-20.0, 0.0, 25.0}) {
     const Scene scene = finger_scene(40.0, incline);
     const Made made = make_press(scene, {}, {}, {{330, 230, 4.0, 0.8}}, 1.0, random);
-    const auto guess = find_ball(made.press, scene.face, 4.0);
+    const auto guess = find_ball(made.press, scene.face);
     ASSERT_TRUE(guess.ok()) << guess.error().sentence();
     // Brightness may follow the thickness along z or along the normal: before that is known, the
     // contact's middle may be anywhere between, layer * sin(incline) apart.
@@ -73,7 +73,7 @@ TEST(BallFinder, DiscCutByTheFacesEdgeIsSaidToBe) {
   std::mt19937 random(13);
   const Scene scene = flat_scene();
   const Made made = make_press(scene, {}, {}, {{200, 12, 4.0, 0.8}}, 1.0, random);
-  const auto guess = find_ball(made.press, scene.face, 4.0);
+  const auto guess = find_ball(made.press, scene.face);
   ASSERT_TRUE(guess.ok()) << guess.error().sentence();
   EXPECT_TRUE(guess->cut_by_edge);
   EXPECT_LT(guess->rim_arc_deg, 300.0);
@@ -95,7 +95,7 @@ TEST(BallFinder, DarkGradientIsRefused) {
   for (int v = 0; v < x.rows; ++v)
     for (int u = 0; u < x.cols; ++u)
       x.at<float>(v, u) += 0.3F * static_cast<float>(u) / static_cast<float>(x.cols);
-  const auto ball = find_ball(flat_press(x, scene), scene.face, 4.0);
+  const auto ball = find_ball(flat_press(x, scene), scene.face);
   ASSERT_FALSE(ball.ok());
   EXPECT_FALSE(ball.error().what.empty());
 }
@@ -116,7 +116,7 @@ TEST(BallFinder, OpeningLooksPastThinDarkLines) {
   made.press.difference.x(cv::Rect(20, 20, 360, 7)) += 0.4F;
   made.press.difference.x(cv::Rect(20, 270, 360, 7)) += 0.4F;
   expect_refusal(made.press, scene, "two contacts");
-  const auto guess = find_ball(made.press, scene.face, 4.0, {.opening_px = 5});
+  const auto guess = find_ball(made.press, scene.face, {.opening_px = 5});
   ASSERT_TRUE(guess.ok()) << guess.error().sentence();
   EXPECT_LT((guess->centre_mm - made.centre_mm).head<2>().norm(), 0.1);
   EXPECT_LT((guess->disc_px - Eigen::Vector2d(200, 150)).norm(), 1.0);
@@ -130,22 +130,25 @@ TEST(BallFinder, LettersAndBarsAreRefused) {
   expect_refusal(flat_press(t, scene), scene, "no disc");
   cv::Mat bar = noise(scene.camera.size(), 0.01);
   bar(cv::Rect(150, 140, 110, 25)) += 0.3F;
-  const auto ball = find_ball(flat_press(bar, scene), scene.face, 4.0);
+  const auto ball = find_ball(flat_press(bar, scene), scene.face);
   EXPECT_FALSE(ball.ok());
 }
 
 TEST(BallFinder, DiscLargerThanTheBallIsRefused) {
   std::mt19937 random(15);
   const Scene scene = flat_scene();
-  const Made made = make_press(scene, {}, {}, {{200, 150, 20.0, 1.2}}, 1.0, random);
+  Made made = make_press(scene, {}, {}, {{200, 150, 20.0, 1.2}}, 1.0, random);
+  made.press.ball_radius_mm = 4.0;
   expect_refusal(made.press, scene, "more than the ball's 4 mm");
 }
 
 TEST(BallFinder, ImpossibleRadiusIsRefused) {
   const Scene scene = flat_scene();
-  const Press press = flat_press(cv::Mat::zeros(scene.camera.size(), CV_32FC1), scene);
-  for (const double radius : {0.0, -1.0, std::nan("")})
-    EXPECT_FALSE(find_ball(press, scene.face, radius).ok());
+  Press press = flat_press(cv::Mat::zeros(scene.camera.size(), CV_32FC1), scene);
+  for (const double radius : {0.0, -1.0, std::nan("")}) {
+    press.ball_radius_mm = radius;
+    EXPECT_FALSE(find_ball(press, scene.face).ok());
+  }
 }
 
 }  // namespace

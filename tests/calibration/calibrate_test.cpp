@@ -45,7 +45,7 @@ std::vector<Press> flat_presses(const Layer& layer,
 
 Calibration run(const std::vector<Press>& presses, const CalibrationSettings& settings = {}) {
   const Scene scene = flat_scene();
-  auto result = calibrate(presses, scene.camera, scene.face, 4.0, settings, Job{});
+  auto result = calibrate(presses, scene.camera, scene.face, settings, Job{});
   EXPECT_TRUE(result.ok()) << result.error().sentence();
   return result.value();
 }
@@ -72,6 +72,36 @@ TEST(Calibrate, ThreePressesWithoutRollOffGiveTheMappingToAHundredth) {
   const Layer layer{0.6, 0.02};
   const Calibration calibration = run(flat_presses(layer, {}, 3, random));
   EXPECT_LT(mapping_error(calibration.mapping, layer), 0.01);
+}
+
+TEST(Calibrate, BallsOfSeveralSizesGiveOneMapping) {
+  std::mt19937 random(29);
+  const Layer layer{0.7, 0.02};
+  const Scene scene = flat_scene();
+  const double radii_mm[] = {2.0, 5.0, 3.0, 4.0};
+  std::vector<Press> presses;
+  std::vector<Eigen::Vector3d> centres_mm;
+  for (int i = 0; i < 4; ++i) {
+    Made made = make_press(scene,
+                           layer,
+                           {Skin::kHertz, 0, 0.02},
+                           {{130.0 + 40 * i, 110.0 + 25 * i, radii_mm[i], 0.5 + 0.15 * i}},
+                           1.0,
+                           random,
+                           fmt::format("p{}", i));
+    presses.push_back(std::move(made.press));
+    centres_mm.push_back(made.centre_mm);
+  }
+  const Calibration calibration = run(presses);
+  ASSERT_EQ(calibration.balls.size(), 4U);
+  EXPECT_LT(mapping_error(calibration.mapping, layer), 0.02);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(calibration.balls[i].radius_mm, radii_mm[i]);
+    EXPECT_LT((calibration.balls[i].centre_mm - centres_mm[i]).norm(), 0.03) << radii_mm[i];
+  }
+  // Taken for one size they do not fit.
+  for (Press& press : presses) press.ball_radius_mm = 4.0;
+  EXPECT_GT(run(presses).residual_mm, 1.5 * calibration.residual_mm);
 }
 
 TEST(Calibrate, OnePressSaysWhatItCannotKnow) {
@@ -104,7 +134,7 @@ TEST(Calibrate, InclinedFacesTellWhichThicknessCounts) {
                                    fmt::format("p{}", i))
                             .press);
     }
-    const auto result = calibrate(presses, last->camera, last->face, 4.0, {}, Job{});
+    const auto result = calibrate(presses, last->camera, last->face, {}, Job{});
     ASSERT_TRUE(result.ok()) << result.error().sentence();
     EXPECT_EQ(result->mapping.along, along);
     EXPECT_LT(mapping_error(result->mapping, layer), 0.03);
@@ -199,11 +229,12 @@ TEST(Calibrate, UnusablePressesAreNamedAndTheRestIsUsed) {
   ASSERT_EQ(calibration.left_out.size(), 1U);
   EXPECT_EQ(calibration.left_out[0].rfind("empty: ", 0), 0U);
 
-  const auto refused = calibrate({empty}, scene.camera, scene.face, 4.0, {}, Job{});
+  const auto refused = calibrate({empty}, scene.camera, scene.face, {}, Job{});
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().what.find("empty"), std::string::npos);
-  EXPECT_FALSE(calibrate({}, scene.camera, scene.face, 4.0, {}, Job{}).ok());
-  EXPECT_FALSE(calibrate(presses, scene.camera, scene.face, -4.0, {}, Job{}).ok());
+  EXPECT_FALSE(calibrate({}, scene.camera, scene.face, {}, Job{}).ok());
+  presses[1].ball_radius_mm = -4.0;
+  EXPECT_FALSE(calibrate(presses, scene.camera, scene.face, {}, Job{}).ok());
 }
 
 TEST(Calibrate, AskedForFamiliesAreUsed) {
@@ -229,7 +260,7 @@ TEST(Calibrate, StoppedBeforeTheFirstSolutionSaysSo) {
   const std::vector<Press> presses = flat_presses({}, {}, 1, random);
   Job job;
   job.request_stop();
-  const auto result = calibrate(presses, scene.camera, scene.face, 4.0, {}, job);
+  const auto result = calibrate(presses, scene.camera, scene.face, {}, job);
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().what.find("stopped"), std::string::npos);
 }

@@ -27,6 +27,7 @@ CalibrationInputs some_inputs() {
   inputs.presses = {{"press_0", "0000000000000001"},
                     {"12", "1111111111111111"},
                     {"it's, a [press]", "abcdefabcdefabcd"}};
+  inputs.other_balls = {{"press_0", 6.25}};
   inputs.excluded = {{"12", "glove in view"}, {"it's, a [press]", ""}};
   return inputs;
 }
@@ -40,6 +41,8 @@ TEST(CalibrationInputs, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(back->to_yaml(), inputs.to_yaml());
   EXPECT_EQ(back->operator_name, inputs.operator_name);
   EXPECT_EQ(back->ball_radius_mm, 3.975);
+  EXPECT_EQ(back->radius_of("press_0"), 6.25);
+  EXPECT_EQ(back->radius_of("12"), 3.975);
   EXPECT_EQ(back->calibration.degree, 3);
   EXPECT_EQ(back->calibration.along, AlongChoice::kNormal);
   EXPECT_EQ(back->pipeline.smoothing_px, 1.25);
@@ -77,6 +80,10 @@ TEST(CalibrationInputs, SpoiltValuesAreNamed) {
   EXPECT_THAT(with("calibration/1", "calibration/2"), HasSubstr("'alltact-calibration/2' cannot"));
   EXPECT_THAT(with("3.975", "-3.975"), HasSubstr("ball_radius_mm"));
   EXPECT_THAT(with("3.975", "3,975"), HasSubstr("must be a number"));
+  EXPECT_THAT(with("6.25", "0"), HasSubstr("other_balls_mm"));
+  EXPECT_THAT(with("6.25", "6.25, 3"), HasSubstr("2 entries for 1 presses"));
+  EXPECT_THAT(with("other_balls: [press_0]", "other_balls: [press_7]"),
+              HasSubstr("'press_7' is not among the presses"));
   EXPECT_THAT(with("degree: 3", "degree: 33"), HasSubstr("0 to 8"));
   EXPECT_THAT(with("along: normal", "along: x"), HasSubstr("auto or z or normal"));
   EXPECT_THAT(with("0123456789abcdef", "0123456789abcde"), HasSubstr("finger"));

@@ -27,7 +27,7 @@ Press pressed(
 
 Calibration run(const std::vector<Press>& presses) {
   const Scene scene = flat_scene();
-  auto result = calibrate(presses, scene.camera, scene.face, 4.0, {}, Job{});
+  auto result = calibrate(presses, scene.camera, scene.face, {}, Job{});
   EXPECT_TRUE(result.ok()) << result.error().sentence();
   return result.value();
 }
@@ -87,7 +87,8 @@ TEST(PressAdvice, SaysWhatAWrongRadiusDoesAndThatItCannotBeSeen) {
     presses.push_back(pressed(layer, 90 + 70 * i, 110 + 25 * i, 0.5 + 0.15 * i, random, i));
   const Scene scene = flat_scene();
   const auto run_with = [&](double radius_mm) {
-    return calibrate(presses, scene.camera, scene.face, radius_mm, {}, Job{}).value();
+    for (Press& press : presses) press.ball_radius_mm = radius_mm;
+    return calibrate(presses, scene.camera, scene.face, {}, Job{}).value();
   };
   const Calibration given = run_with(4.0), larger = run_with(4.04);
   ASSERT_TRUE(given.radius_sense);

@@ -51,7 +51,7 @@ Calibration calibrated(const World& w) {
   CalibrationSettings settings;
   settings.family = FamilyChoice::kMoebius;
   settings.along = AlongChoice::kZ;
-  auto result = calibrate(w.presses, w.scene.camera, w.scene.face, w.radius_mm, settings, Job{});
+  auto result = calibrate(w.presses, w.scene.camera, w.scene.face, settings, Job{});
   EXPECT_TRUE(result.ok()) << (result ? "" : result.error().sentence());
   return result ? std::move(result).value() : Calibration{};
 }

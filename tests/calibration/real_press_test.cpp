@@ -76,7 +76,7 @@ class RealPress : public testing::Test {
     reference.picture = ReferencePicture(levels);
     FaceShape shape = FaceShape::plane(*camera_, face_);
     Difference x = difference(sample, reference, shape, {});
-    return {"press", std::move(x), std::move(shape)};
+    return {"press", std::move(x), std::move(shape), kBallRadiusMm};
   }
 
   struct Judged {
@@ -109,7 +109,7 @@ class RealPress : public testing::Test {
 };
 
 TEST_F(RealPress, BallIsFoundByItself) {
-  const auto ball = find_ball(press(), face_, kBallRadiusMm);
+  const auto ball = find_ball(press(), face_);
   ASSERT_TRUE(ball.ok()) << ball.error().sentence();
   const auto pixel = camera_->project(ball->centre_mm);
   EXPECT_NEAR(pixel->x(), 244.0, 3.0);
@@ -121,8 +121,7 @@ TEST_F(RealPress, BallIsFoundByItself) {
 
 TEST_F(RealPress, ReliefIsTheBall) {
   const Press p = press();
-  const auto calibration =
-      calibrate({p}, *camera_, face_, kBallRadiusMm, CalibrationSettings{}, Job{});
+  const auto calibration = calibrate({p}, *camera_, face_, CalibrationSettings{}, Job{});
   ASSERT_TRUE(calibration.ok()) << calibration.error().sentence();
   for (const double threshold : {0.05, 0.1, 0.2, 0.3}) {
     const Judged judged = judge(p, calibration->mapping, threshold);
@@ -139,7 +138,7 @@ TEST_F(RealPress, PaperMethodGivesAComparableRelief) {
   const Press p = press();
   CalibrationSettings settings;
   settings.method = CalibrationMethod::kPaper;
-  const auto calibration = calibrate({p}, *camera_, face_, kBallRadiusMm, settings, Job{});
+  const auto calibration = calibrate({p}, *camera_, face_, settings, Job{});
   ASSERT_TRUE(calibration.ok()) << calibration.error().sentence();
   const Judged judged = judge(p, calibration->mapping, 0.1);
   EXPECT_NEAR(judged.sphere.radius, 4.0, 0.6);

@@ -111,7 +111,7 @@ Press traced_press(const Scene& scene,
   cv::patchNaNs(filled, 0.0);
   cv::GaussianBlur(filled, blurred, {9, 9}, 1.0);
   blurred.setTo(NAN, x != x);
-  return {"traced", noisy_difference(blurred, grain, noise), scene.shape};
+  return {"traced", noisy_difference(blurred, grain, noise), scene.shape, kRadiusMm};
 }
 
 /// 2 acos((1 - h/R) / cos b) with b the angle between sight and face, for a distant camera.
@@ -215,6 +215,7 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
       sample.untouched_z = sample.untouched_n + Eigen::Vector3d(0.0, 0.0, 0.1);
       sample.x = 0.3 + 0.29 * uniform(random);
       weighted.samples.push_back(&sample);
+      weighted.blur_mm.push_back(0.01 * uniform(random));
       weighted.root_weight.push_back(1.0 + std::abs(uniform(random)));
     }
     for (OutlinePoint& point : outline) {
@@ -223,7 +224,8 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
       weighted.outline_root_weight.push_back(1.0 + std::abs(uniform(random)));
     }
     const Eigen::Vector3d centre(0.3 * uniform(random), 0.3 * uniform(random), depth);
-    const OutlineCost outlines(weighted, 4.0);
+    weighted.ball_radius_mm = 4.0;
+    const OutlineCost outlines(weighted);
     for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kNormal})
       for (const CurveFamily family :
            {CurveFamily{MappingKind::kMoebius, 2}, CurveFamily{MappingKind::kPolynomial, 4}}) {
@@ -231,7 +233,6 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
         for (double& value : curve.values()) value = 1.0 + 0.4 * uniform(random);
         JointOptions options;
         options.along = along;
-        options.ball_radius_mm = 4.0;
         const PressCost brightness(weighted, curve, options);
         for (const ceres::CostFunction* cost :
              {static_cast<const ceres::CostFunction*>(&brightness),
@@ -283,7 +284,7 @@ Calibration steep_calibration(bool along_z, std::vector<Eigen::Vector3d>* centre
   }
   CalibrationSettings settings;
   settings.along = AlongChoice::kZ;
-  return calibrate(presses, scene.camera, scene.face, kRadiusMm, settings, Job{}).value();
+  return calibrate(presses, scene.camera, scene.face, settings, Job{}).value();
 }
 
 TEST(TangentArc, OutlinesJoinTheFitOfSteepPressesAndAreReported) {
@@ -322,7 +323,7 @@ TEST(TangentArc, PressesWithoutAnOutlineReportNone) {
                                  random,
                                  std::to_string(depth))
                           .press);
-  const auto result = calibrate(presses, scene.camera, scene.face, 4.0, {}, Job{});
+  const auto result = calibrate(presses, scene.camera, scene.face, {}, Job{});
   ASSERT_TRUE(result.ok()) << result.error().sentence();
   for (const BallFit& ball : result->balls) EXPECT_EQ(ball.tangent_arc_deg, 0.0);
 }

@@ -168,8 +168,10 @@ Run rendered(const Kind& kind, int number) {
     auto seen = (*pipeline)(frame);
     EXPECT_TRUE(seen && seen->difference && seen->shape);
     if (!seen || !seen->difference || !seen->shape) continue;
-    run.presses.push_back(
-        {fmt::format("p{}", i), std::move(*seen->difference), std::move(*seen->shape)});
+    run.presses.push_back({fmt::format("p{}", i),
+                           std::move(*seen->difference),
+                           std::move(*seen->shape),
+                           run.geometry.radius_mm});
     run.truths.push_back(pressed.truth(i));
   }
   return run;
@@ -180,7 +182,7 @@ Result<Calibration> calibrated(const Run& run) {
   settings.family = FamilyChoice::kMoebius;  // the truth's own
   settings.along = AlongChoice::kProjected;
   const Camera camera = Camera::create(run.finger.camera).value();
-  return calibrate(run.presses, camera, run.finger.face, run.geometry.radius_mm, settings, Job{});
+  return calibrate(run.presses, camera, run.finger.face, settings, Job{});
 }
 
 /// How far the errors of many calibrations lie from the truth, and from what was said of them.

@@ -90,7 +90,8 @@ PressSamples noisy_press(const Eigen::Vector3d& centre,
       sample.x = cv::mean(grain(cv::Rect(u, v, block, block)))[0];
       press.samples.push_back(sample);
     }
-  const ContactDisc disc(press, MappingAlong::kZ, centre, kBallRadius);
+  press.ball_radius_mm = kBallRadius;
+  const ContactDisc disc(press, MappingAlong::kZ, centre);
   for (Sample& sample : press.samples) {
     const auto ring = static_cast<std::size_t>(disc.place_of(sample).patch / ContactDisc::kSectors);
     const double depth =
@@ -128,7 +129,6 @@ Presses draw_presses(
 
 JointOptions options() {
   JointOptions o;
-  o.ball_radius_mm = kBallRadius;
   o.zone = 0.85;
   return o;
 }

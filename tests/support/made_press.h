@@ -248,7 +248,10 @@ inline Made make_press(const Scene& scene,
           static_cast<float>(layer.difference_at(depth / (1.0 + layer.uneven.dot(place))));
     }
   }
-  return {{name, noisy_difference(x, grain, noise), scene.shape},
+  return {{name,
+           noisy_difference(x, grain, noise),
+           scene.shape,
+           balls.empty() ? 4.0 : balls[0].radius_mm},
           feet.empty() ? Eigen::Vector3d::Zero().eval()
                        : (feet[0] + (balls[0].radius_mm - balls[0].depth_mm) * n).eval()};
 }

@@ -64,6 +64,7 @@ class Pages {
                             &Pages::add_errors,
                             &Pages::add_maps,
                             &Pages::add_spread,
+                            &Pages::add_methods,
                             &Pages::add_light,
                             &Pages::add_remarks,
                             &Pages::add_history,
@@ -79,6 +80,7 @@ class Pages {
   void add_verdict();
   void add_zones();
   void add_facts();
+  [[nodiscard]] QString press_words(const BallFit& ball) const;
   void add_presses();
   void add_left_out();
   void add_mapping();
@@ -86,6 +88,8 @@ class Pages {
   void add_maps();
   void add_map(FaceQuantity quantity, const QString& caption);
   void add_spread();
+  static QString method_words(CalibrationMethod method);
+  void add_methods();
   void add_light();
   void add_remarks();
   void add_history();
@@ -171,7 +175,9 @@ void Pages::add_facts() {
   add(tr("Date"), when(as_text(inputs.date)));
   add(tr("Operator"),
       inputs.operator_name.empty() ? tr("not told") : as_text(inputs.operator_name));
-  add(tr("Ball"), tr("radius %1 mm").arg(inputs.ball_radius_mm));
+  add(tr("Ball"),
+      tr("radius %1 mm").arg(inputs.ball_radius_mm) +
+          (inputs.other_balls.empty() ? "" : tr("; other balls stand beside their presses")));
   add(tr("Presses"),
       tr("%1 used of %2 given").arg(done_.calibration.balls.size()).arg(done_.presses.size()));
   add(tr("Camera"),
@@ -201,6 +207,13 @@ void Pages::add_facts() {
   document_.table({}, rows, {});
 }
 
+QString Pages::press_words(const BallFit& ball) const {
+  QString words = as_text(ball.press);
+  if (!done_.inputs.other_balls.empty()) words += "\n" + tr("ball %1 mm").arg(ball.radius_mm);
+  if (ball.cut_by_edge) words += "\n" + tr("cut by the edge");
+  return words;
+}
+
 void Pages::add_presses() {
   document_.new_page();
   document_.heading(tr("The presses, worst first"));
@@ -221,15 +234,10 @@ void Pages::add_presses() {
     const auto press = taken.find(ball->press);
     QImage picture;
     if (camera && press != taken.end())
-      picture = press_picture(press->second->grey,
-                              *camera,
-                              *ball,
-                              done_.inputs.ball_radius_mm,
-                              touched_by(*ball),
-                              size);
+      picture = press_picture(press->second->grey, *camera, *ball, touched_by(*ball), size);
     rows.push_back(
         {{QString(), picture, kPictureWidth},
-         {as_text(ball->press) + (ball->cut_by_edge ? "\n" + tr("cut by the edge") : ""), {}, 0},
+         {press_words(*ball), {}, 0},
          {mm(ball->depth_mm), {}, 0},
          {mm(ball->residual_mm), {}, 0},
          {ball->held_out_mm > 0 ? mm(ball->held_out_mm) : tr("none"), {}, 0},
@@ -354,6 +362,53 @@ void Pages::add_spread() {
       260,
       tr("Errors of all blocks in the inner part of the contacts. Good: one hill around zero. A "
          "second hill or a hill beside zero: something differs between presses."));
+}
+
+QString Pages::method_words(CalibrationMethod method) {
+  switch (method) {
+    case CalibrationMethod::kJoint:
+      return tr("joint");
+    case CalibrationMethod::kPaper:
+      return tr("the source paper's");
+    case CalibrationMethod::kCircle:
+      return tr("circle on the face");
+    case CalibrationMethod::kCone:
+      break;
+  }
+  return tr("cone of the outline");
+}
+
+void Pages::add_methods() {
+  if (done_.methods.empty()) return;
+  std::vector<Document::Row> rows;
+  QStringList failed;
+  for (const MethodRow& row : done_.methods) {
+    const QString name = method_words(row.method);
+    if (!row.failed.empty()) {
+      failed << tr("%1: %2").arg(name, as_text(row.failed));
+      continue;
+    }
+    rows.push_back({{name, {}, 0},
+                    {QString::number(row.presses), {}, 0},
+                    {mm(row.press_depth_mm), {}, 0},
+                    {mm(row.residual_mm), {}, 0},
+                    {mm(row.at_depth_mm), {}, 0},
+                    {mm(row.joint_depth_mm), {}, 0}});
+  }
+  document_.heading(tr("Other methods on the same presses"));
+  document_.table({tr("Method"),
+                   tr("Presses with a ball"),
+                   tr("Mean depth of the balls (mm)"),
+                   tr("Residual (mm)"),
+                   tr("Reads (mm)"),
+                   tr("Where the joint method reads (mm)")},
+                  rows,
+                  {false, true, true, true, true, true});
+  document_.paragraph(
+      tr("The joint method was used. The others find every ball from its dark border alone; they "
+         "are here to compare with. A border that fades where the skin leaves the ball is neither "
+         "the ball's outline nor where it would leave a hard face, so their depths differ."));
+  if (!failed.isEmpty()) document_.paragraph(failed.join('\n'));
 }
 
 void Pages::add_light() {

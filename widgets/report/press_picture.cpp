@@ -48,10 +48,9 @@ void draw_line(QPainter& painter, const QPainterPath& path, Qt::PenStyle style) 
 QImage press_picture(const cv::Mat& grey,
                      const Camera& camera,
                      const BallFit& ball,
-                     double ball_radius_mm,
                      const std::vector<Eigen::Vector2d>& touched,
                      const QSize& size) {
-  const auto outline = ball_outline_px(camera, ball.centre_mm, ball_radius_mm, 180);
+  const auto outline = ball_outline_px(camera, ball.centre_mm, ball.radius_mm, 180);
   if (outline.size() < 3) return whole_picture(grey, size);
   QPolygonF polygon;
   for (const Eigen::Vector2d& point : outline) polygon << QPointF(point.x(), point.y());

@@ -18,7 +18,6 @@ namespace alltact {
 [[nodiscard]] QImage press_picture(const cv::Mat& grey,
                                    const Camera& camera,
                                    const BallFit& ball,
-                                   double ball_radius_mm,
                                    const std::vector<Eigen::Vector2d>& touched,
                                    const QSize& size);
 

@@ -49,6 +49,7 @@ mapping:
   presses: [press_000, press_001]
   residual_mm: 0.012
   held_out_mm: 0.02
+  spread_mm: 0.015
   degree_choice: "two coefficients: least error on presses left out"
 reference:
   video: reference.mkv
@@ -97,6 +98,7 @@ const std::set<std::string> kOptional{"camera.distortion",
                                       "mapping.presses",
                                       "mapping.residual_mm",
                                       "mapping.held_out_mm",
+                                      "mapping.spread_mm",
                                       "mapping.degree_choice",
                                       "reference",
                                       "contact",
@@ -202,6 +204,7 @@ TEST_F(FingerFile, EveryValueIsRead) {
   EXPECT_THAT(finger->mapping_record->presses, ElementsAre("press_000", "press_001"));
   EXPECT_EQ(finger->mapping_record->residual_mm, 0.012);
   EXPECT_EQ(finger->mapping_record->held_out_mm, 0.02);
+  EXPECT_EQ(finger->mapping_record->spread_mm, 0.015);
   EXPECT_EQ(finger->reference->video, "reference.mkv");
   EXPECT_EQ(finger->reference->markers, "reference.csv");
   EXPECT_EQ(finger->contact->rest_markers[1], Eigen::Vector2d(205.25, 41));

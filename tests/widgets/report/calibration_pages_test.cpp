@@ -38,7 +38,7 @@ FingerCalibration some_calibration() {
   done.calibration.remarks = {"something to <know>"};
   done.residuals = made->residuals;
   done.zones = zone_errors(done.residuals, done.calibration, FaceKind::kFlat);
-  done.verdict = verdict(done.calibration.residual_mm, done.calibration.held_out_mm, 4);
+  done.verdict = verdict({done.calibration.residual_mm, done.calibration.held_out_mm, 0, 4});
   for (const BallFit& ball : done.calibration.balls)
     done.presses.push_back({ball.press, cv::Mat(180, 240, CV_8UC1, cv::Scalar(120)), {}, "", {}});
   done.presses.push_back(

@@ -1,9 +1,10 @@
-#include "calibration/paper_method.h"
+#include "calibration/outline_methods.h"
 
 #include "calibration/joint_fit.h"
 #include "calibration/mapping_curve.h"
 #include "calibration/model_choice.h"
 #include "calibration/press_samples.h"
+#include "calibration/tangent_arc.h"
 #include "core/geometry/ball.h"
 #include "core/geometry/circle_fit.h"
 #include "core/numerics/bilinear.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr int kDegree = 3;
 constexpr int kBlockPx = 2;
+constexpr double kLeastArcDeg = 40;  // of an outline that a ball follows from
 
 /// Steepest fall of x along rays from the middle of the dark disc, around its 40 % contour.
 std::optional<Circle> border_circle(const cv::Mat& x,
@@ -119,56 +121,147 @@ std::optional<Eigen::Vector3d> without_constant(const std::vector<Sample>& sampl
   return sight.point_at(*found_mm);
 }
 
-struct Solved {
-  BallFit ball;
-  std::vector<Sample> samples;
-  Cloud cloud;
+/// What there is to work with for one press.
+struct Border {
+  const Press& press;
+  const BallGuess& guess;
+  Circle circle;
+  FaceShape::Local middle;  ///< under the circle's middle
 };
 
-std::optional<Solved> solve_press(const PaperPress& input,
-                                  const Camera& camera,
-                                  const Face& face,
-                                  double radius_mm) {
+Error no_ball(const Press& press, const std::string& why) {
+  return {press.name + ": " + why, "", ""};
+}
+
+Result<Border> border_of(const OutlinePress& input) {
   const Press& press = *input.press;
   const auto circle =
       border_circle(press.difference.x, input.guess.disc_px, input.guess.disc_radius_px);
-  if (!circle) return std::nullopt;
-  const auto to_middle = camera.unproject(circle->centre);
-  const auto to_edge = camera.unproject(circle->centre + Eigen::Vector2d(0.0, circle->radius));
-  const auto local = press.shape.at(input.guess.disc_px.x(), input.guess.disc_px.y());
-  if (!to_middle || !to_edge || !local) return std::nullopt;
-  // The circle says how far the ball is; in which direction, the ball finder, moved to the paper's
-  // untouched face, which lies along z: on an inclined face the dark disc does not lie around the
-  // ball's middle, and taking it to would cost the paper's method millimetres.
-  const Eigen::Vector3d near = input.guess.centre_mm +
+  if (!circle) return no_ball(press, "no circle goes through the dark border");
+  const auto middle = press.shape.at(circle->centre.x(), circle->centre.y());
+  if (!middle) return no_ball(press, "the circle's middle lies off the face");
+  return Border{press, input.guess, *circle, *middle};
+}
+
+/// The ball that leaves the face at the circle, taken as an ellipse would be: by its mean radius.
+Result<Eigen::Vector3d> by_contact_line(const Border& border, const Face& face) {
+  constexpr int kPlaces = 72;
+  const Eigen::Vector3d foot =
+      untouched_point_mm(border.middle, face.layer_mm, MappingAlong::kNormal);
+  double radius_mm = 0;
+  int seen = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double turn = 2.0 * M_PI * i / kPlaces;
+    const Eigen::Vector2d at =
+        border.circle.centre +
+        border.circle.radius * Eigen::Vector2d(std::cos(turn), std::sin(turn));
+    const auto local = border.press.shape.at(at.x(), at.y());
+    if (!local) continue;
+    radius_mm += (untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal) - foot).norm();
+    ++seen;
+  }
+  if (seen == 0) return no_ball(border.press, "the circle lies off the face");
+  radius_mm /= seen;
+  const double ball_mm = border.press.ball_radius_mm;
+  if (radius_mm >= ball_mm) return no_ball(border.press, "the circle is larger than the ball");
+  return Eigen::Vector3d(foot + std::sqrt((ball_mm - radius_mm) * (ball_mm + radius_mm)) *
+                                    border.middle.normal);
+}
+
+/// The ball whose outline is seen.
+Result<Eigen::Vector3d> by_cone(const OutlinePress& input) {
+  const Press& press = *input.press;
+  const TangentArc arc = find_tangent_arc(press, input.guess.centre_mm, press.ball_radius_mm);
+  if (arc.arc_deg < kLeastArcDeg)
+    return no_ball(
+        press,
+        fmt::format("{:.0f} degrees of the ball's outline are seen, a cone needs {:.0f}; the "
+                    "rest of the dark border is where the skin leaves the ball",
+                    arc.arc_deg,
+                    kLeastArcDeg));
+  std::vector<Eigen::Vector3d> directions;
+  for (const OutlinePoint& point : arc.points) directions.push_back(point.direction);
+  const auto centre = fit_ball_to_outline(directions, press.ball_radius_mm);
+  if (!centre) return no_ball(press, "no cone touches the outline");
+  return *centre;
+}
+
+/// The samples of a press that the circle holds, and the largest difference among them.
+struct Inside {
+  std::vector<Sample> samples;
+  double x_max = 0;
+};
+
+Inside inside_of(const Border& border, const Face& face) {
+  Inside inside;
+  for (const Sample& sample : sample_press(border.press, face, kBlockPx).samples)
+    if ((sample.pixel - border.circle.centre).norm() < border.circle.radius) {
+      inside.samples.push_back(sample);
+      inside.x_max = std::max(inside.x_max, sample.x);
+    }
+  return inside;
+}
+
+/// The paper's: the circle says how far the ball is; in which direction, the ball finder, moved to
+/// the paper's untouched face, which lies along z: on an inclined face the dark disc does not lie
+/// around the ball's middle, and taking it to would cost the paper's method millimetres.
+Result<Eigen::Vector3d> by_circle_and_constant(const Border& border,
+                                               const Camera& camera,
+                                               const Face& face) {
+  const double radius_mm = border.press.ball_radius_mm;
+  const auto to_middle = camera.unproject(border.circle.centre);
+  const auto to_edge =
+      camera.unproject(border.circle.centre + Eigen::Vector2d(0.0, border.circle.radius));
+  const auto local = border.press.shape.at(border.guess.disc_px.x(), border.guess.disc_px.y());
+  const Error no_sight = no_ball(border.press, "the camera does not see the circle's middle");
+  if (!to_middle || !to_edge || !local) return no_sight;
+  const Eigen::Vector3d near = border.guess.centre_mm +
                                untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ) -
                                untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal);
   const auto near_px = camera.project(near);
   const auto sight = near_px ? camera.unproject(*near_px) : std::nullopt;
-  if (!sight) return std::nullopt;
+  if (!sight) return no_sight;
   double z_mm = near.z();
   if (camera.is_perspective()) {
     const double sine = sine_between(to_edge->direction, to_middle->direction);
-    if (!(sine > 0.0)) return std::nullopt;
+    if (!(sine > 0.0)) return no_sight;
     // A dark border that is the contact's rim, not the ball's outline, puts the ball far behind the
     // finger, where it touches nothing; the search then begins at the face.
     const double by_circle_mm = radius_mm / (sine * sight->direction.norm());
     if (std::abs(by_circle_mm - z_mm) < radius_mm) z_mm = by_circle_mm;
   }
-  Solved solved;
-  for (const Sample& sample : sample_press(press, face, kBlockPx).samples)
-    if ((sample.pixel - circle->centre).norm() < circle->radius) solved.samples.push_back(sample);
-  double x_max = 0;
-  for (const Sample& sample : solved.samples) x_max = std::max(x_max, sample.x);
-  if (!(x_max > 0.0)) return std::nullopt;
+  const Inside inside = inside_of(border, face);
+  const auto found = inside.x_max > 0.0
+                         ? without_constant(inside.samples, *sight, z_mm, radius_mm, inside.x_max)
+                         : std::nullopt;
+  if (!found) return no_ball(border.press, "no place of the ball gives a cubic");
+  return *found;
+}
 
-  const auto found = without_constant(solved.samples, *sight, z_mm, radius_mm, x_max);
-  if (!found) return std::nullopt;
-  const Eigen::Vector3d centre = *found;
-  solved.cloud = cloud_of(solved.samples, centre, radius_mm);
-  if (solved.cloud.x.size() < 50) return std::nullopt;
+struct Solved {
+  BallFit ball;
+  Cloud cloud;
+};
+
+Result<Solved> solve_press(const OutlinePress& input,
+                           CalibrationMethod method,
+                           const Camera& camera,
+                           const Face& face) {
+  const Press& press = *input.press;
+  const auto border = border_of(input);
+  if (!border) return border.error();
+  const auto centre = method == CalibrationMethod::kCone ? by_cone(input)
+                      : method == CalibrationMethod::kCircle
+                          ? by_contact_line(*border, face)
+                          : by_circle_and_constant(*border, camera, face);
+  if (!centre) return centre.error();
+  Solved solved;
+  solved.cloud = cloud_of(inside_of(*border, face).samples, *centre, press.ball_radius_mm);
+  if (solved.cloud.x.size() < 50)
+    return no_ball(press, "the ball that follows from the dark border hardly touches the face");
   solved.ball.press = press.name;
-  solved.ball.centre_mm = centre;
+  solved.ball.radius_mm = press.ball_radius_mm;
+  solved.ball.centre_mm = *centre;
   solved.ball.centre_sd_mm.setZero();
   solved.ball.cut_by_edge = input.guess.cut_by_edge;
   solved.ball.depth_mm =
@@ -200,48 +293,55 @@ std::optional<MappingCurve> curve_through(const std::vector<Solved>& presses,
 
 }  // namespace
 
-BallFinderOptions paper_ball_finder() {
-  return {.opening_px = 5, .second_contact = 1.0};
+BallFinderOptions ball_finder_for(CalibrationMethod method) {
+  return method == CalibrationMethod::kPaper
+             ? BallFinderOptions{.opening_px = 5, .second_contact = 1.0}
+             : BallFinderOptions{};
 }
 
-Result<Calibration> calibrate_as_paper(const std::vector<PaperPress>& presses,
-                                       const Camera& camera,
-                                       const Face& face,
-                                       double ball_radius_mm,
-                                       const Job& job,
-                                       Calibration calibration) {
+Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presses,
+                                         CalibrationMethod method,
+                                         const Camera& camera,
+                                         const Face& face,
+                                         const Job& job,
+                                         Calibration calibration) {
   std::vector<Solved> solved;
-  for (const PaperPress& input : presses) {
+  std::string reason;
+  for (const OutlinePress& input : presses) {
     if (job.stop_requested()) break;
-    if (auto one = solve_press(input, camera, face, ball_radius_mm)) {
+    auto one = solve_press(input, method, camera, face);
+    if (one) {
       solved.push_back(std::move(*one));
     } else {
-      calibration.left_out.push_back(fmt::format(
-          "{}: no ball follows from the circle on its dark border.", input.press->name));
+      calibration.left_out.push_back(one.error().what + ".");
+      reason = one.error().what;
     }
   }
   if (solved.empty())
-    return Error{"the paper's circle led to no ball in any press",
-                 "",
-                 "the joint method, which fits the ball itself"};
+    return Error{
+        fmt::format(
+            "the dark border led to no ball in any of {} presses; {}", presses.size(), reason),
+        "",
+        "the joint method, which fits the ball itself"};
   double x_max = 0;
   for (const Solved& s : solved)
     for (const double x : s.cloud.x) x_max = std::max(x_max, x);
   x_max = std::min(x_max, 1.0);
   std::optional<MappingCurve> curve;
-  int degree = kDegree;
-  for (; degree >= 1 && !curve; --degree) curve = curve_through(solved, degree, x_max);
+  for (int degree = kDegree; degree >= 1 && !curve; --degree)
+    curve = curve_through(solved, degree, x_max);
   if (!curve)
-    return Error{"the paper's polynomial does not increase",
+    return Error{"the polynomial through the balls' depths does not increase",
                  "",
                  "the joint method, or more presses of different depth"};
-  if (curve->family().coefficients != kDegree)
-    calibration.remarks.push_back(fmt::format(
-        "the cubic does not increase; degree {} was used instead", curve->family().coefficients));
+  const int degree = curve->family().coefficients;
+  if (degree != kDegree)
+    calibration.remarks.push_back(
+        fmt::format("the cubic does not increase; degree {} was used instead", degree));
   calibration.mapping = mapping_parameters(*curve, MappingAlong::kZ);
-  calibration.degree_choice = curve->family().coefficients == kDegree
-                                  ? curve->family().name() + ": the source paper's"
-                                  : curve->family().name() + ", in place of the paper's cubic";
+  calibration.degree_choice =
+      curve->family().name() +
+      (degree == kDegree ? ": the source paper's" : ", in place of the paper's cubic");
   for (Solved& s : solved) {
     double sum = 0;
     for (std::size_t i = 0; i < s.cloud.x.size(); ++i)
