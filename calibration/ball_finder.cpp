@@ -49,14 +49,19 @@ std::optional<Levels> levels_of(const cv::Mat& x) {
     for (int u = 0; u < x.cols; ++u)
       if (const float value = x.at<float>(v, u); std::isfinite(value)) values.push_back(value);
   if (values.size() < 20 * kMinimumPixels) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double part) {
-    return static_cast<double>(values[static_cast<std::size_t>(part * (values.size() - 1))]);
+  const std::size_t top = std::max<std::size_t>(kMinimumPixels / 3, values.size() / 333);
+  const auto at = [&](std::size_t place) {
+    const auto here = values.begin() + static_cast<std::ptrdiff_t>(place);
+    std::nth_element(values.begin(), here, values.end());
+    return static_cast<double>(*here);
+  };
+  const auto part = [&](double of) {
+    return static_cast<std::size_t>(of * static_cast<double>(values.size() - 1));
   };
   Levels levels;
-  levels.untouched = at(0.5);
-  levels.spread = std::max(1e-4, (at(0.5) - at(0.16)));
-  const std::size_t top = std::max<std::size_t>(kMinimumPixels / 3, values.size() / 333);
+  levels.untouched = at(part(0.5));
+  levels.spread = std::max(1e-4, levels.untouched - at(part(0.16)));
+  at(values.size() - top);  // so that the darkest stand at the end
   double sum = 0;
   for (std::size_t i = values.size() - top; i < values.size(); ++i) sum += values[i];
   levels.darkest = sum / static_cast<double>(top);

@@ -72,7 +72,7 @@ TEST_F(Repetition, KnowsWhichPressWasMadeWithAnotherBall) {
   EXPECT_THAT(kept("calibration_inputs.yaml"),
               testing::AllOf(HasSubstr("other_balls: [press_2]"),
                              HasSubstr("other_balls_mm: [4.2]"),
-                             HasSubstr("ball_radius_mm: 4\n")));
+                             HasSubstr("ball_radius_mm: 4.0\n")));
   EXPECT_THAT(kept("calibration_report.json"), HasSubstr("\"ball_radius_mm\": 4.2"));
   const std::string yaml = kept("finger.yaml");
   ASSERT_EQ(again().status, 0);

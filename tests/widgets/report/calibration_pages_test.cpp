@@ -152,9 +152,10 @@ TEST(PressPicture, DrawsTheOutlineWhereTheBallIs) {
   parameters.mm_per_px = 0.1, parameters.cx_px = 119.5, parameters.cy_px = 89.5;
   const Camera camera = Camera::create(parameters).value();
   BallFit ball;
+  ball.radius_mm = 4.0;
   ball.centre_mm = {1.0, -2.0, 30.0};
   const cv::Mat grey(180, 240, CV_8UC1, cv::Scalar(100));
-  const QImage image = press_picture(grey, camera, ball, 4.0, {}, QSize(232, 174));
+  const QImage image = press_picture(grey, camera, ball, {}, QSize(232, 174));
   // 80 px of outline in 1 / 1.45 of the height: 120 px across.
   const auto is_line = [&](int x, int y) {
     for (int dx = -1; dx <= 1; ++dx)
