@@ -130,7 +130,7 @@ struct Border {
 };
 
 Error no_ball(const Press& press, const std::string& why) {
-  return {press.name + ": " + why, "", ""};
+  return {why, press.name, ""};
 }
 
 Result<Border> border_of(const OutlinePress& input) {
@@ -313,16 +313,16 @@ Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presse
     if (one) {
       solved.push_back(std::move(*one));
     } else {
-      calibration.left_out.push_back(one.error().what + ".");
+      calibration.left_out.push_back(one.error().where + ": " + one.error().what + ".");
       reason = one.error().what;
     }
   }
   if (solved.empty())
-    return Error{
-        fmt::format(
-            "the dark border led to no ball in any of {} presses; {}", presses.size(), reason),
-        "",
-        "the joint method, which fits the ball itself"};
+    return Error{fmt::format("no ball follows from the dark border of any of {} presses ({})",
+                             presses.size(),
+                             reason),
+                 "",
+                 "the joint method, which fits the ball itself"};
   double x_max = 0;
   for (const Solved& s : solved)
     for (const double x : s.cloud.x) x_max = std::max(x_max, x);

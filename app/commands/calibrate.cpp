@@ -13,8 +13,8 @@ namespace alltact {
 namespace {
 
 void tell_methods(const std::vector<MethodRow>& methods, Console& console) {
-  console.say(fmt::format("{:<24} {:>7} {:>13} {:>12} {:>9} {:>9}",
-                          "other methods, same balls",
+  console.say(fmt::format("{:<25} {:>7} {:>13} {:>12} {:>9} {:>9}",
+                          "all methods, same presses",
                           "presses",
                           "mean depth mm",
                           "residual mm",

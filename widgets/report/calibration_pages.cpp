@@ -369,13 +369,13 @@ QString Pages::method_words(CalibrationMethod method) {
     case CalibrationMethod::kJoint:
       return tr("joint");
     case CalibrationMethod::kPaper:
-      return tr("the source paper's");
+      return tr("paper");
     case CalibrationMethod::kCircle:
-      return tr("circle on the face");
+      return tr("circle");
     case CalibrationMethod::kCone:
       break;
   }
-  return tr("cone of the outline");
+  return tr("cone");
 }
 
 void Pages::add_methods() {
@@ -397,17 +397,19 @@ void Pages::add_methods() {
   }
   document_.heading(tr("Other methods on the same presses"));
   document_.table({tr("Method"),
-                   tr("Presses with a ball"),
-                   tr("Mean depth of the balls (mm)"),
+                   tr("Presses"),
+                   tr("Mean depth (mm)"),
                    tr("Residual (mm)"),
                    tr("Reads (mm)"),
-                   tr("Where the joint method reads (mm)")},
+                   tr("Joint reads (mm)")},
                   rows,
                   {false, true, true, true, true, true});
   document_.paragraph(
-      tr("The joint method was used. The others find every ball from its dark border alone; they "
-         "are here to compare with. A border that fades where the skin leaves the ball is neither "
-         "the ball's outline nor where it would leave a hard face, so their depths differ."));
+      tr("The joint method was used. The others find every ball from its dark border alone and are "
+         "here to compare with. Presses: in how many a ball was found, and how deep these went on "
+         "average. Reads: the depth for the darkest contact, beside what the joint method reads "
+         "there. A border that fades where the skin leaves the ball is neither the ball's outline "
+         "nor where it would leave a hard face, so the depths differ."));
   if (!failed.isEmpty()) document_.paragraph(failed.join('\n'));
 }
 
