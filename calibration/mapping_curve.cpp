@@ -81,4 +81,18 @@ double MappingCurve::slope_mm(double x) const {
   return sum + at * derivative * 2.0 / x_max_;
 }
 
+MappingCurve curve_of(const MappingParameters& parameters) {
+  const bool is_moebius = parameters.kind == MappingKind::kMoebius;
+  const bool varies = !parameters.variation.is_none();
+  const int coefficients = is_moebius ? 2 : static_cast<int>(parameters.chebyshev.size());
+  MappingCurve curve({parameters.kind, coefficients, varies}, parameters.x_max);
+  if (is_moebius)
+    curve.values().head<2>() << parameters.a_mm, parameters.b;
+  else
+    curve.values().head(coefficients) =
+        Eigen::Map<const Eigen::VectorXd>(parameters.chebyshev.data(), coefficients);
+  if (varies) curve.values().tail<2>() = parameters.variation.part;
+  return curve;
+}
+
 }  // namespace alltact

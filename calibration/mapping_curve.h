@@ -68,4 +68,7 @@ class MappingCurve {
   Eigen::VectorXd values_;
 };
 
+/// The curve of a stored mapping, with its variation over the face.
+[[nodiscard]] MappingCurve curve_of(const MappingParameters& parameters);
+
 }  // namespace alltact

@@ -98,7 +98,8 @@ Result<CheckedPress> measure(const Press& press,
     const double depth =
         ball_depth_mm(sample, options.along, fit.centres_mm[0], press.ball_radius_mm);
     if (!std::isfinite(depth) || !(disc.place_of(sample).radius <= kSureRim)) continue;
-    result.error_mm += std::abs(sample.x - depth);
+    result.error_mm += std::abs(sample.x - depth -
+                                blur_mm(sample, samples, line, options.along, fit.centres_mm[0]));
     result.depth_mm = std::max(result.depth_mm, depth);
     ++count;
   }

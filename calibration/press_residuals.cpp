@@ -40,6 +40,7 @@ std::optional<PressResiduals> residuals_of(const Press& press,
   const PressSamples around =
       sample_around(press, face, ball.centre_mm, 1.06 * radius_mm, kSamples);
   const ContactDisc disc(around, along, ball.centre_mm);
+  const MappingCurve curve = curve_of(mapping.parameters());
   PressResiduals result;
   result.press = press.name;
   const Sample* nearest = nullptr;
@@ -52,7 +53,8 @@ std::optional<PressResiduals> residuals_of(const Press& press,
     result.samples.push_back({sample.pixel,
                               sample.x,
                               depth,
-                              factor * mapping.depth_mm(sample.x) - depth,
+                              factor * mapping.depth_mm(sample.x) - depth -
+                                  blur_mm(sample, around, curve, along, ball.centre_mm),
                               sample.place_mm.x(),
                               sample.place_mm.y(),
                               rim,

@@ -65,19 +65,6 @@ World drawn_world(bool flat, int number) {
   return world;
 }
 
-MappingCurve curve_of(const MappingParameters& mapping) {
-  MappingCurve curve({mapping.kind, 2, !mapping.variation.is_none()}, mapping.x_max);
-  if (mapping.kind == MappingKind::kMoebius) {
-    curve.values().head<2>() << mapping.a_mm, mapping.b;
-  } else {
-    const auto n = static_cast<int>(mapping.chebyshev.size());
-    curve = MappingCurve({mapping.kind, n, !mapping.variation.is_none()}, mapping.x_max);
-    for (int i = 0; i < n; ++i) curve.values()[i] = mapping.chebyshev[static_cast<std::size_t>(i)];
-  }
-  if (!mapping.variation.is_none()) curve.values().tail<2>() = mapping.variation.part;
-  return curve;
-}
-
 /// What a mapping makes of a press it never saw.
 struct OnNewPress {
   double shape_mm;  ///< the ball fitted to it, as with presses left out
