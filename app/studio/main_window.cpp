@@ -25,10 +25,6 @@ Result<ReferenceReport> install(const std::filesystem::path& folder,
   return install_recording(folder, *finger, {video}, job);
 }
 
-QString text_of(const std::filesystem::path& path) {
-  return QString::fromStdString(path.string());
-}
-
 }  // namespace
 
 MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
@@ -113,8 +109,8 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
   resize(1280, 800);
   QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  if (!options.finger.empty()) open_finger(options.finger);
-  if (!options.source.empty()) open_source(options.source);
+  if (!options.finger.empty()) set_finger(options.finger);
+  if (!options.source.empty()) set_source(options.source);
   follow();
 }
 
@@ -157,24 +153,6 @@ void MainWindow::make_menus() {
   make_undo_entries();
   make_view_menu();
   make_help_menu();
-}
-
-void MainWindow::make_undo_entries() {
-  undo_action_ = edit_menu_->addAction(QString());
-  redo_action_ = edit_menu_->addAction(QString());
-  undo_action_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
-  redo_action_->setShortcuts(
-      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-  connect(undo_action_, &QAction::triggered, &undo_, &QUndoStack::undo);
-  connect(redo_action_, &QAction::triggered, &undo_, &QUndoStack::redo);
-  connect(&undo_, &QUndoStack::indexChanged, this, &MainWindow::show_undo);
-}
-
-void MainWindow::show_undo() {
-  undo_action_->setEnabled(undo_.canUndo());
-  redo_action_->setEnabled(undo_.canRedo());
-  undo_action_->setText(undo_.canUndo() ? tr("&Undo: %1").arg(undo_.undoText()) : tr("&Undo"));
-  redo_action_->setText(undo_.canRedo() ? tr("&Redo: %1").arg(undo_.redoText()) : tr("&Redo"));
 }
 
 void MainWindow::make_view_menu() {
@@ -274,12 +252,7 @@ void MainWindow::name_parts() {
   lost_->setAccessibleName(tr("Frames lost"));
   age_->setAccessibleName(tr("Age of the picture"));
   time_->setAccessibleName(tr("Time of a frame"));
-  const auto& last = keeper_.last();
-  QStringList what;
-  if (last && !last->finger.empty()) what << tr("finger %1").arg(text_of(last->finger.filename()));
-  if (last && !last->source.empty())
-    what << tr("source %1").arg(text_of(last->source.front().filename()));
-  start_->set_last(what.join(QStringLiteral(", ")));
+  name_last();
   fill_source_menu();
   fill_recent_menu();
   follow();
@@ -303,51 +276,6 @@ void MainWindow::go_to(const std::string& place) {
   (is_record ? record_button_ : live_button_)->setChecked(true);
   state_.place = place;
   keep();
-}
-
-void MainWindow::open_finger(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  state_.finger = folder.empty() ? folder : std::filesystem::absolute(folder, ignored);
-  session_.open_finger(state_.finger);
-  if (!folder.empty()) {
-    std::erase(state_.recent_fingers, state_.finger);
-    state_.recent_fingers.insert(state_.recent_fingers.begin(), state_.finger);
-    if (state_.recent_fingers.size() > 10) state_.recent_fingers.resize(10);
-  }
-  fill_recent_menu();
-  keep();
-}
-
-void MainWindow::open_source(const std::vector<std::filesystem::path>& inputs) {
-  state_.source = inputs;
-  if (inputs.empty()) {
-    session_.close_source();
-    live_or_start_->setCurrentWidget(start_);
-  } else {
-    session_.set_lock(state_.is_locked);
-    session_.open_source(inputs, state_.controls[source_name().toStdString()]);
-    live_or_start_->setCurrentWidget(live_);
-  }
-  keep();
-}
-
-void MainWindow::keep() {
-  state_.view = live_->options();
-  keeper_.keep(state_);
-}
-
-void MainWindow::restore(const SessionState& state) {
-  state_.place = state.place;
-  live_->set_options(state.view);
-  if (!state.finger.empty()) open_finger(state.finger);
-  if (!state.source.empty()) open_source(state.source);
-  go_to(state.place);
-}
-
-void MainWindow::go_on_with_last() {
-  is_crash_told_ = true;
-  if (keeper_.last()) restore(*keeper_.last());
-  follow();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

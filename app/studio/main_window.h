@@ -35,6 +35,7 @@ class MainWindow : public Translated<QMainWindow> {
 
   [[nodiscard]] LiveSession& session() { return session_; }
   [[nodiscard]] QUndoStack& undo_stack() { return undo_; }
+  /// Both can be undone. An empty one closes; what is open already is opened afresh.
   void open_finger(const std::filesystem::path& folder);
   void open_source(const std::vector<std::filesystem::path>& inputs);
   void go_to(const std::string& place);
@@ -82,6 +83,10 @@ class MainWindow : public Translated<QMainWindow> {
   void add_finger_problems(const LiveStatus& status, std::vector<Problem>& problems) const;
   void keep();
   void restore(const SessionState& state);
+  void name_last();
+  void set_finger(const std::filesystem::path& folder);
+  void set_source(const std::vector<std::filesystem::path>& inputs);
+  [[nodiscard]] bool would_end_recording(const QUndoCommand* step) const;
   [[nodiscard]] QString source_name() const;
 
   Dresser& dresser_;

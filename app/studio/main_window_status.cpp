@@ -16,17 +16,11 @@ QString name_of_finger(const FingerStatus& finger) {
 
 }  // namespace
 
-QString MainWindow::source_name() const {
-  if (state_.source.empty()) return tr("none");
-  const auto& first = state_.source.front();
-  return QString::fromStdString(first.has_filename() ? first.filename().string()
-                                                     : first.parent_path().filename().string());
-}
-
 void MainWindow::follow() {
   const LiveStatus& status = session_.status();
   show_header(status);
   show_line(status);
+  show_undo();
   problems_->set_problems(problems_of(status));
 }
 

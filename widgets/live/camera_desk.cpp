@@ -29,7 +29,8 @@ struct CameraDesk::State {
       const auto working = camera;
       if (working) serve(*working, lock);
       news.wait_for(lock, kBetweenLooks, [&] {
-        return is_ending || camera != working || !changes.empty() || is_lock_asked;
+        // What is asked for while there is no camera waits for one.
+        return is_ending || camera != working || (camera && (!changes.empty() || is_lock_asked));
       });
     }
   }

@@ -51,6 +51,7 @@ LiveSession::~LiveSession() {
 
 void LiveSession::open_source(const std::vector<std::filesystem::path>& inputs,
                               const std::vector<ControlValue>& controls) {
+  inputs_ = inputs;
   wanted_controls_ = controls;
   if (status_.recording.state != RecordingState::kNone) last_recording_ = status_.recording;
   runner_->open(inputs);
@@ -60,9 +61,11 @@ void LiveSession::open_source(const std::vector<std::filesystem::path>& inputs,
 }
 
 void LiveSession::close_source() {
+  inputs_.clear();
   runner_->close();
   view_.reset();
   refresh();
+  if (folder_.empty()) follow_scene();
 }
 
 void LiveSession::open_finger(const std::filesystem::path& folder) {
@@ -76,9 +79,8 @@ void LiveSession::open_finger(const std::filesystem::path& folder) {
 }
 
 void LiveSession::follow_scene() {
-  const auto& inputs = status_.source.inputs;
-  if (is_scene(inputs))
-    watcher_->open_scene(inputs.front());
+  if (is_scene(inputs_))
+    watcher_->open_scene(inputs_.front());
   else
     watcher_->open({});
 }
@@ -87,6 +89,12 @@ void LiveSession::start_recording(const std::filesystem::path& file,
                                   const RecorderSettings& settings) {
   runner_->start_recording(file, settings);
   refresh();
+}
+
+void LiveSession::set_control(const ControlValue& control) {
+  std::erase_if(wanted_controls_, [&](const ControlValue& old) { return old.id == control.id; });
+  wanted_controls_.push_back(control);
+  desk_.set(control);
 }
 
 void LiveSession::take_view() {

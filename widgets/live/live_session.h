@@ -39,7 +39,8 @@ class LiveSession : public QObject {
   void stop_recording() { runner_->stop_recording(); }
   void set_layers(WantedLayers layers) { watcher_->set_layers(layers); }
   void set_depth_top_mm(double top_mm) { watcher_->set_depth_top_mm(top_mm); }
-  void set_control(const ControlValue& control) { desk_.set(control); }
+  /// A camera that is still being opened gets it as soon as it is there.
+  void set_control(const ControlValue& control);
   void set_lock(bool is_locked) { desk_.set_lock(is_locked); }
 
   /// The newest view; null before the first.
@@ -67,6 +68,7 @@ class LiveSession : public QObject {
   std::unique_ptr<FingerWatcher> watcher_;
   std::unique_ptr<SourceRunner> runner_;
   CameraDesk desk_;
+  std::vector<std::filesystem::path> inputs_;  // of the source that is wanted; empty for none
   std::vector<ControlValue> wanted_controls_;
   std::filesystem::path folder_;
   std::shared_ptr<const LiveView> view_;
