@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/sensing/markers.h"
+#include "core/sensing/side_edges.h"
 
 #include <optional>
 #include <vector>
@@ -17,6 +18,10 @@ struct DotRow {
 /// A row above this unevenness is not one: a dot left out or a false one taken in costs more.
 inline constexpr double kMaxUnevenness = 0.25;
 
+/// Says of each dot where it lies on the finger (along_mm, face_px, off_face), as far as the face
+/// beside it tells.
+void place_on_finger(std::vector<Dot>& dots, const FaceShape& shape, const SideEdges& edges);
+
 /// The most even choice, judged in millimetres along the finger rather than in pixels, of `per_row`
 /// dots of one side, in the order of u from base to tip, by dynamic programming over pairs of
 /// neighbours. nullopt where there are fewer dots than that.
@@ -24,5 +29,10 @@ inline constexpr double kMaxUnevenness = 0.25;
                                                bool upper,
                                                int per_row,
                                                bool base_at_low_u);
+
+/// The dots of both rows in the order of the markers' numbers; nullopt where a row is not plain.
+[[nodiscard]] std::optional<std::vector<Dot>> two_rows(const std::vector<Dot>& dots,
+                                                       int per_row,
+                                                       bool base_at_low_u);
 
 }  // namespace alltact

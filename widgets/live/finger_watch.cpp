@@ -2,7 +2,6 @@
 
 #include "core/camera/camera.h"
 #include "core/io/picture.h"
-#include "core/sensing/marker_rows.h"
 
 #include <chrono>
 
@@ -45,6 +44,7 @@ Result<FingerWatch> FingerWatch::create(const std::filesystem::path& folder,
   auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
   watch.camera_ = *camera;
+  watch.rows_.emplace(finger.markers);
   if (folder.empty() || !finger.reference) return watch;
   auto pipeline = Pipeline::create(folder, finger, settings, job);
   if (!pipeline) return pipeline.error();
@@ -63,6 +63,7 @@ WatchedFrame FingerWatch::operator()(const FramePtr& frame, bool is_next) {
     }
     watched.problem = result.error();
   }
+  if (!is_next && rows_) rows_->forget();
   const auto start = std::chrono::steady_clock::now();
   FrameResult& result = watched.result;
   result.frame = frame;
@@ -92,7 +93,7 @@ WatchedFrame FingerWatch::operator()(const FramePtr& frame, bool is_next) {
   return watched;
 }
 
-void FingerWatch::look_for_markers(WatchedFrame& watched) const {
+void FingerWatch::look_for_markers(WatchedFrame& watched) {
   FrameResult& result = watched.result;
   auto start = std::chrono::steady_clock::now();
   auto shape = FaceShape::fit(*result.edges, *camera_, finger_->face, settings_.profile_degree);
@@ -102,26 +103,11 @@ void FingerWatch::look_for_markers(WatchedFrame& watched) const {
     return;
   }
   start = std::chrono::steady_clock::now();
-  const auto found = MarkerDetector(finger_->markers)(result.grey, *shape);
-  result.markers = number_plain_rows(found.dots, finger_->markers.per_row, shape->base_at_low_u());
-  if (!result.markers) watched.dots = found.dots;
+  auto seen = (*rows_)(result.grey, *shape);
+  result.markers = std::move(seen.markers);
+  watched.dots = std::move(seen.dots);
   result.times_ms.markers = milliseconds_since(start);
   result.shape = std::move(*shape);
-}
-
-std::optional<Markers> number_plain_rows(const std::vector<Dot>& dots,
-                                         int per_row,
-                                         bool base_at_low_u) {
-  Markers markers;
-  for (const bool is_upper : {true, false}) {
-    const auto row = choose_row(dots, is_upper, per_row, base_at_low_u);
-    if (!row || row->unevenness > kMaxUnevenness) return std::nullopt;
-    for (const int d : row->dots) {
-      const Dot& dot = dots[static_cast<std::size_t>(d)];
-      markers.push_back({dot.u, dot.v, true, dot.sd_px});
-    }
-  }
-  return markers;
 }
 
 FaceTouch face_touch(const FrameResult& result) {

@@ -5,6 +5,7 @@
 #include "core/finger/finger.h"
 #include "core/job.h"
 #include "core/sensing/pipeline.h"
+#include "core/sensing/plain_rows.h"
 
 #include <filesystem>
 #include <optional>
@@ -42,19 +43,14 @@ class FingerWatch {
   [[nodiscard]] bool has_reference() const { return pipeline_.has_value(); }
 
  private:
-  void look_for_markers(WatchedFrame& watched) const;
+  void look_for_markers(WatchedFrame& watched);
 
   std::optional<Finger> finger_;
   std::optional<Camera> camera_;
   std::optional<Pipeline> pipeline_;
+  std::optional<PlainRows> rows_;
   PipelineSettings settings_;
 };
-
-/// The markers of two plain rows, seen; empty where a row is not plain
-/// (core/sensing/marker_rows.h).
-[[nodiscard]] std::optional<Markers> number_plain_rows(const std::vector<Dot>& dots,
-                                                       int per_row,
-                                                       bool base_at_low_u);
 
 /// How surely something presses on the contact face now.
 enum class FaceTouch {
