@@ -124,6 +124,33 @@ TEST_F(RecordTest, WarnsWhileTheContactFaceIsTouched) {
   EXPECT_TRUE(wait_until([&] { return studio_->problems().empty(); })) << studio_->problems();
 }
 
+TEST_F(RecordTest, WarnsWithoutAReferenceAsWell) {
+  // The simulated finger is touched from frame 46 of 150 on, and then begins anew.
+  open(std::filesystem::path(ALLTACT_SOURCE_DIR) / "resources/scenes/studio_finger.yaml", {});
+  const auto says = [&](const char* words) {
+    return studio_->problems().find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(wait_until([&] { return says("told from the frames before"); }));
+  EXPECT_TRUE(wait_until([&] { return says("The contact face is touched"); }));
+  EXPECT_TRUE(wait_until([&] { return !says("The contact face is touched"); }));
+}
+
+TEST_F(RecordTest, SaysWhenTouchingCannotBeSeen) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 90; ++i)
+    ASSERT_TRUE(QImage(64, 48, QImage::Format_Grayscale8)
+                    .save(QString::fromStdString(
+                        (folder / ("p" + std::to_string(100 + i) + ".png")).string())));
+  StudioOptions options;
+  options.source = {folder.path()};
+  studio_ = std::make_unique<Studio>(options);
+  ASSERT_TRUE(studio_->wait_for_picture());
+  QTest::keyClick(&studio_->window(), Qt::Key_2, Qt::ControlModifier);
+  EXPECT_TRUE(wait_until([&] {
+    return studio_->problems().find("cannot be seen whether") != std::string::npos;
+  })) << studio_->problems();
+}
+
 TEST_F(RecordTest, SaysWhatIsNeededFirst) {
   studio_ = std::make_unique<Studio>();
   QTest::keyClick(&studio_->window(), Qt::Key_2, Qt::ControlModifier);

@@ -59,11 +59,12 @@ WatchedFrame FingerWatch::operator()(const FramePtr& frame, bool is_next) {
     auto result = (*pipeline_)(frame);
     if (result) {
       watched.result = std::move(*result);
+      watched.touch = face_touch(watched.result);
       return watched;
     }
     watched.problem = result.error();
   }
-  if (!is_next && rows_) rows_->forget();
+  if (!is_next) forget();
   const auto start = std::chrono::steady_clock::now();
   FrameResult& result = watched.result;
   result.frame = frame;
@@ -93,6 +94,11 @@ WatchedFrame FingerWatch::operator()(const FramePtr& frame, bool is_next) {
   return watched;
 }
 
+void FingerWatch::forget() {
+  if (rows_) rows_->forget();
+  dents_.forget();
+}
+
 void FingerWatch::look_for_markers(WatchedFrame& watched) {
   FrameResult& result = watched.result;
   auto start = std::chrono::steady_clock::now();
@@ -104,6 +110,8 @@ void FingerWatch::look_for_markers(WatchedFrame& watched) {
   }
   start = std::chrono::steady_clock::now();
   auto seen = (*rows_)(result.grey, *shape);
+  const bool is_pressed = dents_(result.grey, *shape).has_value();
+  if (dents_.is_ready()) watched.touch = is_pressed ? FaceTouch::kTouched : FaceTouch::kFree;
   result.markers = std::move(seen.markers);
   watched.dots = std::move(seen.dots);
   result.times_ms.markers = milliseconds_since(start);

@@ -2,6 +2,7 @@
 // markers and edges before the reference recording, the edges alone of a finger nobody described.
 #pragma once
 
+#include "calibration/dent_watch.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
 #include "core/sensing/pipeline.h"
@@ -15,12 +16,21 @@
 
 namespace alltact {
 
+/// How surely something presses on the contact face now.
+enum class FaceTouch {
+  kUnknown = 1,  ///< cannot be told: no face in the picture, no finger, or its first frames
+  kFree,
+  kTouched,
+};
+
 /// One frame, looked at.
 struct WatchedFrame {
   FrameResult result;
   /// Dots of a finger without a reference recording that are no markers yet, because the two rows
   /// are not plain.
   std::vector<Dot> dots;
+  /// Against the reference; before there is one, against the frames before (DentWatch).
+  FaceTouch touch = FaceTouch::kUnknown;
   std::optional<Error> problem;  ///< why the frame could not be looked at at all
 };
 
@@ -43,21 +53,17 @@ class FingerWatch {
   [[nodiscard]] bool has_reference() const { return pipeline_.has_value(); }
 
  private:
+  void forget();
   void look_for_markers(WatchedFrame& watched);
 
   std::optional<Finger> finger_;
   std::optional<Camera> camera_;
   std::optional<Pipeline> pipeline_;
   std::optional<PlainRows> rows_;
+  DentWatch dents_;
   PipelineSettings settings_;
 };
 
-/// How surely something presses on the contact face now.
-enum class FaceTouch {
-  kUnknown = 1,  ///< cannot be told: no reference, or no face in the picture
-  kFree,
-  kTouched,
-};
 /// By depth; before calibration by a dark patch against the reference.
 [[nodiscard]] FaceTouch face_touch(const FrameResult& result);
 

@@ -160,12 +160,14 @@ void RecordPlace::begin_coverage() {
 
 void RecordPlace::look_at_frame() {
   if (!isVisible()) return;
-  const FrameResult& result = session_.view()->watched.result;
+  const WatchedFrame& watched = session_.view()->watched;
+  const FrameResult& result = watched.result;
   if (result.markers && result.shape)
     coverage_.add(*result.markers, *result.shape);
   else
     coverage_.add_nothing();
-  touch_ = face_touch(result);
+  touch_ = watched.touch;
+  unknown_frames_ = touch_ == FaceTouch::kUnknown ? unknown_frames_ + 1 : 0;
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
   if (is_recording && touch_ == FaceTouch::kTouched) ++touched_frames_;
   show_coverage();

@@ -58,6 +58,7 @@ class RecordPlace : public Translated<QWidget> {
   void show_installing();
   void show_coverage();
   void show_problems(const LiveStatus& status);
+  void add_touch_notes(const LiveStatus& status, std::vector<Problem>& problems) const;
   [[nodiscard]] QString why_not(const LiveStatus& status) const;
   [[nodiscard]] QString why_not_install(const LiveStatus& status) const;
   [[nodiscard]] QString outcome_text() const;
@@ -84,6 +85,7 @@ class RecordPlace : public Translated<QWidget> {
   bool was_recording_ = false;
   std::uint64_t touched_frames_ = 0;
   FaceTouch touch_ = FaceTouch::kUnknown;
+  int unknown_frames_ = 0;  // in a row
   BackgroundWork install_work_, space_work_;
   std::optional<double> free_gb_;
   std::optional<Result<ReferenceReport>> report_;

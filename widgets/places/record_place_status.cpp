@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kGigabyte = 1e9;
 constexpr double kLittleSpace_gb = 2;
+constexpr int kLongUnknown = 15;  // frames; the first ones of a source never tell
 
 QString time_text(double seconds) {
   const int whole = static_cast<int>(seconds);
@@ -156,10 +157,7 @@ void RecordPlace::show_problems(const LiveStatus& status) {
     note(Meaning::kBad,
          tr("%n frame(s) of this recording are lost.", nullptr, static_cast<int>(lost)),
          tr("Try another disk, or a smaller picture."));
-  if (session_.view() && touch_ == FaceTouch::kTouched)
-    note(Meaning::kBad,
-         tr("The contact face is touched."),
-         tr("Keep it free: bend the finger at its tip, its sides or its back."));
+  add_touch_notes(status, problems);
   if (free_gb_ && *free_gb_ < kLittleSpace_gb)
     note(Meaning::kDoubtful,
          tr("Little space is left on the disk."),
@@ -168,6 +166,29 @@ void RecordPlace::show_problems(const LiveStatus& status) {
     for (const std::string& warning : report_->value().warnings)
       note(Meaning::kDoubtful, QString::fromStdString(warning), {});
   problems_->set_problems(std::move(problems));
+}
+
+void RecordPlace::add_touch_notes(const LiveStatus& status, std::vector<Problem>& problems) const {
+  if (!session_.view()) return;
+  if (touch_ == FaceTouch::kTouched)
+    problems.push_back({Meaning::kBad,
+                        tr("The contact face is touched."),
+                        tr("Keep it free: bend the finger at its tip, its sides or its back."),
+                        {},
+                        {}});
+  if (unknown_frames_ >= kLongUnknown)
+    problems.push_back({Meaning::kDoubtful,
+                        tr("It cannot be seen whether the contact face is touched."),
+                        tr("Open the finger that belongs to this source, and keep both edges of "
+                           "its face in the picture."),
+                        {},
+                        {}});
+  else if (!status.finger.has_reference && touch_ != FaceTouch::kUnknown)
+    problems.push_back({Meaning::kDoubtful,
+                        tr("Before there is a reference, touching is told from the frames before."),
+                        tr("Begin with nothing on the contact face."),
+                        {},
+                        {}});
 }
 
 }  // namespace alltact
