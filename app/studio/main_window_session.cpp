@@ -24,7 +24,7 @@ bool changes_source(const QUndoCommand& step) {
 }  // namespace
 
 QString MainWindow::source_name() const {
-  return state_.source.empty() ? tr("none") : name_of(state_.source.front());
+  return state_.source.empty() ? tr("none", "source") : name_of(state_.source.front());
 }
 
 void MainWindow::open_finger(const std::filesystem::path& folder) {

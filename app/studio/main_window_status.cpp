@@ -26,7 +26,7 @@ void MainWindow::follow() {
 
 void MainWindow::show_header(const LiveStatus& status) {
   QString finger = name_of_finger(status.finger);
-  if (status.finger.state == FingerState::kNone) finger = tr("none");
+  if (status.finger.state == FingerState::kNone) finger = tr("none", "finger");
   if (status.finger.state == FingerState::kLoading) finger = tr("%1 (loading)").arg(finger);
   if (status.finger.state == FingerState::kReady && status.finger.folder.empty())
     finger = tr("%1 (simulated)").arg(finger);

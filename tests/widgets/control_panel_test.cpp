@@ -107,7 +107,7 @@ TEST_F(ControlPanelTest, TypingANumberTellsOnceWhenItIsDone) {
   auto* exposure = named<QSpinBox>("Exposure time");
   exposure->setFocus();
   exposure->selectAll();
-  QTest::keyClicks(exposure, "350");
+  QTest::keyClicks(exposure, "35.0");  // ms, of which the camera counts tenths
   EXPECT_EQ(changed.count(), 0);
   QTest::keyClick(exposure, Qt::Key_Return);
   ASSERT_EQ(changed.count(), 1);

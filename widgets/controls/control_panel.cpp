@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <linux/videodev2.h>
@@ -56,9 +57,49 @@ QString name_of(const CameraControl& control) {
 }
 
 QString unit_of(const CameraControl& control) {
-  if (control.id == V4L2_CID_EXPOSURE_ABSOLUTE) return ControlPanel::tr(" × 0.1 ms");
+  if (control.id == V4L2_CID_EXPOSURE_ABSOLUTE) return ControlPanel::tr(" ms");
   if (control.id == V4L2_CID_WHITE_BALANCE_TEMPERATURE) return ControlPanel::tr(" K");
   return {};
+}
+
+/// Cameras count exposure in tenths of a millisecond; people in milliseconds.
+class TenthsBox : public QSpinBox {
+ protected:
+  [[nodiscard]] QString textFromValue(int value) const override {
+    return locale().toString(0.1 * value, 'f', 1);
+  }
+  [[nodiscard]] int valueFromText(const QString& text) const override {
+    return static_cast<int>(std::lround(10 * locale().toDouble(bare(text))));
+  }
+  QValidator::State validate(QString& text, int& /*position*/) const override {
+    bool is_number = false;
+    const double value = 10 * locale().toDouble(bare(text), &is_number);
+    return is_number && value >= minimum() && value <= maximum() ? QValidator::Acceptable
+                                                                 : QValidator::Intermediate;
+  }
+
+ private:
+  [[nodiscard]] QString bare(const QString& text) const {
+    QString number = text;
+    if (number.endsWith(suffix())) number.chop(suffix().size());
+    return number.trimmed();
+  }
+};
+
+bool is_in_tenths(const CameraControl& control) {
+  return control.id == V4L2_CID_EXPOSURE_ABSOLUTE;
+}
+
+QSpinBox* box_for(const CameraControl& control) {
+  return is_in_tenths(control) ? new TenthsBox : new QSpinBox;
+}
+
+QString text_of(const CameraControl& control, std::int64_t value) {
+  const QLocale locale;
+  const QString number = is_in_tenths(control)
+                             ? locale.toString(0.1 * static_cast<double>(value), 'f', 1)
+                             : locale.toString(qint64{value});
+  return number + unit_of(control);
 }
 
 int as_int(std::int64_t value) {
@@ -113,7 +154,7 @@ class ControlPanel::Row : public QWidget {
  private:
   void make_number(QVBoxLayout& layout) {
     auto* label = new QLabel(name_of(control_));
-    number_ = new QSpinBox;
+    number_ = box_for(control_);
     number_->setRange(as_int(control_.low), as_int(control_.high));
     number_->setSingleStep(as_int(std::max<std::int64_t>(control_.step, 1)));
     number_->setSuffix(unit_of(control_));
@@ -126,9 +167,9 @@ class ControlPanel::Row : public QWidget {
     slider_->setPageStep(
         std::max(number_->singleStep(), (slider_->maximum() - slider_->minimum()) / 10));
     slider_->setAccessibleName(name_of(control_));
-    const QString range = ControlPanel::tr("%1 to %2")
-                              .arg(QLocale().toString(qint64{control_.low}),
-                                   QLocale().toString(qint64{control_.high}));
+    const QString range =
+        ControlPanel::tr("%1 to %2")
+            .arg(text_of(control_, control_.low), text_of(control_, control_.high));
     number_->setAccessibleDescription(range);
     slider_->setAccessibleDescription(range);
     auto* head = new QHBoxLayout;

@@ -154,11 +154,17 @@ void CoverageView::paint_label(QPainter& painter,
                                BendDirection direction) const {
   const QString text = bend_direction_text(direction);
   const bool is_reached = picture_.reached[static_cast<std::size_t>(direction)] >= 1;
+  const bool is_inside = direction == BendDirection::kAway || direction == BendDirection::kTowards;
   const double text_width = fontMetrics().horizontalAdvance(text), gap = 5;
   const double whole = kSign + gap + text_width;
   double left = room.left();
   if ((flags & Qt::AlignHCenter) != 0) left = room.center().x() - 0.5 * whole;
   if ((flags & Qt::AlignRight) != 0) left = room.right() - whole;
+  if (is_inside) {  // no line runs through a word
+    QColor ground = palette().color(QPalette::Base);
+    ground.setAlphaF(0.85F);
+    painter.fillRect(QRectF(left - 3, room.top() + 1, whole + 6, room.height() - 2), ground);
+  }
   paint_sign(painter, {left + 0.5 * kSign, room.center().y()}, is_reached);
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QRectF(left + kSign + gap, room.top(), text_width + 2, room.height()),

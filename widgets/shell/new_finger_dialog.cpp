@@ -32,6 +32,7 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
   layout->addWidget(intro_);
   layout->addWidget(problems_);
   layout->addLayout(form_);
+  layout->addStretch(1);
   layout->addWidget(buttons_);
   for (int i = 0; i < 2; ++i) kind_->addItem({});
   for (int i = 0; i < 3; ++i) polarity_->addItem({});

@@ -100,7 +100,7 @@ QWidget* ProblemList::make_row(const Problem& problem) {
   auto* picture = new QLabel;
   picture->setPixmap(symbol(symbol_of(problem.meaning), colour, kSymbol, devicePixelRatioF()));
   picture->setAccessibleName(word);
-  layout->addWidget(picture, 0, Qt::AlignTop);
+  layout->addWidget(picture, 0, Qt::AlignVCenter);
   auto* text = new QLabel(
       QStringLiteral("<b>%1:</b> %2 %3")
           .arg(word.toHtmlEscaped(), problem.what.toHtmlEscaped(), problem.advice.toHtmlEscaped()));

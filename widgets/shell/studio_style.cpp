@@ -6,15 +6,18 @@
 #include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <algorithm>
 
 namespace alltact {
 namespace {
+
+constexpr int kUnderTitle = 3;  // as Fusion has it
 
 bool is_black(const QStyleOption& option) {
   return option.palette.color(QPalette::Window) == Qt::black;
 }
 
-void outline(QPainter& painter, const QStyleOption& option) {
+void outline(QPainter& painter, const QStyleOption& option, int top = 0) {
   const bool is_on =
       option.state.testFlag(QStyle::State_On) || option.state.testFlag(QStyle::State_HasFocus);
   const bool is_enabled = option.state.testFlag(QStyle::State_Enabled);
@@ -31,7 +34,8 @@ void outline(QPainter& painter, const QStyleOption& option) {
   QPen pen(colour, width);
   pen.setJoinStyle(Qt::MiterJoin);
   painter.setPen(pen);
-  painter.drawRect(option.rect.adjusted(width / 2, width / 2, -(width + 1) / 2, -(width + 1) / 2));
+  painter.drawRect(
+      option.rect.adjusted(width / 2, top + width / 2, -(width + 1) / 2, -(width + 1) / 2));
   painter.restore();
 }
 
@@ -55,8 +59,16 @@ void StudioStyle::drawPrimitive(PrimitiveElement element,
       return outline(*painter, *option);
     case PE_PanelButtonCommand:
     case PE_PanelButtonTool:
-    case PE_FrameGroupBox:
       if (is_black(*option)) outline(*painter, *option);
+      return;
+    case PE_FrameGroupBox:
+      // The title stands above the frame.
+      if (is_black(*option))
+        outline(*painter,
+                *option,
+                std::max(pixelMetric(PM_IndicatorHeight, option, widget),
+                         option->fontMetrics.height()) +
+                    kUnderTitle);
       return;
     default:
       return;
