@@ -1,19 +1,17 @@
-// Shows each widget alone, with made-up content: alltact_gallery NAME, or without a name which
-// there are.
+#include "tests/gallery/gallery.h"
+
 #include "core/sources/v4l2/camera_controls.h"
 #include "widgets/controls/control_panel.h"
 #include "widgets/picture/overlays.h"
+#include "widgets/places/record_place.h"
 #include "widgets/recording/coverage_view.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/shell/settings_dialog.h"
 #include "widgets/shell/start_panel.h"
-#include "widgets/shell/studio_style.h"
 
-#include <QApplication>
+#include <QVBoxLayout>
 #include <cmath>
-#include <iostream>
-#include <map>
 
 #include <linux/videodev2.h>
 
@@ -96,30 +94,42 @@ Shown settings_dialog() {
   return std::make_unique<SettingsDialog>(Appearance{});
 }
 
-const std::map<std::string, Shown (*)()> kWidgets{{"control_panel", control_panel},
-                                                  {"coverage_view", coverage_view},
-                                                  {"image_view", image_view},
-                                                  {"new_finger_dialog", new_finger_dialog},
-                                                  {"problem_list", problem_list},
-                                                  {"settings_dialog", settings_dialog},
-                                                  {"start_panel", start_panel}};
+/// The place with nothing to record from.
+class EmptyRecording : public QWidget {
+ public:
+  EmptyRecording() : place_(session_, no_installer) {
+    // In no folder that there is: the space left on a disk is another one everywhere.
+    place_.set_file(QStringLiteral("/no/such/folder/bending.mkv"));
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(&place_);
+  }
+
+ private:
+  static Result<ReferenceReport> no_installer(const std::filesystem::path& /*folder*/,
+                                              const std::filesystem::path& /*video*/,
+                                              const Job& /*job*/) {
+    return Error{"the gallery has no fingers", "", "the Studio itself"};
+  }
+  LiveSession session_;
+  RecordPlace place_;
+};
+
+Shown empty_recording() {
+  return std::make_unique<EmptyRecording>();
+}
 
 }  // namespace
-}  // namespace alltact
 
-int main(int argc, char** argv) {
-  using namespace alltact;
-  const auto wanted = argc == 2 ? kWidgets.find(argv[1]) : kWidgets.end();
-  if (wanted == kWidgets.end()) {
-    std::cerr << "usage: alltact_gallery NAME [with NAME one of";
-    for (const auto& [name, make] : kWidgets) std::cerr << ' ' << name;
-    std::cerr << "]\n";
-    return 2;
-  }
-  int only_name = 1;
-  QApplication application(only_name, argv);
-  QApplication::setStyle(new StudioStyle);
-  const Shown widget = wanted->second();
-  widget->show();
-  return QApplication::exec();
+const std::map<std::string, std::unique_ptr<QWidget> (*)()>& gallery() {
+  static const std::map<std::string, Shown (*)()> widgets{{"control_panel", control_panel},
+                                                          {"coverage_view", coverage_view},
+                                                          {"empty_recording", empty_recording},
+                                                          {"image_view", image_view},
+                                                          {"new_finger_dialog", new_finger_dialog},
+                                                          {"problem_list", problem_list},
+                                                          {"settings_dialog", settings_dialog},
+                                                          {"start_panel", start_panel}};
+  return widgets;
 }
+
+}  // namespace alltact

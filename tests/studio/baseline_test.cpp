@@ -1,0 +1,141 @@
+// Pictures whose content is always the same, compared with those that were looked at and kept in
+// tests/studio/baselines. ALLTACT_RENEW_BASELINES=1 keeps what is seen now instead: look at every
+// picture that changed before committing it.
+#include "tests/gallery/gallery.h"
+#include "tests/studio/studio_rig.h"
+#include "tests/support/picture_match.h"
+
+#include <QPainter>
+
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+QString text_of(const fs::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+/// The same letters on every computer, and no cursor that is sometimes there.
+class SameEverywhere {
+ public:
+  SameEverywhere() : font_(QApplication::font()), flash_(QApplication::cursorFlashTime()) {
+    QFont font(QStringLiteral("DejaVu Sans"), 9);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    QApplication::setFont(font);
+    QApplication::setCursorFlashTime(0);
+  }
+  ~SameEverywhere() {
+    QApplication::setFont(font_);
+    QApplication::setCursorFlashTime(flash_);
+  }
+  SameEverywhere(const SameEverywhere&) = delete;
+  SameEverywhere& operator=(const SameEverywhere&) = delete;
+
+ private:
+  QFont font_;
+  int flash_;
+};
+
+void expect_as_kept(const QImage& seen, const std::string& name) {
+  const fs::path kept = fs::path(ALLTACT_SOURCE_DIR) / "tests/studio/baselines" / (name + ".png");
+  const QImage picture = seen.convertToFormat(QImage::Format_RGB888);
+  if (qEnvironmentVariableIsSet("ALLTACT_RENEW_BASELINES")) {
+    fs::create_directories(kept.parent_path());
+    ASSERT_TRUE(picture.save(text_of(kept), "PNG", 0));
+    GTEST_SKIP() << "kept anew: " << kept.string();
+  }
+  const QImage expected(text_of(kept));
+  ASSERT_FALSE(expected.isNull()) << kept << " is missing";
+  const std::string difference = what_differs(picture, expected);
+  if (difference.empty()) return;
+  fs::create_directories(ALLTACT_SCREENS);
+  const fs::path now = fs::path(ALLTACT_SCREENS) / (name + "_differs.png");
+  picture.save(text_of(now));
+  ADD_FAILURE() << difference << "; compare " << now << " with " << kept;
+}
+
+struct Kept {
+  const char* widget;
+  QSize size;
+  Theme theme = Theme::kLight;
+};
+
+class Baseline : public testing::TestWithParam<Kept> {};
+
+INSTANTIATE_TEST_SUITE_P(Gallery,
+                         Baseline,
+                         testing::Values(Kept{"control_panel", {320, 150}},
+                                         Kept{"control_panel", {320, 150}, Theme::kDark},
+                                         Kept{"coverage_view", {300, 300}},
+                                         Kept{"coverage_view", {300, 300}, Theme::kHighContrast},
+                                         Kept{"empty_recording", {900, 600}},
+                                         Kept{"empty_recording", {900, 600}, Theme::kDark},
+                                         Kept{"image_view", {480, 270}},
+                                         Kept{"new_finger_dialog", {560, 420}},
+                                         Kept{"problem_list", {480, 160}},
+                                         Kept{"problem_list", {480, 160}, Theme::kDark},
+                                         Kept{"settings_dialog", {360, 140}},
+                                         Kept{"start_panel", {560, 560}}),
+                         [](const auto& kept) {
+                           const std::string name = kept.param.widget;
+                           return name + (kept.param.theme == Theme::kLight  ? "_light"
+                                          : kept.param.theme == Theme::kDark ? "_dark"
+                                                                             : "_contrast");
+                         });
+
+TEST_P(Baseline, LooksAsItDid) {
+  const SameEverywhere same;
+  Dresser dresser;
+  dresser.wear({GetParam().theme, QStringLiteral("en")});
+  const auto widget = gallery().at(GetParam().widget)();
+  widget->setAttribute(Qt::WA_DontShowOnScreen);
+  widget->resize(GetParam().size);
+  widget->show();
+  QTest::qWait(50);
+  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  expect_as_kept(widget->grab().toImage(), name.substr(name.find('/') + 1));
+}
+
+TEST(Baseline, TheFirstPageLooksAsItDid) {
+  const SameEverywhere same;
+  Studio studio;
+  QTest::qWait(200);
+  expect_as_kept(studio.window().grab().toImage(), "window_start");
+}
+
+TEST(Baseline, EveryWidgetOfTheGalleryHasOne) {
+  std::set<std::string> kept;
+  for (const auto& entry : fs::directory_iterator(ALLTACT_SOURCE_DIR "/tests/studio/baselines")) {
+    kept.insert(entry.path().stem().string());
+    EXPECT_LT(fs::file_size(entry.path()), 60'000U) << entry.path();
+  }
+  for (const auto& [name, make] : gallery()) EXPECT_EQ(kept.count(name + "_light"), 1U) << name;
+}
+
+QImage page(const QString& word, int grey_levels_off = 0) {
+  QImage image(320, 200, QImage::Format_RGB888);
+  image.fill(QColor(240 - grey_levels_off, 240, 240));
+  QPainter painter(&image);
+  painter.setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
+  painter.drawText(20, 40, word);
+  return image;
+}
+
+TEST(PictureMatch, SeesAWordAndNoShade) {
+  const QImage kept = page(QStringLiteral("Start recording"));
+  EXPECT_EQ(what_differs(kept, kept), "");
+  EXPECT_EQ(what_differs(page(QStringLiteral("Start recording"), 8), kept), "");
+  EXPECT_NE(what_differs(page(QStringLiteral("Stop recording")), kept), "");
+  EXPECT_NE(what_differs(page(QString()), kept), "");
+  EXPECT_NE(what_differs(kept.copy(0, 0, 319, 200), kept), "");
+  QImage moved(kept.size(), kept.format());
+  moved.fill(QColor(240, 240, 240));
+  QPainter(&moved).drawImage(3, 0, kept);
+  EXPECT_NE(what_differs(moved, kept), "");
+}
+
+}  // namespace
+}  // namespace alltact::test
