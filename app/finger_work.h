@@ -3,26 +3,14 @@
 
 #include "calibration/reference_recording.h"
 #include "core/finger/finger.h"
+#include "core/finger/new_finger.h"
 #include "core/job.h"
 #include "core/result.h"
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace alltact {
-
-struct NewFinger {
-  std::filesystem::path finger;  ///< the folder to make
-  std::string name;              ///< empty: the folder's
-  std::filesystem::path camera;  ///< CAMERA.yaml
-  FaceKind kind = FaceKind::kFinRay;
-  double width_mm = 0;
-  double layer_mm = 0;
-  double plane_z_mm = 0;
-  int per_row = 0;
-  Polarity polarity = Polarity::kAuto;
-};
 
 /// Makes a finger folder and gives what lies in it. Errors: there is a finger already; the camera
 /// file or a value is wrong; the folder cannot be written.

@@ -82,17 +82,6 @@ Patches patches_of(const Difference& difference, const FaceShape& shape, double 
   return patches;
 }
 
-double mean_level(const cv::Mat& grey, const FaceRuns& face) {
-  double sum = 0, count = 0;
-  for (std::size_t i = 0; i < face.runs.size(); i += 8) {
-    const FaceRun& run = face.runs[i];
-    const std::uint8_t* row = grey.ptr<std::uint8_t>(run.row);
-    for (int u = run.first; u < run.end; ++u) sum += row[u];
-    count += run.size();
-  }
-  return std::max(1.0, sum / std::max(1.0, count));
-}
-
 class Study {
  public:
   Study(const ReferenceLibrary& library, const std::vector<Markers>& numbered, double frames_per_s)
@@ -138,7 +127,7 @@ class Study {
     options.correct_light = true;
     const Difference compared = difference(looked.grey, reference, looked.shape, options);
     if (compared.face.runs.empty()) return std::nullopt;
-    return patches_of(compared, looked.shape, mean_level(looked.grey, compared.face));
+    return patches_of(compared, looked.shape, mean_brightness(looked.grey, compared.face));
   }
 
   static double mean_error(const Patches& patches) {

@@ -16,16 +16,7 @@
 namespace alltact {
 namespace {
 
-Status make(const FingerDescription& description) {
-  NewFinger wanted;
-  wanted.finger = description.folder;
-  wanted.camera = description.camera;
-  wanted.kind = description.kind;
-  wanted.width_mm = description.width_mm;
-  wanted.layer_mm = description.layer_mm;
-  wanted.plane_z_mm = description.plane_z_mm;
-  wanted.per_row = description.per_row;
-  wanted.polarity = description.polarity;
+Status make(const NewFinger& wanted) {
   const auto made = make_finger(wanted);
   return made ? Status() : Status(made.error());
 }

@@ -1,6 +1,7 @@
 #include "core/sensing/face_runs.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace alltact {
 namespace {
@@ -58,6 +59,18 @@ FaceRuns face_runs(const FaceShape& shape, double margin_px, const cv::Size& siz
     before = here;
   }
   return by_rows(closed, size.height);
+}
+
+double mean_brightness(const cv::Mat& grey, const FaceRuns& face) {
+  constexpr int kEvery = 16;
+  double sum = 0, count = 0;
+  for (int row = kEvery / 2; row < grey.rows; row += kEvery)
+    for (const FaceRun& run : face.of_row(row)) {
+      const std::uint8_t* values = grey.ptr<std::uint8_t>(row);
+      sum += std::accumulate(values + run.first, values + run.end, 0);
+      count += run.size();
+    }
+  return std::max(1.0, sum / std::max(1.0, count));
 }
 
 }  // namespace alltact

@@ -362,19 +362,6 @@ LightGain light_now(const cv::Mat& grey,
   return light_gain(grey, reference.picture, face, options.noise_sd, reference.noise_gain);
 }
 
-/// Mean brightness of the face, grey levels, from some of its rows; 1 where there is no face.
-double brightness_of(const cv::Mat& grey, const FaceRuns& face) {
-  constexpr int kEvery = 16;
-  double sum = 0, count = 0;
-  for (int row = kEvery / 2; row < grey.rows; row += kEvery)
-    for (const FaceRun& run : face.of_row(row)) {
-      const std::uint8_t* values = grey.ptr<std::uint8_t>(row);
-      sum += std::accumulate(values + run.first, values + run.end, 0);
-      count += run.size();
-    }
-  return std::max(1.0, sum / std::max(1.0, count));
-}
-
 }  // namespace
 
 Difference difference(const cv::Mat& grey,
@@ -444,7 +431,7 @@ DepthMap depth_map(const cv::Mat& grey,
   mapper.finish();
   map.live_sd = smoothed_sd(options);
   map.noise_mm = mapping.slope_mm(0.0) * map.live_sd * std::hypot(1.0, reference.noise_gain) /
-                 brightness_of(grey, face);
+                 mean_brightness(grey, face);
   return map;
 }
 

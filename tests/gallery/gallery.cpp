@@ -85,7 +85,7 @@ Shown start_panel() {
 }
 
 Shown new_finger_dialog() {
-  return std::make_unique<NewFingerDialog>([](const FingerDescription&) -> Status {
+  return std::make_unique<NewFingerDialog>([](const NewFinger&) -> Status {
     return Error{"the gallery makes no fingers", "", "the Studio itself"};
   });
 }

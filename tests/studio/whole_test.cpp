@@ -234,7 +234,7 @@ TEST(Window, EveryControlHasANameAndARole) {
   studio.window().go_to("record");
   QTest::qWait(50);
   expect_names(studio.window());
-  NewFingerDialog finger([](const FingerDescription&) { return Status(); });
+  NewFingerDialog finger([](const NewFinger&) { return Status(); });
   finger.show();
   expect_names(finger);
   SettingsDialog settings({});

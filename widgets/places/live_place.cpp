@@ -1,10 +1,9 @@
 #include "widgets/places/live_place.h"
 
+#include "widgets/places/side_panel.h"
 #include "widgets/value_change.h"
 
 #include <QHBoxLayout>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace alltact {
@@ -80,9 +79,7 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
 }
 
 QWidget* LivePlace::make_side() {
-  auto* side = new QWidget;
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(8, 0, 8, 0);
+  const SidePanel side(kSideWidth);
   auto* over = new QVBoxLayout(over_);
   for (const Choice& choice : choices_) over->addWidget(choice.box);
   auto* top = new QHBoxLayout;
@@ -96,28 +93,21 @@ QWidget* LivePlace::make_side() {
   top->addWidget(top_);
   top->addStretch();
   over->insertLayout(4, top);
-  column->addWidget(over_);
+  side.column->addWidget(over_);
   for (const auto& [group, label] : {std::pair{contact_group_, contact_}, {times_group_, times_}}) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::AutoText);
     (new QVBoxLayout(group))->addWidget(label);
-    column->addWidget(group);
+    side.column->addWidget(group);
   }
   // Room for what it says most, so that nothing jumps while contacts come and go.
   constexpr int kContactLines = 5;
   contact_->setMinimumHeight(kContactLines * contact_->fontMetrics().lineSpacing());
   contact_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   (new QVBoxLayout(camera_))->addWidget(controls_);
-  column->addWidget(camera_);
-  column->addStretch();
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(side);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(kSideWidth);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  return scroll;
+  side.column->addWidget(camera_);
+  side.column->addStretch();
+  return side.whole;
 }
 
 void LivePlace::set_options(const ViewOptions& options) {

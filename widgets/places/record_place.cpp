@@ -1,10 +1,11 @@
 #include "widgets/places/record_place.h"
 
+#include "widgets/places/side_panel.h"
+
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace alltact {
@@ -77,24 +78,15 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
 }
 
 QWidget* RecordPlace::make_side() {
-  auto* side = new QWidget;
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(8, 0, 8, 0);
+  const SidePanel side(kSideWidth);
   auto* coverage = new QVBoxLayout(coverage_group_);
   coverage->addWidget(coverage_view_);
   coverage->addWidget(missing_);
-  column->addWidget(coverage_group_);
-  make_recording_group(*column);
-  make_result_group(*column);
-  column->addStretch();
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(side);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(kSideWidth);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  return scroll;
+  side.column->addWidget(coverage_group_);
+  make_recording_group(*side.column);
+  make_result_group(*side.column);
+  side.column->addStretch();
+  return side.whole;
 }
 
 void RecordPlace::make_recording_group(QVBoxLayout& column) {

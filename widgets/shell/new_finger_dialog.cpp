@@ -102,9 +102,9 @@ QWidget* NewFingerDialog::with_button(QLineEdit* line, QPushButton* button) {
   return row;
 }
 
-FingerDescription NewFingerDialog::description() const {
-  FingerDescription finger;
-  finger.folder = folder_->text().trimmed().toStdString();
+NewFinger NewFingerDialog::description() const {
+  NewFinger finger;
+  finger.finger = folder_->text().trimmed().toStdString();
   finger.camera = camera_->text().trimmed().toStdString();
   finger.kind = kind_->currentIndex() == 1 ? FaceKind::kFlat : FaceKind::kFinRay;
   finger.layer_mm = layer_->value();
@@ -149,9 +149,9 @@ void NewFingerDialog::choose_camera() {
 }
 
 void NewFingerDialog::make() {
-  const FingerDescription finger = description();
+  const NewFinger finger = description();
   std::vector<Problem> problems;
-  if (finger.folder.empty()) problems.push_back({Meaning::kBad, tr("No folder is named."), {}, {}});
+  if (finger.finger.empty()) problems.push_back({Meaning::kBad, tr("No folder is named."), {}, {}});
   if (finger.camera.empty())
     problems.push_back({Meaning::kBad,
                         tr("No camera file is named."),
@@ -165,7 +165,7 @@ void NewFingerDialog::make() {
     return std::function<void()>([this, finger, status] {
       buttons_->setEnabled(true);
       if (!status) return problems_->set_problems({Problem::of(status.error())});
-      Q_EMIT made(QString::fromStdString(finger.folder.string()));
+      Q_EMIT made(QString::fromStdString(finger.finger.string()));
       accept();
     });
   });

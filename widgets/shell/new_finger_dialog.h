@@ -2,7 +2,7 @@
 // stands.
 #pragma once
 
-#include "core/finger/finger.h"
+#include "core/finger/new_finger.h"
 #include "widgets/background_work.h"
 #include "widgets/shell/problem_list.h"
 
@@ -18,23 +18,14 @@
 
 namespace alltact {
 
-/// What a new finger is made of.
-struct FingerDescription {
-  std::filesystem::path folder, camera;
-  FaceKind kind = FaceKind::kFinRay;
-  double width_mm = 0, layer_mm = 0, plane_z_mm = 0;
-  int per_row = 0;
-  Polarity polarity = Polarity::kAuto;
-};
-
 /// Makes the folder; runs on a thread of its own.
-using FingerMaker = std::function<Status(const FingerDescription&)>;
+using FingerMaker = std::function<Status(const NewFinger&)>;
 
 class NewFingerDialog : public Translated<QDialog> {
   Q_OBJECT
  public:
   explicit NewFingerDialog(FingerMaker maker, QWidget* parent = nullptr);
-  [[nodiscard]] FingerDescription description() const;
+  [[nodiscard]] NewFinger description() const;
 
  Q_SIGNALS:
   void made(const QString& folder);

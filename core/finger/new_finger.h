@@ -1,0 +1,23 @@
+// What a new finger is made of, as the window and the command line ask for it.
+#pragma once
+
+#include "core/finger/finger.h"
+
+#include <filesystem>
+#include <string>
+
+namespace alltact {
+
+struct NewFinger {
+  std::filesystem::path finger;  ///< the folder to make
+  std::string name;              ///< empty: the folder's
+  std::filesystem::path camera;  ///< CAMERA.yaml
+  FaceKind kind = FaceKind::kFinRay;
+  double width_mm = 0;
+  double layer_mm = 0;
+  double plane_z_mm = 0;
+  int per_row = 0;
+  Polarity polarity = Polarity::kAuto;
+};
+
+}  // namespace alltact
