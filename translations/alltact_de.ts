@@ -40,10 +40,6 @@
         <translation>Helligkeit</translation>
     </message>
     <message>
-        <source> × 0.1 ms</source>
-        <translation> × 0,1 ms</translation>
-    </message>
-    <message>
         <source> K</source>
         <translation> K</translation>
     </message>
@@ -72,8 +68,12 @@
         <translation>Helligkeit ist die Messung: Gesperrt ändert sie nichts. Nur vor dem Kalibrieren entsperren.</translation>
     </message>
     <message>
-        <source>A camera's exposure, gain, white balance and focus stand here. This source is no camera.</source>
+        <source>A camera&apos;s exposure, gain, white balance and focus stand here. This source is no camera.</source>
         <translation>Hier stehen Belichtung, Verstärkung, Weißabgleich und Fokus einer Kamera. Diese Quelle ist keine Kamera.</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
     </message>
 </context>
 <context>
@@ -188,7 +188,7 @@
         <translation>Bild</translation>
     </message>
     <message>
-        <source>The camera's picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
+        <source>The camera&apos;s picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
         <translation>Das Bild der Kamera. Rad oder + und - vergrößern, 0 zeigt alles, 1 die eigene Größe. Ziehen oder Pfeiltasten verschieben es; Umschalt und Pfeiltasten bewegen die Sonde.</translation>
     </message>
 </context>
@@ -466,7 +466,7 @@
         <translation>Quelle s&amp;chließen</translation>
     </message>
     <message>
-        <source>Open a finger's folder</source>
+        <source>Open a finger&apos;s folder</source>
         <translation>Ordner eines Fingers öffnen</translation>
     </message>
     <message>
@@ -508,10 +508,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 Macht aus einem klaren Silikonfinger mit einer Kamera darin ein Messgerät.
 
 Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bibliotheken steht das Programm als Ganzes unter der GPL, Version 3.</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
     </message>
     <message>
         <source>%1 (loading)</source>
@@ -604,6 +600,36 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
     </message>
+    <message>
+        <source>none</source>
+        <comment>source</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>close the finger</source>
+        <translation>Finger schließen</translation>
+    </message>
+    <message>
+        <source>open finger %1</source>
+        <translation>Finger %1 öffnen</translation>
+    </message>
+    <message>
+        <source>close the source</source>
+        <translation>Quelle schließen</translation>
+    </message>
+    <message>
+        <source>open source %1</source>
+        <translation>Quelle %1 öffnen</translation>
+    </message>
+    <message>
+        <source>go on with the last session</source>
+        <translation>mit der letzten Sitzung weitermachen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>finger</comment>
+        <translation>keiner</translation>
+    </message>
 </context>
 <context>
     <name>alltact::NewFingerDialog</name>
@@ -648,7 +674,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Punkte si&amp;nd</translation>
     </message>
     <message>
-        <source>Fin Ray finger: its shape is read from the face's edges</source>
+        <source>Fin Ray finger: its shape is read from the face&apos;s edges</source>
         <translation>Fin-Ray-Finger: Form aus den Kanten der Fläche</translation>
     </message>
     <message>
@@ -821,7 +847,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Wählen…</translation>
     </message>
     <message>
-        <source>&amp;Install as this finger's reference</source>
+        <source>&amp;Install as this finger&apos;s reference</source>
         <translation>Als Referenz dieses Fingers &amp;einrichten</translation>
     </message>
     <message>
@@ -1013,6 +1039,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
             <numerusform>%n Bild zeigte eine Haltung, die auch andere zeigen.</numerusform>
             <numerusform>%n Bilder zeigten eine Haltung, die auch andere zeigen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>It cannot be seen whether the contact face is touched.</source>
+        <translation>Es ist nicht zu sehen, ob die Kontaktfläche berührt wird.</translation>
+    </message>
+    <message>
+        <source>Open the finger that belongs to this source, and keep both edges of its face in the picture.</source>
+        <translation>Öffnen Sie den Finger, der zu dieser Quelle gehört, und halten Sie beide Kanten seiner Fläche im Bild.</translation>
+    </message>
+    <message>
+        <source>Before there is a reference, touching is told from the frames before.</source>
+        <translation>Solange es keine Referenz gibt, werden Berührungen an den Bildern davor erkannt.</translation>
+    </message>
+    <message>
+        <source>Begin with nothing on the contact face.</source>
+        <translation>Beginnen Sie mit freier Kontaktfläche.</translation>
     </message>
 </context>
 <context>

@@ -40,10 +40,6 @@
         <translation>亮度</translation>
     </message>
     <message>
-        <source> × 0.1 ms</source>
-        <translation> × 0.1 ms</translation>
-    </message>
-    <message>
         <source> K</source>
         <translation> K</translation>
     </message>
@@ -72,8 +68,12 @@
         <translation>亮度就是测量值:锁定后不会改变。仅在标定之前解锁。</translation>
     </message>
     <message>
-        <source>A camera's exposure, gain, white balance and focus stand here. This source is no camera.</source>
+        <source>A camera&apos;s exposure, gain, white balance and focus stand here. This source is no camera.</source>
         <translation>相机的曝光、增益、白平衡和对焦显示在这里。当前来源不是相机。</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
     </message>
 </context>
 <context>
@@ -187,7 +187,7 @@
         <translation>图像</translation>
     </message>
     <message>
-        <source>The camera's picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
+        <source>The camera&apos;s picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
         <translation>相机图像。滚轮或 + 和 - 缩放,0 显示全部,1 为原始大小。拖动或用方向键移动;Shift 加方向键移动探针。</translation>
     </message>
 </context>
@@ -465,7 +465,7 @@
         <translation>关闭来源(&amp;C)</translation>
     </message>
     <message>
-        <source>Open a finger's folder</source>
+        <source>Open a finger&apos;s folder</source>
         <translation>打开手指文件夹</translation>
     </message>
     <message>
@@ -507,10 +507,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 把内置相机的透明硅胶手指变成测量仪器。
 
 自有源代码采用 BSD-3-Clause 许可;连同所用的库,整个程序采用 GPL 第 3 版许可。</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>无</translation>
     </message>
     <message>
         <source>%1 (loading)</source>
@@ -602,6 +598,36 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>&amp;Redo</source>
         <translation>重做(&amp;R)</translation>
     </message>
+    <message>
+        <source>none</source>
+        <comment>source</comment>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>close the finger</source>
+        <translation>关闭手指</translation>
+    </message>
+    <message>
+        <source>open finger %1</source>
+        <translation>打开手指 %1</translation>
+    </message>
+    <message>
+        <source>close the source</source>
+        <translation>关闭来源</translation>
+    </message>
+    <message>
+        <source>open source %1</source>
+        <translation>打开来源 %1</translation>
+    </message>
+    <message>
+        <source>go on with the last session</source>
+        <translation>继续上次的会话</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>finger</comment>
+        <translation>无</translation>
+    </message>
 </context>
 <context>
     <name>alltact::NewFingerDialog</name>
@@ -646,7 +672,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标记点(&amp;A)</translation>
     </message>
     <message>
-        <source>Fin Ray finger: its shape is read from the face's edges</source>
+        <source>Fin Ray finger: its shape is read from the face&apos;s edges</source>
         <translation>鳍条手指:形状由面的边缘得出</translation>
     </message>
     <message>
@@ -819,7 +845,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>选择(&amp;C)…</translation>
     </message>
     <message>
-        <source>&amp;Install as this finger's reference</source>
+        <source>&amp;Install as this finger&apos;s reference</source>
         <translation>设为此手指的参考(&amp;I)</translation>
     </message>
     <message>
@@ -1001,6 +1027,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>
             <numerusform>有 %n 帧与其他帧姿态相同。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>It cannot be seen whether the contact face is touched.</source>
+        <translation>无法判断接触面是否被触碰。</translation>
+    </message>
+    <message>
+        <source>Open the finger that belongs to this source, and keep both edges of its face in the picture.</source>
+        <translation>请打开属于此来源的手指，并使其表面的两条边缘都在画面内。</translation>
+    </message>
+    <message>
+        <source>Before there is a reference, touching is told from the frames before.</source>
+        <translation>在有参考之前，根据先前的画面判断是否被触碰。</translation>
+    </message>
+    <message>
+        <source>Begin with nothing on the contact face.</source>
+        <translation>请在接触面没有任何东西时开始。</translation>
     </message>
 </context>
 <context>
