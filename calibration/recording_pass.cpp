@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kProfileDegree = 7;
+constexpr std::size_t kMostKeptBytes = std::size_t{512} << 20;
 
 // The reference video, made with its first frame.
 class ReferenceVideo {
@@ -70,6 +71,7 @@ Result<RecordingPass> read_recording(Source& source,
   RecordingPass pass;
   ReferenceVideo writer(video, source.frames_per_s());
   const auto total = source.count();
+  std::size_t kept_bytes = 0;
   for (;;) {
     if (job.stop_requested())
       return Error{"stopped before the recording was read", video.parent_path().string(), ""};
@@ -99,6 +101,10 @@ Result<RecordingPass> read_recording(Source& source,
     const Status written = writer.add(**frame);
     if (!written) return written.error();
     pass.in_video.push_back(pass.written++);
+    const std::size_t bytes = grey->total();
+    const bool has_room = kept_bytes + bytes <= kMostKeptBytes;
+    pass.greys.push_back(has_room ? *grey : cv::Mat());
+    if (has_room) kept_bytes += bytes;
   }
   if (const Status finished = writer.finish(); !finished) return finished.error();
   return pass;

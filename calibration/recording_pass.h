@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <vector>
 
+#include <opencv2/core.hpp>
+
 namespace alltact {
 
 /// All that the first pass leaves.
@@ -16,6 +18,9 @@ struct RecordingPass {
   std::vector<FrameDots> frames;
   std::vector<int> in_video;  ///< by frame, its number in the video written; -1: never got there
   int written = 0;
+  /// By number in the video, the oriented pictures, so that they need not be decoded again; empty
+  /// beyond the first 512 MB.
+  std::vector<cv::Mat> greys;
   SettingsSeen settings;
 };
 

@@ -221,20 +221,17 @@ double part_of(std::vector<double> values, double part) {
 
 Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                        const std::vector<Markers>& numbered,
-                                       VideoFile& video,
+                                       const FrameOfRecording& frame,
+                                       double frames_per_s,
                                        const Finger& finger,
                                        const Camera& camera,
                                        const Job& job) {
   const std::size_t count = library.frame_count();
-  const Study study(library, numbered, video.frames_per_s());
+  const Study study(library, numbered, frames_per_s);
   RecordingStudy result;
   const std::vector<char> none(count, 0);
   const auto looked_at = [&](std::size_t index) -> Result<std::optional<Looked>> {
-    const int number = library.frame_numbers()[index];
-    const auto frame = video.frame(static_cast<std::size_t>(number));
-    if (!frame) return frame.error();
-    const auto grey =
-        oriented_for(finger.camera, (*frame)->grey, "the recording's picture", "", "");
+    const auto grey = frame(static_cast<std::size_t>(library.frame_numbers()[index]));
     if (!grey) return grey.error();
     return look(*grey, camera, finger);
   };

@@ -4,7 +4,6 @@
 
 #include "calibration/motion_coverage.h"
 #include "core/job.h"
-#include "core/recording/video_file.h"
 #include "core/result.h"
 #include "core/sensing/reference_library.h"
 
@@ -20,7 +19,7 @@ struct StudiedFrame {
   bool compared = false;  ///< false: no face was found, or no other frame is near
   double error = 0;       ///< mean |x| over the face in patches of a millimetre or so, less noise
   double nearest_error = 0;  ///< the same with the nearest frame alone
-  /// /// The darkest patch in each zone of the face (FaceZones): how much darker than it should be
+  /// The darkest patch in each zone of the face (FaceZones): how much darker than it should be
   /// (0.1: by 10 %); NaN where the zone is not seen.
   std::vector<float> darkest;
   std::vector<std::optional<TipPlace>> pairs;  ///< by pair of dots, from base to tip
@@ -54,13 +53,14 @@ struct RecordingStudy {
 
 /// Compares every frame with the local regression over the others, leaving out those taken shortly
 /// before and after, which show the same pose and the same touch (an eighth of the recording, at
-/// /// most two seconds of it). A frame counts as touched where a patch is darker by 3 % and by far
+/// most two seconds of it). A frame counts as touched where a patch is darker by 3 % and by far
 /// more than patches of its zone typically are (the dark end of a finger is told less well), also
 /// when no other touched frame has part in its reference. `numbered`: the markers of the library's
 /// frames, by index. Errors: a stopped job; a frame that cannot be read.
 [[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                                      const std::vector<Markers>& numbered,
-                                                     VideoFile& video,
+                                                     const FrameOfRecording& frame,
+                                                     double frames_per_s,
                                                      const Finger& finger,
                                                      const Camera& camera,
                                                      const Job& job);

@@ -114,8 +114,16 @@ Status study(const fs::path& video,
              Installed& installed) {
   MarkerTable table = table_of(installed.numbered, kept);
   for (std::size_t i = 0; i < kept.size(); ++i) table.frames[i] = pass.in_video[kept[i]];
-  const auto library =
-      ReferenceLibrary::from_recording(video, table, finger, camera, Job(job, 0.0, 0.4));
+  auto reader = VideoFile::open(video, job);
+  if (!reader) return reader.error();
+  const FrameOfRecording frame = [&](std::size_t number) -> Result<cv::Mat> {
+    if (!pass.greys[number].empty()) return pass.greys[number];
+    const auto read = reader->frame(number);
+    if (!read) return read.error();
+    return oriented_for(finger.camera, (*read)->grey, "the recording's picture", "", "");
+  };
+  const auto library = ReferenceLibrary::from_frames(
+      frame, pass.greys.size(), video, table, finger, camera, Job(job, 0.0, 0.4));
   if (!library) return library.error();
   std::vector<std::size_t> of_library;  // by the library's index, the number in the recording
   std::vector<Markers> markers;
@@ -125,10 +133,8 @@ Status study(const fs::path& video,
     markers.push_back(*installed.numbered.markers[kept[i]]);
     ++row;
   }
-  auto reader = VideoFile::open(video, job);
-  if (!reader) return reader.error();
-  const auto studied =
-      study_recording(*library, markers, *reader, finger, camera, Job(job, 0.4, 1.0));
+  const auto studied = study_recording(
+      *library, markers, frame, reader->frames_per_s(), finger, camera, Job(job, 0.4, 1.0));
   if (!studied) return studied.error();
   ReferenceReport& report = installed.report;
   kept.clear();

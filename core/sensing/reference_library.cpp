@@ -95,37 +95,34 @@ class Keeper {
   std::vector<int> rank_;
 };
 
-Status read_faces(const std::filesystem::path& video_file,
+Status read_faces(const FrameOfRecording& frame,
+                  std::size_t frame_count,
+                  const std::filesystem::path& video,
                   const MarkerTable& table,
                   const Finger& finger,
                   const Camera& camera,
                   const Job& job,
                   Keeper& keeper) {
-  auto video = VideoFile::open(video_file, job);
-  if (!video) return wrong("the reference recording is missing or no video", video_file);
   const FaceEdgeFinder finder;
   for (std::size_t row = 0; row < table.frames.size(); ++row) {
     if (job.stop_requested())
-      return Error{"stopped before the reference was read", video_file.string(), ""};
+      return Error{"stopped before the reference was read", video.string(), ""};
     if (row % 16 == 0)
       job.report(static_cast<double>(row) / static_cast<double>(table.frames.size()),
                  fmt::format("reading reference frame {} of {}", row + 1, table.frames.size()));
     const auto number = static_cast<std::size_t>(table.frames[row]);
-    if (number >= video->frame_count())
+    if (number >= frame_count)
       return wrong(
           fmt::format("the marker table names frame {} but the recording ends after {} frames",
                       number,
-                      video->frame_count()),
-          video_file);
-    const auto frame = video->frame(number);
-    if (!frame) return wrong(frame.error().what, video_file);
-    const auto turned =
-        oriented_for(finger.camera, (*frame)->grey, "the recording's picture", "", "");
-    if (!turned) return wrong(turned.error().what, video_file);
-    const auto edges = finder(*turned);
+                      frame_count),
+          video);
+    const auto grey = frame(number);
+    if (!grey) return wrong(grey.error().what, video);
+    const auto edges = finder(*grey);
     if (!edges) continue;
     const auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
-    if (shape) keeper.add(row, keep_face(*turned, *shape, kFaceMarginPx));
+    if (shape) keeper.add(row, keep_face(*grey, *shape, kFaceMarginPx));
   }
   return {};
 }
@@ -194,12 +191,32 @@ Result<ReferenceLibrary> ReferenceLibrary::from_recording(const std::filesystem:
                                                           const Camera& camera,
                                                           const Job& job,
                                                           std::size_t memory_limit_bytes) {
+  auto video = VideoFile::open(video_file, job);
+  if (!video) return wrong("the reference recording is missing or no video", video_file);
+  const auto frame = [&](std::size_t number) -> Result<cv::Mat> {
+    const auto read = video->frame(number);
+    if (!read) return read.error();
+    return oriented_for(finger.camera, (*read)->grey, "the recording's picture", "", "");
+  };
+  return from_frames(
+      frame, video->frame_count(), video_file, table, finger, camera, job, memory_limit_bytes);
+}
+
+Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& frame,
+                                                       std::size_t frame_count,
+                                                       const std::filesystem::path& video_file,
+                                                       const MarkerTable& table,
+                                                       const Finger& finger,
+                                                       const Camera& camera,
+                                                       const Job& job,
+                                                       std::size_t memory_limit_bytes) {
   auto model = MarkerModel::learn(seen_layouts(table), table.typical);
   if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
   auto content = std::make_shared<Content>();
   Keeper keeper(table, memory_limit_bytes);
   try {
-    const Status read = read_faces(video_file, table, finger, camera, job, keeper);
+    const Status read =
+        read_faces(frame, frame_count, video_file, table, finger, camera, job, keeper);
     if (!read) return read.error();
   } catch (const std::exception& problem) {
     return wrong(fmt::format("the recording cannot be read ({})", problem.what()), video_file);

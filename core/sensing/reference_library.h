@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,6 +50,10 @@ struct MarkerTable {
   [[nodiscard]] Status save(const std::filesystem::path& file) const;
 };
 
+/// A frame of a recording by its number in the video, CV_8UC1, oriented as the finger's camera has
+/// it.
+using FrameOfRecording = std::function<Result<cv::Mat>(std::size_t number)>;
+
 class ReferenceLibrary {
  public:
   /// Reads the recording a finger names. Only the face is kept of every frame, row by row, and when
@@ -68,6 +73,17 @@ class ReferenceLibrary {
                                                  const Job& job,
                                                  std::size_t memory_limit_bytes = std::size_t{512}
                                                                                   << 20);
+
+  /// The same from frames that are at hand; `video` is where they are said to come from.
+  static Result<ReferenceLibrary> from_frames(const FrameOfRecording& frame,
+                                              std::size_t frame_count,
+                                              const std::filesystem::path& video,
+                                              const MarkerTable& table,
+                                              const Finger& finger,
+                                              const Camera& camera,
+                                              const Job& job,
+                                              std::size_t memory_limit_bytes = std::size_t{512}
+                                                                               << 20);
 
   /// The one untouched picture of a flat sensor.
   static Result<ReferenceLibrary> single(const cv::Mat& grey);
