@@ -46,7 +46,8 @@ TEST(Story, FromTheFirstStartToTheNextDay) {
     Studio studio(options);
     ASSERT_TRUE(wait_until([&] {
       for (const QPushButton* button : studio.window().findChildren<QPushButton*>())
-        if (button->text() == QLatin1String("Camera Finger camera")) return true;
+        if (button->isVisible() && button->text() == QLatin1String("Camera Finger camera"))
+          return true;
       return false;
     }));
     studio.click("Camera Finger camera");
