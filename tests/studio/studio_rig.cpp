@@ -125,7 +125,8 @@ Studio::Studio(StudioOptions options) {
   window_ = std::make_unique<MainWindow>(options, dresser_);
   window_->resize(1280, 800);
   window_->show();
-  static_cast<void>(QTest::qWaitForWindowActive(window_.get()));
+  QApplication::setActiveWindow(window_.get());  // a bare X server has nothing that would do it
+  static_cast<void>(QTest::qWaitForWindowExposed(window_.get()));
 }
 
 Studio::~Studio() {
