@@ -22,6 +22,7 @@ double percentile(std::vector<double> values, double part) {
 
 /// From nothing to the second picture of a simulated finger in a shown window.
 void until_the_picture_moves(benchmark::State& state) {
+  static_cast<void>(MadeFingers::get());
   for (auto step : state) {
     StudioOptions options;
     options.source = {MadeFingers::get().bending()};
