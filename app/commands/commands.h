@@ -15,6 +15,7 @@
 #include "core/sensing/pipeline_settings.h"
 #include "core/sources/hid/hid_button.h"
 #include "core/sources/source.h"
+#include "widgets/scene3d/face_scene.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -86,7 +87,11 @@ struct ReconstructOptions {
   Path finger;
   std::vector<Path> inputs;
   Path folder;
-  bool depth = true, depth_sd = false, points = true, ply = false;
+  bool depth = true, depth_sd = false, points = true;
+  std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
+  bool picture = false;               ///< of the face in 3D
+  Standpoint standpoint = Standpoint::kTilted;
+  SceneOptions scene;
   int threads = 1;
   bool live = false;  ///< lines on standard output instead of files, until stopped
   PipelineSettings pipeline;

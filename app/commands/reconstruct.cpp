@@ -3,12 +3,13 @@
 #include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
-#include "core/io/ply.h"
 #include "core/io/result_json.h"
+#include "core/io/surface_file.h"
 #include "core/sensing/depth_sd.h"
 #include "core/sensing/pipeline.h"
 #include "core/sources/newest_source.h"
 #include "core/sources/source.h"
+#include "widgets/scene3d/scene_pictures.h"
 
 #include <set>
 
@@ -25,11 +26,27 @@ struct Progress {
   std::size_t failed = 0;
   double total_ms = 0;
   std::set<std::string> names;
+  std::optional<ScenePictures> pictures;  ///< where pictures are wanted
 };
 
+/// The face in 3D, looked at from where the first frame's would be.
+Status write_scene(const FrameResult& result,
+                   const Pipeline& pipeline,
+                   const std::filesystem::path& file,
+                   ScenePictures& pictures) {
+  constexpr int kVertices = 100000;
+  const cv::Size grid = grid_for(result, kVertices);
+  const auto surface = face_surface(result, pipeline.finger().face, grid.width, grid.height);
+  if (!surface) return Error{"there is no face to draw", file.string(), ""};
+  pictures.scene().show(*surface, pipeline.camera());
+  return write_picture(file, pictures.picture());
+}
+
 Status write_files(const FrameResult& result,
-                   const Finger& finger,
-                   const ReconstructOptions& options) {
+                   const Pipeline& pipeline,
+                   const ReconstructOptions& options,
+                   Progress& progress) {
+  const Finger& finger = pipeline.finger();
   const std::string& name = result.frame->name;
   const cv::Mat& depth = result.depth->depth_mm;
   if (options.depth) {
@@ -44,13 +61,21 @@ Status write_files(const FrameResult& result,
                       depth_sd_mm(*result.depth, *result.reference, *result.shape, *mapping));
     if (!status) return status;
   }
-  if (!options.points && !options.ply) return {};
+  if (progress.pictures) {
+    const Status status =
+        write_scene(result, pipeline, options.folder / (name + ".3d.png"), *progress.pictures);
+    if (!status) return status;
+  }
+  if (!options.points && options.surfaces.empty()) return {};
   const cv::Mat points = contact_face_points_mm(result, finger.face);
   if (options.points) {
     const Status status = write_picture(options.folder / (name + ".points.tiff"), points);
     if (!status) return status;
   }
-  if (options.ply) return write_ply(options.folder / (name + ".ply"), points, depth);
+  for (const std::string& kind : options.surfaces) {
+    const Status status = write_surface(options.folder / (name + "." + kind), points, depth);
+    if (!status) return status;
+  }
   return {};
 }
 
@@ -91,7 +116,7 @@ Status reconstruct_frame(const FramePtr& frame,
     ++progress.failed;
     return {};
   }
-  return write_files(*result, pipeline.finger(), options);
+  return write_files(*result, pipeline, options, progress);
 }
 
 /// Name of a picture that could not be read, from the error that says which it was.
@@ -198,6 +223,13 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   if (const Status status = make_folder(options.folder); !status) return status;
 
   Progress progress;
+  if (options.picture) {
+    auto pictures = ScenePictures::create({1280, 720});
+    if (!pictures) return pictures.error();
+    progress.pictures = std::move(*pictures);
+    progress.pictures->scene().set_options(options.scene);
+    progress.pictures->scene().look_from(options.standpoint);
+  }
   Status status = reconstruct_all(**source, *pipeline, options, progress, console);
   if (!status) return status;
   const Path results = options.folder / "results.jsonl";
@@ -255,14 +287,35 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
           "--format",
           *formats,
           "Files per frame, with commas: depth (float TIFF, mm), depth_sd (how sure each pixel is, "
-          "one standard deviation in mm), points (float TIFF, x y z in mm), ply (mesh) (default "
-          "depth,points)")
+          "one standard deviation in mm), points (float TIFF, x y z in mm), and meshes of the face "
+          "for other programs: ply, vtp, stl, glb (default depth,points)")
       ->type_name("LIST")
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->check(CLI::IsMember({"depth", "depth_sd", "points", "ply"}))
+      ->check(CLI::IsMember({"depth", "depth_sd", "points", "ply", "vtp", "stl", "glb"}))
       ->excludes(live);
+  command
+      ->add_flag("--picture",
+                 options->picture,
+                 "Also a picture of the face in 3D per frame, NAME.3d.png; needs no display")
+      ->excludes(live);
+  command
+      ->add_option("--picture-from",
+                   options->standpoint,
+                   "Where pictures are looked at from (default tilted)")
+      ->type_name("tilted|camera|outside|side")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Standpoint>{{"tilted", Standpoint::kTilted},
+                                            {"camera", Standpoint::kCamera},
+                                            {"outside", Standpoint::kOutside},
+                                            {"side", Standpoint::kSide}}));
+  command
+      ->add_option("--picture-top-mm",
+                   options->scene.top_mm,
+                   "Depth at which the colours of pictures end (default 1)")
+      ->type_name("MM")
+      ->check(CLI::Range(0.1, 10.0));
   command
       ->add_option("--method",
                    *method,
@@ -280,7 +333,8 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     options->depth = wants("depth");
     options->depth_sd = wants("depth_sd");
     options->points = wants("points");
-    options->ply = wants("ply");
+    for (const char* kind : {"ply", "vtp", "stl", "glb"})
+      if (wants(kind)) options->surfaces.emplace_back(kind);
     options->pipeline =
         pipeline.applied_to(*method == "paper" ? paper_settings() : PipelineSettings{});
     chosen = [=](Console& console) { return run_reconstruct(*options, console); };

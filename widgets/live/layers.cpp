@@ -1,5 +1,5 @@
 #include "widgets/live/finger_watcher.h"
-#include "widgets/picture/colour_map.h"
+#include "core/io/colour_map.h"
 
 #include <algorithm>
 #include <array>

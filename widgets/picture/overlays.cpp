@@ -1,6 +1,6 @@
 #include "widgets/picture/overlays.h"
 
-#include "widgets/picture/colour_map.h"
+#include "core/io/colour_map.h"
 
 #include <QFontMetricsF>
 #include <QLocale>

@@ -1,4 +1,4 @@
-#include "core/io/ply.h"
+#include "core/io/surface_file.h"
 
 #include <cstring>
 #include <fstream>
@@ -45,9 +45,9 @@ Mesh read_mesh(const fs::path& file) {
   return mesh;
 }
 
-class PlyTest : public testing::Test {
+class SurfaceFile : public testing::Test {
  protected:
-  PlyTest() : points_(4, 5, CV_32FC3), depth_(4, 5, CV_32FC1) {
+  SurfaceFile() : points_(4, 5, CV_32FC3), depth_(4, 5, CV_32FC1) {
     for (int v = 0; v < 4; ++v) {
       for (int u = 0; u < 5; ++u) {
         points_.at<cv::Vec3f>(v, u) = {
@@ -56,17 +56,17 @@ class PlyTest : public testing::Test {
       }
     }
   }
-  ~PlyTest() override {
+  ~SurfaceFile() override {
     std::error_code ignored;
     fs::remove(file_, ignored);
   }
   cv::Mat points_, depth_;
   fs::path file_ =
-      fs::temp_directory_path() / ("alltact_ply_test_" + std::to_string(std::rand()) + ".ply");
+      fs::temp_directory_path() / ("alltact_surface_test_" + std::to_string(std::rand()) + ".ply");
 };
 
-TEST_F(PlyTest, AGridIsWholeAndFacesTheCamera) {
-  ASSERT_TRUE(write_ply(file_, points_, depth_).ok());
+TEST_F(SurfaceFile, AGridIsWholeAndFacesTheCamera) {
+  ASSERT_TRUE(write_surface(file_, points_, depth_).ok());
   const Mesh mesh = read_mesh(file_);
   EXPECT_EQ(mesh.vertices.size(), 20U);
   EXPECT_EQ(mesh.faces.size(), 2U * 3U * 4U);
@@ -85,9 +85,9 @@ TEST_F(PlyTest, AGridIsWholeAndFacesTheCamera) {
   EXPECT_NEAR(area, 4 * 0.5 * 3 * 0.25, 1e-6);
 }
 
-TEST_F(PlyTest, HolesStayHoles) {
+TEST_F(SurfaceFile, HolesStayHoles) {
   points_.at<cv::Vec3f>(1, 2)[2] = std::numeric_limits<float>::quiet_NaN();
-  ASSERT_TRUE(write_ply(file_, points_, depth_).ok());
+  ASSERT_TRUE(write_surface(file_, points_, depth_).ok());
   const Mesh mesh = read_mesh(file_);
   EXPECT_EQ(mesh.vertices.size(), 19U);
   EXPECT_EQ(mesh.faces.size(), 24U - 6U) << "an inner point belongs to six triangles";
@@ -96,9 +96,9 @@ TEST_F(PlyTest, HolesStayHoles) {
   EXPECT_FALSE(depths.contains(12.0F));
 }
 
-TEST_F(PlyTest, NothingIsNotWritten) {
+TEST_F(SurfaceFile, NothingIsNotWritten) {
   points_.setTo(cv::Scalar::all(std::numeric_limits<double>::infinity()));
-  EXPECT_FALSE(write_ply(file_, points_, depth_).ok());
+  EXPECT_FALSE(write_surface(file_, points_, depth_).ok());
   EXPECT_FALSE(fs::exists(file_));
 }
 

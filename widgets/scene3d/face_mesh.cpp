@@ -1,0 +1,130 @@
+#include "widgets/scene3d/face_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace alltact {
+
+ColourScale difference_scale(double top_mm) {
+  return {-top_mm, top_mm, [](double part) { return cool_to_warm(2 * part - 1); }};
+}
+
+FaceMesh::FaceMesh() {
+  places_->SetNumberOfComponents(3);
+  normals_->SetNumberOfComponents(3);
+  normals_->SetName("normals");
+  colours_->SetNumberOfComponents(3);
+  colours_->SetName("colours");
+  points_->SetData(places_);
+  data_->SetPoints(points_);
+  data_->GetPointData()->SetNormals(normals_);
+  data_->GetPointData()->SetScalars(colours_);
+}
+
+FaceMesh::~FaceMesh() = default;
+
+void FaceMesh::make_topology(cv::Size size) {
+  const int count = size.area();
+  for (vtkDataArray* array : {static_cast<vtkDataArray*>(places_),
+                              static_cast<vtkDataArray*>(normals_),
+                              static_cast<vtkDataArray*>(colours_)})
+    array->SetNumberOfTuples(count);
+  drawn_ = cv::Mat(size, CV_32FC3, places_->GetPointer(0));
+  const vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(2 * (size.width - 1) * (size.height - 1), 3);
+  for (int j = 0; j + 1 < size.height; ++j) {
+    for (int i = 0; i + 1 < size.width; ++i) {
+      const vtkIdType a = j * size.width + i, below = a + size.width;
+      triangles->InsertNextCell({a, below, a + 1});
+      triangles->InsertNextCell({a + 1, below, below + 1});
+    }
+  }
+  data_->SetPolys(triangles);
+  ++topologies_;
+}
+
+void FaceMesh::update(const cv::Mat& untouched_mm,
+                      const cv::Mat& toward_camera_mm,
+                      float times,
+                      const cv::Mat& value,
+                      const ColourScale& scale) {
+  CV_Assert(untouched_mm.type() == CV_32FC3 && toward_camera_mm.type() == CV_32FC1 &&
+            value.type() == CV_32FC1 && untouched_mm.size() == toward_camera_mm.size() &&
+            untouched_mm.size() == value.size());
+  if (drawn_.size() != untouched_mm.size()) make_topology(untouched_mm.size());
+  place(untouched_mm, toward_camera_mm, times);
+  turn_normals();
+  colour(value, scale);
+  places_->Modified();
+  normals_->Modified();
+  colours_->Modified();
+  points_->Modified();
+  data_->Modified();
+}
+
+void FaceMesh::place(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm, float times) {
+  for (int j = 0; j < drawn_.rows; ++j) {
+    const auto* from = untouched_mm.ptr<cv::Vec3f>(j);
+    const auto* toward = toward_camera_mm.ptr<float>(j);
+    auto* to = drawn_.ptr<cv::Vec3f>(j);
+    for (int i = 0; i < drawn_.cols; ++i) {
+      const float d = std::isfinite(toward[i]) ? times * toward[i] : 0.0F;
+      to[i] = {from[i][0], from[i][1], from[i][2] - d};
+    }
+  }
+}
+
+/// Across the neighbours on both sides, towards the camera.
+void FaceMesh::turn_normals() {
+  const int last_row = drawn_.rows - 1, last_column = drawn_.cols - 1;
+  float* normal = normals_->GetPointer(0);
+  for (int j = 0; j <= last_row; ++j) {
+    const auto* row = drawn_.ptr<cv::Vec3f>(j);
+    const auto* above = drawn_.ptr<cv::Vec3f>(std::max(j - 1, 0));
+    const auto* below = drawn_.ptr<cv::Vec3f>(std::min(j + 1, last_row));
+    for (int i = 0; i <= last_column; ++i, normal += 3) {
+      const cv::Vec3f along = row[std::min(i + 1, last_column)] - row[std::max(i - 1, 0)];
+      const cv::Vec3f down = below[i] - above[i];
+      const float x = down[1] * along[2] - down[2] * along[1];
+      const float y = down[2] * along[0] - down[0] * along[2];
+      const float z = down[0] * along[1] - down[1] * along[0];
+      const float length = std::max(std::sqrt(x * x + y * y + z * z), 1e-12F);
+      normal[0] = x / length;
+      normal[1] = y / length;
+      normal[2] = z / length;
+    }
+  }
+}
+
+void FaceMesh::colour(const cv::Mat& value, const ColourScale& scale) {
+  constexpr int kSteps = 256;
+  std::array<MapColour, kSteps> table;
+  for (int i = 0; i < kSteps; ++i)
+    table[static_cast<std::size_t>(i)] = scale.colour(static_cast<double>(i) / (kSteps - 1));
+  const auto low = static_cast<float>(scale.low);
+  const auto steps = static_cast<float>((kSteps - 1) / (scale.high - scale.low));
+  unsigned char* to = colours_->GetPointer(0);
+  for (int j = 0; j < value.rows; ++j) {
+    const auto* row = value.ptr<float>(j);
+    for (int i = 0; i < value.cols; ++i, to += 3) {
+      MapColour at = kNotMeasured;
+      if (std::isfinite(row[i])) {
+        const float step = std::clamp((row[i] - low) * steps, 0.0F, kSteps - 1.0F);
+        at = table[static_cast<std::size_t>(step + 0.5F)];
+      }
+      to[0] = at.red;
+      to[1] = at.green;
+      to[2] = at.blue;
+    }
+  }
+}
+
+}  // namespace alltact

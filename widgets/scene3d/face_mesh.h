@@ -1,0 +1,63 @@
+// The face as VTK's triangles: which belong together is said once, places and colours are written
+// over, frame by frame. Inside this folder and its measurements only.
+#pragma once
+
+#include "core/io/colour_map.h"
+
+#include <opencv2/core.hpp>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+class vtkFloatArray;
+class vtkPoints;
+class vtkUnsignedCharArray;
+
+namespace alltact {
+
+/// Numbers in colours: `low` and what is below in the first, `high` and above in the last, none in
+/// a grey that stands for "not measured".
+struct ColourScale {
+  double low = 0, high = 1;
+  MapColour (*colour)(double part) = &viridis;  ///< of [0, 1]
+};
+inline constexpr MapColour kNotMeasured{128, 128, 128};
+/// Differences: -top to top, light grey in the middle.
+[[nodiscard]] ColourScale difference_scale(double top_mm);
+
+class FaceMesh {
+ public:
+  FaceMesh();
+  ~FaceMesh();
+  FaceMesh(const FaceMesh&) = delete;
+  FaceMesh& operator=(const FaceMesh&) = delete;
+
+  /// Topology is made anew only when the grid's size changed. Where `toward_camera_mm` is NaN the
+  /// face stays untouched.
+  ///   untouched_mm: CV_32FC3; toward_camera_mm, value: CV_32FC1 of the same size
+  void update(const cv::Mat& untouched_mm,
+              const cv::Mat& toward_camera_mm,
+              float times,  ///< that toward_camera_mm is drawn larger
+              const cv::Mat& value,
+              const ColourScale& scale);
+
+  [[nodiscard]] vtkPolyData* data() const { return data_; }
+  /// As drawn, CV_32FC3, of the grid's size: shares VTK's memory until the size changes.
+  [[nodiscard]] const cv::Mat& drawn_mm() const { return drawn_; }
+  /// How often the topology was made.
+  [[nodiscard]] int topologies() const { return topologies_; }
+
+ private:
+  void make_topology(cv::Size size);
+  void place(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm, float times);
+  void turn_normals();
+  void colour(const cv::Mat& value, const ColourScale& scale);
+
+  vtkNew<vtkPolyData> data_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkFloatArray> places_, normals_;
+  vtkNew<vtkUnsignedCharArray> colours_;
+  cv::Mat drawn_;
+  int topologies_ = 0;
+};
+
+}  // namespace alltact

@@ -1,0 +1,98 @@
+// What the 3D view shows: the face in colours, the face as if nothing pressed, the camera, points
+// and lines on the face, the scale of the colours. The same for the window and for pictures made
+// without one.
+#pragma once
+
+#include "core/camera/camera.h"
+#include "widgets/scene3d/face_surface.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+class vtkRenderWindow;
+
+namespace alltact {
+
+/// Where one looks from.
+enum class Standpoint {
+  kTilted = 1,  ///< from the camera's side, square to the face but for a tilt
+  kCamera,      ///< as the camera sees the face
+  kOutside,     ///< from where objects press, square to the face but for a tilt
+  kSide,        ///< along y: the finger's profile
+};
+
+struct SceneOptions {
+  bool untouched = true;  ///< lines of the face as if nothing pressed
+  bool camera = true;     ///< the camera and its axes
+  double top_mm = 1.0;    ///< where the colours end
+  double times = 1.0;     ///< that depth is drawn larger than it is
+  bool operator==(const SceneOptions&) const = default;
+};
+
+struct SceneColours {
+  cv::Vec3b ground{255, 255, 255}, text{0, 0, 0};  ///< red, green, blue
+};
+
+/// On the face, by pixels of the picture.
+struct SceneMarks {
+  std::vector<cv::Point2d> points;  ///< named A, B, ...
+  std::vector<std::vector<cv::Point2d>> lines;
+};
+
+/// Where one looks from, what at, and which way is up; camera frame, mm.
+struct Look {
+  Eigen::Vector3d eye, at, up;
+};
+
+/// Changes take effect when the window renders. Of one thread, that of the window.
+class FaceScene {
+ public:
+  /// The window outlives the scene.
+  explicit FaceScene(vtkRenderWindow* window);
+  ~FaceScene();
+  FaceScene(const FaceScene&) = delete;
+  FaceScene& operator=(const FaceScene&) = delete;
+
+  /// The face by depth. The first time, and after forget(), one looks at it as look_from() said
+  /// last.
+  void show(const FaceSurface& surface, const Camera& camera);
+  /// The face by depth less `other_mm` (CV_32FC1, of the surface's grid), from -top_mm to top_mm.
+  void show_difference(const FaceSurface& surface, const cv::Mat& other_mm, const Camera& camera);
+  /// No face, and the next one is another one.
+  void forget();
+
+  void set_options(const SceneOptions& options);
+  void set_colours(const SceneColours& colours);
+  void set_marks(SceneMarks marks);
+  /// Lines and points grow with it, as letters do with the window's dots per inch.
+  void set_scale(double pixels_per_unit);
+
+  void look_from(Standpoint standpoint);
+  /// Looks so that all is in the window, which may have another size now; nothing once somebody
+  /// turned or moved it.
+  void fit();
+  [[nodiscard]] Standpoint standpoint() const;
+  void turn(double right_deg, double up_deg);
+  void shift(double right_part, double up_part);  ///< in parts of the window's height
+  void come_closer(double factor);
+  /// As another scene does; kept until look_from().
+  void look_as(const Look& look);
+  [[nodiscard]] Look look() const;
+
+  /// The pixel of the picture under a place of the window (device pixels, from the top left).
+  [[nodiscard]] std::optional<cv::Point2d> pixel_at(double x, double y) const;
+  /// Where a pixel of the picture is drawn in the window (device pixels, from the top left).
+  [[nodiscard]] std::optional<cv::Point2d> place_of(cv::Point2d pixel) const;
+  /// How often the triangles were put together.
+  [[nodiscard]] int topologies() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,93 @@
+#include "widgets/scene3d/face_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alltact {
+namespace {
+
+struct Columns {
+  int first = 0, last = -1;
+};
+
+/// From the first to the last column that has rows.
+Columns columns_of(const FaceShape& shape) {
+  Columns columns;
+  const auto has_rows = [&](int u) { return shape.rows(u, 0).first < shape.rows(u, 0).last; };
+  while (columns.first < shape.width_px() && !has_rows(columns.first)) ++columns.first;
+  columns.last = shape.width_px() - 1;
+  while (columns.last > columns.first && !has_rows(columns.last)) --columns.last;
+  return columns;
+}
+
+/// The nearest column to u that has rows; between the first and the last there is one.
+int usable_column(const FaceShape& shape, int u) {
+  for (int step = 0;; ++step)
+    for (const int near : {u - step, u + step})
+      if (near >= 0 && near < shape.width_px() &&
+          shape.rows(near, 0).first < shape.rows(near, 0).last)
+        return near;
+}
+
+}  // namespace
+
+float value_between(const cv::Mat& picture, double u, double v) {
+  const int left = static_cast<int>(std::floor(u)), upper = static_cast<int>(std::floor(v));
+  const auto across = static_cast<float>(u - left), down = static_cast<float>(v - upper);
+  const int right = across > 0 ? left + 1 : left, lower = down > 0 ? upper + 1 : upper;
+  if (left < 0 || upper < 0 || right >= picture.cols || lower >= picture.rows)
+    return std::numeric_limits<float>::quiet_NaN();
+  const float* a = picture.ptr<float>(upper);
+  const float* b = picture.ptr<float>(lower);
+  return (1 - down) * ((1 - across) * a[left] + across * a[right]) +
+         down * ((1 - across) * b[left] + across * b[right]);
+}
+
+cv::Size grid_for(const FrameResult& result, int vertices) {
+  if (!result.shape) return {2, 2};
+  const Columns columns = columns_of(*result.shape);
+  const int length = std::max(1, columns.last - columns.first);
+  const int middle = usable_column(*result.shape, (columns.first + columns.last) / 2);
+  const auto rows = result.shape->rows(middle, 0);
+  const int width = std::max(1, rows.last - rows.first);
+  const double step = std::sqrt(static_cast<double>(length) * width / vertices);
+  return {std::max(2, static_cast<int>(std::lround(length / step))),
+          std::max(2, static_cast<int>(std::lround(width / step)))};
+}
+
+std::optional<FaceSurface> face_surface(const FrameResult& result,
+                                        const Face& face,
+                                        int columns,
+                                        int rows) {
+  CV_Assert(columns >= 2 && rows >= 2);
+  if (!result.shape || !result.depth) return std::nullopt;
+  const FaceShape& shape = *result.shape;
+  const Columns range = columns_of(shape);
+  if (range.last <= range.first) return std::nullopt;
+  FaceSurface surface;
+  surface.untouched_mm.create(rows, columns, CV_32FC3);
+  surface.depth_mm.create(rows, columns, CV_32FC1);
+  surface.pixel.create(rows, columns, CV_32FC2);
+  const cv::Mat& depth = result.depth->depth_mm;
+  for (int i = 0; i < columns; ++i) {
+    const double even =
+        range.first + static_cast<double>(i) * (range.last - range.first) / (columns - 1);
+    const int u = usable_column(shape, static_cast<int>(std::lround(even)));
+    const auto inside = shape.rows(u, 0);
+    for (int j = 0; j < rows; ++j) {
+      const double v =
+          inside.first + static_cast<double>(j) * (inside.last - inside.first) / (rows - 1);
+      const auto local = shape.at(u, v);
+      if (!local) return std::nullopt;
+      const Eigen::Vector3f at =
+          untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ).cast<float>();
+      surface.untouched_mm.at<cv::Vec3f>(j, i) = {at.x(), at.y(), at.z()};
+      surface.depth_mm.at<float>(j, i) = value_between(depth, u, v);
+      surface.pixel.at<cv::Vec2f>(j, i) = {static_cast<float>(u), static_cast<float>(v)};
+    }
+  }
+  return surface;
+}
+
+}  // namespace alltact

@@ -1,0 +1,63 @@
+// VTK inside a Qt window.
+#pragma once
+
+#include <QOpenGLWidget>
+#include <memory>
+
+class vtkGenericOpenGLRenderWindow;
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+
+namespace alltact {
+
+/// A widget that shows what VTK renders. Whoever uses it adds renderers to render_window(), changes
+/// the scene on the window's thread only, and calls draw_later(); drawing is put together, so that
+/// many calls cost one. A repaint by Qt alone does not render again. On a platform without OpenGL
+/// (see can_draw()) nothing is drawn and nothing breaks.
+class VtkView : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  /// This platform has OpenGL 3.2. To be asked first; needs a QApplication.
+  [[nodiscard]] static bool is_supported();
+
+  explicit VtkView(QWidget* parent = nullptr);
+  ~VtkView() override;
+
+  /// To be called before the QApplication is made: contexts are shared, so that a view may move
+  /// between windows, and have what VTK asks for.
+  static void prepare_application();
+
+  /// True once there is a context: shown at least once.
+  [[nodiscard]] bool can_draw() const;
+  /// Renders before the next repaint.
+  void draw_later();
+  /// How often VTK has rendered the scene for the screen.
+  [[nodiscard]] int renders() const;
+  /// How often a context was made ready, and taken away again.
+  [[nodiscard]] int contexts_made() const;
+  [[nodiscard]] int contexts_lost() const;
+
+  [[nodiscard]] vtkGenericOpenGLRenderWindow* render_window() const;
+  /// The same for those who know no more of it.
+  [[nodiscard]] vtkRenderWindow* scene_window() const;
+  [[nodiscard]] vtkRenderWindowInteractor* interactor() const;
+
+  [[nodiscard]] QSize sizeHint() const override { return {800, 450}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {240, 135}; }
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  bool event(QEvent* event) override;
+
+ private:
+  struct State;
+  void observe();
+  void fit_size();
+  void render();
+  void show_picture();
+  void clean_up();
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace alltact
