@@ -68,7 +68,7 @@
         <translation>Helligkeit ist die Messung: Gesperrt ändert sie nichts. Nur vor dem Kalibrieren entsperren.</translation>
     </message>
     <message>
-        <source>A camera&apos;s exposure, gain, white balance and focus stand here. This source is no camera.</source>
+        <source>A camera's exposure, gain, white balance and focus stand here. This source is no camera.</source>
         <translation>Hier stehen Belichtung, Verstärkung, Weißabgleich und Fokus einer Kamera. Diese Quelle ist keine Kamera.</translation>
     </message>
     <message>
@@ -117,6 +117,13 @@
     <message>
         <source>Missing: %1.</source>
         <translation>Es fehlen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FaceView</name>
+    <message>
+        <source>Face in 3D</source>
+        <translation>Fläche in 3D</translation>
     </message>
 </context>
 <context>
@@ -188,8 +195,353 @@
         <translation>Bild</translation>
     </message>
     <message>
-        <source>The camera&apos;s picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
+        <source>The camera's picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
         <translation>Das Bild der Kamera. Rad oder + und - vergrößern, 0 zeigt alles, 1 die eigene Größe. Ziehen oder Pfeiltasten verschieben es; Umschalt und Pfeiltasten bewegen die Sonde.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::InspectPane</name>
+    <message>
+        <source>Difference, mm</source>
+        <translation>Unterschied, mm</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Tiefe, mm</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::InspectPlace</name>
+    <message>
+        <source>&amp;Live finger</source>
+        <translation>&amp;Live-Finger</translation>
+    </message>
+    <message>
+        <source>&amp;Video…</source>
+        <translation>&amp;Video …</translation>
+    </message>
+    <message>
+        <source>F&amp;older of pictures…</source>
+        <translation>&amp;Ordner mit Bildern …</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Deepest contact</source>
+        <translation>Tiefster Kontakt</translation>
+    </message>
+    <message>
+        <source>What was saved</source>
+        <translation>Was gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>Ours</source>
+        <translation>Unser Verfahren</translation>
+    </message>
+    <message>
+        <source>Ours less the paper's method</source>
+        <translation>Unser Verfahren minus das der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>The paper's method</source>
+        <translation>Verfahren der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>put point B</source>
+        <translation>Punkt B setzen</translation>
+    </message>
+    <message>
+        <source>put point A</source>
+        <translation>Punkt A setzen</translation>
+    </message>
+    <message>
+        <source>Shown: the live finger</source>
+        <translation>Gezeigt: der Live-Finger</translation>
+    </message>
+    <message>
+        <source>Shown: %1</source>
+        <translation>Gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>The finger is not calibrated yet, so brightness cannot be told as depth.</source>
+        <translation>Der Finger ist noch nicht kalibriert; Helligkeit lässt sich nicht als Tiefe angeben.</translation>
+    </message>
+    <message>
+        <source>The face was not found in this picture.</source>
+        <translation>In diesem Bild wurde die Fläche nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>The finger is being loaded.</source>
+        <translation>Der Finger wird geladen.</translation>
+    </message>
+    <message>
+        <source>Nothing can be shown; above stands why.</source>
+        <translation>Es kann nichts gezeigt werden; oben steht, warum.</translation>
+    </message>
+    <message>
+        <source>The recording is being opened.</source>
+        <translation>Die Aufnahme wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>No source is open. Choose one above, or open a recording.</source>
+        <translation>Keine Quelle ist offen. Wählen Sie oben eine, oder öffnen Sie eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>No finger is open. Open the one that is seen, above.</source>
+        <translation>Kein Finger ist offen. Öffnen Sie oben den, der zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture.</source>
+        <translation>Warten auf das erste Bild.</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>Video öffnen</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.avi *.mp4)</source>
+        <translation>Videos (*.mkv *.avi *.mp4)</translation>
+    </message>
+    <message>
+        <source>Open a folder of pictures</source>
+        <translation>Ordner mit Bildern öffnen</translation>
+    </message>
+    <message>
+        <source>Save what is shown</source>
+        <translation>Gezeigtes speichern</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::InspectSide</name>
+    <message>
+        <source>show as %1</source>
+        <translation>zeigen: %1</translation>
+    </message>
+    <message>
+        <source>look from: %1</source>
+        <translation>Blick: %1</translation>
+    </message>
+    <message>
+        <source>compare: %1</source>
+        <translation>vergleichen: %1</translation>
+    </message>
+    <message>
+        <source>change the depth colours</source>
+        <translation>Tiefenfarben ändern</translation>
+    </message>
+    <message>
+        <source>draw depth larger</source>
+        <translation>Tiefe größer zeichnen</translation>
+    </message>
+    <message>
+        <source>show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>take the points away</source>
+        <translation>Punkte wegnehmen</translation>
+    </message>
+    <message>
+        <source>move point A</source>
+        <translation>Punkt A verschieben</translation>
+    </message>
+    <message>
+        <source>move point B</source>
+        <translation>Punkt B verschieben</translation>
+    </message>
+    <message>
+        <source>cut across</source>
+        <translation>quer schneiden</translation>
+    </message>
+    <message>
+        <source>cut along</source>
+        <translation>längs schneiden</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>in 3D</source>
+        <translation>in 3D</translation>
+    </message>
+    <message>
+        <source>as a height map</source>
+        <translation>als Höhenkarte</translation>
+    </message>
+    <message>
+        <source>3D needs OpenGL 3.2, which this screen does not offer.</source>
+        <translation>3D braucht OpenGL 3.2, das dieser Bildschirm nicht bietet.</translation>
+    </message>
+    <message>
+        <source>Look &amp;from</source>
+        <translation>&amp;Blick von</translation>
+    </message>
+    <message>
+        <source>inside, tilted</source>
+        <translation>innen, geneigt</translation>
+    </message>
+    <message>
+        <source>the camera</source>
+        <translation>der Kamera</translation>
+    </message>
+    <message>
+        <source>outside, tilted</source>
+        <translation>außen, geneigt</translation>
+    </message>
+    <message>
+        <source>the side</source>
+        <translation>der Seite</translation>
+    </message>
+    <message>
+        <source>Com&amp;pare</source>
+        <translation>&amp;Vergleich</translation>
+    </message>
+    <message>
+        <source>with nothing</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>nebeneinander</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>With the source paper's own formulas, on the same frame and the same finger.</source>
+        <translation>Mit den Formeln der Veröffentlichung, am selben Bild und Finger.</translation>
+    </message>
+    <message>
+        <source>Colours &amp;end at</source>
+        <translation>&amp;Farben enden bei</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Depth at which the colours end</source>
+        <translation>Tiefe, bei der die Farben enden</translation>
+    </message>
+    <message>
+        <source>&amp;Draw depth</source>
+        <translation>&amp;Tiefe zeichnen</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation>-fach</translation>
+    </message>
+    <message>
+        <source>Times that depth is drawn larger than it is</source>
+        <translation>Wievielfach die Tiefe größer gezeichnet wird, als sie ist</translation>
+    </message>
+    <message>
+        <source>&amp;Untouched face as lines</source>
+        <translation>&amp;Unberührte Fläche als Linien</translation>
+    </message>
+    <message>
+        <source>C&amp;amera and its axes</source>
+        <translation>&amp;Kamera und ihre Achsen</translation>
+    </message>
+    <message>
+        <source>Cross-section</source>
+        <translation>Querschnitt</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Point &amp;A</source>
+        <translation>Punkt &amp;A</translation>
+    </message>
+    <message>
+        <source>Point &amp;B</source>
+        <translation>Punkt &amp;B</translation>
+    </message>
+    <message>
+        <source>Point A, u</source>
+        <translation>Punkt A, u</translation>
+    </message>
+    <message>
+        <source>Point A, v</source>
+        <translation>Punkt A, v</translation>
+    </message>
+    <message>
+        <source>Point B, u</source>
+        <translation>Punkt B, u</translation>
+    </message>
+    <message>
+        <source>Point B, v</source>
+        <translation>Punkt B, v</translation>
+    </message>
+    <message>
+        <source>u </source>
+        <translation>u </translation>
+    </message>
+    <message>
+        <source>v </source>
+        <translation>v </translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Deepest</source>
+        <translation>Tiefster</translation>
+    </message>
+    <message>
+        <source>Puts A on the deepest point.</source>
+        <translation>Setzt A auf den tiefsten Punkt.</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Takes both points away.</source>
+        <translation>Nimmt beide Punkte weg.</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer</translation>
+    </message>
+    <message>
+        <source>From edge to edge of the finger, through A or the deepest point.</source>
+        <translation>Von Rand zu Rand des Fingers, durch A oder den tiefsten Punkt.</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Längs</translation>
+    </message>
+    <message>
+        <source>From base to tip, through A or the deepest point.</source>
+        <translation>Vom Ansatz zur Spitze, durch A oder den tiefsten Punkt.</translation>
+    </message>
+    <message>
+        <source>Measured at the points</source>
+        <translation>An den Punkten gemessen</translation>
+    </message>
+    <message>
+        <source>Nothing to measure yet.</source>
+        <translation>Noch nichts zu messen.</translation>
     </message>
 </context>
 <context>
@@ -466,7 +818,7 @@
         <translation>Quelle s&amp;chließen</translation>
     </message>
     <message>
-        <source>Open a finger&apos;s folder</source>
+        <source>Open a finger's folder</source>
         <translation>Ordner eines Fingers öffnen</translation>
     </message>
     <message>
@@ -630,6 +982,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <comment>finger</comment>
         <translation>keiner</translation>
     </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Inspect (Ctrl+3)</source>
+        <translation>Prüfen (Strg+3)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::NewFingerDialog</name>
@@ -674,7 +1038,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Punkte si&amp;nd</translation>
     </message>
     <message>
-        <source>Fin Ray finger: its shape is read from the face&apos;s edges</source>
+        <source>Fin Ray finger: its shape is read from the face's edges</source>
         <translation>Fin-Ray-Finger: Form aus den Kanten der Fläche</translation>
     </message>
     <message>
@@ -821,6 +1185,61 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::ReadingWords</name>
+    <message>
+        <source>no depth: too dark</source>
+        <translation>keine Tiefe: zu dunkel</translation>
+    </message>
+    <message>
+        <source>no depth: too bright</source>
+        <translation>keine Tiefe: zu hell</translation>
+    </message>
+    <message>
+        <source>no depth: near the face's edge</source>
+        <translation>keine Tiefe: nahe am Rand der Fläche</translation>
+    </message>
+    <message>
+        <source>depth %1 ± %2 mm</source>
+        <translation>Tiefe %1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>Tiefe %1 mm</translation>
+    </message>
+    <message>
+        <source> (beyond what was calibrated)</source>
+        <translation> (jenseits des Kalibrierten)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: neben der Fläche</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm over the face</source>
+        <translation>&lt;b&gt;A nach B&lt;/b&gt;: %1 mm gerade, %2 mm über die Fläche</translation>
+    </message>
+    <message>
+        <source>by x %1, y %2, z %3 mm</source>
+        <translation>um x %1, y %2, z %3 mm</translation>
+    </message>
+    <message>
+        <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
+        <translation>Tiefster Punkt %1 mm; Kontakt bei x %2, y %3, z %4 mm.</translation>
+    </message>
+    <message>
+        <source>Nothing presses on the face.</source>
+        <translation>Nichts drückt auf die Fläche.</translation>
+    </message>
+    <message>
+        <source>Click on the face for point A, with the right button for point B.</source>
+        <translation>Klicken Sie auf die Fläche für Punkt A, mit der rechten Taste für Punkt B.</translation>
+    </message>
+</context>
+<context>
     <name>alltact::RecordPlace</name>
     <message>
         <source>Bend it in all directions</source>
@@ -847,7 +1266,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Wählen…</translation>
     </message>
     <message>
-        <source>&amp;Install as this finger&apos;s reference</source>
+        <source>&amp;Install as this finger's reference</source>
         <translation>Als Referenz dieses Fingers &amp;einrichten</translation>
     </message>
     <message>
@@ -1058,6 +1477,76 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::SaveBar</name>
+    <message>
+        <source>Mesh, PLY</source>
+        <translation>Netz, PLY</translation>
+    </message>
+    <message>
+        <source>Mesh, VTP (VTK)</source>
+        <translation>Netz, VTP (VTK)</translation>
+    </message>
+    <message>
+        <source>Mesh, STL</source>
+        <translation>Netz, STL</translation>
+    </message>
+    <message>
+        <source>Mesh, glTF</source>
+        <translation>Netz, glTF</translation>
+    </message>
+    <message>
+        <source>Picture, PNG</source>
+        <translation>Bild, PNG</translation>
+    </message>
+    <message>
+        <source>Video in 3D, MKV</source>
+        <translation>Video in 3D, MKV</translation>
+    </message>
+    <message>
+        <source>What is saved</source>
+        <translation>Was gespeichert wird</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern …</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Progress of saving</source>
+        <translation>Fortschritt des Speicherns</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SectionPlot</name>
+    <message>
+        <source>Depth from A to B</source>
+        <translation>Tiefe von A nach B</translation>
+    </message>
+    <message>
+        <source>Choose two points, A and B</source>
+        <translation>Zwei Punkte wählen, A und B</translation>
+    </message>
+    <message>
+        <source>ours</source>
+        <translation>unseres</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>From A over the face (mm)</source>
+        <translation>Von A über die Fläche (mm)</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::SettingsDialog</name>
     <message>
         <source>Settings</source>
@@ -1149,6 +1638,33 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Camera %1</source>
         <translation>Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::TimeLine</name>
+    <message>
+        <source>Frame of the recording</source>
+        <translation>Bild der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Number of the frame</source>
+        <translation>Nummer des Bildes</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>Name of the frame</source>
+        <translation>Name des Bildes</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
     </message>
 </context>
 </TS>

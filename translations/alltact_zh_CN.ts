@@ -68,7 +68,7 @@
         <translation>亮度就是测量值:锁定后不会改变。仅在标定之前解锁。</translation>
     </message>
     <message>
-        <source>A camera&apos;s exposure, gain, white balance and focus stand here. This source is no camera.</source>
+        <source>A camera's exposure, gain, white balance and focus stand here. This source is no camera.</source>
         <translation>相机的曝光、增益、白平衡和对焦显示在这里。当前来源不是相机。</translation>
     </message>
     <message>
@@ -117,6 +117,13 @@
     <message>
         <source>Missing: %1.</source>
         <translation>缺少:%1。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FaceView</name>
+    <message>
+        <source>Face in 3D</source>
+        <translation>接触面三维视图</translation>
     </message>
 </context>
 <context>
@@ -187,8 +194,353 @@
         <translation>图像</translation>
     </message>
     <message>
-        <source>The camera&apos;s picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
+        <source>The camera's picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
         <translation>相机图像。滚轮或 + 和 - 缩放,0 显示全部,1 为原始大小。拖动或用方向键移动;Shift 加方向键移动探针。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::InspectPane</name>
+    <message>
+        <source>Difference, mm</source>
+        <translation>差值,mm</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>深度,mm</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::InspectPlace</name>
+    <message>
+        <source>&amp;Live finger</source>
+        <translation>实时手指(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Video…</source>
+        <translation>视频(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>F&amp;older of pictures…</source>
+        <translation>图片文件夹(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>当前显示内容</translation>
+    </message>
+    <message>
+        <source>Deepest contact</source>
+        <translation>最深接触</translation>
+    </message>
+    <message>
+        <source>What was saved</source>
+        <translation>已保存的内容</translation>
+    </message>
+    <message>
+        <source>Ours</source>
+        <translation>本程序的方法</translation>
+    </message>
+    <message>
+        <source>Ours less the paper's method</source>
+        <translation>本程序的方法减去论文方法</translation>
+    </message>
+    <message>
+        <source>The paper's method</source>
+        <translation>论文方法</translation>
+    </message>
+    <message>
+        <source>put point B</source>
+        <translation>放置 B 点</translation>
+    </message>
+    <message>
+        <source>put point A</source>
+        <translation>放置 A 点</translation>
+    </message>
+    <message>
+        <source>Shown: the live finger</source>
+        <translation>显示:实时手指</translation>
+    </message>
+    <message>
+        <source>Shown: %1</source>
+        <translation>显示:%1</translation>
+    </message>
+    <message>
+        <source>The finger is not calibrated yet, so brightness cannot be told as depth.</source>
+        <translation>手指尚未标定,无法由亮度得到深度。</translation>
+    </message>
+    <message>
+        <source>The face was not found in this picture.</source>
+        <translation>在此图片中未找到接触面。</translation>
+    </message>
+    <message>
+        <source>The finger is being loaded.</source>
+        <translation>正在加载手指。</translation>
+    </message>
+    <message>
+        <source>Nothing can be shown; above stands why.</source>
+        <translation>无法显示;原因见上方。</translation>
+    </message>
+    <message>
+        <source>The recording is being opened.</source>
+        <translation>正在打开录像。</translation>
+    </message>
+    <message>
+        <source>No source is open. Choose one above, or open a recording.</source>
+        <translation>没有打开的图像源。请在上方选择,或打开一段录像。</translation>
+    </message>
+    <message>
+        <source>No finger is open. Open the one that is seen, above.</source>
+        <translation>没有打开的手指。请在上方打开画面中的手指。</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture.</source>
+        <translation>等待第一张图片。</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>打开视频</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.avi *.mp4)</source>
+        <translation>视频 (*.mkv *.avi *.mp4)</translation>
+    </message>
+    <message>
+        <source>Open a folder of pictures</source>
+        <translation>打开图片文件夹</translation>
+    </message>
+    <message>
+        <source>Save what is shown</source>
+        <translation>保存当前显示内容</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存:%1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::InspectSide</name>
+    <message>
+        <source>show as %1</source>
+        <translation>显示方式:%1</translation>
+    </message>
+    <message>
+        <source>look from: %1</source>
+        <translation>视角:%1</translation>
+    </message>
+    <message>
+        <source>compare: %1</source>
+        <translation>比较:%1</translation>
+    </message>
+    <message>
+        <source>change the depth colours</source>
+        <translation>更改深度颜色</translation>
+    </message>
+    <message>
+        <source>draw depth larger</source>
+        <translation>放大绘制深度</translation>
+    </message>
+    <message>
+        <source>show %1</source>
+        <translation>显示%1</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>隐藏%1</translation>
+    </message>
+    <message>
+        <source>take the points away</source>
+        <translation>移除点</translation>
+    </message>
+    <message>
+        <source>move point A</source>
+        <translation>移动 A 点</translation>
+    </message>
+    <message>
+        <source>move point B</source>
+        <translation>移动 B 点</translation>
+    </message>
+    <message>
+        <source>cut across</source>
+        <translation>横向剖切</translation>
+    </message>
+    <message>
+        <source>cut along</source>
+        <translation>纵向剖切</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>显示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>in 3D</source>
+        <translation>三维</translation>
+    </message>
+    <message>
+        <source>as a height map</source>
+        <translation>高度图</translation>
+    </message>
+    <message>
+        <source>3D needs OpenGL 3.2, which this screen does not offer.</source>
+        <translation>三维视图需要 OpenGL 3.2,此屏幕不支持。</translation>
+    </message>
+    <message>
+        <source>Look &amp;from</source>
+        <translation>视角(&amp;F)</translation>
+    </message>
+    <message>
+        <source>inside, tilted</source>
+        <translation>内侧,倾斜</translation>
+    </message>
+    <message>
+        <source>the camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>outside, tilted</source>
+        <translation>外侧,倾斜</translation>
+    </message>
+    <message>
+        <source>the side</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>Com&amp;pare</source>
+        <translation>比较(&amp;P)</translation>
+    </message>
+    <message>
+        <source>with nothing</source>
+        <translation>不比较</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>并排</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>With the source paper's own formulas, on the same frame and the same finger.</source>
+        <translation>使用原论文的公式,同一帧、同一手指。</translation>
+    </message>
+    <message>
+        <source>Colours &amp;end at</source>
+        <translation>颜色上限(&amp;E)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Depth at which the colours end</source>
+        <translation>颜色上限对应的深度</translation>
+    </message>
+    <message>
+        <source>&amp;Draw depth</source>
+        <translation>绘制深度(&amp;D)</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>Times that depth is drawn larger than it is</source>
+        <translation>深度绘制的放大倍数</translation>
+    </message>
+    <message>
+        <source>&amp;Untouched face as lines</source>
+        <translation>以线条显示未受压的面(&amp;U)</translation>
+    </message>
+    <message>
+        <source>C&amp;amera and its axes</source>
+        <translation>相机及其坐标轴(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Cross-section</source>
+        <translation>剖面</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Point &amp;A</source>
+        <translation>A 点(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Point &amp;B</source>
+        <translation>B 点(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Point A, u</source>
+        <translation>A 点,u</translation>
+    </message>
+    <message>
+        <source>Point A, v</source>
+        <translation>A 点,v</translation>
+    </message>
+    <message>
+        <source>Point B, u</source>
+        <translation>B 点,u</translation>
+    </message>
+    <message>
+        <source>Point B, v</source>
+        <translation>B 点,v</translation>
+    </message>
+    <message>
+        <source>u </source>
+        <translation>u </translation>
+    </message>
+    <message>
+        <source>v </source>
+        <translation>v </translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Deepest</source>
+        <translation>最深</translation>
+    </message>
+    <message>
+        <source>Puts A on the deepest point.</source>
+        <translation>将 A 放在最深点。</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Takes both points away.</source>
+        <translation>移除两个点。</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>横向</translation>
+    </message>
+    <message>
+        <source>From edge to edge of the finger, through A or the deepest point.</source>
+        <translation>从手指一边到另一边,经过 A 或最深点。</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>纵向</translation>
+    </message>
+    <message>
+        <source>From base to tip, through A or the deepest point.</source>
+        <translation>从根部到指尖,经过 A 或最深点。</translation>
+    </message>
+    <message>
+        <source>Measured at the points</source>
+        <translation>各点的测量值</translation>
+    </message>
+    <message>
+        <source>Nothing to measure yet.</source>
+        <translation>暂无可测量的内容。</translation>
     </message>
 </context>
 <context>
@@ -465,7 +817,7 @@
         <translation>关闭来源(&amp;C)</translation>
     </message>
     <message>
-        <source>Open a finger&apos;s folder</source>
+        <source>Open a finger's folder</source>
         <translation>打开手指文件夹</translation>
     </message>
     <message>
@@ -628,6 +980,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <comment>finger</comment>
         <translation>无</translation>
     </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>检视(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>检视</translation>
+    </message>
+    <message>
+        <source>Inspect (Ctrl+3)</source>
+        <translation>检视 (Ctrl+3)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::NewFingerDialog</name>
@@ -672,7 +1036,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标记点(&amp;A)</translation>
     </message>
     <message>
-        <source>Fin Ray finger: its shape is read from the face&apos;s edges</source>
+        <source>Fin Ray finger: its shape is read from the face's edges</source>
         <translation>鳍条手指:形状由面的边缘得出</translation>
     </message>
     <message>
@@ -819,6 +1183,61 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::ReadingWords</name>
+    <message>
+        <source>no depth: too dark</source>
+        <translation>无深度:过暗</translation>
+    </message>
+    <message>
+        <source>no depth: too bright</source>
+        <translation>无深度:过亮</translation>
+    </message>
+    <message>
+        <source>no depth: near the face's edge</source>
+        <translation>无深度:靠近面的边缘</translation>
+    </message>
+    <message>
+        <source>depth %1 ± %2 mm</source>
+        <translation>深度 %1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>深度 %1 mm</translation>
+    </message>
+    <message>
+        <source> (beyond what was calibrated)</source>
+        <translation>(超出标定范围)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;:不在面上</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;:x %2,y %3,z %4 mm</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm over the face</source>
+        <translation>&lt;b&gt;A 到 B&lt;/b&gt;:直线 %1 mm,沿面 %2 mm</translation>
+    </message>
+    <message>
+        <source>by x %1, y %2, z %3 mm</source>
+        <translation>x %1,y %2,z %3 mm</translation>
+    </message>
+    <message>
+        <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
+        <translation>最深 %1 mm;接触位置 x %2,y %3,z %4 mm。</translation>
+    </message>
+    <message>
+        <source>Nothing presses on the face.</source>
+        <translation>面上没有受压。</translation>
+    </message>
+    <message>
+        <source>Click on the face for point A, with the right button for point B.</source>
+        <translation>在面上单击设置 A 点,右键单击设置 B 点。</translation>
+    </message>
+</context>
+<context>
     <name>alltact::RecordPlace</name>
     <message>
         <source>Bend it in all directions</source>
@@ -845,7 +1264,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>选择(&amp;C)…</translation>
     </message>
     <message>
-        <source>&amp;Install as this finger&apos;s reference</source>
+        <source>&amp;Install as this finger's reference</source>
         <translation>设为此手指的参考(&amp;I)</translation>
     </message>
     <message>
@@ -1046,6 +1465,76 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::SaveBar</name>
+    <message>
+        <source>Mesh, PLY</source>
+        <translation>网格,PLY</translation>
+    </message>
+    <message>
+        <source>Mesh, VTP (VTK)</source>
+        <translation>网格,VTP (VTK)</translation>
+    </message>
+    <message>
+        <source>Mesh, STL</source>
+        <translation>网格,STL</translation>
+    </message>
+    <message>
+        <source>Mesh, glTF</source>
+        <translation>网格,glTF</translation>
+    </message>
+    <message>
+        <source>Picture, PNG</source>
+        <translation>图片,PNG</translation>
+    </message>
+    <message>
+        <source>Video in 3D, MKV</source>
+        <translation>三维视频,MKV</translation>
+    </message>
+    <message>
+        <source>What is saved</source>
+        <translation>保存的内容</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Progress of saving</source>
+        <translation>保存进度</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SectionPlot</name>
+    <message>
+        <source>Depth from A to B</source>
+        <translation>A 到 B 的深度</translation>
+    </message>
+    <message>
+        <source>Choose two points, A and B</source>
+        <translation>选择 A、B 两点</translation>
+    </message>
+    <message>
+        <source>ours</source>
+        <translation>本程序</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>论文</translation>
+    </message>
+    <message>
+        <source>From A over the face (mm)</source>
+        <translation>从 A 沿面的距离 (mm)</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>深度 (mm)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::SettingsDialog</name>
     <message>
         <source>Settings</source>
@@ -1137,6 +1626,33 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Camera %1</source>
         <translation>相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::TimeLine</name>
+    <message>
+        <source>Frame of the recording</source>
+        <translation>录像的帧</translation>
+    </message>
+    <message>
+        <source>Number of the frame</source>
+        <translation>帧号</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>/ %1</translation>
+    </message>
+    <message>
+        <source>Name of the frame</source>
+        <translation>帧名</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
     </message>
 </context>
 </TS>

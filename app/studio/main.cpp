@@ -1,5 +1,6 @@
 // `alltact-studio`: the desktop program.
 #include "app/studio/main_window.h"
+#include "widgets/scene3d/vtk_view.h"
 #include "widgets/shell/studio_style.h"
 
 #include <QApplication>
@@ -59,6 +60,7 @@ int main(int argc, char** argv) {
   // Decoders' own messages would stand beside our sentences and say less.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::setNumThreads(1);  // capture, sensing and painting have a thread each already
+  VtkView::prepare_application();
   int only_name = 1;
   QApplication application(only_name, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("alltact"));

@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QVBoxLayout>
+#include <array>
 
 namespace alltact {
 namespace {
@@ -35,6 +36,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
       rail_(new QButtonGroup(this)),
       live_button_(new QToolButton),
       record_button_(new QToolButton),
+      inspect_button_(new QToolButton),
       finger_button_(new QToolButton),
       source_button_(new QToolButton),
       finger_label_(new QLabel),
@@ -45,6 +47,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
       start_(new StartPanel),
       live_(new LivePlace(session_, undo_)),
       record_(new RecordPlace(session_, install)),
+      inspect_(new InspectPlace(session_, undo_)),
       delivered_(new QLabel),
       lost_(new QLabel),
       age_(new QLabel),
@@ -55,6 +58,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
   live_or_start_->addWidget(live_);
   places_->addWidget(live_or_start_);
   places_->addWidget(record_);
+  places_->addWidget(inspect_);
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(10, 8, 10, 4);
@@ -164,6 +168,8 @@ void MainWindow::make_view_menu() {
       "live", [] { return tr("&Live"); }, Qt::Key_1);
   place(
       "record", [] { return tr("&Record"); }, Qt::Key_2);
+  place(
+      "inspect", [] { return tr("&Inspect"); }, Qt::Key_3);
   view_menu_->addSeparator();
   QAction* full = add(
       *view_menu_, [] { return tr("&Full screen"); }, QKeySequence(Qt::Key_F11));
@@ -187,7 +193,7 @@ QWidget* MainWindow::make_rail() {
   rail->setBackgroundRole(QPalette::AlternateBase);
   auto* column = new QVBoxLayout(rail);
   column->setContentsMargins(6, 8, 6, 8);
-  for (QToolButton* button : {live_button_, record_button_}) {
+  for (QToolButton* button : {live_button_, record_button_, inspect_button_}) {
     button->setCheckable(true);
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize({kRailIcon, kRailIcon});
@@ -202,6 +208,7 @@ QWidget* MainWindow::make_rail() {
   live_button_->setChecked(true);
   connect(live_button_, &QToolButton::clicked, this, [this] { go_to("live"); });
   connect(record_button_, &QToolButton::clicked, this, [this] { go_to("record"); });
+  connect(inspect_button_, &QToolButton::clicked, this, [this] { go_to("inspect"); });
   return rail;
 }
 
@@ -244,8 +251,10 @@ void MainWindow::name_parts() {
   source_menu_->setTitle(tr("&Source"));
   live_button_->setText(tr("Live"));
   record_button_->setText(tr("Record"));
+  inspect_button_->setText(tr("Inspect"));
   live_button_->setToolTip(tr("Live (Ctrl+1)"));
   record_button_->setToolTip(tr("Record (Ctrl+2)"));
+  inspect_button_->setToolTip(tr("Inspect (Ctrl+3)"));
   finger_label_->setText(tr("Finger:"));
   source_label_->setText(tr("Source:"));
   delivered_->setAccessibleName(tr("Frames delivered"));
@@ -261,6 +270,7 @@ void MainWindow::name_parts() {
 void MainWindow::set_icons() {
   live_button_->setIcon(icon(QStringLiteral("live"), palette()));
   record_button_->setIcon(icon(QStringLiteral("record"), palette()));
+  inspect_button_->setIcon(icon(QStringLiteral("inspect"), palette()));
   finger_button_->setIcon(icon(QStringLiteral("finger"), palette()));
   source_button_->setIcon(icon(QStringLiteral("source"), palette()));
 }
@@ -271,9 +281,10 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::go_to(const std::string& place) {
-  const bool is_record = place == "record";
-  places_->setCurrentIndex(is_record ? 1 : 0);
-  (is_record ? record_button_ : live_button_)->setChecked(true);
+  const int index = place == "record" ? 1 : place == "inspect" ? 2 : 0;
+  places_->setCurrentIndex(index);
+  std::array{live_button_, record_button_, inspect_button_}[static_cast<std::size_t>(index)]
+      ->setChecked(true);
   state_.place = place;
   keep();
 }

@@ -4,6 +4,7 @@
 #include "app/studio/dresser.h"
 #include "app/studio/session_keeper.h"
 #include "widgets/live/camera_finder.h"
+#include "widgets/places/inspect_place.h"
 #include "widgets/places/live_place.h"
 #include "widgets/places/record_place.h"
 #include "widgets/shell/problem_list.h"
@@ -100,7 +101,7 @@ class MainWindow : public Translated<QMainWindow> {
   QMenu *file_menu_, *source_menu_, *recent_menu_, *edit_menu_, *view_menu_, *help_menu_;
   QAction *undo_action_, *redo_action_;
   QButtonGroup* rail_;
-  QToolButton *live_button_, *record_button_, *finger_button_, *source_button_;
+  QToolButton *live_button_, *record_button_, *inspect_button_, *finger_button_, *source_button_;
   QLabel *finger_label_, *source_label_;
   ProblemList* problems_;
   QStackedWidget* places_;
@@ -108,6 +109,7 @@ class MainWindow : public Translated<QMainWindow> {
   StartPanel* start_;
   LivePlace* live_;
   RecordPlace* record_;
+  InspectPlace* inspect_;
   QLabel *delivered_, *lost_, *age_, *time_;
 };
 

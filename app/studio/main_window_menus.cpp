@@ -164,7 +164,9 @@ void MainWindow::show_settings() {
 }
 
 void MainWindow::show_help() {
-  const QString page = state_.place == "record" ? QStringLiteral("record") : QStringLiteral("live");
+  const QString page = state_.place == "record"    ? QStringLiteral("record")
+                       : state_.place == "inspect" ? QStringLiteral("inspect")
+                                                   : QStringLiteral("live");
   const QString language = QLocale().name().startsWith(QStringLiteral("de")) ? QStringLiteral("_de")
                            : QLocale().name().startsWith(QStringLiteral("zh"))
                                ? QStringLiteral("_zh_CN")

@@ -1,0 +1,118 @@
+#include "widgets/inspect/face_view.h"
+
+#include "widgets/accessible.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+
+namespace alltact {
+namespace {
+
+constexpr double kTurn_deg = 5, kShift_part = 0.05, kCloser = 1.1;
+
+cv::Vec3b colour_of(const QColor& colour) {
+  return {static_cast<std::uint8_t>(colour.red()),
+          static_cast<std::uint8_t>(colour.green()),
+          static_cast<std::uint8_t>(colour.blue())};
+}
+
+}  // namespace
+
+SceneColours scene_colours(const QPalette& palette) {
+  return {colour_of(palette.color(QPalette::Base)), colour_of(palette.color(QPalette::Text))};
+}
+
+FaceView::FaceView(QWidget* parent)
+    : Translated(parent), scene_(std::make_unique<FaceScene>(scene_window())) {
+  set_accessible_role(*this, QAccessible::Graphic);
+  dress();
+  say([this] { setAccessibleName(tr("Face in 3D")); });
+}
+
+FaceView::~FaceView() = default;
+
+FaceScene& FaceView::change() {
+  draw_later();
+  return *scene_;
+}
+
+void FaceView::dress() {
+  change().set_colours(scene_colours(palette()));
+  scene_->set_scale(devicePixelRatioF());
+}
+
+void FaceView::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && scene_) dress();
+}
+
+void FaceView::resizeEvent(QResizeEvent* event) {
+  Translated::resizeEvent(event);
+  dress();
+  scene_->fit();
+}
+
+bool FaceView::event(QEvent* event) {
+  const bool is_taken = Translated::event(event);
+  const auto* mouse =
+      event->type() == QEvent::MouseMove ? static_cast<QMouseEvent*>(event) : nullptr;
+  if (event->type() == QEvent::Wheel || (mouse != nullptr && mouse->buttons() != Qt::NoButton))
+    Q_EMIT looked();
+  return is_taken;
+}
+
+void FaceView::keyPressEvent(QKeyEvent* event) {
+  const bool moves = event->modifiers().testFlag(Qt::ShiftModifier);
+  const auto steer = [&](double right, double up) {
+    if (moves)
+      change().shift(right * kShift_part, up * kShift_part);
+    else
+      change().turn(-right * kTurn_deg, -up * kTurn_deg);
+  };
+  switch (event->key()) {
+    case Qt::Key_Left:
+      steer(-1, 0);
+      break;
+    case Qt::Key_Right:
+      steer(1, 0);
+      break;
+    case Qt::Key_Up:
+      steer(0, 1);
+      break;
+    case Qt::Key_Down:
+      steer(0, -1);
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      change().come_closer(kCloser);
+      break;
+    case Qt::Key_Minus:
+      change().come_closer(1 / kCloser);
+      break;
+    case Qt::Key_0:
+      change().look_from(scene_->standpoint());
+      break;
+    default:
+      return Translated::keyPressEvent(event);
+  }
+  Q_EMIT looked();
+}
+
+void FaceView::mousePressEvent(QMouseEvent* event) {
+  pressed_ = event->position();
+}
+
+void FaceView::mouseReleaseEvent(QMouseEvent* event) {
+  constexpr double kStill = 3;  // logical pixels that a hand may tremble
+  const bool is_click = pressed_ && (event->position() - *pressed_).manhattanLength() <= kStill;
+  pressed_.reset();
+  if (!is_click || event->button() == Qt::MiddleButton) return;
+  const double ratio = devicePixelRatioF();
+  const auto pixel = scene_->pixel_at(event->position().x() * ratio, event->position().y() * ratio);
+  if (!pixel) return;
+  Q_EMIT clicked(
+      {pixel->x, pixel->y},
+      event->button() == Qt::RightButton || event->modifiers().testFlag(Qt::ControlModifier));
+}
+
+}  // namespace alltact

@@ -1,0 +1,50 @@
+// The face in 3D, by mouse and by keys.
+#pragma once
+
+#include "widgets/scene3d/face_scene.h"
+#include "widgets/scene3d/vtk_view.h"
+#include "widgets/translated.h"
+
+#include <QPointF>
+#include <memory>
+#include <optional>
+
+namespace alltact {
+
+/// Only where VtkView::is_supported(). Mouse: dragging turns, with Shift or the middle button it
+/// moves, the wheel comes closer; a click without dragging chooses a place. Keys: arrows turn,
+/// Shift and arrows move, + and - come closer, 0 shows all.
+class FaceView : public Translated<VtkView> {
+  Q_OBJECT
+ public:
+  explicit FaceView(QWidget* parent = nullptr);
+  ~FaceView() override;
+
+  /// Draws soon after.
+  [[nodiscard]] FaceScene& change();
+  [[nodiscard]] const FaceScene& scene() const { return *scene_; }
+
+ Q_SIGNALS:
+  /// A pixel of the picture; is_second: with the right button, or Ctrl.
+  void clicked(QPointF pixel, bool is_second);
+  /// One looks from another place.
+  void looked();
+
+ protected:
+  bool event(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  void dress();
+  std::unique_ptr<FaceScene> scene_;
+  std::optional<QPointF> pressed_;
+};
+
+/// The palette's colours for a scene.
+[[nodiscard]] SceneColours scene_colours(const QPalette& palette);
+
+}  // namespace alltact

@@ -1,0 +1,145 @@
+#include "widgets/inspect/inspect_pane.h"
+
+#include "widgets/accessible.h"
+#include "widgets/inspect/height_map.h"
+#include "widgets/inspect/measures.h"
+#include "widgets/picture/overlays.h"
+
+#include <QMouseEvent>
+#include <QVBoxLayout>
+
+namespace alltact {
+
+InspectPane::InspectPane(PaneContent content, QWidget* parent)
+    : Translated(parent),
+      content_(content),
+      title_(new QLabel),
+      stack_(new QStackedWidget),
+      map_(new ImageView) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(title_);
+  layout->addWidget(stack_, 1);
+  title_->hide();
+  stack_->addWidget(map_);
+  map_->installEventFilter(this);
+}
+
+void InspectPane::make_face_view() {
+  if (face_ != nullptr || !VtkView::is_supported()) return;
+  face_ = new FaceView;
+  stack_->addWidget(face_);
+  connect(face_, &FaceView::clicked, this, &InspectPane::clicked);
+  connect(face_, &FaceView::looked, this, &InspectPane::looked);
+  face_->change().set_options(options_.scene);
+  face_->change().look_from(options_.standpoint);
+}
+
+void InspectPane::set_content(PaneContent content) {
+  content_ = content;
+  show_all();
+}
+
+void InspectPane::set_title(const QString& title) {
+  title_->setText(title);
+  title_->setVisible(!title.isEmpty());
+}
+
+void InspectPane::set_options(const InspectOptions& options) {
+  const bool stands_elsewhere = options.standpoint != options_.standpoint;
+  const bool draws_else = !(options.scene == options_.scene);
+  options_ = options;
+  if (face_ != nullptr && draws_else) face_->change().set_options(options.scene);
+  if (face_ != nullptr && stands_elsewhere) face_->change().look_from(options.standpoint);
+  show_all();
+}
+
+void InspectPane::show_frame(std::shared_ptr<const InspectedFrame> frame) {
+  frame_ = std::move(frame);
+  show_all();
+}
+
+void InspectPane::show_message(const QString& message) {
+  frame_.reset();
+  message_ = message;
+  show_all();
+}
+
+void InspectPane::show_all() {
+  if (!isVisible()) return;
+  const bool has_face = frame_ && frame_->surface;
+  if (options_.shown_as == ShownAs::k3d && has_face) make_face_view();
+  if (options_.shown_as == ShownAs::k3d && has_face && face_ != nullptr)
+    show_3d();
+  else
+    show_map();
+}
+
+void InspectPane::show_3d() {
+  FaceScene& scene = face_->change();
+  const bool has_other = frame_->other_surface.has_value();
+  if (content_ == PaneContent::kDifference && has_other)
+    scene.show_difference(*frame_->surface, frame_->other_depth_mm, *frame_->camera);
+  else if (content_ == PaneContent::kSecond && has_other)
+    scene.show(*frame_->other_surface, *frame_->camera);
+  else
+    scene.show(*frame_->surface, *frame_->camera);
+  SceneMarks marks;
+  for (const auto& point : {options_.a, options_.b})
+    if (point) marks.points.push_back(*point);
+  if (options_.a && options_.b)
+    marks.lines.push_back(
+        profile_between(frame_->result, frame_->face, {}, *options_.a, *options_.b).pixels);
+  scene.set_marks(std::move(marks));
+  stack_->setCurrentWidget(face_);
+}
+
+void InspectPane::show_map() {
+  stack_->setCurrentWidget(map_);
+  if (!frame_) return map_->show_message(message_);
+  const bool is_difference = content_ == PaneContent::kDifference && frame_->other;
+  const FrameResult& result =
+      content_ == PaneContent::kSecond && frame_->other ? *frame_->other : frame_->result;
+  std::vector<Overlay> overlays;
+  if (result.depth && (!is_difference || frame_->other->depth)) {
+    const cv::Mat value = is_difference ? depth_difference_mm(*frame_) : result.depth->depth_mm;
+    overlays.push_back(layer_overlay(height_layer(value, options_.scene.top_mm, is_difference)));
+    overlays.push_back(points_overlay(options_.a, options_.b));
+    overlays.push_back(
+        height_scale_overlay(options_.scene.top_mm,
+                             is_difference,
+                             is_difference ? tr("Difference, mm") : tr("Depth, mm")));
+  }
+  map_->show_picture(result.grey, std::move(overlays));
+}
+
+void InspectPane::look_like(const InspectPane& other) {
+  if (face_ != nullptr && other.face_ != nullptr)
+    face_->change().look_as(other.face_->scene().look());
+}
+
+QImage InspectPane::picture() {
+  if (stack_->currentWidget() == face_) return face_->grabFramebuffer();
+  return map_->grab().toImage();
+}
+
+void InspectPane::showEvent(QShowEvent* event) {
+  Translated::showEvent(event);
+  show_all();
+}
+
+bool InspectPane::eventFilter(QObject* watched, QEvent* event) {
+  constexpr double kStill = 3;
+  const auto* mouse = static_cast<QMouseEvent*>(event);
+  if (event->type() == QEvent::MouseButtonPress) pressed_ = mouse->position();
+  if (event->type() == QEvent::MouseButtonRelease && pressed_ && frame_) {
+    if ((mouse->position() - *pressed_).manhattanLength() <= kStill)
+      Q_EMIT clicked(
+          map_->transform().to_picture(mouse->position()),
+          mouse->button() == Qt::RightButton || mouse->modifiers().testFlag(Qt::ControlModifier));
+    pressed_.reset();
+  }
+  return Translated::eventFilter(watched, event);
+}
+
+}  // namespace alltact

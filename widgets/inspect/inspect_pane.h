@@ -1,0 +1,59 @@
+// One measurement of a face, in 3D or as a height map.
+#pragma once
+
+#include "widgets/inspect/face_view.h"
+#include "widgets/inspect/inspect_options.h"
+#include "widgets/picture/image_view.h"
+#include "widgets/translated.h"
+
+#include <QLabel>
+#include <QStackedWidget>
+#include <memory>
+
+namespace alltact {
+
+class InspectPane : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit InspectPane(PaneContent content, QWidget* parent = nullptr);
+
+  void set_content(PaneContent content);
+  void set_options(const InspectOptions& options);
+  void show_frame(std::shared_ptr<const InspectedFrame> frame);
+  /// Instead of a frame: why there is none.
+  void show_message(const QString& message);
+  /// Shown above; empty: none.
+  void set_title(const QString& title);
+  void look_like(const InspectPane& other);
+  /// As it is seen now.
+  [[nodiscard]] QImage picture();
+  /// Null where there is no OpenGL, or before the pane was shown in 3D.
+  [[nodiscard]] FaceView* face_view() const { return face_; }
+  [[nodiscard]] ImageView& height_map() const { return *map_; }
+
+ Q_SIGNALS:
+  void clicked(QPointF pixel, bool is_second);
+  void looked();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void make_face_view();
+  void show_all();
+  void show_3d();
+  void show_map();
+
+  PaneContent content_;
+  InspectOptions options_;
+  std::shared_ptr<const InspectedFrame> frame_;
+  QString message_;
+  QLabel* title_;
+  QStackedWidget* stack_;
+  ImageView* map_;
+  FaceView* face_ = nullptr;
+  std::optional<QPointF> pressed_;
+};
+
+}  // namespace alltact

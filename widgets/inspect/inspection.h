@@ -1,0 +1,63 @@
+// Measures frames of a recording, or those that come live, beside the window: the newest wish wins.
+#pragma once
+
+#include "widgets/inspect/inspected_frame.h"
+#include "widgets/live/finger_watcher.h"
+
+#include <QObject>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace alltact {
+
+/// What a frame is measured with a second time.
+enum class OtherMethod { kNone = 1, kPaper };
+
+struct RecordingInfo {
+  std::filesystem::path input;
+  std::size_t count = 0;
+  double frames_per_s = 30;
+};
+
+/// An object of the window's thread; work goes on a thread of its own.
+class Inspection : public QObject {
+  Q_OBJECT
+ public:
+  explicit Inspection(QObject* parent = nullptr);
+  /// The work is asked to stop and waited for: at most one frame, or a stretch of loading.
+  ~Inspection() override;
+
+  /// The finger that recordings are measured with; empty: none.
+  void set_finger(const std::filesystem::path& folder);
+  void set_other(OtherMethod other);
+  /// A video, or a folder of pictures; an empty path closes it.
+  void open(const std::filesystem::path& input);
+  void show_frame(std::size_t number);
+  /// A frame that was measured live, with the finger it was measured with.
+  void show_live(std::shared_ptr<const LiveView> view, const Finger& finger);
+
+  /// Null before the first and while another recording is being opened.
+  [[nodiscard]] const std::shared_ptr<const InspectedFrame>& frame() const { return frame_; }
+  [[nodiscard]] const std::optional<RecordingInfo>& recording() const { return recording_; }
+  /// Why nothing can be shown at all.
+  [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
+  /// A wish is being worked on.
+  [[nodiscard]] bool is_busy() const;
+
+ Q_SIGNALS:
+  void frame_ready();
+  /// recording(), problem() or is_busy() changed.
+  void state_changed();
+
+ private:
+  struct Shared;
+  void take();
+
+  std::shared_ptr<Shared> shared_;
+  std::shared_ptr<const InspectedFrame> frame_;
+  std::optional<RecordingInfo> recording_;
+  std::optional<Error> problem_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,91 @@
+#include "widgets/inspect/measures.h"
+
+#include "widgets/scene3d/face_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alltact {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::optional<double> if_finite(float value) {
+  if (!std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Places from one pixel to another, a pixel apart or a little less.
+std::vector<PlaceReading> places_between(const FrameResult& result,
+                                         const Face& face,
+                                         const cv::Mat& sd_mm,
+                                         cv::Point2d from,
+                                         cv::Point2d to) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(cv::norm(to - from))));
+  std::vector<PlaceReading> places;
+  for (int i = 0; i <= steps; ++i) {
+    const double part = static_cast<double>(i) / steps;
+    if (auto place = read_place(result, face, sd_mm, from + part * (to - from)))
+      places.push_back(*place);
+  }
+  return places;
+}
+
+}  // namespace
+
+std::optional<PlaceReading> read_place(const FrameResult& result,
+                                       const Face& face,
+                                       const cv::Mat& sd_mm,
+                                       cv::Point2d pixel) {
+  if (!result.shape || !result.depth) return std::nullopt;
+  const int u = static_cast<int>(std::lround(pixel.x)), v = static_cast<int>(std::lround(pixel.y));
+  const cv::Mat& depth = result.depth->depth_mm;
+  if (u < 0 || v < 0 || u >= depth.cols || v >= depth.rows) return std::nullopt;
+  const auto rows = result.shape->rows(u, 0);
+  if (v < rows.first || v > rows.last) return std::nullopt;
+  const auto local = result.shape->at(pixel.x, pixel.y);
+  if (!local) return std::nullopt;
+  PlaceReading place;
+  place.pixel = pixel;
+  place.untouched_mm = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ);
+  place.depth_mm = if_finite(value_between(depth, pixel.x, pixel.y));
+  if (!sd_mm.empty()) place.sd_mm = if_finite(value_between(sd_mm, pixel.x, pixel.y));
+  place.flag = result.depth->flags.at<std::uint8_t>(v, u);
+  return place;
+}
+
+Profile profile_between(const FrameResult& result,
+                        const Face& face,
+                        const cv::Mat& sd_mm,
+                        cv::Point2d from,
+                        cv::Point2d to) {
+  Profile profile;
+  double along = 0;
+  const auto places = places_between(result, face, sd_mm, from, to);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i > 0) along += (places[i].untouched_mm - places[i - 1].untouched_mm).norm();
+    profile.pixels.push_back(places[i].pixel);
+    profile.along_mm.push_back(along);
+    profile.depth_mm.push_back(places[i].depth_mm.value_or(kNone));
+    profile.sd_mm.push_back(places[i].sd_mm.value_or(kNone));
+  }
+  return profile;
+}
+
+std::optional<Distance> distance_between(const FrameResult& result,
+                                         const Face& face,
+                                         cv::Point2d from,
+                                         cv::Point2d to) {
+  const auto first = read_place(result, face, {}, from), last = read_place(result, face, {}, to);
+  if (!first || !last) return std::nullopt;
+  Distance distance;
+  distance.apart_mm = last->point_mm() - first->point_mm();
+  distance.straight_mm = distance.apart_mm.norm();
+  const auto places = places_between(result, face, {}, from, to);
+  for (std::size_t i = 1; i < places.size(); ++i)
+    distance.over_face_mm += (places[i].point_mm() - places[i - 1].point_mm()).norm();
+  return distance;
+}
+
+}  // namespace alltact

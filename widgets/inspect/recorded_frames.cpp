@@ -1,0 +1,37 @@
+#include "widgets/inspect/recorded_frames.h"
+
+#include "core/sources/picture_source.h"
+
+namespace alltact {
+
+Result<RecordedFrames> RecordedFrames::open(const std::filesystem::path& input, const Job& job) {
+  RecordedFrames frames;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(input, ignored)) {
+    auto pictures = pictures_in(input);
+    if (!pictures) return pictures.error();
+    frames.pictures_ = std::move(*pictures);
+    frames.is_continuous_ = PictureSource(frames.pictures_).is_continuous();
+    return frames;
+  }
+  auto video = VideoFile::open(input, job);
+  if (!video) return video.error();
+  frames.video_ = std::move(*video);
+  return frames;
+}
+
+std::size_t RecordedFrames::count() const {
+  return video_ ? video_->frame_count() : pictures_.size();
+}
+
+Result<FramePtr> RecordedFrames::frame(std::size_t number) {
+  if (video_) return video_->frame(number);
+  return PictureSource({pictures_.at(number)}).next();
+}
+
+double RecordedFrames::frames_per_s() const {
+  constexpr double kPictures = 10;
+  return video_ ? video_->frames_per_s() : kPictures;
+}
+
+}  // namespace alltact

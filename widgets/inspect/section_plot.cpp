@@ -1,0 +1,65 @@
+#include "widgets/inspect/section_plot.h"
+
+#include "widgets/plots/custom_plot.h"
+#include "widgets/theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+
+void SectionPlot::set_profiles(Profile profile, std::optional<Profile> other) {
+  profile_ = std::move(profile);
+  other_ = std::move(other);
+  setAccessibleName(tr("Depth from A to B"));
+  rebuild();
+}
+
+QString SectionPlot::empty_text() const {
+  return tr("Choose two points, A and B");
+}
+
+bool SectionPlot::draw() {
+  if (profile_.along_mm.size() < 2) return false;
+  const auto vector_of = [](const std::vector<double>& values) {
+    return QVector<double>(values.begin(), values.end());
+  };
+  double top = 0.1;
+  for (const double depth : profile_.depth_mm)
+    if (std::isfinite(depth)) top = std::max(top, 1.15 * depth);
+  // One standard deviation to both sides.
+  auto* upper = chart().addGraph();
+  auto* lower = chart().addGraph();
+  for (std::size_t i = 0; i < profile_.along_mm.size(); ++i) {
+    upper->addData(profile_.along_mm[i], profile_.depth_mm[i] + profile_.sd_mm[i]);
+    lower->addData(profile_.along_mm[i], std::max(0.0, profile_.depth_mm[i] - profile_.sd_mm[i]));
+  }
+  QColor band = series_colour(0, palette());
+  band.setAlpha(60);
+  upper->setPen(Qt::NoPen);
+  lower->setPen(Qt::NoPen);
+  upper->setBrush(band);
+  upper->setChannelFillGraph(lower);
+  auto* line = chart().addGraph();
+  line->setData(vector_of(profile_.along_mm), vector_of(profile_.depth_mm), true);
+  line->setPen(QPen(series_colour(0, palette()), 2));
+  if (other_) {
+    auto* second = chart().addGraph();
+    second->setData(vector_of(other_->along_mm), vector_of(other_->depth_mm), true);
+    second->setPen(QPen(series_colour(1, palette()), 2, Qt::DashLine));
+    for (const double depth : other_->depth_mm)
+      if (std::isfinite(depth)) top = std::max(top, 1.15 * depth);
+    top *= 1.3;  // room for the legend
+    for (auto* hidden : {upper, lower}) hidden->removeFromLegend();
+    line->setName(tr("ours"));
+    second->setName(tr("paper"));
+    show_legend(Qt::AlignTop | Qt::AlignRight);
+  }
+  chart().xAxis->setRange(0, profile_.along_mm.back());
+  chart().yAxis->setRange(0, top);
+  chart().xAxis->setLabel(tr("From A over the face (mm)"));
+  chart().yAxis->setLabel(tr("Depth (mm)"));
+  return true;
+}
+
+}  // namespace alltact

@@ -1,0 +1,99 @@
+#include "widgets/inspect/time_line.h"
+
+#include "widgets/shell/icons.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+
+TimeLine::TimeLine(QWidget* parent)
+    : Translated(parent),
+      play_(new QToolButton),
+      slider_(new QSlider(Qt::Horizontal)),
+      number_(new QSpinBox),
+      of_(new QLabel),
+      name_(new QLabel) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(play_);
+  row->addWidget(slider_, 1);
+  row->addWidget(number_);
+  row->addWidget(of_);
+  row->addWidget(name_);
+  number_->setKeyboardTracking(false);
+  connect(play_, &QToolButton::clicked, this, [this] { play(!is_playing()); });
+  connect(slider_, &QSlider::valueChanged, this, &TimeLine::want);
+  connect(number_, &QSpinBox::valueChanged, this, [this](int value) { want(value - 1); });
+  connect(&timer_, &QTimer::timeout, this, &TimeLine::go_on);
+  say([this] {
+    slider_->setAccessibleName(tr("Frame of the recording"));
+    number_->setAccessibleName(tr("Number of the frame"));
+    of_->setText(tr("of %1").arg(QLocale().toString(static_cast<qulonglong>(count_))));
+    name_->setAccessibleName(tr("Name of the frame"));
+    show_button();
+  });
+}
+
+void TimeLine::set_recording(std::size_t count, double frames_per_s) {
+  constexpr double kMost = 30;
+  timer_.setInterval(static_cast<int>(std::lround(1000 / std::clamp(frames_per_s, 1.0, kMost))));
+  if (count == count_) return;
+  count_ = count;
+  const QSignalBlocker still(slider_), quiet(number_);
+  slider_->setRange(0, static_cast<int>(count) - 1);
+  slider_->setPageStep(std::max(1, static_cast<int>(count) / 20));
+  number_->setRange(1, static_cast<int>(count));
+  of_->setText(tr("of %1").arg(QLocale().toString(static_cast<qulonglong>(count))));
+  setEnabled(count > 0);
+}
+
+void TimeLine::set_shown(std::size_t number, const QString& name) {
+  shown_ = number;
+  name_->setText(name);
+  // A hand on the slider is ahead of what is shown.
+  if (!is_playing() && wanted_ != number) return;
+  const QSignalBlocker still(slider_), quiet(number_);
+  slider_->setValue(static_cast<int>(number));
+  number_->setValue(static_cast<int>(number) + 1);
+}
+
+void TimeLine::want(int number) {
+  wanted_ = static_cast<std::size_t>(number);
+  const QSignalBlocker still(slider_), quiet(number_);
+  slider_->setValue(number);
+  number_->setValue(number + 1);
+  Q_EMIT wanted(wanted_);
+}
+
+void TimeLine::play(bool is_on) {
+  if (is_on == is_playing()) return;
+  if (is_on) {
+    if (shown_ + 1 >= count_) want(0);
+    timer_.start();
+  } else {
+    timer_.stop();
+  }
+  show_button();
+}
+
+void TimeLine::go_on() {
+  if (shown_ != wanted_) return;  // the last one is not there yet
+  if (shown_ + 1 >= count_) return play(false);
+  want(static_cast<int>(shown_) + 1);
+}
+
+void TimeLine::show_button() {
+  play_->setIcon(icon(is_playing() ? QStringLiteral("pause") : QStringLiteral("play"), palette()));
+  play_->setAccessibleName(is_playing() ? tr("Pause") : tr("Play"));
+  play_->setToolTip(is_playing() ? tr("Pause") : tr("Play"));
+}
+
+void TimeLine::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) show_button();
+}
+
+}  // namespace alltact

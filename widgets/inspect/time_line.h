@@ -1,0 +1,44 @@
+// Which frame of a recording is shown: play, scrub, a number.
+#pragma once
+
+#include "widgets/translated.h"
+
+#include <QLabel>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTimer>
+#include <QToolButton>
+
+namespace alltact {
+
+class TimeLine : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit TimeLine(QWidget* parent = nullptr);
+
+  void set_recording(std::size_t count, double frames_per_s);
+  /// The frame that is shown now; while playing, the next one is asked for when it is due.
+  void set_shown(std::size_t number, const QString& name);
+  [[nodiscard]] bool is_playing() const { return timer_.isActive(); }
+  void play(bool is_on);
+
+ Q_SIGNALS:
+  void wanted(std::size_t number);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void go_on();
+  void show_button();
+  void want(int number);
+
+  QToolButton* play_;
+  QSlider* slider_;
+  QSpinBox* number_;
+  QLabel *of_, *name_;
+  QTimer timer_;
+  std::size_t count_ = 0, wanted_ = 0, shown_ = 0;
+};
+
+}  // namespace alltact
