@@ -1,7 +1,9 @@
 // Pictures of every place, for people to look at: below the build's folder, screens/.
 #include "tests/studio/studio_rig.h"
 
+#include <QComboBox>
 #include <QPixmap>
+#include <QPushButton>
 
 #include <gtest/gtest.h>
 
@@ -64,6 +66,28 @@ TEST_P(Screens, Record) {
   studio.window().go_to("record");
   QTest::qWait(1500);
   save(studio, "record");
+}
+
+/// On a screen with OpenGL in 3D, else as a height map.
+TEST_P(Screens, Inspect) {
+  StudioOptions options;
+  options.finger = MadeFingers::get().calibrated();
+  Studio studio(options);
+  studio.window().go_to("inspect");
+  auto& place = *studio.window().findChild<InspectPlace*>();
+  QTest::qWait(300);
+  save(studio, "inspect_empty");
+  place.open(MadeFingers::get().touched_pictures());
+  ASSERT_TRUE(wait_until([&] { return place.inspection().frame() != nullptr; }));
+  for (const char* button : {"deepest", "across"})
+    place.findChild<QPushButton*>(QLatin1String(button))->click();
+  save(studio, "inspect");
+  auto* comparison = place.findChild<QComboBox*>(QStringLiteral("comparison"));
+  QTest::keyClick(comparison, Qt::Key_Down);
+  ASSERT_TRUE(wait_until([&] { return place.inspection().frame()->other.has_value(); }));
+  save(studio, "inspect_beside");
+  QTest::keyClick(comparison, Qt::Key_Down);
+  save(studio, "inspect_difference");
 }
 
 TEST_P(Screens, NoSuchSource) {

@@ -3,6 +3,7 @@
 #include "app/finger_work.h"
 #include "core/simulation/plan.h"
 #include "tests/studio/studio_rig.h"
+#include "widgets/scene3d/vtk_view.h"
 
 #include <QApplication>
 #include <algorithm>
@@ -104,6 +105,7 @@ BENCHMARK(age_of_full_hd)
 int main(int argc, char** argv) {
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
   benchmark::Initialize(&argc, argv);
+  alltact::VtkView::prepare_application();
   QApplication application(argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -2,6 +2,7 @@
 
 #include "app/finger_work.h"
 #include "core/io/atomic_file.h"
+#include "core/io/picture.h"
 #include "core/simulation/plan.h"
 
 #include <fmt/format.h>
@@ -64,6 +65,12 @@ MadeFingers::MadeFingers() {
   must(write_file_atomically(touched(), small_scene(true)));
   const Finger simulated = Plan::compile(Scene::load(bending()).value(), 1).value().finger();
   must(save_camera(camera(), simulated.camera));
+  must(make_folder(touched_pictures()));
+  const auto source = open_source({touched()}).value();
+  for (int i = 0; i < 6; ++i) {
+    const FramePtr frame = source->next().value();
+    must(write_picture(touched_pictures() / (frame->name + ".png"), frame->grey));
+  }
   for (const auto& folder : {described(), calibrated()}) {
     NewFinger wanted;
     wanted.finger = folder;

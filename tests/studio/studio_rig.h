@@ -28,6 +28,8 @@ class MadeFingers {
   static const MadeFingers& get();
   [[nodiscard]] std::filesystem::path bending() const { return folder_ / "bending.yaml"; }
   [[nodiscard]] std::filesystem::path touched() const { return folder_ / "touched.yaml"; }
+  /// Pictures of the touched finger, frame_00000.png to frame_00005.png.
+  [[nodiscard]] std::filesystem::path touched_pictures() const { return folder_ / "touched"; }
   [[nodiscard]] std::filesystem::path camera() const { return folder_ / "camera.yaml"; }
   [[nodiscard]] std::filesystem::path described() const { return folder_ / "described"; }
   [[nodiscard]] std::filesystem::path calibrated() const { return folder_ / "calibrated"; }

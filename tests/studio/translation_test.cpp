@@ -58,8 +58,8 @@ QStringList places_in(const QString& text) {
 
 /// What the window says. The report and its plots are English until the window shows them.
 const std::string kSpoken =
-    "widgets/controls widgets/live widgets/picture widgets/places widgets/recording widgets/shell "
-    "app/studio";
+    "widgets/controls widgets/inspect widgets/live widgets/picture widgets/places "
+    "widgets/recording widgets/shell app/studio";
 
 class Language : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Ts, Language, testing::Values("de", "zh_CN"));
@@ -174,7 +174,7 @@ TEST_F(PseudoLanguage, NothingIsLeftOutAndNothingIsClipped) {
   Studio studio(options);
   ASSERT_TRUE(studio.wait_for_picture());
   speak();
-  for (const char* place : {"live", "record"}) {
+  for (const char* place : {"live", "record", "inspect"}) {
     studio.window().go_to(place);
     QTest::qWait(600);
     look_through(studio.window());

@@ -2,6 +2,7 @@
 // its own.
 #include "tests/support/program.h"
 #include "tests/support/run_all_tests.h"
+#include "widgets/scene3d/vtk_view.h"
 #include "widgets/shell/studio_style.h"
 
 #include <QApplication>
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
   setenv("LANGUAGE", "en", 1);
   QLocale::setDefault(QLocale(QLocale::English));
   QApplication::setStyle(new alltact::StudioStyle);
+  alltact::VtkView::prepare_application();
   QApplication application(argc, argv);
   QCoreApplication::setOrganizationName("alltact");
   QCoreApplication::setApplicationName("alltact-studio-tests");

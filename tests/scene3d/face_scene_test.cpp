@@ -1,0 +1,237 @@
+// The face in 3D against what a picture of it must show, without a display.
+#include "tests/support/made_surface.h"
+#include "tests/support/temporary_folder.h"
+#include "widgets/scene3d/face_grid.h"
+#include "widgets/scene3d/face_mesh.h"
+#include "widgets/scene3d/scene_pictures.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <vtkPointData.h>
+
+namespace alltact::test {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+const cv::Size kSize{800, 500};
+
+double distance(const cv::Vec3b& a, const cv::Vec3d& b) {
+  return cv::norm(cv::Vec3d(a) - b);
+}
+
+/// Blue, green, red, as a picture has them.
+cv::Vec3d of(MapColour c) {
+  return {double(c.blue), double(c.green), double(c.red)};
+}
+
+class FaceSceneTest : public testing::Test {
+ protected:
+  FaceSceneTest() : pictures_(ScenePictures::create(kSize).value()) {
+    options_.untouched = false;
+    options_.camera = false;
+    scene().set_options(options_);
+    scene().look_from(Standpoint::kCamera);
+  }
+  FaceScene& scene() { return pictures_.scene(); }
+  void show(const FaceSurface& surface) { scene().show(surface, MadeSurface::camera()); }
+  /// The colour where a pixel of the camera's picture is drawn.
+  cv::Vec3b at(cv::Point2d pixel) {
+    const cv::Mat picture = pictures_.picture();
+    const auto place = scene().place_of(pixel);
+    if (!place) return {};
+    return picture.at<cv::Vec3b>(cv::Point(*place));
+  }
+  MadeSurface made_;
+  SceneOptions options_;
+  ScenePictures pictures_;
+  const cv::Point2d middle_{479.5, 269.5};
+};
+
+TEST_F(FaceSceneTest, ColoursTheFaceByDepthInMillimetres) {
+  show(made_.make(193, 109));
+  // Straight from the camera a flat top is lit in full.
+  EXPECT_LT(distance(at(middle_), of(viridis(0.8))), 12);
+  EXPECT_LT(distance(at({100, 100}), of(viridis(0))), 12);
+  options_.top_mm = 1.6;
+  scene().set_options(options_);
+  EXPECT_LT(distance(at(middle_), of(viridis(0.5))), 12);
+}
+
+TEST_F(FaceSceneTest, ShowsWhatWasNotMeasuredInGrey) {
+  FaceSurface surface = made_.make(193, 109);
+  surface.depth_mm(cv::Rect(20, 20, 30, 30)).setTo(kNone);
+  show(surface);
+  const auto& pixel = surface.pixel.at<cv::Vec2f>(35, 35);
+  EXPECT_LT(distance(at({pixel[0], pixel[1]}), of(kNotMeasured)), 12);
+}
+
+TEST_F(FaceSceneTest, ShowsDifferencesAroundZero) {
+  const FaceSurface surface = made_.make(193, 109);
+  const cv::Mat other = surface.depth_mm + 0.5F;
+  scene().show_difference(surface, other, MadeSurface::camera());
+  EXPECT_LT(distance(at(middle_), of(cool_to_warm(-0.5))), 12);
+  scene().show_difference(surface, surface.depth_mm, MadeSurface::camera());
+  EXPECT_LT(distance(at(middle_), of(cool_to_warm(0))), 12);
+}
+
+TEST_F(FaceSceneTest, FindsThePixelUnderThePointer) {
+  made_.slope = 0.6;
+  show(made_.make(193, 109));
+  for (const Standpoint standpoint :
+       {Standpoint::kTilted, Standpoint::kCamera, Standpoint::kOutside}) {
+    scene().look_from(standpoint);
+    for (const cv::Point2d pixel :
+         {cv::Point2d(50, 60), cv::Point2d(479.5, 269.5), cv::Point2d(900, 500)}) {
+      const auto place = scene().place_of(pixel);
+      ASSERT_TRUE(place);
+      EXPECT_GT(place->x, 0);
+      EXPECT_LT(place->x, kSize.width - 78) << "beside the scale";
+      EXPECT_GT(place->y, 0);
+      EXPECT_LT(place->y, kSize.height);
+      const auto found = scene().pixel_at(place->x, place->y);
+      ASSERT_TRUE(found);
+      EXPECT_NEAR(found->x, pixel.x, 0.5);
+      EXPECT_NEAR(found->y, pixel.y, 0.5);
+    }
+  }
+  EXPECT_FALSE(scene().pixel_at(1, 1)) << "beside the face";
+}
+
+TEST_F(FaceSceneTest, TheCamerasOwnViewIsThePictureUpright) {
+  show(made_.make(193, 109));
+  const auto left = scene().place_of({10, 269.5}), right = scene().place_of({940, 269.5});
+  const auto top = scene().place_of({479.5, 10});
+  ASSERT_TRUE(left && right && top);
+  EXPECT_LT(left->x, right->x);
+  EXPECT_LT(top->y, left->y);
+  scene().look_from(Standpoint::kOutside);
+  EXPECT_GT(scene().place_of({10, 269.5})->x, scene().place_of({940, 269.5})->x)
+      << "from behind, left is right";
+}
+
+TEST_F(FaceSceneTest, DrawsDepthLargerWhenAsked) {
+  show(made_.make(193, 109));
+  scene().look_from(Standpoint::kSide);
+  const double plain = scene().place_of({10, 269.5})->y - scene().place_of(middle_)->y;
+  options_.times = 5;
+  scene().set_options(options_);
+  const double larger = scene().place_of({10, 269.5})->y - scene().place_of(middle_)->y;
+  EXPECT_GT(plain, 0) << "pressed towards the camera, which is above";
+  EXPECT_NEAR(larger / plain, 5, 0.3);
+}
+
+TEST_F(FaceSceneTest, DrawsMarksTheUntouchedFaceAndTheCamera) {
+  show(made_.make(193, 109));
+  const cv::Mat bare = pictures_.picture();
+  scene().set_marks({{{200, 200}}, {{{100, 300}, {500, 300}, {800, 300}}}});
+  const cv::Mat marked = pictures_.picture();
+  EXPECT_GT(cv::countNonZero(cv::Mat(bare != marked).reshape(1)), 300);
+  EXPECT_LT(distance(at({200, 200}), {0, 184, 255}), 60);
+  scene().set_marks({});
+  EXPECT_EQ(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 0);
+  for (const auto member : {&SceneOptions::untouched, &SceneOptions::camera}) {
+    SceneOptions more = options_;
+    more.*member = true;
+    scene().set_options(more);
+    EXPECT_GT(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 300);
+    scene().set_options(options_);
+  }
+}
+
+TEST_F(FaceSceneTest, MovesByKeysAndIsNotPutBackByTheNextFrame) {
+  show(made_.make(193, 109));
+  const Eigen::Vector3d first = scene().look().eye;
+  scene().turn(20, 10);
+  const Eigen::Vector3d turned = scene().look().eye;
+  EXPECT_GT((turned - first).norm(), 1);
+  show(made_.make(193, 109));
+  scene().fit();
+  EXPECT_EQ(scene().look().eye, turned);
+  scene().look_from(Standpoint::kCamera);
+  EXPECT_LT((scene().look().eye - first).norm(), 1e-6);
+  const double before = scene().place_of(middle_)->x;
+  scene().shift(0.25, 0);
+  EXPECT_NEAR(scene().place_of(middle_)->x - before, 0.25 * kSize.height, 3);
+  scene().come_closer(2);
+  EXPECT_GT(scene().place_of({900, 269.5})->x, kSize.width) << "twice as near, twice as large";
+}
+
+TEST_F(FaceSceneTest, TwoScenesMayLookAlike) {
+  show(made_.make(50, 40));
+  auto other = ScenePictures::create(kSize).value();
+  other.scene().show(made_.make(50, 40), MadeSurface::camera());
+  scene().turn(15, 5);
+  other.scene().look_as(scene().look());
+  EXPECT_EQ(other.scene().look().eye, scene().look().eye);
+}
+
+TEST_F(FaceSceneTest, TheTopologyIsMadeOnceForAGrid) {
+  for (int i = 0; i < 10; ++i) {
+    made_.deepest_mm = 0.1 * i;
+    show(made_.make(60, 40));
+  }
+  EXPECT_EQ(scene().topologies(), 1);
+  show(made_.make(61, 40));
+  EXPECT_EQ(scene().topologies(), 2);
+}
+
+TEST_F(FaceSceneTest, ForgetsAFace) {
+  const cv::Mat empty = pictures_.picture();
+  show(made_.make(60, 40));
+  scene().set_marks({{middle_}, {}});
+  EXPECT_GT(cv::countNonZero(cv::Mat(empty != pictures_.picture()).reshape(1)), 1000);
+  scene().forget();
+  EXPECT_EQ(cv::countNonZero(cv::Mat(empty != pictures_.picture()).reshape(1)), 0);
+  EXPECT_FALSE(scene().pixel_at(400, 250));
+}
+
+TEST(FaceMesh, PlacesNormalsAndTriangles) {
+  MadeSurface made;
+  made.slope = 0.5;
+  const FaceSurface surface = made.make(20, 10);
+  FaceMesh mesh;
+  mesh.update(surface.untouched_mm, surface.depth_mm, 1, surface.depth_mm, {});
+  EXPECT_EQ(mesh.data()->GetNumberOfPoints(), 200);
+  EXPECT_EQ(mesh.data()->GetNumberOfPolys(), 2 * 19 * 9);
+  double at[3], normal[3];
+  mesh.data()->GetPoint(0, at);
+  EXPECT_NEAR(at[2], made.z_mm + made.slope * at[0], 1e-4);
+  mesh.data()->GetPointData()->GetNormals()->GetTuple(0, normal);
+  // z - slope x = constant; towards the camera.
+  const Eigen::Vector3d expected = Eigen::Vector3d(made.slope, 0, -1).normalized();
+  EXPECT_LT((Eigen::Vector3d(normal) - expected).norm(), 1e-5);
+}
+
+TEST(FaceGrid, PixelsAndPlacesAreEachOthersInverse) {
+  const FaceSurface surface = MadeSurface().make(33, 21);
+  for (const cv::Point2d place :
+       {cv::Point2d(0, 0), cv::Point2d(32, 20), cv::Point2d(3.25, 7.75)}) {
+    const cv::Vec2f pixel = pixel_between(surface.pixel, place);
+    const auto back = grid_place_of(surface, {pixel[0], pixel[1]});
+    ASSERT_TRUE(back);
+    EXPECT_NEAR(back->x, place.x, 1e-4);
+    EXPECT_NEAR(back->y, place.y, 1e-4);
+  }
+  EXPECT_FALSE(grid_place_of(surface, {-1, 100}));
+  EXPECT_FALSE(grid_place_of(surface, {100, 542}));
+}
+
+TEST(FaceGrid, RaysMeetTheNearerOfTwoFolds) {
+  // A sheet folded over itself: z = 10 and z = 20 above the same x.
+  cv::Mat sheet(2, 3, CV_32FC3);
+  for (int j = 0; j < 2; ++j) {
+    sheet.at<cv::Vec3f>(j, 0) = cv::Vec3f(0, float(j), 20);
+    sheet.at<cv::Vec3f>(j, 1) = cv::Vec3f(10, float(j), 15);
+    sheet.at<cv::Vec3f>(j, 2) = cv::Vec3f(0, float(j), 10);
+  }
+  const auto place = first_hit(sheet, {2, 0.5, 0}, {0, 0, 1});
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(place->x, 1.8, 1e-6);
+  EXPECT_NEAR(place->y, 0.5, 1e-6);
+  EXPECT_FALSE(first_hit(sheet, {2, 0.5, 0}, {0, 0, -1})) << "behind";
+  EXPECT_FALSE(first_hit(sheet, {2, 3, 0}, {0, 0, 1})) << "beside";
+}
+
+}  // namespace
+}  // namespace alltact::test

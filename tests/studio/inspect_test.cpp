@@ -1,0 +1,277 @@
+// The place Inspect, as a person uses it. On Qt's offscreen platform it shows height maps; 3D is
+// looked at on a screen (see tests/scene3d).
+#include "core/io/picture.h"
+#include "core/recording/video_file.h"
+#include "tests/studio/studio_rig.h"
+#include "widgets/inspect/measures.h"
+
+#include <QAccessible>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSlider>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Inspect : public testing::Test {
+ protected:
+  static StudioOptions options() {
+    StudioOptions options;
+    options.finger = MadeFingers::get().calibrated();
+    return options;
+  }
+  Inspect() : studio_(options()) { studio_.window().go_to("inspect"); }
+
+  InspectPlace& place() { return *studio_.window().findChild<InspectPlace*>(); }
+  const InspectedFrame& frame() { return *place().inspection().frame(); }
+  bool open_pictures() {
+    place().open(MadeFingers::get().touched_pictures());
+    return wait_until(
+        [&] { return place().inspection().frame() && place().inspection().frame()->surface; });
+  }
+  std::string text(const QString& label) {
+    return studio_.find<QLabel>(label)->text().toStdString();
+  }
+  void set(const QString& name, double value) {
+    auto* box = studio_.find<QDoubleSpinBox>(name);
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, QString::number(value));
+    QTest::keyClick(box, Qt::Key_Return);
+  }
+  Studio studio_;
+};
+
+TEST_F(Inspect, MeasuresARecording) {
+  ASSERT_TRUE(open_pictures());
+  EXPECT_EQ(place().inspection().recording()->count, 6U);
+  ASSERT_FALSE(frame().result.regions.empty());
+  EXPECT_NEAR(frame().result.regions.front().deepest_mm, 0.8, 0.1);  // as the scene says
+  EXPECT_THAT(
+      text("Deepest contact"),
+      HasSubstr(
+          "Deepest " +
+          QLocale().toString(frame().result.regions.front().deepest_mm, 'f', 2).toStdString()));
+  EXPECT_EQ(studio_.problems(), "");
+}
+
+TEST_F(Inspect, ReadsPlacesAsTheCommandLineWritesThem) {
+  ASSERT_TRUE(open_pictures());
+  studio_.click("Deepest");
+  ASSERT_TRUE(place().options().a);
+  const cv::Point at(*place().options().a);
+  const cv::Mat points = contact_face_points_mm(frame().result, frame().face);
+  const auto& p = points.at<cv::Vec3f>(at);
+  const float depth = frame().result.depth->depth_mm.at<float>(at);
+  const QLocale locale;
+  const std::string reading = text("Measured at the points");
+  EXPECT_THAT(reading,
+              HasSubstr(QStringLiteral("x %1, y %2, z %3 mm")
+                            .arg(locale.toString(p[0], 'f', 2),
+                                 locale.toString(p[1], 'f', 2),
+                                 locale.toString(p[2], 'f', 2))
+                            .toStdString()));
+  EXPECT_THAT(reading,
+              HasSubstr(QStringLiteral("depth %1 ± %2 mm")
+                            .arg(locale.toString(depth, 'f', 2),
+                                 locale.toString(frame().sd_mm.at<float>(at), 'f', 2))
+                            .toStdString()));
+  EXPECT_GT(frame().sd_mm.at<float>(at), 0.0F);
+}
+
+TEST_F(Inspect, TellsHowFarTwoPointsAreApart) {
+  ASSERT_TRUE(open_pictures());
+  set("Point A, u", 300);
+  set("Point A, v", 250);
+  set("Point B, u", 420);
+  set("Point B, v", 290);
+  ASSERT_TRUE(place().options().a && place().options().b);
+  EXPECT_EQ(*place().options().a, cv::Point2d(300, 250));
+  EXPECT_EQ(*place().options().b, cv::Point2d(420, 290));
+  const cv::Mat points = contact_face_points_mm(frame().result, frame().face);
+  const cv::Vec3d apart = points.at<cv::Vec3f>(290, 420) - points.at<cv::Vec3f>(250, 300);
+  EXPECT_THAT(
+      text("Measured at the points"),
+      HasSubstr(QLocale().toString(cv::norm(apart), 'f', 2).toStdString() + " mm straight"));
+  const auto distance = distance_between(frame().result, frame().face, {300, 250}, {420, 290});
+  EXPECT_GE(distance->over_face_mm, distance->straight_mm);
+  EXPECT_LT(distance->over_face_mm, 1.05 * distance->straight_mm);
+}
+
+TEST_F(Inspect, AProfileIsTheDepthAlongTheLine) {
+  ASSERT_TRUE(open_pictures());
+  studio_.click("Deepest");
+  const cv::Point2d deepest = *place().options().a;
+  studio_.click("Across");
+  const auto [a, b] = std::pair(*place().options().a, *place().options().b);
+  EXPECT_EQ(a.x, deepest.x);
+  EXPECT_EQ(b.x, deepest.x);
+  const Profile profile = profile_between(frame().result, frame().face, frame().sd_mm, a, b);
+  // The face is 24 mm wide; its outer side lies a little further from the camera.
+  EXPECT_NEAR(profile.along_mm.back(), 24, 1.0);
+  double most = 0;
+  for (const double depth : profile.depth_mm)
+    if (std::isfinite(depth)) most = std::max(most, depth);
+  EXPECT_FLOAT_EQ(static_cast<float>(most),
+                  frame().result.depth->depth_mm.at<float>(cv::Point(deepest)));
+}
+
+TEST_F(Inspect, PutsPointsByClicksAndTakesThemBack) {
+  ASSERT_TRUE(open_pictures());
+  auto* map = studio_.find<ImageView>("Picture");
+  const QPoint where = map->transform().to_widget({400, 260}).toPoint();
+  QTest::mouseClick(map, Qt::LeftButton, {}, where);
+  ASSERT_TRUE(place().options().a);
+  EXPECT_NEAR(place().options().a->x, 400, 2);
+  EXPECT_NEAR(place().options().a->y, 260, 2);
+  EXPECT_FALSE(place().options().b);
+  QTest::mouseClick(map, Qt::RightButton, {}, where + QPoint(30, 0));
+  EXPECT_TRUE(place().options().b);
+  EXPECT_EQ(studio_.window().undo_stack().undoText(), "put point B");
+  QTest::keyClick(&studio_.window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(place().options().b);
+  QTest::keyClick(&studio_.window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(place().options().a);
+  QTest::keyClick(&studio_.window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(place().options().a);
+}
+
+TEST_F(Inspect, ScrubsByKeysAndPlaysToTheEnd) {
+  ASSERT_TRUE(open_pictures());
+  auto* slider = studio_.find<QSlider>("Frame of the recording");
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_Right);
+  QTest::keyClick(slider, Qt::Key_Right);
+  ASSERT_TRUE(wait_until([&] { return frame().number == 2; }));
+  EXPECT_EQ(text("Name of the frame"), "frame_00002");
+  studio_.click("Play");
+  ASSERT_TRUE(wait_until([&] { return frame().number == 5; }));
+  ASSERT_TRUE(
+      wait_until([&] { return studio_.window().findChild<TimeLine*>()->is_playing() == false; }));
+  EXPECT_EQ(text("Name of the frame"), "frame_00005");
+}
+
+TEST_F(Inspect, GivesTheSameNumbersWhicheverWayOneComes) {
+  ASSERT_TRUE(open_pictures());
+  const cv::Mat first = frame().result.depth->depth_mm.clone();
+  auto* slider = studio_.find<QSlider>("Frame of the recording");
+  slider->setValue(4);
+  ASSERT_TRUE(wait_until([&] { return frame().number == 4; }));
+  slider->setValue(0);
+  ASSERT_TRUE(wait_until([&] { return frame().number == 0; }));
+  EXPECT_EQ(cv::norm(first, frame().result.depth->depth_mm, cv::NORM_INF), 0.0);
+}
+
+TEST_F(Inspect, ComparesWithThePapersMethod) {
+  ASSERT_TRUE(open_pictures());
+  auto* compare = studio_.find<QComboBox>("Compare");
+  QTest::keyClick(compare, Qt::Key_Down);
+  ASSERT_TRUE(wait_until([&] { return frame().other.has_value(); }));
+  EXPECT_EQ(place().options().comparison, Comparison::kSideBySide);
+  EXPECT_NE(studio_.find<QLabel>("The paper's method"), nullptr);
+  const cv::Mat difference = depth_difference_mm(frame());
+  EXPECT_GT(cv::countNonZero(cv::abs(difference) > 0), 1000) << "the methods differ";
+  QTest::keyClick(&studio_.window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(place().options().comparison, Comparison::kNone);
+  EXPECT_TRUE(wait_until([&] { return !frame().other.has_value(); }));
+}
+
+TEST_F(Inspect, SavesTheBytesThatTheCommandLineWrites) {
+  ASSERT_TRUE(open_pictures());
+  const TemporaryFolder out;
+  for (const char* ending : {"ply", "vtp", "stl", "glb"}) {
+    place().save(out / (std::string("a.") + ending));
+    ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }));
+  }
+  const ProgramRun run =
+      run_alltact({"reconstruct",
+                   MadeFingers::get().calibrated().string(),
+                   (MadeFingers::get().touched_pictures() / "frame_00000.png").string(),
+                   "-o",
+                   (out / "cli").string(),
+                   "--format",
+                   "depth,ply,vtp,stl,glb",
+                   "--picture"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  for (const char* ending : {"ply", "vtp", "stl", "glb"}) {
+    const std::string ours = text_of(out / (std::string("a.") + ending));
+    EXPECT_GT(ours.size(), 100000U);
+    EXPECT_TRUE(ours == text_of(out / "cli" / (std::string("frame_00000.") + ending))) << ending;
+  }
+  EXPECT_TRUE(std::filesystem::exists(out / "cli" / "frame_00000.3d.png"));
+}
+
+TEST_F(Inspect, SavesAPictureAndAFilm) {
+  ASSERT_TRUE(open_pictures());
+  const TemporaryFolder out;
+  place().save(out / "view.png");
+  ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }));
+  EXPECT_GT(QImage(QString::fromStdString((out / "view.png").string())).width(), 400);
+  place().save(out / "film.mkv");
+  ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }, 60000));
+  auto film = VideoFile::open(out / "film.mkv");
+  ASSERT_TRUE(film) << film.error().sentence();
+  EXPECT_EQ(film->frame_count(), 6U);
+  const auto last = film->frame(5);
+  ASSERT_TRUE(last);
+  EXPECT_EQ((*last)->grey.size(), cv::Size(1280, 720));
+  double low = 0, high = 0;
+  cv::minMaxLoc((*last)->grey, &low, &high);
+  EXPECT_GT(high - low, 100) << "ground, and a face on it";
+  place().save("/nowhere/a.ply");
+  ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }));
+  EXPECT_THAT(text("What was saved"), HasSubstr("/nowhere"));
+}
+
+TEST_F(Inspect, ShowsTheLiveFingerAndComesBackToIt) {
+  studio_.window().open_source({MadeFingers::get().touched()});
+  ASSERT_TRUE(wait_until(
+      [&] { return place().inspection().frame() && place().inspection().frame()->surface; }));
+  ASSERT_TRUE(open_pictures());
+  EXPECT_TRUE(place().inspection().recording());
+  studio_.click("Live finger");
+  ASSERT_TRUE(wait_until(
+      [&] { return place().inspection().frame() && !place().inspection().recording(); }));
+}
+
+TEST_F(Inspect, SaysWhyThereIsNothing) {
+  auto* map = studio_.find<ImageView>("Picture");
+  ASSERT_TRUE(wait_until(
+      [&] { return map->accessibleDescription().contains(QStringLiteral("No source is open")); }));
+  place().open("/nowhere/video.mkv");
+  ASSERT_TRUE(wait_until([&] { return !studio_.problems().empty(); }));
+  EXPECT_THAT(studio_.problems(), HasSubstr("/nowhere/video.mkv"));
+  studio_.window().open_finger(MadeFingers::get().described());
+  place().open(MadeFingers::get().touched_pictures());
+  ASSERT_TRUE(wait_until([&] {
+    return studio_.problems().find("reference") != std::string::npos &&
+           map->accessibleDescription().contains(QStringLiteral("above stands why"));
+  }));
+}
+
+TEST_F(Inspect, IsNamedForThoseWhoHearIt) {
+  ASSERT_TRUE(open_pictures());
+  for (const QWidget* widget : place().findChildren<QWidget*>()) {
+    if (!widget->isVisible() || (widget->focusPolicy() & Qt::TabFocus) == 0) continue;
+    if (qobject_cast<const QLineEdit*>(widget) != nullptr) continue;  // within spin boxes
+    QAccessibleInterface* seen =
+        QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
+    ASSERT_NE(seen, nullptr);
+    EXPECT_FALSE(seen->text(QAccessible::Name).isEmpty()) << widget->metaObject()->className();
+  }
+}
+
+TEST_F(Inspect, ComesByKeys) {
+  studio_.window().go_to("live");
+  QTest::keyClick(&studio_.window(), Qt::Key_3, Qt::ControlModifier);
+  EXPECT_TRUE(place().isVisible());
+}
+
+}  // namespace
+}  // namespace alltact::test
