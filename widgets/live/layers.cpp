@@ -1,5 +1,5 @@
-#include "widgets/live/finger_watcher.h"
 #include "core/io/colour_map.h"
+#include "widgets/live/finger_watcher.h"
 
 #include <algorithm>
 #include <array>
