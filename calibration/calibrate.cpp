@@ -3,6 +3,7 @@
 #include "calibration/joint_fit.h"
 #include "calibration/model_choice.h"
 #include "calibration/outline_methods.h"
+#include "calibration/placed_ball.h"
 #include "calibration/press_samples.h"
 #include "calibration/tangent_arc.h"
 
@@ -66,7 +67,8 @@ std::vector<Found> find_balls(const std::vector<Press>& presses,
           fmt::format("{}: the same picture as {}, counted once.", press.name, twin->name));
       continue;
     }
-    auto guess = find_ball(press, face, options);
+    auto guess = press.ball_mm ? guess_of_placed_ball(press, face, *press.ball_mm)
+                               : find_ball(press, face, options);
     if (!guess) {
       left_out->push_back(guess.error().sentence());
       continue;
