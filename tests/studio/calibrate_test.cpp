@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 bool says(Studio& studio, const char* words) {
   for (const QLabel* label : studio.window().findChildren<QLabel*>())
-    if (label->isVisible() && label->text().contains(QLatin1String(words))) return true;
+    if (label->isVisible() && label->text().contains(QString::fromUtf8(words))) return true;
   return false;
 }
 
@@ -220,7 +220,7 @@ TEST(Calibrate, GivesTheSameBytesAsTheCommandThatItCopies) {
   rig.desk().disk()->wait();
   fs::copy(rig.finger(), rig.folder() / "before", fs::copy_options::recursive);
   rig.studio().click("Next: Mapping");
-  rig.studio().click("Calibrate");
+  rig.studio().click("Calibrate now");
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
   ASSERT_TRUE(rig.wait_for_report()) << rig.run().report_problem().toStdString();
   rig.studio().click("Next: Verdict");
@@ -250,7 +250,7 @@ TEST(Calibrate, TakingOutAPressShowsAsAChangeAndEverythingCanBeUndone) {
   ASSERT_TRUE(rig.wait_until_looked_at(4));
   const auto untouched = contents(rig.finger()).at("finger.yaml");
   rig.go_to_step("Mapping");
-  rig.studio().click("Calibrate");
+  rig.studio().click("Calibrate now");
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
   ASSERT_TRUE(rig.wait_for_report());
   EXPECT_EQ(rig.run().state(), CalibrationState::kCurrent);
@@ -302,7 +302,7 @@ TEST(Calibrate, StoppingKeepsWhatWasThere) {
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   const auto before = contents(rig.finger()).at("finger.yaml");
   rig.go_to_step("Mapping");
-  rig.studio().click("Calibrate");
+  rig.studio().click("Calibrate now");
   EXPECT_NE(rig.studio().find<QProgressBar>("Progress of the calibration"), nullptr);
   rig.studio().click("Stop");
   ASSERT_TRUE(wait_until([&] { return !rig.run().is_running(); }, 30000));
@@ -450,7 +450,7 @@ TEST(Calibrate, AFirstTimeUserComesFromAnEmptyFolderToAVerdict) {
   ASSERT_TRUE(wait_until([&] {
     return studio.session().status().finger.folder == empty / "left-07" &&
            studio.session().status().finger.state == FingerState::kReady;
-  }));
+  })) << studio.problems();
   person.click("Go to Record");
   person.click("Start recording");
   // Two rounds of the ball: in between the finger is free.
@@ -484,7 +484,7 @@ TEST(Calibrate, AFirstTimeUserComesFromAnEmptyFolderToAVerdict) {
   }
   ASSERT_TRUE(wait_until([&] { return place->desk().usable_count() >= 4; }, 20000));
   person.click("Next: Mapping");
-  person.click("Calibrate");
+  person.click("Calibrate now");
   ASSERT_TRUE(wait_until([&] { return place->run().result() != nullptr; }, 60000))
       << studio.problems();
   person.click("Next: Verdict");

@@ -83,7 +83,7 @@ void MappingPage::show_status() {
   bar_->setVisible(is_running);
   stop_->setVisible(is_running);
   calibrate_->setEnabled(!is_running && desk_.usable_count() > 0);
-  calibrate_->setText(run_.state() == CalibrationState::kNone ? tr("&Calibrate")
+  calibrate_->setText(run_.state() == CalibrationState::kNone ? tr("&Calibrate now")
                                                               : tr("&Calibrate again"));
   bar_->setValue(static_cast<int>(100 * run_.work().fraction()));
   QString progress;

@@ -92,7 +92,6 @@ void CalibratePlace::follow() {
     desk_.open(folder);
     run_.reload();
   }
-  finger_->set_camera_file(lens_->camera_file());
   lens_->show_status();
   finger_->show_status();
   show_steps();
@@ -121,6 +120,7 @@ void CalibratePlace::go_to(std::size_t step) {
 
 void CalibratePlace::show_steps() {
   if (next_ == nullptr || buttons_.back() == nullptr) return;
+  finger_->set_camera_file(lens_->camera_file());
   const std::size_t open = last_open();
   if (step_ > open) {  // what it stands on has gone
     step_ = open;
