@@ -172,7 +172,12 @@ void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* ball
 JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const Job& job) {
   std::vector<const PressSamples*> presses;
   for (const Found& f : found) presses.push_back(&f.fine);
-  JointFit fit = fit_jointly(presses, choice.fit, choice.options, job);
+  JointOptions options = choice.options;
+  const std::function<void(int, double)> tell = [&job](int round, double change_mm) {
+    job.report(0.9, fmt::format("solving: round {}, unknowns move by {:.1e} mm", round, change_mm));
+  };
+  options.watch = &tell;
+  JointFit fit = fit_jointly(presses, choice.fit, options, job);
   if (!fit.converged) return choice.fit;  // stopped: the best so far
   bool seen = false;
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -183,7 +188,7 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
     seen = seen || !found[i].fine.outline.empty();
   }
   if (!seen) return fit;
-  JointFit with_outlines = fit_jointly(presses, fit, choice.options, job);
+  JointFit with_outlines = fit_jointly(presses, fit, options, job);
   return with_outlines.converged ? with_outlines : fit;
 }
 

@@ -308,6 +308,7 @@ void MainWindow::go_to(const std::string& place) {
   places_->setCurrentIndex(is_record ? 2 : is_calibrate ? 1 : 0);
   (is_record ? record_button_ : is_calibrate ? calibrate_button_ : live_button_)->setChecked(true);
   state_.place = place;
+  follow();
   keep();
 }
 

@@ -120,7 +120,7 @@ void MainWindow::add_finger_problems(const LiveStatus& status,
     problems.push_back({Meaning::kDoubtful,
                         tr("This finger is not calibrated yet, so that no depth is shown."),
                         tr("Calibrate it with ball presses."),
-                        tr("&Go to Calibrate"),
+                        state_.place == "calibrate" ? QString() : tr("&Go to Calibrate"),
                         [this] { const_cast<MainWindow*>(this)->go_to("calibrate"); }});
 }
 

@@ -123,6 +123,8 @@ TEST_P(Screens, CalibrateMappingAndVerdict) {
   rig.go_to_step("Verdict");
   ASSERT_TRUE(rig.wait_for_report());
   save(rig.studio(), "calibrate_verdict");
+  rig.go_to_step("Check");
+  save(rig.studio(), "calibrate_check");
 }
 
 TEST_P(Screens, NoSuchSource) {

@@ -74,6 +74,17 @@ TEST_P(OutlineGeometry, CentreGoesExactlyWhereItIsPut) {
   EXPECT_NEAR(seen.y(), wanted.y(), 1e-6);
 }
 
+TEST_P(OutlineGeometry, SlidesAlongAnInclinedFace) {
+  ShownBall ball{make(), kRadiusMm, {7, -5, 52}, false};
+  ball.normal = Eigen::Vector3d(-std::sin(0.6), 0, std::cos(0.6));
+  const auto centre = ball_moved_to(ball, {560.5, 270.25});
+  ASSERT_TRUE(centre);
+  EXPECT_NEAR(ball.normal.dot(*centre - ball.centre_mm), 0, 1e-9);
+  EXPECT_NEAR((*ball.camera.project(*centre) - Eigen::Vector2d(560.5, 270.25)).norm(), 0, 1e-6);
+  ball.normal = Eigen::Vector3d::UnitX();  // seen from its edge
+  EXPECT_FALSE(ball_moved_to(ball, {479.5, 269.5}));
+}
+
 TEST_P(OutlineGeometry, RimGoesExactlyWhereItIsPutAndTheCentreStays) {
   const ShownBall ball{make(), kRadiusMm, {12, -7, 52}, false};
   const Eigen::Vector2d before = ball.camera.project(ball.centre_mm).value();

@@ -119,6 +119,7 @@ QWidget* LensPage::make_board_group() {
   run->addWidget(measure_);
   run->addWidget(bar_, 1);
   run->addWidget(stop_);
+  run->addStretch();
   form->addRow(pictures_label_, pictures);
   form->addRow(pattern_label_, pattern_);
   form->addRow(size_label_, size);
@@ -276,6 +277,7 @@ void LensPage::measure() {
 void LensPage::show_progress() {
   const bool is_running = work_.is_running();
   measure_->setEnabled(!is_running);
+  outcome_->setVisible(!outcome_->text().isEmpty());
   bar_->setVisible(is_running);
   stop_->setVisible(is_running);
   bar_->setValue(static_cast<int>(100 * work_.fraction()));

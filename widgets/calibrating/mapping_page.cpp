@@ -20,6 +20,7 @@ MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
       bar_(new QProgressBar),
       progress_(wrapped_text()),
       text_(wrapped_text()),
+      log_(new QListWidget),
       mapping_(new MappingPlot),
       errors_(new PressErrorPlot),
       residual_(new FaceMapPlot),
@@ -36,6 +37,7 @@ MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
   row->addWidget(progress_, 2);
   column->addLayout(row);
   column->addWidget(text_);
+  column->addWidget(log_, 1);
   auto* figures = new QGridLayout;
   figures->addWidget(mapping_, 0, 0);
   figures->addWidget(errors_, 0, 1);
@@ -53,6 +55,7 @@ MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
   say([this] {
     stop_->setText(tr("&Stop"));
     stop_->setToolTip(tr("Keeps the best solution so far"));
+    log_->setAccessibleName(tr("What has been done"));
     bar_->setAccessibleName(tr("Progress of the calibration"));
     mapping_->setAccessibleName(tr("Depth over brightness difference"));
     errors_->setAccessibleName(tr("Error of every press, worst first"));
@@ -101,19 +104,33 @@ void MappingPage::show_status() {
   problems_->set_problems(run_.problem() && !is_running
                               ? std::vector<Problem>{Problem::of(*run_.problem())}
                               : std::vector<Problem>{});
+  show_log();
   show_figures();
   Q_EMIT changed();
 }
 
+void MappingPage::show_log() {
+  const bool is_running = run_.is_running();
+  if (is_running && !was_running_) log_->clear();
+  was_running_ = is_running;
+  log_->setVisible(is_running);
+  const QString what = run_.work().what();
+  const int count = log_->count();
+  if (!is_running || what.isEmpty() || (count > 0 && log_->item(count - 1)->text() == what)) return;
+  log_->addItem(what);
+  log_->scrollToBottom();
+}
+
 void MappingPage::show_figures() {
   const auto& done = run_.result();
-  if (done == shown_ && done) return;
-  shown_ = done;
+  const bool is_shown = done != nullptr && !run_.is_running();
   for (QWidget* figure : {static_cast<QWidget*>(mapping_),
                           static_cast<QWidget*>(errors_),
                           static_cast<QWidget*>(residual_),
                           static_cast<QWidget*>(sd_)})
-    figure->setVisible(done != nullptr);
+    figure->setVisible(is_shown);
+  if (done == shown_ && done) return;
+  shown_ = done;
   if (!done) {
     text_->setText(
         desk_.usable_count() == 0

@@ -8,6 +8,7 @@
 #include "widgets/plots/press_error_plot.h"
 #include "widgets/shell/problem_list.h"
 
+#include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
 
@@ -25,6 +26,7 @@ class MappingPage : public StepPage {
 
  private:
   void show_figures();
+  void show_log();
 
   PressDesk& desk_;
   CalibrationRun& run_;
@@ -32,6 +34,8 @@ class MappingPage : public StepPage {
   QPushButton *calibrate_, *stop_;
   QProgressBar* bar_;
   QLabel *progress_, *text_;
+  QListWidget* log_;  // what was done, and how the solution settles
+  bool was_running_ = false;
   MappingPlot* mapping_;
   PressErrorPlot* errors_;
   FaceMapPlot *residual_, *sd_;

@@ -327,24 +327,28 @@ std::optional<ShownBall> PressesPage::ball_of(const DeskPress& press) const {
   const double radius = desk_.notes().ball_radius_mm;
   if (desk_.looker() == nullptr || !(radius > 0)) return std::nullopt;
   const Camera& camera = desk_.looker()->camera();
-  if (const PlacedBall* placed = desk_.placed(press.name))
-    return ShownBall{camera, radius, placed->centre_mm, true};
+  const Face& face = desk_.looker()->finger().face;
+  const auto shown = [&](const Eigen::Vector3d& centre, bool is_by_hand) {
+    ShownBall ball{camera, radius, centre, is_by_hand, Eigen::Vector3d::UnitZ()};
+    const auto contact =
+        press.looked.shape ? ball_on_face(*press.looked.shape, face, centre, radius) : std::nullopt;
+    if (contact) ball.normal = contact->normal;
+    return ball;
+  };
+  if (const PlacedBall* placed = desk_.placed(press.name)) return shown(placed->centre_mm, true);
   const bool is_current = run_.state() == CalibrationState::kCurrent;
   if (const BallFit* fitted = is_current ? fitted_ball(run_, press.name) : nullptr)
-    return ShownBall{camera, radius, fitted->centre_mm, false};
-  if (press.looked.found_mm) return ShownBall{camera, radius, *press.looked.found_mm, false};
+    return shown(fitted->centre_mm, false);
+  if (press.looked.found_mm) return shown(*press.looked.found_mm, false);
   if (press.looked.grey.empty()) return std::nullopt;
   // Nothing was found: something to drag onto the ball, where balls mostly are.
   const auto middle = press.looked.shape ? press.looked.shape->at(0.5 * press.looked.grey.cols,
                                                                   0.5 * press.looked.grey.rows)
                                          : std::nullopt;
   if (!middle) return std::nullopt;
-  const Face& face = desk_.looker()->finger().face;
-  return ShownBall{camera,
-                   radius,
-                   untouched_point_mm(*middle, face.layer_mm, MappingAlong::kNormal) +
-                       0.8 * radius * middle->normal,
-                   false};
+  return shown(untouched_point_mm(*middle, face.layer_mm, MappingAlong::kNormal) +
+                   0.8 * radius * middle->normal,
+               false);
 }
 
 std::vector<Overlay> PressesPage::overlays_of(const DeskPress& press) const {

@@ -1,6 +1,7 @@
 #include "widgets/calibrating/verdict_page.h"
 
 #include "widgets/report/calibration_figures.h"
+#include "widgets/report/report_words.h"
 #include "widgets/shell/icons.h"
 #include "widgets/theme.h"
 
@@ -15,14 +16,6 @@ namespace alltact {
 namespace {
 
 constexpr int kSymbol = 40;
-
-/// A sentence of the libraries: a capital first, a full stop last.
-QString sentence_of(const std::string& text) {
-  QString sentence = QString::fromStdString(text);
-  if (sentence.isEmpty()) return sentence;
-  sentence[0] = sentence[0].toUpper();
-  return sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.');
-}
 
 QString grade_text(Grade grade) {
   switch (grade) {
@@ -134,21 +127,25 @@ StepState VerdictPage::state() const {
   return run_.state() == CalibrationState::kCurrent ? StepState::kDone : StepState::kToDo;
 }
 
+QString VerdictPage::missing() const {
+  return run_.state() == CalibrationState::kNone ? tr("Calibrate first.") : QString();
+}
+
 void VerdictPage::show_status() {
   const auto known = verdict_of(run_);
   const Meaning meaning = known ? meaning_of(known->grade) : Meaning::kDoubtful;
   symbol_->setPixmap(symbol(
       symbol_name(meaning), meaning_colour(meaning, palette()), kSymbol, devicePixelRatioF()));
   grade_->setText(known ? grade_text(known->grade) : tr("Not calibrated yet"));
-  QString sentence;
+  QString words;
   if (known) {
     const std::string& whole = known->sentence;
     const std::size_t colon = whole.find(": ");
-    sentence = sentence_of(colon == std::string::npos ? whole : whole.substr(colon + 2));
+    words = sentence(colon == std::string::npos ? whole : whole.substr(colon + 2));
   }
   if (run_.state() == CalibrationState::kStale)
-    sentence += QLatin1Char(' ') + tr("The presses have changed since: calibrate again.");
-  sentence_->setText(sentence);
+    words += QLatin1Char(' ') + tr("The presses have changed since: calibrate again.");
+  sentence_->setText(words);
   report_->setEnabled(!run_.report().empty());
   copy_->setEnabled(run_.state() != CalibrationState::kNone);
   command_->setVisible(run_.state() != CalibrationState::kNone);
@@ -177,13 +174,14 @@ void VerdictPage::show_next_press() {
   if (!advice) {
     next_->setText(tr("Nothing can be said about it with these presses."));
   } else {
-    next_->setText(sentence_of(advice->sentence));
+    next_->setText(sentence(advice->sentence));
     if (!advice->enough) {
       const double r = shown_->inputs.ball_radius_mm, d = std::min(advice->depth_mm, r);
       data.contacts.push_back({advice->along_mm,
                                advice->across_mm,
                                std::sqrt(d * (2 * r - d)),
-                               tr("next").toStdString()});
+                               tr("press here next").toStdString(),
+                               true});
     }
   }
   face_->set_data(std::move(data));
@@ -194,7 +192,7 @@ void VerdictPage::show_remarks() {
   remarks_group_->setVisible(shown_ != nullptr);
   if (!shown_) return;
   const Calibration& calibration = shown_->calibration;
-  const auto add = [this](const std::string& text) { remarks_->addItem(sentence_of(text)); };
+  const auto add = [this](const std::string& text) { remarks_->addItem(sentence(text)); };
   for (const std::string& sign : shown_->fault_signs) add(sign);
   for (const std::string& warning : shown_->about_settings) add(warning);
   for (const std::string& warning : shown_->warnings) add(warning);

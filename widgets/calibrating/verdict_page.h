@@ -18,7 +18,7 @@ class VerdictPage : public StepPage {
 
   [[nodiscard]] QString title() const override { return tr("Verdict"); }
   [[nodiscard]] StepState state() const override;
-  [[nodiscard]] QString missing() const override { return {}; }
+  [[nodiscard]] QString missing() const override;
   void show_status();
 
  protected:

@@ -21,8 +21,9 @@ constexpr int kDrawnPoints = 240;
 constexpr int kMeasuredPoints = 2400;  // whose chords lie within a ten-thousandth of a pixel
 constexpr double kReach = 9;           // logical pixels from a handle that still take hold of it
 constexpr double kFineStep_px = 0.1, kCoarseStep_px = 1;
-constexpr double kFewest_px = 2;  // an outline smaller than this cannot be taken hold of
-constexpr int kOneRun_ms = 1000;  // steps that follow each other so fast are one
+constexpr double kSlanted = 0.05;  // cosine; planes seen flatter than this go away too fast
+constexpr double kFewest_px = 2;   // an outline smaller than this cannot be taken hold of
+constexpr int kOneRun_ms = 1000;   // steps that follow each other so fast are one
 constexpr double kLoupe = 168, kLoupeGap = 26, kLoupeScale = 10;
 const QColor kOutline(255, 214, 64);
 
@@ -73,7 +74,10 @@ std::optional<OutlinePlace> outline_place(const ShownBall& ball) {
 std::optional<Eigen::Vector3d> ball_moved_to(const ShownBall& ball, QPointF pixel) {
   const auto ray = ball.camera.unproject({pixel.x(), pixel.y()});
   if (!ray) return std::nullopt;
-  const Eigen::Vector3d centre = ray->point_at(ball.centre_mm.z());
+  const double ahead = ball.normal.dot(ray->direction);
+  if (!(ahead > kSlanted * ray->direction.norm())) return std::nullopt;
+  const Eigen::Vector3d centre =
+      ray->point_at(ball.normal.dot(ball.centre_mm - ray->origin_mm) / ahead);
   if (!is_before_camera(ball, centre)) return std::nullopt;
   return centre;
 }

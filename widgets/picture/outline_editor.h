@@ -18,6 +18,9 @@ struct ShownBall {
   double radius_mm = 0;       ///< > 0
   Eigen::Vector3d centre_mm;  ///< before the camera
   bool is_by_hand = false;    ///< drawn whole; else dashed: found by the program
+  /// Moved sideways it stays in the plane at right angles to this: with a face's normal it stays
+  /// pressed in as deep.
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
 };
 
 /// Where the outline is in the picture, px.
@@ -29,7 +32,7 @@ struct OutlinePlace {
 /// nullopt where the camera does not see it.
 [[nodiscard]] std::optional<OutlinePlace> outline_place(const ShownBall& ball);
 
-/// The same ball seen with its centre at `pixel`, as far away along z as before.
+/// The same ball moved sideways, seen with its centre at `pixel`.
 [[nodiscard]] std::optional<Eigen::Vector3d> ball_moved_to(const ShownBall& ball, QPointF pixel);
 /// The same ball nearer or further along the ray of its centre, so that its outline passes through
 /// `pixel`. nullopt where no distance does that: beside the camera, or parallel rays.

@@ -1,7 +1,9 @@
-// The place Calibrate: lens, finger, presses, mapping, verdict, one after the other.
+// The place Calibrate: lens, finger, presses, mapping, verdict, one after the other, and the check
+// whether it still holds.
 #pragma once
 
 #include "widgets/calibrating/calibration_run.h"
+#include "widgets/calibrating/check_page.h"
 #include "widgets/calibrating/finger_page.h"
 #include "widgets/calibrating/lens_page.h"
 #include "widgets/calibrating/mapping_page.h"
@@ -48,7 +50,7 @@ class CalibratePlace : public Translated<QWidget> {
   void changeEvent(QEvent* event) override;
 
  private:
-  static constexpr std::size_t kSteps = 5;
+  static constexpr std::size_t kSteps = 6;
   void follow();
   void show_steps();
   void go_to(std::size_t step);
@@ -63,6 +65,7 @@ class CalibratePlace : public Translated<QWidget> {
   PressesPage* presses_;
   MappingPage* mapping_;
   VerdictPage* verdict_;
+  CheckPage* check_;
   std::array<StepPage*, kSteps> pages_;
   std::array<QToolButton*, kSteps> buttons_;
   QStackedWidget* stack_;
