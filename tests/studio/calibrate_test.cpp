@@ -163,6 +163,28 @@ TEST(Calibrate, AnotherRadiusLooksAgainAndTakesOutlinesAlong) {
   EXPECT_EQ(rig.desk().placed("press_01")->centre_mm, found);
 }
 
+TEST(Calibrate, OnePressMayHaveABallOfItsOwn) {
+  CalibrateStudio rig(2);
+  rig.open();
+  rig.go_to_step("Presses");
+  rig.type_radius("4");
+  ASSERT_TRUE(rig.wait_until_looked_at(2));
+  auto* list = rig.studio().find<QListView>("Presses");
+  list->setCurrentIndex(list->model()->index(1, 0));
+  auto* own = rig.studio().find<QDoubleSpinBox>("Radius of this press' ball");
+  ASSERT_NE(own, nullptr);
+  own->setFocus();
+  own->selectAll();
+  QTest::keyClicks(own, "5");
+  QTest::keyClick(own, Qt::Key_Return);
+  ASSERT_TRUE(rig.wait_until_looked_at(2));
+  EXPECT_EQ(rig.desk().notes().radius_of("press_01"), 4);
+  EXPECT_EQ(rig.desk().notes().radius_of("press_02"), 5);
+  EXPECT_THAT(rig.run().command_line().toStdString(), HasSubstr("--other-ball press_02=5"));
+  QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(rig.desk().notes().radius_of("press_02"), 4);
+}
+
 TEST(Calibrate, PressesAddedFromFilesKeepTheirNames) {
   CalibrateStudio rig(2);
   fs::create_directories(rig.folder() / "mine");

@@ -51,7 +51,8 @@ std::vector<T> by_name(std::vector<T> list) {
 
 bool say_the_same(const PressNotes& a, const PressNotes& b) {
   return a.ball_radius_mm == b.ball_radius_mm && a.operator_name == b.operator_name &&
-         by_name(a.balls) == by_name(b.balls) && by_name(a.excluded) == by_name(b.excluded);
+         by_name(a.other_balls) == by_name(b.other_balls) && by_name(a.balls) == by_name(b.balls) &&
+         by_name(a.excluded) == by_name(b.excluded);
 }
 
 }  // namespace
@@ -144,10 +145,6 @@ void CalibrationRun::reload() {
   });
 }
 
-PressNotes CalibrationRun::notes_of(const CalibrationInputs& inputs) const {
-  return {inputs.ball_radius_mm, inputs.operator_name, inputs.balls, inputs.excluded};
-}
-
 CalibrationState CalibrationRun::state() const {
   if (!finger_ || !finger_->mapping || !from_) return CalibrationState::kNone;
   const auto& presses = desk_.presses();
@@ -157,8 +154,9 @@ CalibrationState CalibrationRun::state() const {
       from_->presses.begin(),
       from_->presses.end(),
       [](const DeskPress& press, const KeptPress& kept) { return press.name == kept.name; });
-  return same_presses && say_the_same(desk_.notes(), notes_of(*from_)) ? CalibrationState::kCurrent
-                                                                       : CalibrationState::kStale;
+  return same_presses && say_the_same(desk_.notes(), PressNotes::of(*from_))
+             ? CalibrationState::kCurrent
+             : CalibrationState::kStale;
 }
 
 FingerCalibrationInput CalibrationRun::input_for(const PressNotes& notes) const {
@@ -173,6 +171,10 @@ FingerCalibrationInput CalibrationRun::input_for(const PressNotes& notes) const 
   const auto is_there = [&](const auto& one) { return desk_.find(one.name) != nullptr; };
   std::copy_if(
       notes.excluded.begin(), notes.excluded.end(), std::back_inserter(input.excluded), is_there);
+  std::copy_if(notes.other_balls.begin(),
+               notes.other_balls.end(),
+               std::back_inserter(input.other_balls),
+               is_there);
   std::copy_if(notes.balls.begin(), notes.balls.end(), std::back_inserter(input.balls), is_there);
   input.operator_name = notes.operator_name;
   input.program_version = version_;
@@ -182,7 +184,7 @@ FingerCalibrationInput CalibrationRun::input_for(const PressNotes& notes) const 
 QString CalibrationRun::command_line() const {
   FingerCalibrationInput input = input_for(desk_.notes());
   if (state() == CalibrationState::kCurrent) {
-    input = input_for(notes_of(*from_));
+    input = input_for(PressNotes::of(*from_));
     input.date = from_->date;
   }
   return QString::fromStdString(calibrate_command(input));

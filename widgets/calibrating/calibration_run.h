@@ -67,7 +67,6 @@ class CalibrationRun : public QObject {
     std::shared_ptr<const Finger> finger;
   };
   [[nodiscard]] FingerCalibrationInput input_for(const PressNotes& notes) const;
-  [[nodiscard]] PressNotes notes_of(const CalibrationInputs& inputs) const;
   void take(const Made& made);
   void write_report();
   void end_report();

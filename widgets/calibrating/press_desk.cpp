@@ -169,7 +169,7 @@ void PressDesk::look_at_next() {
                   given = next->frame,
                   file = file_of(folder_, next->name),
                   looker = looker_,
-                  radius = notes_.ball_radius_mm](const Job&) {
+                  radius = notes_.radius_of(next->name)](const Job&) {
     FramePtr frame = given;
     LookedAt looked;
     if (!frame) {
@@ -187,7 +187,7 @@ void PressDesk::look_at_next() {
       if (press == presses_.end()) return;
       press->frame = frame;
       press->looked = looked;
-      press->is_looked_at = radius == notes_.ball_radius_mm;
+      press->is_looked_at = radius == notes_.radius_of(name);
     });
   });
 }
@@ -231,10 +231,9 @@ void PressDesk::change(const QString& text, PressNotes notes, int merge_id) {
 }
 
 void PressDesk::set_notes(const PressNotes& notes) {
-  const bool is_other_ball = notes.ball_radius_mm != notes_.ball_radius_mm;
+  for (DeskPress& press : presses_)
+    if (notes.radius_of(press.name) != notes_.radius_of(press.name)) press.is_looked_at = false;
   notes_ = notes;
-  if (is_other_ball)
-    for (DeskPress& press : presses_) press.is_looked_at = false;
   bool is_waiting = false;
   {
     const std::lock_guard lock(waiting_notes_->mutex);
@@ -253,13 +252,28 @@ void PressDesk::set_notes(const PressNotes& notes) {
   look_at_next();
 }
 
+void PressDesk::change_radii(const QString& text, PressNotes notes, int merge_id) {
+  // Outlines drawn by hand stay where they are: the same cone, another ball.
+  if (looker_ && looker_->is_perspective())
+    for (PlacedBall& ball : notes.balls)
+      if (const double before = notes_.radius_of(ball.name); before > 0)
+        ball.centre_mm *= notes.radius_of(ball.name) / before;
+  change(text, std::move(notes), merge_id);
+}
+
 void PressDesk::set_radius(double radius_mm) {
+  if (!(radius_mm > 0)) return;
   PressNotes notes = notes_;
   notes.ball_radius_mm = radius_mm;
-  // Outlines drawn by hand stay where they are: the same cone, another ball.
-  if (notes_.ball_radius_mm > 0 && looker_ && looker_->is_perspective())
-    for (PlacedBall& ball : notes.balls) ball.centre_mm *= radius_mm / notes_.ball_radius_mm;
-  change(tr("change the ball's radius"), std::move(notes), kRadius);
+  change_radii(tr("change the ball's radius"), std::move(notes), kRadius);
+}
+
+void PressDesk::set_radius_of(const std::string& name, double radius_mm) {
+  PressNotes notes = notes_;
+  std::erase_if(notes.other_balls, [&](const OtherBall& ball) { return ball.name == name; });
+  if (radius_mm > 0 && radius_mm != notes.ball_radius_mm)
+    notes.other_balls.push_back({name, radius_mm});
+  change_radii(tr("change the ball's radius of %1").arg(text_of(name)), std::move(notes), -1);
 }
 
 void PressDesk::set_operator(const std::string& name) {

@@ -54,6 +54,8 @@ class PressDesk : public QObject {
 
   // Undoable:
   void set_radius(double radius_mm);
+  /// Of the ball of this press alone; 0: the same as of all others.
+  void set_radius_of(const std::string& name, double radius_mm);
   void set_operator(const std::string& name);
   /// `grip`: see OutlineEditor::ball_moved.
   void place_ball(const std::string& name, const Eigen::Vector3d& centre_mm, int grip);
@@ -81,6 +83,7 @@ class PressDesk : public QObject {
   void load();
   void look_at_next();
   void change(const QString& text, PressNotes notes, int merge_id = -1);
+  void change_radii(const QString& text, PressNotes notes, int merge_id);
   void set_notes(const PressNotes& notes);
   void insert(const std::vector<FramePtr>& frames);
   void erase(const std::vector<FramePtr>& frames);

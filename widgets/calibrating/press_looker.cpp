@@ -44,8 +44,9 @@ LookedAt PressLooker::operator()(const FramePtr& frame, double radius_mm) {
     return looked;
   }
   if (!(radius_mm > 0)) return looked;
-  const Press press{frame->name, std::move(*result->difference), std::move(*result->shape)};
-  const auto ball = find_ball(press, pipeline_.finger().face, radius_mm);
+  const Press press{
+      frame->name, std::move(*result->difference), std::move(*result->shape), radius_mm};
+  const auto ball = find_ball(press, pipeline_.finger().face);
   if (ball)
     looked.found_mm = ball->centre_mm;
   else

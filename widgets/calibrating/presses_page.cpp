@@ -69,7 +69,9 @@ PressesPage::PressesPage(LiveSession& session,
       press_group_(new QGroupBox),
       radius_label_(new QLabel),
       operator_label_(new QLabel),
+      own_radius_label_(new QLabel),
       radius_(new QDoubleSpinBox),
+      own_radius_(new QDoubleSpinBox),
       operator_(new QLineEdit),
       take_(new QPushButton),
       find_(new QPushButton),
@@ -173,10 +175,13 @@ QWidget* PressesPage::make_side() {
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(6, 0, 0, 0);
   auto* take = new QVBoxLayout(take_group_);
-  radius_->setRange(0, 1000);
-  radius_->setDecimals(3);
-  radius_->setSingleStep(0.1);
-  radius_->setKeyboardTracking(false);
+  for (QDoubleSpinBox* field : {radius_, own_radius_}) {
+    field->setRange(0, 1000);
+    field->setDecimals(3);
+    field->setSingleStep(0.1);
+    field->setKeyboardTracking(false);
+  }
+  own_radius_label_->setBuddy(own_radius_);
   radius_label_->setBuddy(radius_);
   operator_label_->setBuddy(operator_);
   auto* form = new QFormLayout;
@@ -191,12 +196,18 @@ QWidget* PressesPage::make_side() {
   column->addWidget(take_group_);
   auto* press = new QVBoxLayout(press_group_);
   press->addWidget(press_text_);
+  auto* own = new QFormLayout;
+  own->addRow(own_radius_label_, own_radius_);
+  press->addLayout(own);
   press->addWidget(find_);
   press->addWidget(legend_);
   column->addWidget(press_group_);
   column->addStretch();
   connect(radius_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     desk_.set_radius(value);
+  });
+  connect(own_radius_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    desk_.set_radius_of(shown_, value);
   });
   connect(operator_, &QLineEdit::editingFinished, this, [this] {
     desk_.set_operator(operator_->text().trimmed().toStdString());
@@ -222,6 +233,10 @@ void PressesPage::name_parts() {
   radius_->setAccessibleName(tr("Ball's radius"));
   radius_->setSuffix(tr(" mm"));
   radius_->setSpecialValueText(tr("unknown"));
+  own_radius_label_->setText(tr("&Its ball"));
+  own_radius_->setAccessibleName(tr("Radius of this press' ball"));
+  own_radius_->setToolTip(tr("Where this press was made with a ball of another radius"));
+  own_radius_->setSuffix(tr(" mm"));
   operator_label_->setText(tr("&Operator"));
   operator_->setAccessibleName(tr("Operator"));
   operator_->setPlaceholderText(tr("for the record"));
@@ -324,7 +339,7 @@ void PressesPage::show_list() {
 }
 
 std::optional<ShownBall> PressesPage::ball_of(const DeskPress& press) const {
-  const double radius = desk_.notes().ball_radius_mm;
+  const double radius = desk_.notes().radius_of(press.name);
   if (desk_.looker() == nullptr || !(radius > 0)) return std::nullopt;
   const Camera& camera = desk_.looker()->camera();
   const Face& face = desk_.looker()->finger().face;
@@ -397,6 +412,8 @@ void PressesPage::show_shown() {
     return;
   }
   find_->setEnabled(desk_.placed(press->name) != nullptr);
+  const QSignalBlocker quiet(own_radius_);
+  own_radius_->setValue(desk_.notes().radius_of(press->name));
   press_text_->setText(advice_for(*press));
   if (press->looked.grey.empty()) {
     editor_->set_ball(std::nullopt);

@@ -70,8 +70,8 @@ class PressesPage : public StepPage {
   OutlineEditor* editor_;
   QLabel* place_;
   QGroupBox *take_group_, *press_group_;
-  QLabel *radius_label_, *operator_label_;
-  QDoubleSpinBox* radius_;
+  QLabel *radius_label_, *operator_label_, *own_radius_label_;
+  QDoubleSpinBox *radius_, *own_radius_;
   QLineEdit* operator_;
   QPushButton *take_, *find_;
   QCheckBox* by_itself_;

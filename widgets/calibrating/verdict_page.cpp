@@ -47,7 +47,10 @@ std::optional<Verdict> verdict_of(const CalibrationRun& run) {
   if (run.result()) return run.result()->verdict;
   if (!run.finger() || !run.finger()->mapping_record) return std::nullopt;
   const MappingRecord& record = *run.finger()->mapping_record;
-  return verdict(record.residual_mm, record.held_out_mm, static_cast<int>(record.presses.size()));
+  return verdict({record.residual_mm,
+                  record.held_out_mm,
+                  record.spread_mm,
+                  static_cast<int>(record.presses.size())});
 }
 
 }  // namespace
