@@ -55,12 +55,12 @@ CalibratePlace& CalibrateStudio::place() {
   return *place;
 }
 
-void CalibrateStudio::open() {
+void CalibrateStudio::open(const std::filesystem::path& command_line) {
   StudioOptions options;
   options.finger = finger();
   options.source = {folder_ / "pressing.yaml"};
   options.session_folder = folder_ / "session";
-  options.command_line = ALLTACT_PROGRAM;
+  options.command_line = command_line;
   studio_ = std::make_unique<Studio>(options);
   ASSERT_TRUE(studio_->wait_for_picture());
   ASSERT_TRUE(wait_until([&] { return studio_->session().status().finger.has_reference; }, 30000));

@@ -33,7 +33,8 @@ class CalibrateStudio {
   [[nodiscard]] std::filesystem::path finger() const { return folder_ / "finger"; }
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
 
-  void open();  ///< the window, at the place, with everything looked at
+  /// The window, at the place. With the program of the command line it writes reports.
+  void open(const std::filesystem::path& command_line = {});
   void close() { studio_.reset(); }
   void go_to_step(const QString& title);
   void type_radius(const QString& text);
