@@ -1,5 +1,5 @@
 // Every text can be translated, is translated, and has room for longer words.
-#include "tests/studio/studio_rig.h"
+#include "tests/studio/calibrate_rig.h"
 #include "tests/support/program.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/settings_dialog.h"
@@ -188,6 +188,26 @@ TEST_F(PseudoLanguage, NothingIsLeftOutAndNothingIsClipped) {
   finger.show();
   QTest::qWait(50);
   look_through(finger);
+}
+
+TEST_F(PseudoLanguage, NothingIsLeftOutOfCalibrate) {
+  CalibrateStudio rig(2);
+  rig.open();
+  rig.go_to_step("Presses");
+  rig.type_radius("4");
+  ASSERT_TRUE(rig.wait_until_looked_at(2));
+  speak();
+  int step = 0;
+  for (auto* button :
+       rig.place().findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (!button->isEnabled()) continue;
+    QTest::mouseClick(button, Qt::LeftButton);
+    QTest::qWait(300);
+    look_through(rig.place());
+    rig.studio().window().grab().save(
+        QStringLiteral(ALLTACT_SCREENS "/pseudo_calibrate_%1.png").arg(++step));
+  }
+  EXPECT_EQ(step, 4) << "lens, finger, presses, mapping";
 }
 
 }  // namespace
