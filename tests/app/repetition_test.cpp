@@ -131,9 +131,13 @@ TEST_F(Repetition, BeginsWhereAHandPutABallAndForgetsItAgain) {
 TEST_F(Repetition, ADateThatIsToldIsKept) {
   std::vector<std::string> arguments = {"calibrate", flat_.finger()};
   for (const fs::path& press : flat_.presses) arguments.push_back(press.string());
-  for (const std::string& word : {"--reference", flat_.file("ref.png"), "--ball-radius-mm", "4"})
+  for (const std::string& word : std::vector<std::string>{"--reference",
+                                                          flat_.file("ref.png"),
+                                                          "--ball-radius-mm",
+                                                          "4",
+                                                          "--date",
+                                                          "2001-02-03T04:05:06Z"})
     arguments.push_back(word);
-  for (const char* word : {"--date", "2001-02-03T04:05:06Z"}) arguments.emplace_back(word);
   const ProgramRun run = run_alltact(arguments);
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(kept("calibration_inputs.yaml"), HasSubstr("date: \"2001-02-03T04:05:06Z\""));

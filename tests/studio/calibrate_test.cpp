@@ -517,20 +517,22 @@ TEST(Calibrate, AFirstTimeUserComesFromAnEmptyFolderToAVerdict) {
   ASSERT_TRUE(wait_until([&] { return place->desk().is_ready(); }, 30000));
   person.click("Next: Presses");
   person.type(studio.find<QDoubleSpinBox>("Ball's radius"), "4", Qt::Key_Return);
-  for (int i = 0; i < 6; ++i) {
-    // As the picture shows it: the ball is in, and elsewhere than before.
-    std::optional<double> along;
-    const auto is_elsewhere = [&] {
-      const auto patch = dark_patch(studio.session().view()->watched.result);
-      if (!patch || patch->darkness < 0.1) return false;
-      for (const DeskPress& press : place->desk().presses())
-        if (press.frame == studio.session().view()->watched.result.frame) return false;
-      along = patch->place_mm.x();
-      return true;
-    };
-    ASSERT_TRUE(wait_until(is_elsewhere, 20000));
+  std::vector<DarkPatch> taken;
+  while (taken.size() < 8) {
+    // As the picture shows it: the ball is in, elsewhere or deeper than before.
+    ASSERT_TRUE(wait_until(
+        [&] {
+          const auto patch = dark_patch(studio.session().view()->watched.result);
+          if (!patch || patch->darkness < 0.12) return false;
+          for (const DarkPatch& one : taken)
+            if ((one.place_mm - patch->place_mm).norm() < 5 &&
+                std::abs(one.darkness - patch->darkness) < 0.2 * patch->darkness)
+              return false;
+          taken.push_back(*patch);
+          return true;
+        },
+        20000));
     person.click("Take a press (Space)");
-    QTest::qWait(300);
   }
   const auto all_states = [&] {
     std::string states;
@@ -545,7 +547,9 @@ TEST(Calibrate, AFirstTimeUserComesFromAnEmptyFolderToAVerdict) {
   ASSERT_TRUE(wait_until([&] { return place->run().result() != nullptr; }, 60000))
       << studio.problems();
   person.click("Next: Verdict");
-  EXPECT_TRUE(says(studio, "Good")) << place->run().result()->verdict.sentence;
+  const Verdict& verdict = place->run().result()->verdict;
+  EXPECT_TRUE(verdict.grade == Grade::kGood || verdict.grade == Grade::kUsable) << verdict.sentence;
+  EXPECT_TRUE(says(studio, verdict.grade == Grade::kGood ? "Good" : "Usable"));
   EXPECT_LE(person.actions(), 40);
   RecordProperty("actions", person.actions());
   // And it measures: the scene presses the ball in by 0.9 mm.

@@ -124,9 +124,10 @@ void drag_of_an_outline(benchmark::State& state) {
   std::vector<double> times_ms;
   int step = 0;
   for (auto unused : state) {
+    ++step;
     const auto begin = std::chrono::steady_clock::now();
     QMouseEvent move(QEvent::MouseMove,
-                     QPointF(rim + QPoint(++step % 40, step % 7)),
+                     QPointF(rim + QPoint(step % 40, step % 7)),
                      editor.mapToGlobal(QPointF(rim)),
                      Qt::NoButton,
                      Qt::LeftButton,

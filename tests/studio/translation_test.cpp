@@ -193,8 +193,7 @@ TEST_F(PseudoLanguage, NothingIsLeftOutAndNothingIsClipped) {
 TEST_F(PseudoLanguage, NothingIsLeftOutOfCalibrate) {
   CalibrateStudio rig(2);
   rig.open();
-  rig.go_to_step("Presses");
-  rig.type_radius("4");
+  rig.desk().set_radius(4);
   ASSERT_TRUE(rig.wait_until_looked_at(2));
   speak();
   int step = 0;
