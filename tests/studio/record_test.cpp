@@ -145,7 +145,7 @@ TEST_F(RecordTest, SaysWhenTouchingCannotBeSeen) {
   options.source = {folder.path()};
   studio_ = std::make_unique<Studio>(options);
   ASSERT_TRUE(studio_->wait_for_picture());
-  QTest::keyClick(&studio_->window(), Qt::Key_2, Qt::ControlModifier);
+  QTest::keyClick(&studio_->window(), Qt::Key_3, Qt::ControlModifier);
   EXPECT_TRUE(wait_until([&] {
     return studio_->problems().find("cannot be seen whether") != std::string::npos;
   })) << studio_->problems();
