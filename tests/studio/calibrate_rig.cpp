@@ -70,7 +70,8 @@ void CalibrateStudio::open(const std::filesystem::path& command_line) {
 
 void CalibrateStudio::go_to_step(const QString& title) {
   for (auto* button : place().findChildren<QToolButton*>())
-    if (button->isVisible() && button->text().contains(title + QLatin1Char(':'))) {
+    if (button->isVisible() && (button->text().contains(title + QLatin1Char(':')) ||
+                                button->text().startsWith(title + QLatin1Char(' ')))) {
       EXPECT_TRUE(wait_until([&] { return button->isEnabled(); })) << title.toStdString();
       return QTest::mouseClick(button, Qt::LeftButton);
     }

@@ -36,7 +36,7 @@ class CalibrateStudio {
   /// The window, at the place. With the program of the command line it writes reports.
   void open(const std::filesystem::path& command_line = {});
   void close() { studio_.reset(); }
-  void go_to_step(const QString& title);
+  void go_to_step(const QString& title);  ///< or its number, in any language
   void type_radius(const QString& text);
   bool wait_until_looked_at(int count);
   bool wait_for_report();

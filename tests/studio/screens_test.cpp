@@ -92,12 +92,12 @@ TEST_P(Screens, CalibratePresses) {
   rig.go_to_step("Presses");
   ASSERT_TRUE(wait_until([&] { return rig.desk().presses().size() == 6; }));
   save(rig.studio(), "calibrate_presses_first");
-  rig.type_radius("4");
+  rig.desk().set_radius(4);
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   save(rig.studio(), "calibrate_presses");
-  auto* list = rig.studio().find<QListView>("Presses");
+  auto* list = rig.place().findChild<PressesPage*>()->findChild<QListView*>();
   list->setCurrentIndex(list->model()->index(2, 0));
-  auto* editor = rig.studio().find<OutlineEditor>("Picture with the ball's outline");
+  auto* editor = rig.place().findChild<OutlineEditor*>();
   const auto place = outline_place(*editor->ball()).value();
   const QPoint hand = editor->transform().to_widget({place.right_u, place.centre.y()}).toPoint();
   rig.desk().take_out("press_05", "glove in the picture");
@@ -115,14 +115,14 @@ TEST_P(Screens, CalibrateMappingAndVerdict) {
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   rig.go_to_step("Mapping");
   save(rig.studio(), "calibrate_mapping_first");
-  rig.studio().click("Calibrate now");
+  rig.run().start();
   QTest::qWait(300);
   save(rig.studio(), "calibrate_running");
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
   save(rig.studio(), "calibrate_mapping");
-  rig.go_to_step("Verdict");
+  rig.go_to_step("5");
   save(rig.studio(), "calibrate_verdict");
-  rig.go_to_step("Check");
+  rig.go_to_step("6");
   save(rig.studio(), "calibrate_check");
 }
 
