@@ -1,9 +1,12 @@
 #include "app/finger_work.h"
 
 #include "calibration/calibrate_finger.h"
+#include "calibration/lens/lens_views.h"
 #include "core/camera/camera.h"
 #include "core/io/atomic_file.h"
 #include "core/sources/source.h"
+
+#include <fmt/format.h>
 
 namespace alltact {
 
@@ -53,6 +56,43 @@ Result<ReferenceReport> install_recording(const fs::path& folder,
   finger.provenance["reference_date"] = utc_now();
   if (const Status status = finger.save(folder); !status) return status.error();
   return report;
+}
+
+Result<LensCalibration> measure_lens(const std::vector<fs::path>& inputs,
+                                     const Board& board,
+                                     const LensSettings& settings,
+                                     const Job& job) {
+  SourceOptions how;
+  how.job = &job;
+  const auto source = open_source(inputs, how);
+  if (!source) return source.error();
+  const auto found = find_boards(**source, board, Orientation::kNone, job);
+  if (!found) return found.error();
+  return calibrate_lens(found->views, found->size, settings, job);
+}
+
+LensRecord lens_record(const Board& board, const LensCalibration& done) {
+  LensRecord record;
+  record["date"] = utc_now();
+  record["program_version"] = ALLTACT_VERSION;
+  record["board"] = board.words();
+  record["square_mm"] = fmt::format("{}", board.square_mm);
+  record["views"] = fmt::format("{}", done.used.size());
+  record["fx_sd_px"] = fmt::format("{:.4f}", done.fit.sd(0));
+  record["fy_sd_px"] = fmt::format("{:.4f}", done.fit.sd(1));
+  record["focal_sd_percent"] = fmt::format("{:.4f}", 100 * done.focal_sd_part);
+  record["corner_px"] = fmt::format("{:.4f}", done.fit.sigma_px);
+  if (done.held_out) record["held_out_px"] = fmt::format("{:.4f}", done.held_out->error_px);
+  record["verdict"] = done.verdict.sentence;
+  return record;
+}
+
+fs::path find_command_line() {
+  std::error_code failed;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
+  for (const fs::path& program : {folder / "alltact", folder.parent_path() / "alltact"})
+    if (fs::is_regular_file(program, failed)) return program;
+  return {};
 }
 
 Result<fs::path> find_resource(const fs::path& name) {

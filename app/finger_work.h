@@ -1,6 +1,7 @@
 // What the window and the command line do with fingers in exactly the same way.
 #pragma once
 
+#include "calibration/lens/calibrate_lens.h"
 #include "calibration/reference_recording.h"
 #include "core/finger/finger.h"
 #include "core/finger/new_finger.h"
@@ -24,6 +25,20 @@ namespace alltact {
     const std::vector<std::filesystem::path>& inputs,
     const Job& job,
     const MotionNeed& need = {});
+
+/// The command line that belongs to this program: beside it, or in the folder above while
+/// developing. Empty: it is in neither.
+[[nodiscard]] std::filesystem::path find_command_line();
+
+/// Finds the board in all pictures and calibrates the lens. Errors: those of open_source,
+/// find_boards and calibrate_lens.
+[[nodiscard]] Result<LensCalibration> measure_lens(const std::vector<std::filesystem::path>& inputs,
+                                                   const Board& board,
+                                                   const LensSettings& settings,
+                                                   const Job& job);
+
+/// How a lens was measured, for the camera file.
+[[nodiscard]] LensRecord lens_record(const Board& board, const LensCalibration& done);
 
 /// A file of the resources, "scenes/NAME.yaml": beside the program once installed, in the source
 /// tree while developing. Error: it is in neither.

@@ -3,6 +3,7 @@
 #include "calibration/joint_fit.h"
 #include "calibration/model_choice.h"
 #include "calibration/outline_methods.h"
+#include "calibration/placed_ball.h"
 #include "calibration/press_samples.h"
 #include "calibration/tangent_arc.h"
 
@@ -66,7 +67,8 @@ std::vector<Found> find_balls(const std::vector<Press>& presses,
           fmt::format("{}: the same picture as {}, counted once.", press.name, twin->name));
       continue;
     }
-    auto guess = find_ball(press, face, options);
+    auto guess = press.ball_mm ? guess_of_placed_ball(press, face, *press.ball_mm)
+                               : find_ball(press, face, options);
     if (!guess) {
       left_out->push_back(guess.error().sentence());
       continue;
@@ -170,7 +172,12 @@ void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* ball
 JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const Job& job) {
   std::vector<const PressSamples*> presses;
   for (const Found& f : found) presses.push_back(&f.fine);
-  JointFit fit = fit_jointly(presses, choice.fit, choice.options, job);
+  JointOptions options = choice.options;
+  const std::function<void(int, double)> tell = [&job](int round, double change_mm) {
+    job.report(0.9, fmt::format("solving: round {}, unknowns move by {:.1e} mm", round, change_mm));
+  };
+  options.watch = &tell;
+  JointFit fit = fit_jointly(presses, choice.fit, options, job);
   if (!fit.converged) return choice.fit;  // stopped: the best so far
   bool seen = false;
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -181,7 +188,7 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
     seen = seen || !found[i].fine.outline.empty();
   }
   if (!seen) return fit;
-  JointFit with_outlines = fit_jointly(presses, fit, choice.options, job);
+  JointFit with_outlines = fit_jointly(presses, fit, options, job);
   return with_outlines.converged ? with_outlines : fit;
 }
 

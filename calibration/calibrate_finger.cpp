@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPressFolder = "presses";
-
 /// One calibration on its way, first or again.
 struct Work {
   fs::path folder;
@@ -78,6 +76,7 @@ TakenPress press_of(const Frame& frame, FrameResult result, const CalibrationInp
                         std::move(*result.difference),
                         std::move(*result.shape),
                         inputs.radius_of(frame.name)};
+    if (const PlacedBall* ball = inputs.ball_of(frame.name)) press.press->ball_mm = ball->centre_mm;
   } else {
     press.left_out = result.problems.empty() ? "no face was found" : result.problems.front();
   }
@@ -122,6 +121,7 @@ Status check_names(const FingerCalibration& done) {
   std::vector<std::string> named;
   for (const ExcludedPress& excluded : done.inputs.excluded) named.push_back(excluded.name);
   for (const OtherBall& ball : done.inputs.other_balls) named.push_back(ball.name);
+  for (const PlacedBall& ball : done.inputs.balls) named.push_back(ball.name);
   for (const std::string& name : named)
     if (!names.contains(name))
       return Error{fmt::format("no press is called '{}'", name),
@@ -259,8 +259,10 @@ void sign_inputs(const Work& work, FingerCalibration& done) {
         "The finger was calibrated by version {}: this is a new calibration, by version {}.",
         work.kept.program_version,
         inputs.program_version));
-  inputs.date =
-      work.is_repetition && same_but_for_date(inputs, work.kept) ? work.kept.date : utc_now();
+  if (work.is_repetition)
+    inputs.date = same_but_for_date(inputs, work.kept) ? work.kept.date : utc_now();
+  else if (inputs.date.empty())
+    inputs.date = utc_now();
 }
 
 Status write_presses(const Work& work) {
@@ -338,6 +340,14 @@ std::string utc_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
 }
 
+bool is_utc(std::string_view text) {
+  constexpr std::string_view kForm = "0000-00-00T00:00:00Z";
+  return text.size() == kForm.size() &&
+         std::equal(text.begin(), text.end(), kForm.begin(), [](char c, char form) {
+           return form == '0' ? c >= '0' && c <= '9' : c == form;
+         });
+}
+
 Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, const Job& job) {
   Work work;
   work.folder = input.folder;
@@ -352,6 +362,8 @@ Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, 
   inputs.calibration = input.calibration;
   inputs.pipeline = input.pipeline;
   inputs.excluded = input.excluded;
+  inputs.balls = input.balls;
+  inputs.date = input.date;
   return run(std::move(work), std::move(inputs), job);
 }
 

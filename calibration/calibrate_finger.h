@@ -17,6 +17,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace alltact {
@@ -62,9 +63,11 @@ struct FingerCalibrationInput {
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   std::vector<ExcludedPress> excluded;
-  std::string program_version;  ///< for the record
-  std::string operator_name;    ///< for the record; empty: not told
-  MakeReport make_report;       ///< empty: calibration_report.json alone
+  std::vector<PlacedBall> balls;  ///< put by hand
+  std::string date;               ///< for the record, as utc_now() writes it; empty: now
+  std::string program_version;    ///< for the record
+  std::string operator_name;      ///< for the record; empty: not told
+  MakeReport make_report;         ///< empty: calibration_report.json alone
 };
 
 /// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the
@@ -72,7 +75,7 @@ struct FingerCalibrationInput {
 /// calibration_report.json, what make_report gives, and last finger.yaml. A press in which no ball
 /// is found is left out with its reason; a picture that cannot be used at all fails the whole.
 /// Errors: those of loading, of the first picture that is unreadable or has another size, two
-/// presses of one name, an excluded press or one of another ball that is not there, no usable
+/// presses of one name, something said of a press that is not there, no usable
 /// press, the job was stopped. On any error before writing the folder is as it was; a folder whose
 /// writing was cut off measures as before, and calibrate_finger_again() completes it.
 [[nodiscard]] Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input,
@@ -91,5 +94,7 @@ struct FingerCalibrationInput {
 
 /// Date and time in UTC as 2026-01-31T12:00:00Z.
 [[nodiscard]] std::string utc_now();
+/// Whether a text looks like that.
+[[nodiscard]] bool is_utc(std::string_view text);
 
 }  // namespace alltact

@@ -1,7 +1,6 @@
 #include "calibration/calibration_inputs.h"
 
-#include "core/finger/yaml_reader.h"
-#include "core/finger/yaml_writer.h"
+#include "calibration/press_yaml.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 
@@ -103,47 +102,14 @@ void read_presses(YamlSection& top, CalibrationInputs& inputs) {
   }
 }
 
-bool names_press(const CalibrationInputs& inputs, const std::string& name) {
-  return std::any_of(inputs.presses.begin(), inputs.presses.end(), [&](const KeptPress& press) {
-    return press.name == name;
-  });
-}
-
-bool is_radius(double mm) {
-  return mm > 0 && mm <= 1000;
-}
-
-void read_excluded(YamlSection& top, CalibrationInputs& inputs) {
-  if (!top.has("excluded")) return;
-  const auto names = top.texts("excluded");
-  const auto because = top.texts("excluded_because");
-  if (names.size() != because.size())
-    top.refuse("excluded_because",
-               fmt::format("has {} entries for {} presses", because.size(), names.size()),
-               "one for each press in excluded, \"\" where there is no reason");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!names_press(inputs, names[i]))
-      top.refuse("excluded", fmt::format("'{}' is not among the presses", names[i]), "remove it");
-    inputs.excluded.push_back({names[i], because[i]});
-  }
-}
-
-void read_other_balls(YamlSection& top, CalibrationInputs& inputs) {
-  if (!top.has("other_balls")) return;
-  const auto names = top.texts("other_balls");
-  const auto radii_mm = top.numbers("other_balls_mm");
-  if (names.size() != radii_mm.size())
-    top.refuse("other_balls_mm",
-               fmt::format("has {} entries for {} presses", radii_mm.size(), names.size()),
-               "a radius in mm for each press in other_balls");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!names_press(inputs, names[i]))
-      top.refuse(
-          "other_balls", fmt::format("'{}' is not among the presses", names[i]), "remove it");
-    if (!is_radius(radii_mm[i]))
-      top.refuse("other_balls_mm", "must be above 0 and at most 1000", "the balls' radii in mm");
-    inputs.other_balls.push_back({names[i], radii_mm[i]});
-  }
+/// Something may only be said of presses that are there.
+void refuse_unknown(const YamlSection& top,
+                    const char* key,
+                    const std::string& name,
+                    const std::vector<KeptPress>& presses) {
+  const bool known = std::any_of(
+      presses.begin(), presses.end(), [&](const KeptPress& press) { return press.name == name; });
+  if (!known) top.refuse(key, fmt::format("'{}' is not among the presses", name), "remove it");
 }
 
 CalibrationInputs read_inputs(YamlSection& top) {
@@ -158,7 +124,7 @@ CalibrationInputs read_inputs(YamlSection& top) {
   inputs.program_version = top.text("program_version");
   if (top.has("operator")) inputs.operator_name = top.text("operator");
   inputs.ball_radius_mm = top.number("ball_radius_mm", "the ball's radius in mm");
-  if (!is_radius(inputs.ball_radius_mm))
+  if (!(inputs.ball_radius_mm > 0 && inputs.ball_radius_mm <= 1000))
     top.refuse("ball_radius_mm", "must be above 0 and at most 1000", "the ball's radius in mm");
   inputs.calibration = read_settings(top.section("calibration"), calibration_settings());
   inputs.pipeline = read_settings(top.section("pipeline"), pipeline_settings());
@@ -166,8 +132,13 @@ CalibrationInputs read_inputs(YamlSection& top) {
   inputs.finger_checksum = read_checksum(top, "finger");
   inputs.reference_checksum = read_checksum(top, "reference");
   read_presses(top, inputs);
-  read_excluded(top, inputs);
-  read_other_balls(top, inputs);
+  inputs.excluded = read_excluded_presses(top);
+  inputs.balls = read_placed_balls(top);
+  for (const auto& one : inputs.excluded) refuse_unknown(top, "excluded", one.name, inputs.presses);
+  for (const auto& one : inputs.balls) refuse_unknown(top, "balls", one.name, inputs.presses);
+  inputs.other_balls = read_other_balls(top);
+  for (const auto& one : inputs.other_balls)
+    refuse_unknown(top, "other_balls", one.name, inputs.presses);
   top.keep_the_rest();
   return inputs;
 }
@@ -229,24 +200,9 @@ std::string CalibrationInputs::to_yaml() const {
   rest.add("continuous", is_continuous ? "true" : "false");
   rest.add("finger", '"' + finger_checksum + '"');
   rest.add("reference", '"' + reference_checksum + '"');
-  if (!other_balls.empty()) {
-    std::vector<std::string> names, radii;
-    for (const OtherBall& ball : other_balls) {
-      names.push_back(yaml_text(ball.name));
-      radii.push_back(yaml_number(ball.radius_mm));
-    }
-    rest.add("other_balls", yaml_list(names));
-    rest.add("other_balls_mm", yaml_list(radii));
-  }
-  if (!excluded.empty()) {
-    std::vector<std::string> names, because;
-    for (const ExcludedPress& press : excluded) {
-      names.push_back(yaml_text(press.name));
-      because.push_back(yaml_text(press.because));
-    }
-    rest.add("excluded", yaml_list(names));
-    rest.add("excluded_because", yaml_list(because));
-  }
+  add_other_balls(other_balls, rest);
+  add_excluded_presses(excluded, rest);
+  add_placed_balls(balls, rest);
   std::vector<std::string> names, checksums;
   for (const KeptPress& press : presses) {
     names.push_back(yaml_text(press.name));
@@ -272,6 +228,12 @@ const ExcludedPress* CalibrationInputs::exclusion_of(const std::string& press) c
     return one.name == press;
   });
   return found == excluded.end() ? nullptr : &*found;
+}
+
+const PlacedBall* CalibrationInputs::ball_of(const std::string& press) const {
+  const auto found = std::find_if(
+      balls.begin(), balls.end(), [&](const PlacedBall& one) { return one.name == press; });
+  return found == balls.end() ? nullptr : &*found;
 }
 
 bool same_but_for_date(const CalibrationInputs& a, const CalibrationInputs& b) {

@@ -16,12 +16,15 @@
 //   reference: 0123456789abcdef
 //   excluded: [press_3]               # by name, and why
 //   excluded_because: [glove in the picture]
+//   balls: [press_4]                  # presses whose ball was put by hand, and where, mm
+//   balls_mm: [[1.5, -2.0, 48.0]]
 //   checksums: [0123456789abcdef, ...]  # of every press' pixels
 //   presses: [press_0, ...]           # presses/NAME.png, in this order; last, in brackets, so
 //                                     # that a file that was cut off is no YAML
 #pragma once
 
 #include "calibration/calibrate.h"
+#include "calibration/placed_ball.h"
 #include "core/finger/finger.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
@@ -40,13 +43,18 @@ namespace alltact {
 struct ExcludedPress {
   std::string name;
   std::string because;  ///< empty: not told
+  bool operator==(const ExcludedPress&) const = default;
 };
 
 /// A press that was made with a ball of another size.
 struct OtherBall {
   std::string name;  ///< the press
   double radius_mm = 0;
+  bool operator==(const OtherBall&) const = default;
 };
+
+/// Where a finger keeps the pictures of its presses.
+inline constexpr const char* kPressFolder = "presses";
 
 /// A picture in presses/.
 struct KeptPress {
@@ -68,6 +76,7 @@ struct CalibrationInputs {
   bool is_continuous = false;
   std::string finger_checksum, reference_checksum;
   std::vector<ExcludedPress> excluded;  ///< each names one of the presses
+  std::vector<PlacedBall> balls;        ///< put by hand; each names one of the presses
   std::vector<KeptPress> presses;
 
   /// Strict in values, kind to unknown keys, which are kept and named in `warnings`, as
@@ -83,6 +92,8 @@ struct CalibrationInputs {
   [[nodiscard]] double radius_of(const std::string& press) const;
   /// nullptr: the press is used.
   [[nodiscard]] const ExcludedPress* exclusion_of(const std::string& press) const;
+  /// nullptr: the ball is looked for.
+  [[nodiscard]] const PlacedBall* ball_of(const std::string& press) const;
 
  private:
   struct Unknown;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace alltact {
@@ -49,6 +50,17 @@ Json methods_json(const std::vector<MethodRow>& methods) {
   return rows;
 }
 
+/// Those that are not as usual.
+template <class S>
+void add_settings(const S& settings,
+                  const S& usual,
+                  const std::vector<Setting<S>>& table,
+                  std::string* command) {
+  for (const Setting<S>& setting : table)
+    if (setting.get(settings) != setting.get(usual))
+      *command += fmt::format(" --{} {}", setting.name, shell_quoted(setting.get(settings)));
+}
+
 }  // namespace
 
 std::string calibration_report_json(const FingerCalibration& done) {
@@ -92,6 +104,34 @@ std::string repeat_command(const std::filesystem::path& finger_folder) {
   if (failed) whole = finger_folder;
   if (whole.filename().empty()) whole = whole.parent_path();  // it ended in a slash
   return "alltact calibrate " + shell_quoted(whole.filename().string()) + " --again";
+}
+
+std::string calibrate_command(const FingerCalibrationInput& input) {
+  const auto absolute = [](const std::filesystem::path& path) {
+    std::error_code failed;
+    const auto whole = std::filesystem::absolute(path, failed);
+    return shell_quoted((failed ? path : whole).string());
+  };
+  std::string command = "alltact calibrate " + absolute(input.folder);
+  for (const auto& press : input.presses) command += ' ' + absolute(press);
+  const auto add = [&](const char* flag, const std::string& value) {
+    command += fmt::format(" --{} {}", flag, shell_quoted(value));
+  };
+  add("ball-radius-mm", fmt::format("{}", input.ball_radius_mm));
+  for (const OtherBall& ball : input.other_balls)
+    add("other-ball", fmt::format("{}={}", ball.name, ball.radius_mm));
+  if (input.reference) command += " --reference " + absolute(*input.reference);
+  add_settings(input.calibration, CalibrationSettings{}, calibration_settings(), &command);
+  // Each method has settings of its own to start from.
+  const PipelineSettings usual =
+      input.calibration.method == CalibrationMethod::kPaper ? paper_settings() : PipelineSettings{};
+  add_settings(input.pipeline, usual, pipeline_settings(), &command);
+  for (const ExcludedPress& press : input.excluded)
+    add("exclude", press.because.empty() ? press.name : press.name + '=' + press.because);
+  for (const PlacedBall& ball : input.balls) add("ball", to_text(ball));
+  if (!input.operator_name.empty()) add("operator", input.operator_name);
+  if (!input.date.empty()) add("date", input.date);
+  return command;
 }
 
 }  // namespace alltact

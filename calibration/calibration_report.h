@@ -14,4 +14,8 @@ namespace alltact {
 /// The command that makes this calibration again, for a shell in the folder above the finger's.
 [[nodiscard]] std::string repeat_command(const std::filesystem::path& finger_folder);
 
+/// The whole command that does what calibrate_finger() does with `input`, report and all, for any
+/// shell: paths are absolute.
+[[nodiscard]] std::string calibrate_command(const FingerCalibrationInput& input);
+
 }  // namespace alltact

@@ -236,6 +236,7 @@ JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
     const double change = change_between(next, fit);
     fit = std::move(next);
     fit.converged = true;
+    if (options.watch != nullptr) (*options.watch)(round + 1, change);
     if (change < options.settled_mm) break;
   }
   return fit;

@@ -11,6 +11,7 @@
 #include "calibration/press_samples.h"
 #include "core/job.h"
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -69,6 +70,8 @@ struct JointOptions {
   double zone = 0.65;        ///< contacts are read up to this part of the rim's radius
   double settled_mm = 1e-8;  ///< the reweighting ends when no unknown changes by more
   bool fix_mapping = false;  ///< only the balls are free
+  /// Told after every round how much the unknowns still moved, mm; may be null.
+  const std::function<void(int round, double change_mm)>* watch = nullptr;
 };
 
 /// The state of a fit: what to start from, and what came out.

@@ -6,6 +6,7 @@
 #include "core/sensing/face_shape.h"
 #include "core/sensing/local_depth.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Press {
   Difference difference;
   FaceShape shape;
   double ball_radius_mm = 0;  ///< of the ball that was pressed
+  /// Where a hand put the ball's centre, camera frame; absent: find_ball() looks for it.
+  std::optional<Eigen::Vector3d> ball_mm = std::nullopt;
 };
 
 /// A ball found in a press before anything is known of the mapping.

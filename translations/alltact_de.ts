@@ -2,6 +2,150 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Figures</name>
+    <message>
+        <source>Residual (mm)</source>
+        <translation>Restfehler (mm)</translation>
+    </message>
+    <message>
+        <source>Error, left out (mm)</source>
+        <translation>Fehler, ausgelassen (mm)</translation>
+    </message>
+    <message>
+        <source>Depth&apos;s sd (mm)</source>
+        <translation>Standardabweichung der Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>Pressed depth (mm)</source>
+        <translation>Eingedrückte Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>Press depth, %1 (mm)</source>
+        <translation>Eindrucktiefe, %1 (mm)</translation>
+    </message>
+    <message>
+        <source>along the normal</source>
+        <translation>entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>projected</source>
+        <translation>projiziert</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CalibratePlace</name>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>look again</source>
+        <translation>nachsehen</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <translation>zu tun</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2: %3</translation>
+    </message>
+    <message>
+        <source>&amp;Next: %1</source>
+        <translation>&amp;Weiter: %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CalibrationRun</name>
+    <message>
+        <source>calibrate</source>
+        <translation>kalibrieren</translation>
+    </message>
+    <message>
+        <source>The command line, alltact, is not installed beside this program.</source>
+        <translation>Die Befehlszeile, alltact, ist nicht neben diesem Programm installiert.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CheckPage</name>
+    <message>
+        <source>Pass</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Drifting</source>
+        <translation>Driftet</translation>
+    </message>
+    <message>
+        <source>Recalibrate</source>
+        <translation>Neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Three presses</source>
+        <translation>Drei Eindrücke</translation>
+    </message>
+    <message>
+        <source>Is it still what it was?</source>
+        <translation>Ist er noch, was er war?</translation>
+    </message>
+    <message>
+        <source>Press the ball of the calibration in at three places, base, middle and tip, and take a picture of each. The calibration stays as it is.</source>
+        <translation>Drücken Sie die Kugel der Kalibrierung an drei Stellen ein, Fuß, Mitte und Spitze, und nehmen Sie jede auf. Die Kalibrierung bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Take a press (Space)</source>
+        <translation>Eindruck auf&amp;nehmen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>&amp;Begin again</source>
+        <translation>Von vorn &amp;beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Check now</source>
+        <translation>Jetzt &amp;prüfen</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Fortschritt der Prüfung</translation>
+    </message>
+    <message>
+        <source>There is no live picture: choose a source.</source>
+        <translation>Es gibt kein Livebild: Wählen Sie eine Quelle.</translation>
+    </message>
+    <message>
+        <source>The finger is not calibrated.</source>
+        <translation>Der Finger ist nicht kalibriert.</translation>
+    </message>
+    <message>
+        <source>The check is being made.</source>
+        <translation>Die Prüfung läuft.</translation>
+    </message>
+    <message>
+        <source>take a press for the check</source>
+        <translation>Eindruck für die Prüfung aufnehmen</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>prüfen</translation>
+    </message>
+    <message>
+        <source>Not checked yet</source>
+        <translation>Noch nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Checked last on %1.</source>
+        <translation>Zuletzt geprüft am %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 taken.</source>
+        <translation>%1 von %2 aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ControlPanel</name>
     <message>
         <source>Automatic exposure</source>
@@ -68,7 +212,7 @@
         <translation>Helligkeit ist die Messung: Gesperrt ändert sie nichts. Nur vor dem Kalibrieren entsperren.</translation>
     </message>
     <message>
-        <source>A camera's exposure, gain, white balance and focus stand here. This source is no camera.</source>
+        <source>A camera&apos;s exposure, gain, white balance and focus stand here. This source is no camera.</source>
         <translation>Hier stehen Belichtung, Verstärkung, Weißabgleich und Fokus einer Kamera. Diese Quelle ist keine Kamera.</translation>
     </message>
     <message>
@@ -120,10 +264,108 @@
     </message>
 </context>
 <context>
+    <name>alltact::FaceMapPlot</name>
+    <message>
+        <source>%1 over the face</source>
+        <translation>%1 über der Fläche</translation>
+    </message>
+    <message>
+        <source>Nothing is known of the face yet</source>
+        <translation>Von der Fläche ist noch nichts bekannt</translation>
+    </message>
+    <message>
+        <source>Along the finger, from the base (mm)</source>
+        <translation>Längs des Fingers, vom Fuß (mm)</translation>
+    </message>
+    <message>
+        <source>Along the picture, from the left (mm)</source>
+        <translation>Längs des Bildes, von links (mm)</translation>
+    </message>
+    <message>
+        <source>Across (mm)</source>
+        <translation>Quer (mm)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FaceView</name>
     <message>
         <source>Face in 3D</source>
         <translation>Fläche in 3D</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerPage</name>
+    <message>
+        <source>A flat, rigid sensor with a layer of %1 mm, %2 mm before the camera.</source>
+        <translation>Ein ebener, starrer Sensor mit einer Schicht von %1 mm, %2 mm vor der Kamera.</translation>
+    </message>
+    <message>
+        <source>A Fin Ray finger whose face is %1 mm wide, with a layer of %2 mm and %3 dots on each side.</source>
+        <translation>Ein Fin-Ray-Finger mit einer %1 mm breiten Fläche, einer Schicht von %2 mm und %3 Punkten auf jeder Seite.</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>What it looks like untouched</source>
+        <translation>Wie er unberührt aussieht</translation>
+    </message>
+    <message>
+        <source>&amp;Make the finger&apos;s folder…</source>
+        <translation>Ordner des Fingers &amp;anlegen…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a finger…</source>
+        <translation>Einen Finger ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Record</source>
+        <translation>&amp;Zu Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the &amp;untouched picture now</source>
+        <translation>&amp;Unberührtes Bild jetzt aufnehmen</translation>
+    </message>
+    <message>
+        <source>The finger is being loaded.</source>
+        <translation>Der Finger wird geladen.</translation>
+    </message>
+    <message>
+        <source>The finger needs a folder of its own: make one, or open one.</source>
+        <translation>Der Finger braucht einen eigenen Ordner: Legen Sie einen an oder öffnen Sie einen.</translation>
+    </message>
+    <message>
+        <source>Its untouched picture is missing.</source>
+        <translation>Sein unberührtes Bild fehlt.</translation>
+    </message>
+    <message>
+        <source>Its reference recording is missing: record it bending, untouched.</source>
+        <translation>Seine Referenzaufnahme fehlt: Nehmen Sie ihn beim Biegen auf, unberührt.</translation>
+    </message>
+    <message>
+        <source>Width and layer are measured with a caliper, dots are counted. All that is known of one finger is kept in one folder.</source>
+        <translation>Breite und Schicht werden mit dem Messschieber gemessen, Punkte gezählt. Alles, was von einem Finger bekannt ist, liegt in einem Ordner.</translation>
+    </message>
+    <message>
+        <source>Its untouched picture is there.</source>
+        <translation>Sein unberührtes Bild ist da.</translation>
+    </message>
+    <message>
+        <source>Its reference recording is installed.</source>
+        <translation>Seine Referenzaufnahme ist eingerichtet.</translation>
+    </message>
+    <message>
+        <source>Every press is compared with one picture of the untouched face.</source>
+        <translation>Jeder Eindruck wird mit einem Bild der unberührten Fläche verglichen.</translation>
+    </message>
+    <message>
+        <source>Every press is compared with a picture of the finger bent alike and not touched. Record it bending in all directions, then install the recording.</source>
+        <translation>Jeder Eindruck wird mit einem Bild des gleich gebogenen, unberührten Fingers verglichen. Nehmen Sie ihn beim Biegen in alle Richtungen auf und richten Sie die Aufnahme ein.</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>Finger</translation>
     </message>
 </context>
 <context>
@@ -189,13 +431,69 @@
     </message>
 </context>
 <context>
+    <name>alltact::HistogramPlot</name>
+    <message>
+        <source>Spread of the errors</source>
+        <translation>Streuung der Fehler</translation>
+    </message>
+    <message>
+        <source>95 % of the errors are below %1 mm.</source>
+        <translation>95 % der Fehler liegen unter %1 mm.</translation>
+    </message>
+    <message>
+        <source>No errors to show yet</source>
+        <translation>Noch keine Fehler zu zeigen</translation>
+    </message>
+    <message>
+        <source>Share of all blocks (%)</source>
+        <translation>Anteil aller Blöcke (%)</translation>
+    </message>
+    <message>
+        <source>95 % within
+± %1 mm</source>
+        <translation>95 % innerhalb
+± %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::HistoryPlot</name>
+    <message>
+        <source>Checks over time</source>
+        <translation>Prüfungen im Lauf der Zeit</translation>
+    </message>
+    <message>
+        <source>Not checked yet since the calibration</source>
+        <translation>Seit der Kalibrierung noch nicht geprüft</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>drifting</source>
+        <translation>driftet</translation>
+    </message>
+    <message>
+        <source>recalibrate</source>
+        <translation>neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Time (UTC)</source>
+        <translation>Zeit (UTC)</translation>
+    </message>
+    <message>
+        <source>Depth error (mm)</source>
+        <translation>Tiefenfehler (mm)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ImageView</name>
     <message>
         <source>Picture</source>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>The camera's picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
+        <source>The camera&apos;s picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
         <translation>Das Bild der Kamera. Rad oder + und - vergrößern, 0 zeigt alles, 1 die eigene Größe. Ziehen oder Pfeiltasten verschieben es; Umschalt und Pfeiltasten bewegen die Sonde.</translation>
     </message>
 </context>
@@ -241,11 +539,11 @@
         <translation>Unser Verfahren</translation>
     </message>
     <message>
-        <source>Ours less the paper's method</source>
+        <source>Ours less the paper&apos;s method</source>
         <translation>Unser Verfahren minus das der Veröffentlichung</translation>
     </message>
     <message>
-        <source>The paper's method</source>
+        <source>The paper&apos;s method</source>
         <translation>Verfahren der Veröffentlichung</translation>
     </message>
     <message>
@@ -424,7 +722,7 @@
         <translation>Unterschied</translation>
     </message>
     <message>
-        <source>With the source paper's own formulas, on the same frame and the same finger.</source>
+        <source>With the source paper&apos;s own formulas, on the same frame and the same finger.</source>
         <translation>Mit den Formeln der Veröffentlichung, am selben Bild und Finger.</translation>
     </message>
     <message>
@@ -542,6 +840,193 @@
     <message>
         <source>Nothing to measure yet.</source>
         <translation>Noch nichts zu messen.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::LensPage</name>
+    <message>
+        <source>a lens without distortion</source>
+        <translation>ein Objektiv ohne Verzeichnung</translation>
+    </message>
+    <message>
+        <source>a lens with distortion (Brown)</source>
+        <translation>ein Objektiv mit Verzeichnung (Brown)</translation>
+    </message>
+    <message>
+        <source>a fisheye lens</source>
+        <translation>ein Fischaugenobjektiv</translation>
+    </message>
+    <message>
+        <source>a lens with parallel rays</source>
+        <translation>ein Objektiv mit parallelen Strahlen</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 px</source>
+        <translation>%1, %2 × %3 px</translation>
+    </message>
+    <message>
+        <source>, %1 mm a pixel</source>
+        <translation>, %1 mm je Pixel</translation>
+    </message>
+    <message>
+        <source>, focal length %1 px</source>
+        <translation>, Brennweite %1 px</translation>
+    </message>
+    <message>
+        <source>, behind a window</source>
+        <translation>, hinter einem Fenster</translation>
+    </message>
+    <message>
+        <source>Its calibration: %1.</source>
+        <translation>Seine Kalibrierung: %1.</translation>
+    </message>
+    <message>
+        <source>From a camera file</source>
+        <translation>Aus einer Kameradatei</translation>
+    </message>
+    <message>
+        <source>Or measured with pictures of a board</source>
+        <translation>Oder mit Bildern einer Tafel gemessen</translation>
+    </message>
+    <message>
+        <source>Camera file</source>
+        <translation>Kameradatei</translation>
+    </message>
+    <message>
+        <source>camera.yaml, as the lens calibration writes it</source>
+        <translation>camera.yaml, wie die Objektivkalibrierung sie schreibt</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a camera file</source>
+        <translation>Eine Kameradatei wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Use the simulated camera&apos;s lens</source>
+        <translation>Objektiv der simulierten Kamera &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Pictures</source>
+        <translation>&amp;Bilder</translation>
+    </message>
+    <message>
+        <source>Folder of board pictures, or a recording</source>
+        <translation>Ordner mit Tafelbildern oder eine Aufnahme</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of board pictures</source>
+        <translation>Ordner der Tafelbilder wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Board</source>
+        <translation>&amp;Tafel</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>ChArUco-Tafel</translation>
+    </message>
+    <message>
+        <source>Grid of dots</source>
+        <translation>Punktraster</translation>
+    </message>
+    <message>
+        <source>&amp;Inner corners, or dots</source>
+        <translation>&amp;Innere Ecken oder Punkte</translation>
+    </message>
+    <message>
+        <source>Inner corners in a row</source>
+        <translation>Innere Ecken in einer Zeile</translation>
+    </message>
+    <message>
+        <source>Inner corners in a column</source>
+        <translation>Innere Ecken in einer Spalte</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>mal</translation>
+    </message>
+    <message>
+        <source>&amp;Side of a square</source>
+        <translation>&amp;Seite eines Quadrats</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Seite eines Quadrats</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Measure the lens</source>
+        <translation>Objektiv &amp;messen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop measuring the lens</source>
+        <translation>Messen des Objektivs anhalten</translation>
+    </message>
+    <message>
+        <source>Progress of the lens calibration</source>
+        <translation>Fortschritt der Objektivkalibrierung</translation>
+    </message>
+    <message>
+        <source>Outcome of the lens calibration</source>
+        <translation>Ergebnis der Objektivkalibrierung</translation>
+    </message>
+    <message>
+        <source>The lens has to be known first: choose a camera file, or measure one.</source>
+        <translation>Zuerst muss das Objektiv bekannt sein: Wählen Sie eine Kameradatei oder messen Sie es.</translation>
+    </message>
+    <message>
+        <source>This finger&apos;s camera has %1</source>
+        <translation>Die Kamera dieses Fingers hat %1</translation>
+    </message>
+    <message>
+        <source>The camera has %1</source>
+        <translation>Die Kamera hat %1</translation>
+    </message>
+    <message>
+        <source>A finger measures through its camera&apos;s lens, so the lens comes first. It is measured once for each camera, with ten to twenty pictures of a flat board from all sides.</source>
+        <translation>Ein Finger misst durch das Objektiv seiner Kamera, darum kommt es zuerst. Es wird für jede Kamera einmal gemessen, mit zehn bis zwanzig Bildern einer ebenen Tafel von allen Seiten.</translation>
+    </message>
+    <message>
+        <source>Camera (*.yaml *.yml)</source>
+        <translation>Kamera (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Folder of board pictures</source>
+        <translation>Ordner mit Tafelbildern</translation>
+    </message>
+    <message>
+        <source>No folder of pictures is named.</source>
+        <translation>Es ist kein Ordner mit Bildern genannt.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
     </message>
 </context>
 <context>
@@ -750,10 +1235,6 @@
         <translation>Live (Strg+1)</translation>
     </message>
     <message>
-        <source>Record (Ctrl+2)</source>
-        <translation>Aufnahme (Strg+2)</translation>
-    </message>
-    <message>
         <source>Finger:</source>
         <translation>Finger:</translation>
     </message>
@@ -818,7 +1299,7 @@
         <translation>Quelle s&amp;chließen</translation>
     </message>
     <message>
-        <source>Open a finger's folder</source>
+        <source>Open a finger&apos;s folder</source>
         <translation>Ordner eines Fingers öffnen</translation>
     </message>
     <message>
@@ -933,10 +1414,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Dieser Finger ist noch nicht kalibriert, darum wird keine Tiefe gezeigt.</translation>
     </message>
     <message>
-        <source>Calibrate it with ball presses (alltact calibrate).</source>
-        <translation>Mit Kugeleindrücken kalibrieren (alltact calibrate).</translation>
-    </message>
-    <message>
         <source>&amp;Undo: %1</source>
         <translation>&amp;Rückgängig: %1</translation>
     </message>
@@ -983,6 +1460,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>keiner</translation>
     </message>
     <message>
+        <source>&amp;Calibrate</source>
+        <translation>&amp;Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate (Ctrl+2)</source>
+        <translation>Kalibrieren (Strg+2)</translation>
+    </message>
+    <message>
+        <source>Record (Ctrl+3)</source>
+        <translation>Aufnehmen (Strg+3)</translation>
+    </message>
+    <message>
+        <source>Calibrate it with ball presses.</source>
+        <translation>Kalibrieren Sie ihn mit Kugeleindrücken.</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Calibrate</source>
+        <translation>&amp;Zu Kalibrieren</translation>
+    </message>
+    <message>
         <source>&amp;Inspect</source>
         <translation>&amp;Prüfen</translation>
     </message>
@@ -991,8 +1492,129 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Prüfen</translation>
     </message>
     <message>
-        <source>Inspect (Ctrl+3)</source>
-        <translation>Prüfen (Strg+3)</translation>
+        <source>Inspect (Ctrl+4)</source>
+        <translation>Prüfen (Strg+4)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::MappingPage</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Keeps the best solution so far</source>
+        <translation>Behält die bisher beste Lösung</translation>
+    </message>
+    <message>
+        <source>What has been done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Progress of the calibration</source>
+        <translation>Fortschritt der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Depth over brightness difference</source>
+        <translation>Tiefe über dem Helligkeitsunterschied</translation>
+    </message>
+    <message>
+        <source>Error of every press, worst first</source>
+        <translation>Fehler jedes Eindrucks, der größte zuerst</translation>
+    </message>
+    <message>
+        <source>The calibration is being made.</source>
+        <translation>Die Kalibrierung läuft.</translation>
+    </message>
+    <message>
+        <source>Calibrate first.</source>
+        <translation>Zuerst kalibrieren.</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate now</source>
+        <translation>Jetzt &amp;kalibrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate again</source>
+        <translation>Neu &amp;kalibrieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>(about %n second(s) left)</source>
+        <translation>
+            <numerusform>(noch etwa %n Sekunde)</numerusform>
+            <numerusform>(noch etwa %n Sekunden)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The presses have changed since this calibration.</source>
+        <translation>Die Eindrücke haben sich seit dieser Kalibrierung geändert.</translation>
+    </message>
+    <message>
+        <source>This finger is calibrated. Calibrating again shows the figures.</source>
+        <translation>Dieser Finger ist kalibriert. Neu kalibrieren zeigt die Abbildungen.</translation>
+    </message>
+    <message>
+        <source>With one press or more, what every pixel&apos;s darkening means in mm is learnt from the shape of the ball.</source>
+        <translation>Mit einem Eindruck oder mehreren wird aus der Form der Kugel gelernt, was die Verdunkelung jedes Pixels in mm bedeutet.</translation>
+    </message>
+    <message>
+        <source>What every pixel&apos;s darkening means in mm is learnt from the shape of the ball, with all presses together. Each press is left out once to see how well the others foretell it.</source>
+        <translation>Was die Verdunkelung jedes Pixels in mm bedeutet, wird aus der Form der Kugel gelernt, mit allen Eindrücken zusammen. Jeder Eindruck wird einmal ausgelassen, um zu sehen, wie gut die anderen ihn vorhersagen.</translation>
+    </message>
+    <message>
+        <source>Mapping: %1.</source>
+        <translation>Abbildung: %1.</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>Abbildung</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::MappingPlot</name>
+    <message>
+        <source>Mapping from brightness to depth</source>
+        <translation>Abbildung von Helligkeit auf Tiefe</translation>
+    </message>
+    <message>
+        <source>No mapping yet: calibrate with ball presses</source>
+        <translation>Noch keine Abbildung: mit Kugeleindrücken kalibrieren</translation>
+    </message>
+    <message>
+        <source>± 2 standard deviations</source>
+        <translation>± 2 Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>nearer the rim</source>
+        <translation>näher am Rand</translation>
+    </message>
+    <message>
+        <source>inner part of a contact</source>
+        <translation>innerer Teil eines Kontakts</translation>
+    </message>
+    <message>
+        <source>mapping</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Brightness difference x (no unit)</source>
+        <translation>Helligkeitsunterschied x (ohne Einheit)</translation>
+    </message>
+    <message>
+        <source>Brightness difference x (share of the untouched brightness)</source>
+        <translation>Helligkeitsunterschied x (Anteil der unberührten Helligkeit)</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>Press depth (mm)</source>
+        <translation>Eindrucktiefe (mm)</translation>
+    </message>
+    <message>
+        <source>end of the calibrated range</source>
+        <translation>Ende des kalibrierten Bereichs</translation>
     </message>
 </context>
 <context>
@@ -1000,10 +1622,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>New finger</source>
         <translation>Neuer Finger</translation>
-    </message>
-    <message>
-        <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration (alltact lens).</source>
-        <translation>Breite und Schicht mit dem Messschieber messen, die Punkte zählen. Die Kameradatei kommt aus der Objektivkalibrierung (alltact lens).</translation>
     </message>
     <message>
         <source>&amp;Folder to make</source>
@@ -1038,7 +1656,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Punkte si&amp;nd</translation>
     </message>
     <message>
-        <source>Fin Ray finger: its shape is read from the face's edges</source>
+        <source>Fin Ray finger: its shape is read from the face&apos;s edges</source>
         <translation>Fin-Ray-Finger: Form aus den Kanten der Fläche</translation>
     </message>
     <message>
@@ -1102,8 +1720,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Es ist keine Kameradatei angegeben.</translation>
     </message>
     <message>
-        <source>A lens calibration makes one: alltact lens.</source>
-        <translation>Eine Objektivkalibrierung erzeugt sie: alltact lens.</translation>
+        <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration, the first step of Calibrate.</source>
+        <translation>Breite und Schicht mit dem Messschieber messen, die Punkte zählen. Die Kameradatei kommt aus der Objektivkalibrierung, dem ersten Schritt von Kalibrieren.</translation>
+    </message>
+    <message>
+        <source>The first step of Calibrate makes one.</source>
+        <translation>Der erste Schritt von Kalibrieren erzeugt sie.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::OutlineEditor</name>
+    <message>
+        <source>Picture with the ball&apos;s outline</source>
+        <translation>Bild mit dem Umriss der Kugel</translation>
+    </message>
+    <message>
+        <source>Drag the outline&apos;s centre or rim onto the ball. Arrow keys move it by a tenth of a pixel, Page Up and Page Down change its size, with Shift by a whole pixel. Ctrl and the arrow keys move the picture; the wheel zooms, over the rim it changes the size.</source>
+        <translation>Mitte oder Rand des Umrisses auf die Kugel ziehen. Pfeiltasten verschieben ihn um ein Zehntelpixel, Bild auf und Bild ab ändern die Größe, mit Umschalt um ein ganzes Pixel. Strg und Pfeiltasten verschieben das Bild; das Rad zoomt, über dem Rand ändert es die Größe.</translation>
+    </message>
+    <message>
+        <source>Centre u %1 px, v %2 px, radius %3 px; ball at x %4, y %5, z %6 mm</source>
+        <translation>Mitte u %1 px, v %2 px, Radius %3 px; Kugel bei x %4, y %5, z %6 mm</translation>
     </message>
 </context>
 <context>
@@ -1162,6 +1799,344 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::PressDesk</name>
+    <message>
+        <source>change the ball&apos;s radius</source>
+        <translation>Kugelradius ändern</translation>
+    </message>
+    <message>
+        <source>change the ball&apos;s radius of %1</source>
+        <translation>Kugelradius von %1 ändern</translation>
+    </message>
+    <message>
+        <source>change the operator</source>
+        <translation>Namen ändern</translation>
+    </message>
+    <message>
+        <source>move the outline of %1</source>
+        <translation>Umriss von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>find the ball of %1</source>
+        <translation>Kugel von %1 suchen</translation>
+    </message>
+    <message>
+        <source>take out %1</source>
+        <translation>%1 herausnehmen</translation>
+    </message>
+    <message>
+        <source>put back %1</source>
+        <translation>%1 zurücknehmen</translation>
+    </message>
+    <message>
+        <source>take %1</source>
+        <translation>%1 aufnehmen</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>add %n picture(s)</source>
+        <translation>
+            <numerusform>%n Bild hinzufügen</numerusform>
+            <numerusform>%n Bilder hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are presses of these names already: %1.</source>
+        <translation>Eindrücke mit diesen Namen gibt es schon: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressErrorPlot</name>
+    <message>
+        <source>Error of every press, worst first</source>
+        <translation>Fehler jedes Eindrucks, der größte zuerst</translation>
+    </message>
+    <message numerus="yes">
+        <source>The worst of %n press(es) is %1 with %2 mm.</source>
+        <translation>
+            <numerusform>Von %n Eindruck ist %1 der schlechteste mit %2 mm.</numerusform>
+            <numerusform>Von %n Eindrücken ist %1 der schlechteste mit %2 mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No presses yet</source>
+        <translation>Noch keine Eindrücke</translation>
+    </message>
+    <message>
+        <source>residual: the mapping knows this press</source>
+        <translation>Restfehler: Die Abbildung kennt diesen Eindruck</translation>
+    </message>
+    <message>
+        <source>left out: the mapping was made without it</source>
+        <translation>ausgelassen: Die Abbildung entstand ohne ihn</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mean depth error inside the contact (mm); %n better press(es) not shown</source>
+        <translation>
+            <numerusform>Mittlerer Tiefenfehler im Kontakt (mm); %n besserer Eindruck nicht gezeigt</numerusform>
+            <numerusform>Mittlerer Tiefenfehler im Kontakt (mm); %n bessere Eindrücke nicht gezeigt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean depth error inside the contact (mm)</source>
+        <translation>Mittlerer Tiefenfehler im Kontakt (mm)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressLightPlot</name>
+    <message>
+        <source>Light of every press</source>
+        <translation>Licht jedes Eindrucks</translation>
+    </message>
+    <message>
+        <source>No presses yet</source>
+        <translation>Noch keine Eindrücke</translation>
+    </message>
+    <message>
+        <source>Press, by number</source>
+        <translation>Eindruck, nach Nummer</translation>
+    </message>
+    <message>
+        <source>Light (%)</source>
+        <translation>Licht (%)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressModel</name>
+    <message>
+        <source>taken out</source>
+        <translation>herausgenommen</translation>
+    </message>
+    <message>
+        <source>taken out: %1</source>
+        <translation>herausgenommen: %1</translation>
+    </message>
+    <message>
+        <source>%1 mm deep, error %2 mm</source>
+        <translation>%1 mm tief, Fehler %2 mm</translation>
+    </message>
+    <message>
+        <source>ball put by hand</source>
+        <translation>Kugel von Hand gelegt</translation>
+    </message>
+    <message>
+        <source>being looked at</source>
+        <translation>wird angesehen</translation>
+    </message>
+    <message>
+        <source>ball found</source>
+        <translation>Kugel gefunden</translation>
+    </message>
+    <message>
+        <source>the ball&apos;s radius is missing</source>
+        <translation>der Radius der Kugel fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressesPage</name>
+    <message>
+        <source>Presses</source>
+        <translation>Eindrücke</translation>
+    </message>
+    <message>
+        <source>&amp;Add pictures…</source>
+        <translation>Bilder &amp;hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the press and its picture away (undo brings them back)</source>
+        <translation>Entfernt den Eindruck und sein Bild (Rückgängig bringt sie zurück)</translation>
+    </message>
+    <message>
+        <source>&amp;Live picture</source>
+        <translation>&amp;Livebild</translation>
+    </message>
+    <message>
+        <source>Taking presses</source>
+        <translation>Eindrücke aufnehmen</translation>
+    </message>
+    <message>
+        <source>This press</source>
+        <translation>Dieser Eindruck</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s &amp;radius</source>
+        <translation>&amp;Radius der Kugel</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>Radius der Kugel</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>&amp;Its ball</source>
+        <translation>&amp;Ihre Kugel</translation>
+    </message>
+    <message>
+        <source>Radius of this press&apos; ball</source>
+        <translation>Radius der Kugel dieses Eindrucks</translation>
+    </message>
+    <message>
+        <source>Where this press was made with a ball of another radius</source>
+        <translation>Falls dieser Eindruck mit einer Kugel von anderem Radius gemacht wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Operator</source>
+        <translation>&amp;Wer misst</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Wer misst</translation>
+    </message>
+    <message>
+        <source>for the record</source>
+        <translation>fürs Protokoll</translation>
+    </message>
+    <message>
+        <source>&amp;Take a press (Space)</source>
+        <translation>Eindruck auf&amp;nehmen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>By &amp;itself when it holds still</source>
+        <translation>Von &amp;selbst, sobald er stillhält</translation>
+    </message>
+    <message>
+        <source>Takes a press as soon as a contact holds still for half a second; both hands stay free</source>
+        <translation>Nimmt auf, sobald ein Kontakt eine halbe Sekunde stillhält; beide Hände bleiben frei</translation>
+    </message>
+    <message>
+        <source>&amp;Find the ball again</source>
+        <translation>Kugel neu &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Forgets where the outline was put by hand</source>
+        <translation>Vergisst, wohin der Umriss von Hand gelegt wurde</translation>
+    </message>
+    <message>
+        <source>Yellow: the ball&apos;s outline, dashed as the program found it, whole where a hand put it. Blue: where the ball meets the untouched face, about the dark disc.</source>
+        <translation>Gelb: der Umriss der Kugel, gestrichelt, wie das Programm ihn fand, durchgezogen, wo eine Hand ihn hinlegte. Blau: wo die Kugel die unberührte Fläche trifft, etwa die dunkle Scheibe.</translation>
+    </message>
+    <message>
+        <source>Place of the ball</source>
+        <translation>Ort der Kugel</translation>
+    </message>
+    <message>
+        <source>The presses are being read.</source>
+        <translation>Die Eindrücke werden gelesen.</translation>
+    </message>
+    <message>
+        <source>The ball&apos;s radius is missing.</source>
+        <translation>Der Radius der Kugel fehlt.</translation>
+    </message>
+    <message>
+        <source>Take a press first; six at different places are good.</source>
+        <translation>Nehmen Sie zuerst einen Eindruck auf; sechs an verschiedenen Stellen sind gut.</translation>
+    </message>
+    <message>
+        <source>In no press a ball was found yet.</source>
+        <translation>In keinem Eindruck wurde bisher eine Kugel gefunden.</translation>
+    </message>
+    <message>
+        <source>There is no live picture: choose a source.</source>
+        <translation>Es gibt kein Livebild: Wählen Sie eine Quelle.</translation>
+    </message>
+    <message>
+        <source>The finger cannot be compared with its reference.</source>
+        <translation>Der Finger kann nicht mit seiner Referenz verglichen werden.</translation>
+    </message>
+    <message>
+        <source>The live picture does not fit this finger.</source>
+        <translation>Das Livebild passt nicht zu diesem Finger.</translation>
+    </message>
+    <message>
+        <source>%1 is taken.</source>
+        <translation>%1 ist aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Pictures of presses</source>
+        <translation>Bilder von Eindrücken</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
+    </message>
+    <message>
+        <source>Try: %1.</source>
+        <translation>Versuchen Sie: %1.</translation>
+    </message>
+    <message>
+        <source>Or drag the outline onto the ball.</source>
+        <translation>Oder ziehen Sie den Umriss auf die Kugel.</translation>
+    </message>
+    <message>
+        <source>As it lies now it is pressed in by %1 mm.</source>
+        <translation>So, wie sie jetzt liegt, ist sie %1 mm eingedrückt.</translation>
+    </message>
+    <message>
+        <source>As it lies now it does not touch the face.</source>
+        <translation>So, wie sie jetzt liegt, berührt sie die Fläche nicht.</translation>
+    </message>
+    <message>
+        <source>Chosen &amp;press</source>
+        <translation>&amp;Gewählter Eindruck</translation>
+    </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>Zurück&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Take &amp;out</source>
+        <translation>&amp;Herausnehmen</translation>
+    </message>
+    <message>
+        <source>A press that is taken out stays with the finger and is not used</source>
+        <translation>Ein herausgenommener Eindruck bleibt beim Finger und wird nicht verwendet</translation>
+    </message>
+    <message>
+        <source>The picture is being read.</source>
+        <translation>Das Bild wird gelesen.</translation>
+    </message>
+    <message>
+        <source>Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera</source>
+        <translation>Mitte u %1 px, v %2 px, Radius %3 px, %4 mm vor der Kamera</translation>
+    </message>
+    <message>
+        <source>No ball is drawn here.</source>
+        <translation>Hier ist keine Kugel gezeichnet.</translation>
+    </message>
+    <message>
+        <source>No press yet. Press the ball in at different places and depths, base, middle and tip.</source>
+        <translation>Noch kein Eindruck. Drücken Sie die Kugel an verschiedenen Stellen und verschieden tief ein: Fuß, Mitte und Spitze.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es), </source>
+        <translation>
+            <numerusform>%n Eindruck, </numerusform>
+            <numerusform>%n Eindrücke, </numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n usable</source>
+        <translation>
+            <numerusform>%n brauchbar</numerusform>
+            <numerusform>%n brauchbar</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::ProblemList</name>
     <message>
         <source>Try: %1</source>
@@ -1195,7 +2170,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>keine Tiefe: zu hell</translation>
     </message>
     <message>
-        <source>no depth: near the face's edge</source>
+        <source>no depth: near the face&apos;s edge</source>
         <translation>keine Tiefe: nahe am Rand der Fläche</translation>
     </message>
     <message>
@@ -1266,7 +2241,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Wählen…</translation>
     </message>
     <message>
-        <source>&amp;Install as this finger's reference</source>
+        <source>&amp;Install as this finger&apos;s reference</source>
         <translation>Als Referenz dieses Fingers &amp;einrichten</translation>
     </message>
     <message>
@@ -1665,6 +2640,81 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Play</source>
         <translation>Abspielen</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::VerdictPage</name>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Usable for contact and its place</source>
+        <translation>Für Kontakt und seinen Ort brauchbar</translation>
+    </message>
+    <message>
+        <source>Unproven</source>
+        <translation>Unbewiesen</translation>
+    </message>
+    <message>
+        <source>Not fit to measure with</source>
+        <translation>Zum Messen nicht geeignet</translation>
+    </message>
+    <message>
+        <source>What to press next</source>
+        <translation>Was als Nächstes zu drücken ist</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Anmerkungen</translation>
+    </message>
+    <message>
+        <source>&amp;Open the report</source>
+        <translation>&amp;Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Copy as command &amp;line</source>
+        <translation>Als Befehls&amp;zeile kopieren</translation>
+    </message>
+    <message>
+        <source>The same as a command line</source>
+        <translation>Dasselbe als Befehlszeile</translation>
+    </message>
+    <message>
+        <source>Calibrate first.</source>
+        <translation>Zuerst kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Not calibrated yet</source>
+        <translation>Noch nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>The presses have changed since: calibrate again.</source>
+        <translation>Die Eindrücke haben sich seither geändert: Kalibrieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>The report is being written.</source>
+        <translation>Der Bericht wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>By zone of the face: %1.</source>
+        <translation>Nach Zonen der Fläche: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing can be said about it with these presses.</source>
+        <translation>Mit diesen Eindrücken lässt sich dazu nichts sagen.</translation>
+    </message>
+    <message>
+        <source>press here next</source>
+        <translation>hier als Nächstes</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Keine.</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
     </message>
 </context>
 </TS>

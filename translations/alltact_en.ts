@@ -22,6 +22,60 @@
     </message>
 </context>
 <context>
+    <name>alltact::MappingPage</name>
+    <message numerus="yes">
+        <source>(about %n second(s) left)</source>
+        <translation>
+            <numerusform>(about %n second left)</numerusform>
+            <numerusform>(about %n seconds left)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressDesk</name>
+    <message numerus="yes">
+        <source>add %n picture(s)</source>
+        <translation>
+            <numerusform>add %n picture</numerusform>
+            <numerusform>add %n pictures</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressErrorPlot</name>
+    <message numerus="yes">
+        <source>The worst of %n press(es) is %1 with %2 mm.</source>
+        <translation>
+            <numerusform>The worst of %n press is %1 with %2 mm.</numerusform>
+            <numerusform>The worst of %n presses is %1 with %2 mm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Mean depth error inside the contact (mm); %n better press(es) not shown</source>
+        <translation>
+            <numerusform>Mean depth error inside the contact (mm); %n better press not shown</numerusform>
+            <numerusform>Mean depth error inside the contact (mm); %n better presses not shown</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressesPage</name>
+    <message numerus="yes">
+        <source>%n press(es), </source>
+        <translation>
+            <numerusform>%n press, </numerusform>
+            <numerusform>%n presses, </numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n usable</source>
+        <translation>
+            <numerusform>%n usable</numerusform>
+            <numerusform>%n usable</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::RecordPlace</name>
     <message numerus="yes">
         <source>%n frame(s)</source>

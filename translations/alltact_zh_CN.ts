@@ -2,6 +2,150 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>Figures</name>
+    <message>
+        <source>Residual (mm)</source>
+        <translation>残差 (mm)</translation>
+    </message>
+    <message>
+        <source>Error, left out (mm)</source>
+        <translation>留出误差 (mm)</translation>
+    </message>
+    <message>
+        <source>Depth&apos;s sd (mm)</source>
+        <translation>深度标准差 (mm)</translation>
+    </message>
+    <message>
+        <source>Pressed depth (mm)</source>
+        <translation>压入深度 (mm)</translation>
+    </message>
+    <message>
+        <source>Press depth, %1 (mm)</source>
+        <translation>按压深度,%1 (mm)</translation>
+    </message>
+    <message>
+        <source>along the normal</source>
+        <translation>沿法线</translation>
+    </message>
+    <message>
+        <source>projected</source>
+        <translation>投影</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CalibratePlace</name>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>look again</source>
+        <translation>请再看</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <translation>待办</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2:%3</translation>
+    </message>
+    <message>
+        <source>&amp;Next: %1</source>
+        <translation>下一步:%1(&amp;N)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CalibrationRun</name>
+    <message>
+        <source>calibrate</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>The command line, alltact, is not installed beside this program.</source>
+        <translation>命令行程序 alltact 没有与本程序一起安装。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CheckPage</name>
+    <message>
+        <source>Pass</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>Drifting</source>
+        <translation>漂移</translation>
+    </message>
+    <message>
+        <source>Recalibrate</source>
+        <translation>需要重新标定</translation>
+    </message>
+    <message>
+        <source>Three presses</source>
+        <translation>三次按压</translation>
+    </message>
+    <message>
+        <source>Is it still what it was?</source>
+        <translation>它还和原来一样吗?</translation>
+    </message>
+    <message>
+        <source>Press the ball of the calibration in at three places, base, middle and tip, and take a picture of each. The calibration stays as it is.</source>
+        <translation>用标定时的球在根部、中部和指尖三处压入,各拍一张。标定保持不变。</translation>
+    </message>
+    <message>
+        <source>&amp;Take a press (Space)</source>
+        <translation>拍摄按压(空格)(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Begin again</source>
+        <translation>重新开始(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Check now</source>
+        <translation>立即检查(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>检查进度</translation>
+    </message>
+    <message>
+        <source>There is no live picture: choose a source.</source>
+        <translation>没有实时画面:请选择来源。</translation>
+    </message>
+    <message>
+        <source>The finger is not calibrated.</source>
+        <translation>手指尚未标定。</translation>
+    </message>
+    <message>
+        <source>The check is being made.</source>
+        <translation>正在检查。</translation>
+    </message>
+    <message>
+        <source>take a press for the check</source>
+        <translation>为检查拍摄按压</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Not checked yet</source>
+        <translation>尚未检查</translation>
+    </message>
+    <message>
+        <source>Checked last on %1.</source>
+        <translation>上次检查:%1。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 taken.</source>
+        <translation>已拍摄 %1 / %2。</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ControlPanel</name>
     <message>
         <source>Automatic exposure</source>
@@ -68,7 +212,7 @@
         <translation>亮度就是测量值:锁定后不会改变。仅在标定之前解锁。</translation>
     </message>
     <message>
-        <source>A camera's exposure, gain, white balance and focus stand here. This source is no camera.</source>
+        <source>A camera&apos;s exposure, gain, white balance and focus stand here. This source is no camera.</source>
         <translation>相机的曝光、增益、白平衡和对焦显示在这里。当前来源不是相机。</translation>
     </message>
     <message>
@@ -120,10 +264,108 @@
     </message>
 </context>
 <context>
+    <name>alltact::FaceMapPlot</name>
+    <message>
+        <source>%1 over the face</source>
+        <translation>面上的%1</translation>
+    </message>
+    <message>
+        <source>Nothing is known of the face yet</source>
+        <translation>对面还一无所知</translation>
+    </message>
+    <message>
+        <source>Along the finger, from the base (mm)</source>
+        <translation>沿手指,从根部 (mm)</translation>
+    </message>
+    <message>
+        <source>Along the picture, from the left (mm)</source>
+        <translation>沿图像,从左侧 (mm)</translation>
+    </message>
+    <message>
+        <source>Across (mm)</source>
+        <translation>横向 (mm)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FaceView</name>
     <message>
         <source>Face in 3D</source>
         <translation>接触面三维视图</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerPage</name>
+    <message>
+        <source>A flat, rigid sensor with a layer of %1 mm, %2 mm before the camera.</source>
+        <translation>平面刚性传感器:层厚 %1 mm,距相机 %2 mm。</translation>
+    </message>
+    <message>
+        <source>A Fin Ray finger whose face is %1 mm wide, with a layer of %2 mm and %3 dots on each side.</source>
+        <translation>Fin Ray 手指:面宽 %1 mm,层厚 %2 mm,每侧 %3 个标记点。</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>几何尺寸</translation>
+    </message>
+    <message>
+        <source>What it looks like untouched</source>
+        <translation>未触碰时的样子</translation>
+    </message>
+    <message>
+        <source>&amp;Make the finger&apos;s folder…</source>
+        <translation>建立手指文件夹(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a finger…</source>
+        <translation>打开手指(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Record</source>
+        <translation>转到录制(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Take the &amp;untouched picture now</source>
+        <translation>立即拍摄未触碰的图像(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The finger is being loaded.</source>
+        <translation>正在载入手指。</translation>
+    </message>
+    <message>
+        <source>The finger needs a folder of its own: make one, or open one.</source>
+        <translation>手指需要自己的文件夹:请新建或打开一个。</translation>
+    </message>
+    <message>
+        <source>Its untouched picture is missing.</source>
+        <translation>缺少未触碰的图像。</translation>
+    </message>
+    <message>
+        <source>Its reference recording is missing: record it bending, untouched.</source>
+        <translation>缺少参考录像:请录制它未被触碰时的弯曲过程。</translation>
+    </message>
+    <message>
+        <source>Width and layer are measured with a caliper, dots are counted. All that is known of one finger is kept in one folder.</source>
+        <translation>用卡尺测量宽度和层厚,并数出标记点。一个手指的全部信息都保存在一个文件夹里。</translation>
+    </message>
+    <message>
+        <source>Its untouched picture is there.</source>
+        <translation>未触碰的图像已有。</translation>
+    </message>
+    <message>
+        <source>Its reference recording is installed.</source>
+        <translation>参考录像已设置。</translation>
+    </message>
+    <message>
+        <source>Every press is compared with one picture of the untouched face.</source>
+        <translation>每次按压都与一张未触碰面的图像比较。</translation>
+    </message>
+    <message>
+        <source>Every press is compared with a picture of the finger bent alike and not touched. Record it bending in all directions, then install the recording.</source>
+        <translation>每次按压都与同样弯曲、未被触碰的手指图像比较。请录制它向各个方向弯曲的过程,然后设为参考。</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>手指</translation>
     </message>
 </context>
 <context>
@@ -188,13 +430,69 @@
     </message>
 </context>
 <context>
+    <name>alltact::HistogramPlot</name>
+    <message>
+        <source>Spread of the errors</source>
+        <translation>误差分布</translation>
+    </message>
+    <message>
+        <source>95 % of the errors are below %1 mm.</source>
+        <translation>95 % 的误差小于 %1 mm。</translation>
+    </message>
+    <message>
+        <source>No errors to show yet</source>
+        <translation>尚无误差可显示</translation>
+    </message>
+    <message>
+        <source>Share of all blocks (%)</source>
+        <translation>占全部小块的比例 (%)</translation>
+    </message>
+    <message>
+        <source>95 % within
+± %1 mm</source>
+        <translation>95 % 在
+± %1 mm 以内</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::HistoryPlot</name>
+    <message>
+        <source>Checks over time</source>
+        <translation>历次检查</translation>
+    </message>
+    <message>
+        <source>Not checked yet since the calibration</source>
+        <translation>标定后尚未检查</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>drifting</source>
+        <translation>漂移</translation>
+    </message>
+    <message>
+        <source>recalibrate</source>
+        <translation>重新标定</translation>
+    </message>
+    <message>
+        <source>Time (UTC)</source>
+        <translation>时间 (UTC)</translation>
+    </message>
+    <message>
+        <source>Depth error (mm)</source>
+        <translation>深度误差 (mm)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ImageView</name>
     <message>
         <source>Picture</source>
         <translation>图像</translation>
     </message>
     <message>
-        <source>The camera's picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
+        <source>The camera&apos;s picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
         <translation>相机图像。滚轮或 + 和 - 缩放,0 显示全部,1 为原始大小。拖动或用方向键移动;Shift 加方向键移动探针。</translation>
     </message>
 </context>
@@ -240,11 +538,11 @@
         <translation>本程序的方法</translation>
     </message>
     <message>
-        <source>Ours less the paper's method</source>
+        <source>Ours less the paper&apos;s method</source>
         <translation>本程序的方法减去论文方法</translation>
     </message>
     <message>
-        <source>The paper's method</source>
+        <source>The paper&apos;s method</source>
         <translation>论文方法</translation>
     </message>
     <message>
@@ -423,7 +721,7 @@
         <translation>差值</translation>
     </message>
     <message>
-        <source>With the source paper's own formulas, on the same frame and the same finger.</source>
+        <source>With the source paper&apos;s own formulas, on the same frame and the same finger.</source>
         <translation>使用原论文的公式,同一帧、同一手指。</translation>
     </message>
     <message>
@@ -541,6 +839,193 @@
     <message>
         <source>Nothing to measure yet.</source>
         <translation>暂无可测量的内容。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::LensPage</name>
+    <message>
+        <source>a lens without distortion</source>
+        <translation>无畸变的镜头</translation>
+    </message>
+    <message>
+        <source>a lens with distortion (Brown)</source>
+        <translation>有畸变的镜头 (Brown)</translation>
+    </message>
+    <message>
+        <source>a fisheye lens</source>
+        <translation>鱼眼镜头</translation>
+    </message>
+    <message>
+        <source>a lens with parallel rays</source>
+        <translation>平行光线镜头</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 px</source>
+        <translation>%1,%2 × %3 px</translation>
+    </message>
+    <message>
+        <source>, %1 mm a pixel</source>
+        <translation>,每像素 %1 mm</translation>
+    </message>
+    <message>
+        <source>, focal length %1 px</source>
+        <translation>,焦距 %1 px</translation>
+    </message>
+    <message>
+        <source>, behind a window</source>
+        <translation>,隔着窗口</translation>
+    </message>
+    <message>
+        <source>Its calibration: %1.</source>
+        <translation>其标定:%1。</translation>
+    </message>
+    <message>
+        <source>From a camera file</source>
+        <translation>来自相机文件</translation>
+    </message>
+    <message>
+        <source>Or measured with pictures of a board</source>
+        <translation>或者用标定板图片测量</translation>
+    </message>
+    <message>
+        <source>Camera file</source>
+        <translation>相机文件</translation>
+    </message>
+    <message>
+        <source>camera.yaml, as the lens calibration writes it</source>
+        <translation>镜头标定写出的 camera.yaml</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>选择(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Choose a camera file</source>
+        <translation>选择相机文件</translation>
+    </message>
+    <message>
+        <source>&amp;Use the simulated camera&apos;s lens</source>
+        <translation>使用模拟相机的镜头(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Pictures</source>
+        <translation>图片(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Folder of board pictures, or a recording</source>
+        <translation>标定板图片的文件夹,或一段录像</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of board pictures</source>
+        <translation>选择标定板图片的文件夹</translation>
+    </message>
+    <message>
+        <source>&amp;Board</source>
+        <translation>标定板(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>标定板</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>棋盘格</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>ChArUco 板</translation>
+    </message>
+    <message>
+        <source>Grid of dots</source>
+        <translation>圆点阵列</translation>
+    </message>
+    <message>
+        <source>&amp;Inner corners, or dots</source>
+        <translation>内角点或圆点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Inner corners in a row</source>
+        <translation>每行内角点数</translation>
+    </message>
+    <message>
+        <source>Inner corners in a column</source>
+        <translation>每列内角点数</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>&amp;Side of a square</source>
+        <translation>方格边长(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>方格边长</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Measure the lens</source>
+        <translation>测量镜头(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop measuring the lens</source>
+        <translation>停止测量镜头</translation>
+    </message>
+    <message>
+        <source>Progress of the lens calibration</source>
+        <translation>镜头标定进度</translation>
+    </message>
+    <message>
+        <source>Outcome of the lens calibration</source>
+        <translation>镜头标定的结果</translation>
+    </message>
+    <message>
+        <source>The lens has to be known first: choose a camera file, or measure one.</source>
+        <translation>必须先知道镜头:请选择相机文件或进行测量。</translation>
+    </message>
+    <message>
+        <source>This finger&apos;s camera has %1</source>
+        <translation>此手指的相机:%1</translation>
+    </message>
+    <message>
+        <source>The camera has %1</source>
+        <translation>相机:%1</translation>
+    </message>
+    <message>
+        <source>A finger measures through its camera&apos;s lens, so the lens comes first. It is measured once for each camera, with ten to twenty pictures of a flat board from all sides.</source>
+        <translation>手指通过相机镜头测量,所以先要知道镜头。每台相机只需测量一次:从各个方向拍摄十到二十张平面标定板的图片。</translation>
+    </message>
+    <message>
+        <source>Camera (*.yaml *.yml)</source>
+        <translation>相机 (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Folder of board pictures</source>
+        <translation>标定板图片的文件夹</translation>
+    </message>
+    <message>
+        <source>No folder of pictures is named.</source>
+        <translation>没有指定图片文件夹。</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>镜头</translation>
     </message>
 </context>
 <context>
@@ -749,10 +1234,6 @@
         <translation>实时 (Ctrl+1)</translation>
     </message>
     <message>
-        <source>Record (Ctrl+2)</source>
-        <translation>录制 (Ctrl+2)</translation>
-    </message>
-    <message>
         <source>Finger:</source>
         <translation>手指:</translation>
     </message>
@@ -817,7 +1298,7 @@
         <translation>关闭来源(&amp;C)</translation>
     </message>
     <message>
-        <source>Open a finger's folder</source>
+        <source>Open a finger&apos;s folder</source>
         <translation>打开手指文件夹</translation>
     </message>
     <message>
@@ -931,10 +1412,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>此手指尚未标定,因此不显示深度。</translation>
     </message>
     <message>
-        <source>Calibrate it with ball presses (alltact calibrate).</source>
-        <translation>用钢球按压进行标定(alltact calibrate)。</translation>
-    </message>
-    <message>
         <source>&amp;Undo: %1</source>
         <translation>撤销:%1(&amp;U)</translation>
     </message>
@@ -981,6 +1458,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无</translation>
     </message>
     <message>
+        <source>&amp;Calibrate</source>
+        <translation>标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>Calibrate (Ctrl+2)</source>
+        <translation>标定 (Ctrl+2)</translation>
+    </message>
+    <message>
+        <source>Record (Ctrl+3)</source>
+        <translation>录制 (Ctrl+3)</translation>
+    </message>
+    <message>
+        <source>Calibrate it with ball presses.</source>
+        <translation>请用钢球按压进行标定。</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Calibrate</source>
+        <translation>转到标定(&amp;G)</translation>
+    </message>
+    <message>
         <source>&amp;Inspect</source>
         <translation>检视(&amp;I)</translation>
     </message>
@@ -989,8 +1490,128 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>检视</translation>
     </message>
     <message>
-        <source>Inspect (Ctrl+3)</source>
-        <translation>检视 (Ctrl+3)</translation>
+        <source>Inspect (Ctrl+4)</source>
+        <translation>检视 (Ctrl+4)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::MappingPage</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Keeps the best solution so far</source>
+        <translation>保留目前最好的解</translation>
+    </message>
+    <message>
+        <source>What has been done</source>
+        <translation>已完成的工作</translation>
+    </message>
+    <message>
+        <source>Progress of the calibration</source>
+        <translation>标定进度</translation>
+    </message>
+    <message>
+        <source>Depth over brightness difference</source>
+        <translation>深度与亮度差的关系</translation>
+    </message>
+    <message>
+        <source>Error of every press, worst first</source>
+        <translation>各次按压的误差,最大的在前</translation>
+    </message>
+    <message>
+        <source>The calibration is being made.</source>
+        <translation>正在标定。</translation>
+    </message>
+    <message>
+        <source>Calibrate first.</source>
+        <translation>请先标定。</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate now</source>
+        <translation>立即标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate again</source>
+        <translation>重新标定(&amp;C)</translation>
+    </message>
+    <message numerus="yes">
+        <source>(about %n second(s) left)</source>
+        <translation>
+            <numerusform>(约剩 %n 秒)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The presses have changed since this calibration.</source>
+        <translation>此次标定之后按压已有改动。</translation>
+    </message>
+    <message>
+        <source>This finger is calibrated. Calibrating again shows the figures.</source>
+        <translation>此手指已标定。重新标定可显示图表。</translation>
+    </message>
+    <message>
+        <source>With one press or more, what every pixel&apos;s darkening means in mm is learnt from the shape of the ball.</source>
+        <translation>有一次或多次按压后,由球的形状学得每个像素变暗意味着多少毫米。</translation>
+    </message>
+    <message>
+        <source>What every pixel&apos;s darkening means in mm is learnt from the shape of the ball, with all presses together. Each press is left out once to see how well the others foretell it.</source>
+        <translation>每个像素变暗意味着多少毫米,由球的形状和全部按压一起学得。每次按压都会被留出一次,看其余的能预测得多好。</translation>
+    </message>
+    <message>
+        <source>Mapping: %1.</source>
+        <translation>映射:%1。</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>映射</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::MappingPlot</name>
+    <message>
+        <source>Mapping from brightness to depth</source>
+        <translation>亮度到深度的映射</translation>
+    </message>
+    <message>
+        <source>No mapping yet: calibrate with ball presses</source>
+        <translation>尚无映射:请用钢球按压标定</translation>
+    </message>
+    <message>
+        <source>± 2 standard deviations</source>
+        <translation>± 2 倍标准差</translation>
+    </message>
+    <message>
+        <source>nearer the rim</source>
+        <translation>靠近边缘</translation>
+    </message>
+    <message>
+        <source>inner part of a contact</source>
+        <translation>接触的内部</translation>
+    </message>
+    <message>
+        <source>mapping</source>
+        <translation>映射</translation>
+    </message>
+    <message>
+        <source>Brightness difference x (no unit)</source>
+        <translation>亮度差 x(无单位)</translation>
+    </message>
+    <message>
+        <source>Brightness difference x (share of the untouched brightness)</source>
+        <translation>亮度差 x(占未触碰亮度的比例)</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>深度 (mm)</translation>
+    </message>
+    <message>
+        <source>Press depth (mm)</source>
+        <translation>按压深度 (mm)</translation>
+    </message>
+    <message>
+        <source>end of the calibrated range</source>
+        <translation>标定范围的终点</translation>
     </message>
 </context>
 <context>
@@ -998,10 +1619,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>New finger</source>
         <translation>新建手指</translation>
-    </message>
-    <message>
-        <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration (alltact lens).</source>
-        <translation>用卡尺测量宽度和层厚,并数出标记点。相机文件来自镜头标定(alltact lens)。</translation>
     </message>
     <message>
         <source>&amp;Folder to make</source>
@@ -1036,7 +1653,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标记点(&amp;A)</translation>
     </message>
     <message>
-        <source>Fin Ray finger: its shape is read from the face's edges</source>
+        <source>Fin Ray finger: its shape is read from the face&apos;s edges</source>
         <translation>鳍条手指:形状由面的边缘得出</translation>
     </message>
     <message>
@@ -1100,8 +1717,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>未指定相机文件。</translation>
     </message>
     <message>
-        <source>A lens calibration makes one: alltact lens.</source>
-        <translation>镜头标定会生成它:alltact lens。</translation>
+        <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration, the first step of Calibrate.</source>
+        <translation>用卡尺测量宽度和层厚,并数出标记点。相机文件来自镜头标定,即“标定”的第一步。</translation>
+    </message>
+    <message>
+        <source>The first step of Calibrate makes one.</source>
+        <translation>“标定”的第一步会生成它。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::OutlineEditor</name>
+    <message>
+        <source>Picture with the ball&apos;s outline</source>
+        <translation>带球轮廓的图像</translation>
+    </message>
+    <message>
+        <source>Drag the outline&apos;s centre or rim onto the ball. Arrow keys move it by a tenth of a pixel, Page Up and Page Down change its size, with Shift by a whole pixel. Ctrl and the arrow keys move the picture; the wheel zooms, over the rim it changes the size.</source>
+        <translation>把轮廓的中心或边缘拖到球上。方向键移动十分之一像素,Page Up 和 Page Down 改变大小,加 Shift 为一个像素。Ctrl 加方向键移动画面;滚轮缩放,在边缘上则改变大小。</translation>
+    </message>
+    <message>
+        <source>Centre u %1 px, v %2 px, radius %3 px; ball at x %4, y %5, z %6 mm</source>
+        <translation>中心 u %1 px,v %2 px,半径 %3 px;球在 x %4,y %5,z %6 mm</translation>
     </message>
 </context>
 <context>
@@ -1160,6 +1796,339 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::PressDesk</name>
+    <message>
+        <source>change the ball&apos;s radius</source>
+        <translation>更改球半径</translation>
+    </message>
+    <message>
+        <source>change the ball&apos;s radius of %1</source>
+        <translation>更改 %1 的球半径</translation>
+    </message>
+    <message>
+        <source>change the operator</source>
+        <translation>更改操作者</translation>
+    </message>
+    <message>
+        <source>move the outline of %1</source>
+        <translation>移动 %1 的轮廓</translation>
+    </message>
+    <message>
+        <source>find the ball of %1</source>
+        <translation>寻找 %1 的球</translation>
+    </message>
+    <message>
+        <source>take out %1</source>
+        <translation>取出 %1</translation>
+    </message>
+    <message>
+        <source>put back %1</source>
+        <translation>放回 %1</translation>
+    </message>
+    <message>
+        <source>take %1</source>
+        <translation>拍摄 %1</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>add %n picture(s)</source>
+        <translation>
+            <numerusform>添加 %n 张图片</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are presses of these names already: %1.</source>
+        <translation>已有同名的按压:%1。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressErrorPlot</name>
+    <message>
+        <source>Error of every press, worst first</source>
+        <translation>各次按压的误差,最大的在前</translation>
+    </message>
+    <message numerus="yes">
+        <source>The worst of %n press(es) is %1 with %2 mm.</source>
+        <translation>
+            <numerusform>%n 次按压中最差的是 %1,%2 mm。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No presses yet</source>
+        <translation>还没有按压</translation>
+    </message>
+    <message>
+        <source>residual: the mapping knows this press</source>
+        <translation>残差:映射用过此按压</translation>
+    </message>
+    <message>
+        <source>left out: the mapping was made without it</source>
+        <translation>留出:映射未使用它</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mean depth error inside the contact (mm); %n better press(es) not shown</source>
+        <translation>
+            <numerusform>接触内的平均深度误差 (mm);另有 %n 次较好的按压未显示</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean depth error inside the contact (mm)</source>
+        <translation>接触内的平均深度误差 (mm)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressLightPlot</name>
+    <message>
+        <source>Light of every press</source>
+        <translation>各次按压的光照</translation>
+    </message>
+    <message>
+        <source>No presses yet</source>
+        <translation>还没有按压</translation>
+    </message>
+    <message>
+        <source>Press, by number</source>
+        <translation>按压编号</translation>
+    </message>
+    <message>
+        <source>Light (%)</source>
+        <translation>光照 (%)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressModel</name>
+    <message>
+        <source>taken out</source>
+        <translation>已取出</translation>
+    </message>
+    <message>
+        <source>taken out: %1</source>
+        <translation>已取出:%1</translation>
+    </message>
+    <message>
+        <source>%1 mm deep, error %2 mm</source>
+        <translation>深 %1 mm,误差 %2 mm</translation>
+    </message>
+    <message>
+        <source>ball put by hand</source>
+        <translation>球由手动放置</translation>
+    </message>
+    <message>
+        <source>being looked at</source>
+        <translation>正在查看</translation>
+    </message>
+    <message>
+        <source>ball found</source>
+        <translation>已找到球</translation>
+    </message>
+    <message>
+        <source>the ball&apos;s radius is missing</source>
+        <translation>缺少球半径</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressesPage</name>
+    <message>
+        <source>Presses</source>
+        <translation>按压</translation>
+    </message>
+    <message>
+        <source>&amp;Add pictures…</source>
+        <translation>添加图片(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>移除(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Takes the press and its picture away (undo brings them back)</source>
+        <translation>移除按压及其图片(可撤销)</translation>
+    </message>
+    <message>
+        <source>&amp;Live picture</source>
+        <translation>实时画面(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Taking presses</source>
+        <translation>拍摄按压</translation>
+    </message>
+    <message>
+        <source>This press</source>
+        <translation>此次按压</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s &amp;radius</source>
+        <translation>球半径(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation>球半径</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>&amp;Its ball</source>
+        <translation>所用的球(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Radius of this press&apos; ball</source>
+        <translation>此次按压所用球的半径</translation>
+    </message>
+    <message>
+        <source>Where this press was made with a ball of another radius</source>
+        <translation>如果此次按压用的是另一半径的球</translation>
+    </message>
+    <message>
+        <source>&amp;Operator</source>
+        <translation>操作者(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>for the record</source>
+        <translation>用于记录</translation>
+    </message>
+    <message>
+        <source>&amp;Take a press (Space)</source>
+        <translation>拍摄按压(空格)(&amp;T)</translation>
+    </message>
+    <message>
+        <source>By &amp;itself when it holds still</source>
+        <translation>静止时自动拍摄(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Takes a press as soon as a contact holds still for half a second; both hands stay free</source>
+        <translation>接触静止半秒后自动拍摄;双手不必离开</translation>
+    </message>
+    <message>
+        <source>&amp;Find the ball again</source>
+        <translation>重新寻找球(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Forgets where the outline was put by hand</source>
+        <translation>忘记手动放置的轮廓位置</translation>
+    </message>
+    <message>
+        <source>Yellow: the ball&apos;s outline, dashed as the program found it, whole where a hand put it. Blue: where the ball meets the untouched face, about the dark disc.</source>
+        <translation>黄色:球的轮廓,虚线为程序找到的,实线为手动放置的。蓝色:球与未触碰面相交之处,大致是暗斑。</translation>
+    </message>
+    <message>
+        <source>Place of the ball</source>
+        <translation>球的位置</translation>
+    </message>
+    <message>
+        <source>The presses are being read.</source>
+        <translation>正在读取按压。</translation>
+    </message>
+    <message>
+        <source>The ball&apos;s radius is missing.</source>
+        <translation>缺少球半径。</translation>
+    </message>
+    <message>
+        <source>Take a press first; six at different places are good.</source>
+        <translation>请先拍摄一次按压;在不同位置拍六次为好。</translation>
+    </message>
+    <message>
+        <source>In no press a ball was found yet.</source>
+        <translation>还没有在任何按压中找到球。</translation>
+    </message>
+    <message>
+        <source>There is no live picture: choose a source.</source>
+        <translation>没有实时画面:请选择来源。</translation>
+    </message>
+    <message>
+        <source>The finger cannot be compared with its reference.</source>
+        <translation>无法将手指与其参考比较。</translation>
+    </message>
+    <message>
+        <source>The live picture does not fit this finger.</source>
+        <translation>实时画面与此手指不符。</translation>
+    </message>
+    <message>
+        <source>%1 is taken.</source>
+        <translation>已拍摄 %1。</translation>
+    </message>
+    <message>
+        <source>Pictures of presses</source>
+        <translation>按压图片</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
+        <translation>图片 (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
+    </message>
+    <message>
+        <source>Try: %1.</source>
+        <translation>请尝试:%1。</translation>
+    </message>
+    <message>
+        <source>Or drag the outline onto the ball.</source>
+        <translation>或者把轮廓拖到球上。</translation>
+    </message>
+    <message>
+        <source>As it lies now it is pressed in by %1 mm.</source>
+        <translation>按现在的位置,球压入 %1 mm。</translation>
+    </message>
+    <message>
+        <source>As it lies now it does not touch the face.</source>
+        <translation>按现在的位置,球没有碰到面。</translation>
+    </message>
+    <message>
+        <source>Chosen &amp;press</source>
+        <translation>所选按压(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>放回(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Take &amp;out</source>
+        <translation>取出(&amp;O)</translation>
+    </message>
+    <message>
+        <source>A press that is taken out stays with the finger and is not used</source>
+        <translation>取出的按压仍保存在手指中,但不使用</translation>
+    </message>
+    <message>
+        <source>The picture is being read.</source>
+        <translation>正在读取图片。</translation>
+    </message>
+    <message>
+        <source>Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera</source>
+        <translation>中心 u %1 px,v %2 px,半径 %3 px,距相机 %4 mm</translation>
+    </message>
+    <message>
+        <source>No ball is drawn here.</source>
+        <translation>这里没有画球。</translation>
+    </message>
+    <message>
+        <source>No press yet. Press the ball in at different places and depths, base, middle and tip.</source>
+        <translation>还没有按压。请在不同位置以不同深度压入球:根部、中部和指尖。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es), </source>
+        <translation>
+            <numerusform>%n 次按压,</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n usable</source>
+        <translation>
+            <numerusform>%n 次可用</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::ProblemList</name>
     <message>
         <source>Try: %1</source>
@@ -1193,7 +2162,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无深度:过亮</translation>
     </message>
     <message>
-        <source>no depth: near the face's edge</source>
+        <source>no depth: near the face&apos;s edge</source>
         <translation>无深度:靠近面的边缘</translation>
     </message>
     <message>
@@ -1264,7 +2233,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>选择(&amp;C)…</translation>
     </message>
     <message>
-        <source>&amp;Install as this finger's reference</source>
+        <source>&amp;Install as this finger&apos;s reference</source>
         <translation>设为此手指的参考(&amp;I)</translation>
     </message>
     <message>
@@ -1653,6 +2622,81 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Play</source>
         <translation>播放</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::VerdictPage</name>
+    <message>
+        <source>Good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>Usable for contact and its place</source>
+        <translation>可用于判断接触及其位置</translation>
+    </message>
+    <message>
+        <source>Unproven</source>
+        <translation>未经证实</translation>
+    </message>
+    <message>
+        <source>Not fit to measure with</source>
+        <translation>不适合测量</translation>
+    </message>
+    <message>
+        <source>What to press next</source>
+        <translation>下一次按压何处</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>&amp;Open the report</source>
+        <translation>打开报告(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Copy as command &amp;line</source>
+        <translation>复制为命令行(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The same as a command line</source>
+        <translation>相同操作的命令行</translation>
+    </message>
+    <message>
+        <source>Calibrate first.</source>
+        <translation>请先标定。</translation>
+    </message>
+    <message>
+        <source>Not calibrated yet</source>
+        <translation>尚未标定</translation>
+    </message>
+    <message>
+        <source>The presses have changed since: calibrate again.</source>
+        <translation>此后按压已有改动:请重新标定。</translation>
+    </message>
+    <message>
+        <source>The report is being written.</source>
+        <translation>正在写报告。</translation>
+    </message>
+    <message>
+        <source>By zone of the face: %1.</source>
+        <translation>按面上的区域:%1。</translation>
+    </message>
+    <message>
+        <source>Nothing can be said about it with these presses.</source>
+        <translation>这些按压无法说明这一点。</translation>
+    </message>
+    <message>
+        <source>press here next</source>
+        <translation>下一次压这里</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>无。</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
     </message>
 </context>
 </TS>

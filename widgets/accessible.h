@@ -10,6 +10,9 @@ namespace alltact {
 /// widget's accessibleName() and accessibleDescription().
 void set_accessible_role(QWidget& widget, QAccessible::Role role);
 
+/// What a widget with such a role shows now, in words; tells of the change, where it is one.
+void set_accessible_value(QWidget& widget, const QString& text);
+
 /// Sets the description and tells of the change, where it is one.
 void set_accessible_description(QWidget& widget, const QString& text);
 

@@ -75,6 +75,8 @@ std::string refuse_other_ball(const std::string& text) {
   return fmt::format("'{}' is not NAME=R, a press and its ball's radius in mm", text);
 }
 
+constexpr std::string_view kFind = "=find";
+
 /// What a repetition starts from, changed by what was said on the command line.
 Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console& console) {
   std::vector<std::string> warnings;
@@ -101,6 +103,14 @@ Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console&
     std::erase_if(inputs.excluded,
                   [&](const ExcludedPress& one) { return one.name == press.name; });
     inputs.excluded.push_back(press);
+  }
+  for (const std::string& text : options.balls) {
+    const bool is_to_be_found = text.ends_with(kFind);
+    const auto ball = is_to_be_found ? PlacedBall{text.substr(0, text.size() - kFind.size()), {}}
+                                     : placed_ball_from(text);
+    if (!ball) return ball.error();
+    std::erase_if(inputs.balls, [&](const PlacedBall& one) { return one.name == ball->name; });
+    if (!is_to_be_found) inputs.balls.push_back(*ball);
   }
   return inputs;
 }
@@ -129,6 +139,12 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   input.calibration = options.calibration;
   input.pipeline = options.pipeline;
   for (const std::string& text : options.excluded) input.excluded.push_back(excluded_press(text));
+  for (const std::string& text : options.balls) {
+    const auto ball = placed_ball_from(text);
+    if (!ball) return ball.error();
+    input.balls.push_back(*ball);
+  }
+  input.date = options.date;
   input.program_version = ALLTACT_VERSION;
   input.operator_name = options.operator_name;
   input.make_report = report_maker(options);
@@ -196,6 +212,25 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
       ->type_name("NAME[=WHY]")
       ->allow_extra_args(false)
       ->take_all();
+  command
+      ->add_option("--ball",
+                   options->balls,
+                   "A press' ball put by hand where the fit is to begin, in mm before the camera; "
+                   "may be given again for another press. With --again NAME=find looks for it "
+                   "after all")
+      ->type_name("NAME=X,Y,Z")
+      ->allow_extra_args(false)
+      ->take_all();
+  CLI::Option* date =
+      command
+          ->add_option("--date",
+                       options->date,
+                       "Date of this calibration for the record, as 2026-01-31T12:00:00Z, where "
+                       "it is not now")
+          ->type_name("DATE")
+          ->check([](const std::string& text) {
+            return is_utc(text) ? std::string() : "a date is written as 2026-01-31T12:00:00Z";
+          });
   CLI::Option* again =
       command
           ->add_flag("--again",
@@ -203,7 +238,8 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
                      "Calibrates from what the finger keeps: the same presses, settings and bytes; "
                      "what else is said here is changed")
           ->excludes(presses)
-          ->excludes(reference);
+          ->excludes(reference)
+          ->excludes(date);
   command
       ->add_option("--include", options->included, "With --again: use an excluded press after all")
       ->type_name("NAME")

@@ -76,6 +76,8 @@ struct CalibrateOptions {
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   bool again = false;                 ///< from what the finger keeps, and with it:
+  std::vector<std::string> balls;     ///< NAME=X,Y,Z, or NAME=find
+  std::string date;                   ///< empty: now
   std::vector<std::string> included;  ///< names that are excluded no longer
   /// Applies the settings that were given to those that are kept; may be empty.
   std::function<void(CalibrationSettings&, PipelineSettings&)> change;

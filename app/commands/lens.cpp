@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/finger_work.h"
 #include "app/flags.h"
 #include "calibration/calibrate_finger.h"
 #include "calibration/lens/lens_views.h"
@@ -126,22 +127,6 @@ void answer(const LensViews& found, const LensCalibration& done, Console::Json& 
   json["remarks"] = done.remarks;
 }
 
-LensRecord record_of(const LensOptions& options, const LensCalibration& done) {
-  LensRecord record;
-  record["date"] = utc_now();
-  record["program_version"] = ALLTACT_VERSION;
-  record["board"] = options.board.words();
-  record["square_mm"] = fmt::format("{}", options.board.square_mm);
-  record["views"] = fmt::format("{}", done.used.size());
-  record["fx_sd_px"] = fmt::format("{:.4f}", done.fit.sd(0));
-  record["fy_sd_px"] = fmt::format("{:.4f}", done.fit.sd(1));
-  record["focal_sd_percent"] = fmt::format("{:.4f}", 100 * done.focal_sd_part);
-  record["corner_px"] = fmt::format("{:.4f}", done.fit.sigma_px);
-  if (done.held_out) record["held_out_px"] = fmt::format("{:.4f}", done.held_out->error_px);
-  record["verdict"] = done.verdict.sentence;
-  return record;
-}
-
 /// The camera that is written: the lens, and the window that it looks through.
 Result<CameraParameters> seen_through(const LensOptions& options,
                                       const CameraParameters& lens,
@@ -242,8 +227,6 @@ Status run_lens(const LensOptions& options, Console& console) {
   board.pattern = options.settings.pattern;
   board.dictionary = options.settings.dictionary;
   board.marker_part = options.settings.marker_part;
-  LensOptions with_board = options;
-  with_board.board = board;
   const auto found = find_boards(**source, board, options.orientation, job);
   if (!found) return found.error();
   const auto done = calibrate_lens(found->views, found->size, options.settings, job);
@@ -263,7 +246,7 @@ Status run_lens(const LensOptions& options, Console& console) {
   tell_lens(*done, options.settings, console);
   for (const std::string& remark : done->remarks) console.say("Remark: " + remark + ".");
   answer(*found, *done, console.answer());
-  const LensRecord record = record_of(with_board, *done);
+  const LensRecord record = lens_record(board, *done);
   auto camera = seen_through(options, done->fit.lens, console);
   if (!camera) return camera.error();
   camera->orientation = options.orientation;

@@ -1,4 +1,5 @@
 // `alltact-studio`: the desktop program.
+#include "app/finger_work.h"
 #include "app/studio/main_window.h"
 #include "widgets/scene3d/vtk_view.h"
 #include "widgets/shell/studio_style.h"
@@ -74,6 +75,7 @@ int main(int argc, char** argv) {
                   settings.value(QStringLiteral("appearance/language")).toString()});
   }
   StudioOptions options;
+  options.command_line = find_command_line();
   options.finger = wanted.finger;
   if (!wanted.source.empty()) options.source = {wanted.source};
   options.session_folder =

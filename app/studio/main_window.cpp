@@ -26,6 +26,14 @@ Result<ReferenceReport> install(const std::filesystem::path& folder,
   return install_recording(folder, *finger, {video}, job);
 }
 
+Result<std::string> measure(const LensWanted& wanted, const Job& job) {
+  const auto done = measure_lens({wanted.pictures}, wanted.board, wanted.settings, job);
+  if (!done) return done.error();
+  const Status saved = save_camera(wanted.camera, done->fit.lens, lens_record(wanted.board, *done));
+  if (!saved) return saved.error();
+  return done->verdict.sentence;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
@@ -35,6 +43,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
       finder_(options.lister),
       rail_(new QButtonGroup(this)),
       live_button_(new QToolButton),
+      calibrate_button_(new QToolButton),
       record_button_(new QToolButton),
       inspect_button_(new QToolButton),
       finger_button_(new QToolButton),
@@ -46,6 +55,10 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
       live_or_start_(new QStackedWidget),
       start_(new StartPanel),
       live_(new LivePlace(session_, undo_)),
+      calibrate_(new CalibratePlace(
+          session_,
+          undo_,
+          {measure, options.session_folder, options.command_line, ALLTACT_VERSION})),
       record_(new RecordPlace(session_, install)),
       inspect_(new InspectPlace(session_, undo_)),
       delivered_(new QLabel),
@@ -57,6 +70,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
   live_or_start_->addWidget(start_);
   live_or_start_->addWidget(live_);
   places_->addWidget(live_or_start_);
+  places_->addWidget(calibrate_);
   places_->addWidget(record_);
   places_->addWidget(inspect_);
   auto* content = new QWidget;
@@ -92,7 +106,11 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
     state_.is_locked = is_locked;
     keep();
   });
-  connect(record_, &RecordPlace::installed, this, [this] { session_.open_finger(state_.finger); });
+  connect(record_, &RecordPlace::installed, this, [this] {
+    session_.open_finger(state_.finger);
+    calibrate_->reload();
+  });
+  connect_calibrating();
   connect(start_, &StartPanel::last_wanted, this, &MainWindow::go_on_with_last);
   connect(start_, &StartPanel::camera_wanted, this, [this](const QString& name) {
     open_source({name.toStdString()});
@@ -101,7 +119,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
   connect(start_, &StartPanel::video_wanted, this, &MainWindow::choose_video);
   connect(start_, &StartPanel::folder_wanted, this, &MainWindow::choose_folder);
   connect(start_, &StartPanel::finger_wanted, this, &MainWindow::choose_finger);
-  connect(start_, &StartPanel::new_finger_wanted, this, &MainWindow::new_finger);
+  connect(start_, &StartPanel::new_finger_wanted, this, [this] { new_finger(); });
   if (keeper_.last()) {
     state_.recent_fingers = keeper_.last()->recent_fingers;
     state_.controls = keeper_.last()->controls;
@@ -116,6 +134,15 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
   if (!options.finger.empty()) set_finger(options.finger);
   if (!options.source.empty()) set_source(options.source);
   follow();
+}
+
+void MainWindow::connect_calibrating() {
+  connect(calibrate_, &CalibratePlace::new_finger_wanted, this, &MainWindow::new_finger);
+  connect(calibrate_, &CalibratePlace::open_finger_wanted, this, &MainWindow::choose_finger);
+  connect(calibrate_, &CalibratePlace::record_wanted, this, [this] { go_to("record"); });
+  connect(calibrate_, &CalibratePlace::finger_changed, this, [this] {
+    session_.open_finger(state_.finger);
+  });
 }
 
 MainWindow::~MainWindow() {
@@ -142,7 +169,7 @@ void MainWindow::make_menus() {
      &MainWindow::choose_finger);
   on(add(
          *file_menu_, [] { return tr("&New finger…"); }, QKeySequence::New),
-     &MainWindow::new_finger);
+     [this] { new_finger(); });
   recent_menu_ = file_menu_->addMenu(QString());
   on(add(*file_menu_, [] { return tr("&Close finger"); }), [this] { open_finger({}); });
   file_menu_->addSeparator();
@@ -167,9 +194,11 @@ void MainWindow::make_view_menu() {
   place(
       "live", [] { return tr("&Live"); }, Qt::Key_1);
   place(
-      "record", [] { return tr("&Record"); }, Qt::Key_2);
+      "calibrate", [] { return tr("&Calibrate"); }, Qt::Key_2);
   place(
-      "inspect", [] { return tr("&Inspect"); }, Qt::Key_3);
+      "record", [] { return tr("&Record"); }, Qt::Key_3);
+  place(
+      "inspect", [] { return tr("&Inspect"); }, Qt::Key_4);
   view_menu_->addSeparator();
   QAction* full = add(
       *view_menu_, [] { return tr("&Full screen"); }, QKeySequence(Qt::Key_F11));
@@ -193,7 +222,7 @@ QWidget* MainWindow::make_rail() {
   rail->setBackgroundRole(QPalette::AlternateBase);
   auto* column = new QVBoxLayout(rail);
   column->setContentsMargins(6, 8, 6, 8);
-  for (QToolButton* button : {live_button_, record_button_, inspect_button_}) {
+  for (QToolButton* button : {live_button_, calibrate_button_, record_button_, inspect_button_}) {
     button->setCheckable(true);
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize({kRailIcon, kRailIcon});
@@ -207,6 +236,7 @@ QWidget* MainWindow::make_rail() {
   column->addStretch();
   live_button_->setChecked(true);
   connect(live_button_, &QToolButton::clicked, this, [this] { go_to("live"); });
+  connect(calibrate_button_, &QToolButton::clicked, this, [this] { go_to("calibrate"); });
   connect(record_button_, &QToolButton::clicked, this, [this] { go_to("record"); });
   connect(inspect_button_, &QToolButton::clicked, this, [this] { go_to("inspect"); });
   return rail;
@@ -250,11 +280,13 @@ void MainWindow::name_parts() {
   recent_menu_->setTitle(tr("&Recent fingers"));
   source_menu_->setTitle(tr("&Source"));
   live_button_->setText(tr("Live"));
+  calibrate_button_->setText(tr("Calibrate"));
   record_button_->setText(tr("Record"));
   inspect_button_->setText(tr("Inspect"));
   live_button_->setToolTip(tr("Live (Ctrl+1)"));
-  record_button_->setToolTip(tr("Record (Ctrl+2)"));
-  inspect_button_->setToolTip(tr("Inspect (Ctrl+3)"));
+  calibrate_button_->setToolTip(tr("Calibrate (Ctrl+2)"));
+  record_button_->setToolTip(tr("Record (Ctrl+3)"));
+  inspect_button_->setToolTip(tr("Inspect (Ctrl+4)"));
   finger_label_->setText(tr("Finger:"));
   source_label_->setText(tr("Source:"));
   delivered_->setAccessibleName(tr("Frames delivered"));
@@ -269,6 +301,7 @@ void MainWindow::name_parts() {
 
 void MainWindow::set_icons() {
   live_button_->setIcon(icon(QStringLiteral("live"), palette()));
+  calibrate_button_->setIcon(icon(QStringLiteral("calibrate"), palette()));
   record_button_->setIcon(icon(QStringLiteral("record"), palette()));
   inspect_button_->setIcon(icon(QStringLiteral("inspect"), palette()));
   finger_button_->setIcon(icon(QStringLiteral("finger"), palette()));
@@ -281,11 +314,21 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::go_to(const std::string& place) {
-  const int index = place == "record" ? 1 : place == "inspect" ? 2 : 0;
-  places_->setCurrentIndex(index);
-  std::array{live_button_, record_button_, inspect_button_}[static_cast<std::size_t>(index)]
-      ->setChecked(true);
+  struct Room {
+    const char* name;
+    QToolButton* button;
+  };
+  const std::array rooms{Room{"live", live_button_},
+                         Room{"calibrate", calibrate_button_},
+                         Room{"record", record_button_},
+                         Room{"inspect", inspect_button_}};
+  const auto room =
+      std::find_if(rooms.begin(), rooms.end(), [&](const Room& one) { return one.name == place; });
+  const auto index = room == rooms.end() ? 0 : room - rooms.begin();
+  places_->setCurrentIndex(static_cast<int>(index));
+  rooms[static_cast<std::size_t>(index)].button->setChecked(true);
   state_.place = place;
+  follow();
   keep();
 }
 

@@ -4,6 +4,7 @@
 #include "app/studio/dresser.h"
 #include "app/studio/session_keeper.h"
 #include "widgets/live/camera_finder.h"
+#include "widgets/places/calibrate_place.h"
 #include "widgets/places/inspect_place.h"
 #include "widgets/places/live_place.h"
 #include "widgets/places/record_place.h"
@@ -26,6 +27,8 @@ struct StudioOptions {
   std::filesystem::path session_folder;       ///< where the session is kept
   SourceOpener opener = &alltact::open_source;
   CameraFinder::Lister lister;  ///< empty: the system's cameras
+  /// The program of the command line, which writes reports; empty where it is not installed.
+  std::filesystem::path command_line;
 };
 
 class MainWindow : public Translated<QMainWindow> {
@@ -57,6 +60,7 @@ class MainWindow : public Translated<QMainWindow> {
   void make_view_menu();
   void make_help_menu();
   [[nodiscard]] QWidget* make_rail();
+  void connect_calibrating();
   [[nodiscard]] QWidget* make_header();
   void make_status_line();
   void name_parts();
@@ -66,7 +70,7 @@ class MainWindow : public Translated<QMainWindow> {
   void fill_source_menu();
   void fill_recent_menu();
   void choose_finger();
-  void new_finger();
+  void new_finger(const NewFinger& known = {});
   void choose_video();
   void choose_folder();
   void choose_scene();
@@ -101,13 +105,15 @@ class MainWindow : public Translated<QMainWindow> {
   QMenu *file_menu_, *source_menu_, *recent_menu_, *edit_menu_, *view_menu_, *help_menu_;
   QAction *undo_action_, *redo_action_;
   QButtonGroup* rail_;
-  QToolButton *live_button_, *record_button_, *inspect_button_, *finger_button_, *source_button_;
+  QToolButton *live_button_, *calibrate_button_, *record_button_, *inspect_button_, *finger_button_,
+      *source_button_;
   QLabel *finger_label_, *source_label_;
   ProblemList* problems_;
   QStackedWidget* places_;
   QStackedWidget* live_or_start_;
   StartPanel* start_;
   LivePlace* live_;
+  CalibratePlace* calibrate_;
   RecordPlace* record_;
   InspectPlace* inspect_;
   QLabel *delivered_, *lost_, *age_, *time_;

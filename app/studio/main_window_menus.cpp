@@ -100,8 +100,9 @@ void MainWindow::choose_finger() {
   dialog->show();
 }
 
-void MainWindow::new_finger() {
+void MainWindow::new_finger(const NewFinger& known) {
   auto* dialog = new NewFingerDialog(make, this);
+  dialog->set_description(known);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &NewFingerDialog::made, this, [this](const QString& folder) {
     open_finger(folder.toStdString());
@@ -164,9 +165,7 @@ void MainWindow::show_settings() {
 }
 
 void MainWindow::show_help() {
-  const QString page = state_.place == "record"    ? QStringLiteral("record")
-                       : state_.place == "inspect" ? QStringLiteral("inspect")
-                                                   : QStringLiteral("live");
+  const QString page = QString::fromStdString(state_.place);
   const QString language = QLocale().name().startsWith(QStringLiteral("de")) ? QStringLiteral("_de")
                            : QLocale().name().startsWith(QStringLiteral("zh"))
                                ? QStringLiteral("_zh_CN")

@@ -119,9 +119,9 @@ void MainWindow::add_finger_problems(const LiveStatus& status,
   else if (is_own && !finger.finger->mapping)
     problems.push_back({Meaning::kDoubtful,
                         tr("This finger is not calibrated yet, so that no depth is shown."),
-                        tr("Calibrate it with ball presses (alltact calibrate)."),
-                        {},
-                        {}});
+                        tr("Calibrate it with ball presses."),
+                        state_.place == "calibrate" ? QString() : tr("&Go to Calibrate"),
+                        [this] { const_cast<MainWindow*>(this)->go_to("calibrate"); }});
 }
 
 }  // namespace alltact

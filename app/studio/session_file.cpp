@@ -89,7 +89,8 @@ Result<SessionState> session_from_json(const std::string& text, const std::strin
   state.finger = value_or(json, "finger", std::string());
   state.source = paths_of(json, "source");
   state.place = value_or(json, "place", state.place);
-  if (state.place != "record" && state.place != "inspect") state.place = "live";
+  if (state.place != "calibrate" && state.place != "record" && state.place != "inspect")
+    state.place = "live";
   state.view = view_of(value_or(json, "view", Json::object()));
   state.is_locked = value_or(json, "locked", true);
   const Json controls = value_or(json, "controls", Json::object());

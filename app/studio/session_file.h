@@ -15,7 +15,7 @@ namespace alltact {
 struct SessionState {
   std::filesystem::path finger;               ///< folder; empty for none
   std::vector<std::filesystem::path> source;  ///< what opens it; empty for none
-  std::string place = "live";                 ///< live | record
+  std::string place = "live";                 ///< live | calibrate | record
   ViewOptions view;
   bool is_locked = true;
   /// What was set by hand, by the camera's lasting name.

@@ -71,6 +71,42 @@ std::vector<Eigen::Vector3d> ball_horizon_mm(bool perspective,
   return points;
 }
 
+namespace {
+
+/// How far the line of sight through a pixel passes outside the ball.
+std::optional<double> beside_mm(const Camera& camera,
+                                const Eigen::Vector2d& pixel,
+                                const Eigen::Vector3d& centre_mm,
+                                double radius_mm) {
+  const auto ray = camera.unproject(pixel);
+  if (!ray) return std::nullopt;
+  return (centre_mm - ray->origin_mm).cross(ray->direction).norm() / ray->direction.norm() -
+         radius_mm;
+}
+
+/// A pixel near the outline moved away from `middle`, or towards it, until its line of sight
+/// touches the ball: rays behind a window do not meet in one point, so that the horizon of any
+/// point is only nearly theirs.
+Eigen::Vector2d grazing_pixel(const Camera& camera,
+                              const Eigen::Vector2d& middle,
+                              Eigen::Vector2d pixel,
+                              const Eigen::Vector3d& centre_mm,
+                              double radius_mm) {
+  const Eigen::Vector2d outward = (pixel - middle).normalized();
+  double step = 0.1;
+  auto here = beside_mm(camera, pixel, centre_mm, radius_mm);
+  for (int i = 0; here && i < 8 && std::abs(step) > 1e-9; ++i) {  // secants
+    const auto there = beside_mm(camera, pixel + step * outward, centre_mm, radius_mm);
+    if (!there || *there == *here) break;
+    pixel += step * outward;
+    step *= -*there / (*there - *here);
+    here = there;
+  }
+  return pixel;
+}
+
+}  // namespace
+
 std::vector<Eigen::Vector2d> ball_outline_px(const Camera& camera,
                                              const Eigen::Vector3d& centre_mm,
                                              double radius_mm,
@@ -79,6 +115,10 @@ std::vector<Eigen::Vector2d> ball_outline_px(const Camera& camera,
   for (const Eigen::Vector3d& point :
        ball_horizon_mm(camera.is_perspective(), centre_mm, radius_mm, count))
     if (const auto pixel = camera.project(point)) outline.push_back(*pixel);
+  const auto middle = camera.project(centre_mm);
+  if (camera.is_perspective() && !camera.is_central() && middle)
+    for (Eigen::Vector2d& pixel : outline)
+      pixel = grazing_pixel(camera, *middle, pixel, centre_mm, radius_mm);
   return outline;
 }
 

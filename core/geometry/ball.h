@@ -42,7 +42,8 @@ struct RayHit {
                                                            int count);
 
 /// The exact outline of the ball in the picture, for every camera model: the horizon's points
-/// projected. Points that the camera cannot see are left out.
+/// projected; behind a window, where rays do not meet in one point, moved until their own rays
+/// touch the ball. Points that the camera cannot see are left out.
 [[nodiscard]] std::vector<Eigen::Vector2d> ball_outline_px(const Camera& camera,
                                                            const Eigen::Vector3d& centre_mm,
                                                            double radius_mm,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 namespace alltact::test {
@@ -104,6 +105,45 @@ TEST_F(Repetition, LeavesOutWhatIsExcludedAndTakesItBack) {
 
   EXPECT_THAT(again({"--exclude", "press_9"}).errors, HasSubstr("one of press_0, press_1"));
   EXPECT_THAT(again({"--include", "press_1"}).errors, HasSubstr("'press_1' is not excluded"));
+}
+
+TEST_F(Repetition, BeginsWhereAHandPutABallAndForgetsItAgain) {
+  const auto report = nlohmann::json::parse(kept("calibration_report.json"));
+  const auto& centre = report.at("presses").at(1).at("centre_mm");
+  const std::string ball = fmt::format("press_1={},{},{}",
+                                       centre.at(0).get<double>() + 0.2,
+                                       centre.at(1).get<double>() - 0.1,
+                                       centre.at(2).get<double>());
+  ASSERT_EQ(again({"--ball", ball}).status, 0);
+  EXPECT_THAT(kept("calibration_inputs.yaml"), HasSubstr("balls: [press_1]\nballs_mm: [["));
+  const auto moved = nlohmann::json::parse(kept("calibration_report.json"));
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(moved.at("presses").at(1).at("centre_mm").at(i).get<double>(),
+                centre.at(i).get<double>(),
+                0.01);
+  ASSERT_EQ(again({"--ball", "press_1=find"}).status, 0);
+  EXPECT_THAT(kept("calibration_inputs.yaml"), Not(HasSubstr("balls")));
+  EXPECT_EQ(nlohmann::json::parse(kept("calibration_report.json")), report);
+  EXPECT_THAT(again({"--ball", "press_9=1,2,3"}).errors, HasSubstr("no press is called 'press_9'"));
+  EXPECT_THAT(again({"--ball", "press_1=1,2"}).errors, HasSubstr("NAME=X,Y,Z"));
+}
+
+TEST_F(Repetition, ADateThatIsToldIsKept) {
+  std::vector<std::string> arguments = {"calibrate", flat_.finger()};
+  for (const fs::path& press : flat_.presses) arguments.push_back(press.string());
+  for (const std::string& word : std::vector<std::string>{"--reference",
+                                                          flat_.file("ref.png"),
+                                                          "--ball-radius-mm",
+                                                          "4",
+                                                          "--date",
+                                                          "2001-02-03T04:05:06Z"})
+    arguments.push_back(word);
+  const ProgramRun run = run_alltact(arguments);
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(kept("calibration_inputs.yaml"), HasSubstr("date: \"2001-02-03T04:05:06Z\""));
+  EXPECT_THAT(kept("finger.yaml"), HasSubstr("2001-02-03T04:05:06Z"));
+  arguments.back() = "yesterday";
+  EXPECT_EQ(run_alltact(arguments).status, 2);
 }
 
 TEST_F(Repetition, ChangesWhatItIsToldTo) {

@@ -29,6 +29,7 @@ CalibrationInputs some_inputs() {
                     {"it's, a [press]", "abcdefabcdefabcd"}};
   inputs.other_balls = {{"press_0", 6.25}};
   inputs.excluded = {{"12", "glove in view"}, {"it's, a [press]", ""}};
+  inputs.balls = {{"press_0", {1.5, -2.25, 48.0625}}};
   return inputs;
 }
 
@@ -54,6 +55,8 @@ TEST(CalibrationInputs, ComeBackAsTheyWereWritten) {
   ASSERT_NE(back->exclusion_of("12"), nullptr);
   EXPECT_EQ(back->exclusion_of("12")->because, "glove in view");
   EXPECT_EQ(back->exclusion_of("press_0"), nullptr);
+  EXPECT_EQ(back->balls, inputs.balls);
+  EXPECT_EQ(back->ball_of("12"), nullptr);
 }
 
 TEST(CalibrationInputs, EveryTruncationIsToldInASentence) {
@@ -152,6 +155,25 @@ RC_GTEST_PROP(ShellQuoted, IsReadBackByTheShell, ()) {
 TEST(RepeatCommand, NamesTheFolderAsAShellReadsIt) {
   EXPECT_EQ(repeat_command("/data/left-07"), "alltact calibrate left-07 --again");
   EXPECT_EQ(repeat_command("/data/left 07/"), "alltact calibrate 'left 07' --again");
+}
+
+TEST(CalibrateCommand, SaysAllThatIsNotAsUsual) {
+  FingerCalibrationInput input;
+  input.folder = "/data/left 07";
+  input.presses = {"/data/left 07/presses"};
+  input.ball_radius_mm = 3.975;
+  EXPECT_EQ(calibrate_command(input),
+            "alltact calibrate '/data/left 07' '/data/left 07/presses' --ball-radius-mm 3.975");
+  input.calibration.degree = 3;
+  input.pipeline.smoothing_px = 1.5;
+  input.excluded = {{"press_2", "glove in view"}, {"press_3", ""}};
+  input.balls = {{"press_4", {1.5, -2, 48.25}}};
+  input.operator_name = "Ada";
+  input.date = "2026-01-31T12:00:00Z";
+  EXPECT_EQ(calibrate_command(input),
+            "alltact calibrate '/data/left 07' '/data/left 07/presses' --ball-radius-mm 3.975 "
+            "--degree 3 --smoothing-px 1.5 --exclude 'press_2=glove in view' --exclude press_3 "
+            "--ball 'press_4=1.5,-2,48.25' --operator Ada --date 2026-01-31T12:00:00Z");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "core/sources/v4l2/camera_controls.h"
 #include "widgets/controls/control_panel.h"
+#include "widgets/picture/outline_editor.h"
 #include "widgets/picture/overlays.h"
 #include "widgets/places/record_place.h"
 #include "widgets/recording/coverage_view.h"
@@ -31,6 +32,25 @@ Shown image_view() {
     markers.push_back({60.0 + 70 * (i % 6), i < 6 ? 50.0 : 220.0, i % 4 != 3, 0.1});
   view->show_picture(grey, {markers_overlay(markers), colour_bar_overlay(1.0, "Depth, mm")});
   return view;
+}
+
+/// A dark disc, and a ball whose outline is to be drawn onto it.
+Shown outline_editor() {
+  CameraParameters lens;
+  lens.width_px = 960;
+  lens.height_px = 540;
+  lens.fx_px = lens.fy_px = 523.9;
+  lens.cx_px = 479.5;
+  lens.cy_px = 269.5;
+  const auto camera = Camera::create(lens);
+  auto editor = std::make_unique<OutlineEditor>();
+  cv::Mat grey(540, 960, CV_8UC1, cv::Scalar(150));
+  for (int v = 0; v < grey.rows; ++v)
+    for (int u = 0; u < grey.cols; ++u)
+      if (std::hypot(u - 610, v - 240) < 41) grey.at<std::uint8_t>(v, u) = 70;
+  editor->show_picture(grey, {});
+  if (camera) editor->set_ball(ShownBall{*camera, 4, {12, -4, 52}, true});
+  return editor;
 }
 
 Shown control_panel() {
@@ -126,6 +146,7 @@ const std::map<std::string, std::unique_ptr<QWidget> (*)()>& gallery() {
                                                           {"empty_recording", empty_recording},
                                                           {"image_view", image_view},
                                                           {"new_finger_dialog", new_finger_dialog},
+                                                          {"outline_editor", outline_editor},
                                                           {"problem_list", problem_list},
                                                           {"settings_dialog", settings_dialog},
                                                           {"start_panel", start_panel}};

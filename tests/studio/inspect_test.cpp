@@ -269,7 +269,7 @@ TEST_F(Inspect, IsNamedForThoseWhoHearIt) {
 
 TEST_F(Inspect, ComesByKeys) {
   studio_.window().go_to("live");
-  QTest::keyClick(&studio_.window(), Qt::Key_3, Qt::ControlModifier);
+  QTest::keyClick(&studio_.window(), Qt::Key_4, Qt::ControlModifier);
   EXPECT_TRUE(place().isVisible());
 }
 

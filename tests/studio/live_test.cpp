@@ -121,7 +121,7 @@ TEST(Live, EveryOverlayChangesWhatIsPainted) {
 TEST(Live, GoesFromPlaceToPlaceByKeys) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());
-  QTest::keyClick(&studio.window(), Qt::Key_2, Qt::ControlModifier);
+  QTest::keyClick(&studio.window(), Qt::Key_3, Qt::ControlModifier);
   EXPECT_NE(studio.find<QGroupBox>("Recording"), nullptr);
   QTest::keyClick(&studio.window(), Qt::Key_1, Qt::ControlModifier);
   EXPECT_NE(studio.find<QGroupBox>("Over the picture"), nullptr);

@@ -35,7 +35,7 @@ class RecordTest : public testing::Test {
     ASSERT_TRUE(studio_->wait_for_picture());
     ASSERT_TRUE(wait_until(
         [&] { return studio_->session().status().finger.state == FingerState::kReady; }));
-    QTest::keyClick(&studio_->window(), Qt::Key_2, Qt::ControlModifier);
+    QTest::keyClick(&studio_->window(), Qt::Key_3, Qt::ControlModifier);
   }
   void type_file(const std::filesystem::path& file) {
     auto* line = studio_->find<QLineEdit>("File to record to");
@@ -145,7 +145,7 @@ TEST_F(RecordTest, SaysWhenTouchingCannotBeSeen) {
   options.source = {folder.path()};
   studio_ = std::make_unique<Studio>(options);
   ASSERT_TRUE(studio_->wait_for_picture());
-  QTest::keyClick(&studio_->window(), Qt::Key_2, Qt::ControlModifier);
+  QTest::keyClick(&studio_->window(), Qt::Key_3, Qt::ControlModifier);
   EXPECT_TRUE(wait_until([&] {
     return studio_->problems().find("cannot be seen whether") != std::string::npos;
   })) << studio_->problems();
@@ -153,7 +153,7 @@ TEST_F(RecordTest, SaysWhenTouchingCannotBeSeen) {
 
 TEST_F(RecordTest, SaysWhatIsNeededFirst) {
   studio_ = std::make_unique<Studio>();
-  QTest::keyClick(&studio_->window(), Qt::Key_2, Qt::ControlModifier);
+  QTest::keyClick(&studio_->window(), Qt::Key_3, Qt::ControlModifier);
   EXPECT_FALSE(studio_->find<QPushButton>("Start recording")->isEnabled());
   bool is_said = false;
   for (const QLabel* label : studio_->window().findChildren<QLabel*>())

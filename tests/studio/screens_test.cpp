@@ -1,5 +1,5 @@
 // Pictures of every place, for people to look at: below the build's folder, screens/.
-#include "tests/studio/studio_rig.h"
+#include "tests/studio/calibrate_rig.h"
 
 #include <QComboBox>
 #include <QPixmap>
@@ -88,6 +88,66 @@ TEST_P(Screens, Inspect) {
   save(studio, "inspect_beside");
   QTest::keyClick(comparison, Qt::Key_Down);
   save(studio, "inspect_difference");
+}
+
+TEST_P(Screens, CalibrateLens) {
+  Studio studio;
+  studio.click("Simulated finger");
+  ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.finger.has_value(); }));
+  studio.window().go_to("calibrate");
+  save(studio, "calibrate_lens");
+}
+
+TEST_P(Screens, CalibrateFinger) {
+  StudioOptions options;
+  options.finger = MadeFingers::get().described();
+  options.source = {MadeFingers::get().bending()};
+  Studio studio(options);
+  ASSERT_TRUE(
+      wait_until([&] { return studio.session().status().finger.state == FingerState::kReady; }));
+  studio.window().go_to("calibrate");
+  studio.click("Next: Finger");
+  save(studio, "calibrate_finger");
+}
+
+TEST_P(Screens, CalibratePresses) {
+  CalibrateStudio rig(6);
+  rig.open();
+  rig.go_to_step("Presses");
+  ASSERT_TRUE(wait_until([&] { return rig.desk().presses().size() == 6; }));
+  save(rig.studio(), "calibrate_presses_first");
+  rig.desk().set_radius(4);
+  ASSERT_TRUE(rig.wait_until_looked_at(6));
+  save(rig.studio(), "calibrate_presses");
+  auto* list = rig.place().findChild<PressesPage*>()->findChild<QListView*>();
+  list->setCurrentIndex(list->model()->index(2, 0));
+  auto* editor = rig.place().findChild<OutlineEditor*>();
+  const auto place = outline_place(*editor->ball()).value();
+  const QPoint hand = editor->transform().to_widget({place.right_u, place.centre.y()}).toPoint();
+  rig.desk().take_out("press_05", "glove in the picture");
+  QTest::mousePress(editor, Qt::LeftButton, {}, hand);
+  QTest::mouseMove(editor, hand + QPoint(3, 1));
+  save(rig.studio(), "calibrate_outline");
+  QTest::mouseRelease(editor, Qt::LeftButton, {}, hand + QPoint(3, 1));
+}
+
+TEST_P(Screens, CalibrateMappingAndVerdict) {
+  CalibrateStudio rig(6);
+  rig.open(ALLTACT_PROGRAM);
+  rig.go_to_step("Presses");
+  rig.type_radius("4");
+  ASSERT_TRUE(rig.wait_until_looked_at(6));
+  rig.go_to_step("Mapping");
+  save(rig.studio(), "calibrate_mapping_first");
+  rig.run().start();
+  QTest::qWait(300);
+  save(rig.studio(), "calibrate_running");
+  ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
+  save(rig.studio(), "calibrate_mapping");
+  rig.go_to_step("5");
+  save(rig.studio(), "calibrate_verdict");
+  rig.go_to_step("6");
+  save(rig.studio(), "calibrate_check");
 }
 
 TEST_P(Screens, NoSuchSource) {

@@ -64,7 +64,7 @@ TEST(Story, FromTheFirstStartToTheNextDay) {
     ASSERT_TRUE(wait_until([&] { return studio.session().status().desk.is_locked; }));
     EXPECT_EQ(fake.control(V4L2_CID_EXPOSURE_AUTO), V4L2_EXPOSURE_MANUAL);
 
-    QTest::keyClick(&studio.window(), Qt::Key_2, Qt::ControlModifier);
+    QTest::keyClick(&studio.window(), Qt::Key_3, Qt::ControlModifier);
     auto* file = studio.find<QLineEdit>("File to record to");
     ASSERT_NE(file, nullptr);
     file->selectAll();

@@ -231,9 +231,11 @@ TEST(Window, EveryControlHasANameAndARole) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());
   expect_names(studio.window());
-  studio.window().go_to("record");
-  QTest::qWait(50);
-  expect_names(studio.window());
+  for (const char* place : {"calibrate", "record"}) {
+    studio.window().go_to(place);
+    QTest::qWait(50);
+    expect_names(studio.window());
+  }
   NewFingerDialog finger([](const NewFinger&) { return Status(); });
   finger.show();
   expect_names(finger);
@@ -256,7 +258,7 @@ bool is_stop(const QWidget& widget) {
 TEST(Window, EveryControlCanBeReachedByTab) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());
-  for (const char* place : {"live", "record"}) {
+  for (const char* place : {"live", "calibrate", "record"}) {
     studio.window().go_to(place);
     QTest::qWait(300);
     std::set<QWidget*> wanted;

@@ -19,18 +19,6 @@ const QColor kEstimated(240, 145, 90);  // orange
 const QColor kArrow(47, 199, 155);      // bluish green
 const QColor kText(255, 255, 255);
 
-void stroke(QPainter& painter,
-            const QPainterPath& path,
-            const QColor& colour,
-            double width,
-            Qt::PenStyle style = Qt::SolidLine) {
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kHalo, width + 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(path);
-  painter.setPen(QPen(colour, width, style, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(path);
-}
-
 void write(QPainter& painter, QPointF centre, const QString& text) {
   const QFontMetricsF metrics(painter.font());
   QPainterPath path;
@@ -85,10 +73,22 @@ QPointF middle_of(const Markers& markers) {
 
 }  // namespace
 
+void stroke_over(QPainter& painter,
+                 const QPainterPath& path,
+                 const QColor& colour,
+                 double width,
+                 Qt::PenStyle style) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kHalo, width + 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(path);
+  painter.setPen(QPen(colour, width, style, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(path);
+}
+
 Overlay edges_overlay(const FaceEdges& edges) {
   return [edges](QPainter& painter, const ImageTransform& transform) {
     for (const Edge* edge : {&edges.upper, &edges.lower})
-      stroke(painter, edge_path(edges, *edge, transform), kEdge, 1.6);
+      stroke_over(painter, edge_path(edges, *edge, transform), kEdge, 1.6);
   };
 }
 
@@ -99,9 +99,9 @@ Overlay markers_overlay(const Markers& markers) {
       const Marker& marker = markers[m];
       const QPointF at = transform.to_widget({marker.u, marker.v});
       if (marker.seen)
-        stroke(painter, ring(at, radius), kSeen, 1.8);
+        stroke_over(painter, ring(at, radius), kSeen, 1.8);
       else
-        stroke(painter, diamond(at, 1.25 * radius), kEstimated, 1.8, Qt::DashLine);
+        stroke_over(painter, diamond(at, 1.25 * radius), kEstimated, 1.8, Qt::DashLine);
       // Numbers stand off the face: above the upper row, below the lower one.
       const double side = 2 * m < markers.size() ? -1 : 1;
       write(painter, at + QPointF(0, side * (radius + 11)), QString::number(m));
@@ -116,7 +116,7 @@ Overlay dots_overlay(const std::vector<Dot>& dots) {
       QPainterPath square;
       square.addRect(QRectF(transform.to_widget({dot.u, dot.v}) - QPointF(half, half),
                             QSizeF(2 * half, 2 * half)));
-      stroke(painter, square, kEstimated, 1.5);
+      stroke_over(painter, square, kEstimated, 1.5);
     }
   };
 }
@@ -135,7 +135,7 @@ Overlay touch_overlay(const Touch& touch, const Markers& markers) {
     arrow.moveTo(end - kHead * direction + 0.6 * kHead * across);
     arrow.lineTo(end);
     arrow.lineTo(end - kHead * direction - 0.6 * kHead * across);
-    stroke(painter, arrow, kArrow, 4);
+    stroke_over(painter, arrow, kArrow, 4);
   };
 }
 

@@ -13,6 +13,13 @@
 
 namespace alltact {
 
+/// A line with its dark edge; `width` in logical pixels.
+void stroke_over(QPainter& painter,
+                 const QPainterPath& path,
+                 const QColor& colour,
+                 double width,
+                 Qt::PenStyle style = Qt::SolidLine);
+
 /// Both edges of the face, broken where they are not known.
 [[nodiscard]] Overlay edges_overlay(const FaceEdges& edges);
 /// Numbered; a ring where a marker is seen, a dashed diamond where its place is an estimate.

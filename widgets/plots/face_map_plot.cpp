@@ -1,6 +1,7 @@
 #include "widgets/plots/face_map_plot.h"
 
 #include "widgets/plots/custom_plot.h"
+#include "widgets/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +89,8 @@ void FaceMapPlot::draw_contacts() {
                                contact.across_mm - contact.radius_mm);
     circle->bottomRight->setCoords(contact.along_mm + contact.radius_mm,
                                    contact.across_mm + contact.radius_mm);
-    circle->setPen(QPen(palette().color(QPalette::Text), 1));
+    circle->setPen(contact.is_wanted ? QPen(series_colour(1, palette()), 3, Qt::DashLine)
+                                     : QPen(palette().color(QPalette::Text), 1));
     if (!contact.name.empty())
       add_note(contact.along_mm,
                contact.across_mm - contact.radius_mm,

@@ -15,7 +15,8 @@ struct FaceMapData {
   std::vector<double> cells;  ///< row by row from small v, NaN: nothing is known there
   struct Contact {
     double along_mm = 0, across_mm = 0, radius_mm = 0;
-    std::string name;  ///< may be empty
+    std::string name;        ///< may be empty
+    bool is_wanted = false;  ///< drawn bold and dashed: where there should be one
   };
   std::vector<Contact> contacts;  ///< drawn as circles
   bool has_base = true;           ///< false: a flat sensor, whose picture has a left and a right

@@ -13,18 +13,17 @@ constexpr double kCellMm = 1.0;
 constexpr int kCurvePoints = 120;
 
 QString title_of(FaceQuantity quantity) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("Figures", text); };
   switch (quantity) {
     case FaceQuantity::kResidual:
-      return tr("Residual (mm)");
+      return QCoreApplication::translate("Figures", "Residual (mm)");
     case FaceQuantity::kHeldOut:
-      return tr("Error, left out (mm)");
+      return QCoreApplication::translate("Figures", "Error, left out (mm)");
     case FaceQuantity::kDepthSd:
-      return tr("Depth's sd (mm)");
+      return QCoreApplication::translate("Figures", "Depth's sd (mm)");
     case FaceQuantity::kCoverage:
       break;
   }
-  return tr("Pressed depth (mm)");
+  return QCoreApplication::translate("Figures", "Pressed depth (mm)");
 }
 
 const BallFit* ball_of(const Calibration& calibration, const std::string& press) {

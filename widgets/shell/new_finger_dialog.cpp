@@ -61,7 +61,7 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
     setWindowTitle(tr("New finger"));
     intro_->setText(
         tr("Measure width and layer with a caliper, and count the dots. The camera file comes from "
-           "the lens calibration (alltact lens)."));
+           "the lens calibration, the first step of Calibrate."));
     const auto name = [this](QWidget* field, QWidget* focus, const QString& text) {
       auto* label = qobject_cast<QLabel*>(form_->labelForField(field));
       label->setText(text);
@@ -119,6 +119,16 @@ NewFinger NewFingerDialog::description() const {
   return finger;
 }
 
+void NewFingerDialog::set_description(const NewFinger& known) {
+  kind_->setCurrentIndex(known.kind == FaceKind::kFlat ? 1 : 0);
+  if (!known.finger.empty()) folder_->setText(QString::fromStdString(known.finger.string()));
+  if (!known.camera.empty()) camera_->setText(QString::fromStdString(known.camera.string()));
+  for (const auto& [field, value] :
+       {std::pair{width_, known.width_mm}, {layer_, known.layer_mm}, {plane_, known.plane_z_mm}})
+    if (value > 0) field->setValue(value);
+  if (known.per_row > 0) per_row_->setValue(known.per_row);
+}
+
 void NewFingerDialog::show_kind() {
   const bool is_flat = kind_->currentIndex() == 1;
   for (QWidget* field : {static_cast<QWidget*>(width_),
@@ -155,7 +165,7 @@ void NewFingerDialog::make() {
   if (finger.camera.empty())
     problems.push_back({Meaning::kBad,
                         tr("No camera file is named."),
-                        tr("A lens calibration makes one: alltact lens."),
+                        tr("The first step of Calibrate makes one."),
                         {}});
   problems_->set_problems(problems);
   if (!problems.empty()) return;

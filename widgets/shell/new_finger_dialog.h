@@ -26,6 +26,8 @@ class NewFingerDialog : public Translated<QDialog> {
  public:
   explicit NewFingerDialog(FingerMaker maker, QWidget* parent = nullptr);
   [[nodiscard]] NewFinger description() const;
+  /// What is known already; values of 0 and empty paths are not.
+  void set_description(const NewFinger& known);
 
  Q_SIGNALS:
   void made(const QString& folder);

@@ -1,6 +1,7 @@
 #include "core/geometry/ball.h"
 
 #include "core/geometry/circle_fit.h"
+#include "tests/support/cameras.h"
 
 #include <cmath>
 #include <random>
@@ -135,6 +136,22 @@ TEST(Ball, ExactOutlineGivesTheBall) {
       ASSERT_TRUE(ball);
       // The direction cosines carry eps; a 40 degree arc magnifies it some hundred times.
       EXPECT_LT((*ball - c).norm() / c.norm(), 1e-12) << theta << " " << span;
+    }
+  }
+}
+
+TEST(Ball, OutlineIsWhereLinesOfSightTouchWhateverTheyComeThrough) {
+  CameraParameters lens = pinhole();
+  const Eigen::Vector3d c(12.0, -7.0, 48.0);
+  for (const bool has_window : {false, true}) {
+    if (has_window) lens.port = FlatPort{5.0, 3.0, 1.49, 1.41};
+    const Camera camera = Camera::create(lens).value();
+    const auto outline = ball_outline_px(camera, c, 4.0, 36);
+    ASSERT_EQ(outline.size(), 36U);
+    for (const auto& pixel : outline) {
+      const Ray ray = camera.unproject(pixel).value();
+      const Eigen::ParametrizedLine<double, 3> line(ray.origin_mm, ray.direction.normalized());
+      EXPECT_NEAR(line.distance(c), 4.0, 1e-8) << "window: " << has_window;
     }
   }
 }

@@ -1,0 +1,91 @@
+#include "calibration/press_yaml.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+void refuse_unless_paired(YamlSection& top, const char* key, std::size_t count, std::size_t names) {
+  if (count != names)
+    top.refuse(key,
+               fmt::format("has {} entries for {} presses", count, names),
+               "one for each press, \"\" where there is nothing to say");
+}
+
+}  // namespace
+
+std::vector<PlacedBall> read_placed_balls(YamlSection& top) {
+  std::vector<PlacedBall> balls;
+  if (!top.has("balls")) return balls;
+  const auto names = top.texts("balls");
+  const auto centres = top.rows("balls_mm");
+  refuse_unless_paired(top, "balls_mm", centres.size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::vector<double>& c = centres[i];
+    if (c.size() != 3 || !std::isfinite(c[0] + c[1] + c[2]) || !(c[2] > 0))
+      top.refuse("balls_mm", "is not the centre of a ball before the camera", "x, y, z in mm");
+    balls.push_back({names[i], {c[0], c[1], c[2]}});
+  }
+  return balls;
+}
+
+std::vector<ExcludedPress> read_excluded_presses(YamlSection& top) {
+  std::vector<ExcludedPress> excluded;
+  if (!top.has("excluded")) return excluded;
+  const auto names = top.texts("excluded");
+  const auto because = top.texts("excluded_because");
+  refuse_unless_paired(top, "excluded_because", because.size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) excluded.push_back({names[i], because[i]});
+  return excluded;
+}
+
+std::vector<OtherBall> read_other_balls(YamlSection& top) {
+  std::vector<OtherBall> balls;
+  if (!top.has("other_balls")) return balls;
+  const auto names = top.texts("other_balls");
+  const auto radii_mm = top.numbers("other_balls_mm");
+  refuse_unless_paired(top, "other_balls_mm", radii_mm.size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!(radii_mm[i] > 0 && radii_mm[i] <= 1000))
+      top.refuse("other_balls_mm", "must be above 0 and at most 1000", "the balls' radii in mm");
+    balls.push_back({names[i], radii_mm[i]});
+  }
+  return balls;
+}
+
+void add_other_balls(const std::vector<OtherBall>& balls, YamlBlock& block) {
+  if (balls.empty()) return;
+  std::vector<std::string> names, radii;
+  for (const OtherBall& ball : balls) {
+    names.push_back(yaml_text(ball.name));
+    radii.push_back(yaml_number(ball.radius_mm));
+  }
+  block.add("other_balls", yaml_list(names));
+  block.add("other_balls_mm", yaml_list(radii));
+}
+
+void add_placed_balls(const std::vector<PlacedBall>& balls, YamlBlock& block) {
+  if (balls.empty()) return;
+  std::vector<std::string> names, centres;
+  for (const PlacedBall& ball : balls) {
+    names.push_back(yaml_text(ball.name));
+    centres.push_back(yaml_numbers({ball.centre_mm.x(), ball.centre_mm.y(), ball.centre_mm.z()}));
+  }
+  block.add("balls", yaml_list(names));
+  block.add("balls_mm", yaml_list(centres));
+}
+
+void add_excluded_presses(const std::vector<ExcludedPress>& excluded, YamlBlock& block) {
+  if (excluded.empty()) return;
+  std::vector<std::string> names, because;
+  for (const ExcludedPress& press : excluded) {
+    names.push_back(yaml_text(press.name));
+    because.push_back(yaml_text(press.because));
+  }
+  block.add("excluded", yaml_list(names));
+  block.add("excluded_because", yaml_list(because));
+}
+
+}  // namespace alltact

@@ -1,0 +1,328 @@
+#include "widgets/calibrating/check_page.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/picture.h"
+#include "widgets/report/report_words.h"
+#include "widgets/shell/icons.h"
+#include "widgets/theme.h"
+#include "widgets/value_change.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QTemporaryDir>
+#include <QVBoxLayout>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSideWidth = 420, kSymbol = 28;
+
+QString verdict_text(CheckVerdict verdict) {
+  switch (verdict) {
+    case CheckVerdict::kPass:
+      return CheckPage::tr("Pass");
+    case CheckVerdict::kDrifting:
+      return CheckPage::tr("Drifting");
+    case CheckVerdict::kRecalibrate:
+      break;
+  }
+  return CheckPage::tr("Recalibrate");
+}
+
+Meaning meaning_of(CheckVerdict verdict) {
+  return verdict == CheckVerdict::kPass       ? Meaning::kGood
+         : verdict == CheckVerdict::kDrifting ? Meaning::kDoubtful
+                                              : Meaning::kBad;
+}
+
+/// What one check came to, and the history before and after it.
+struct Checked {
+  std::optional<Error> problem;
+  std::optional<PressCheck> check;
+  std::optional<std::string> before, after;
+};
+
+std::optional<std::string> content_of(const fs::path& file) {
+  auto content = read_file(file);
+  return content ? std::optional(std::move(*content)) : std::nullopt;
+}
+
+Checked check_frames(const fs::path& folder,
+                     const std::vector<FramePtr>& frames,
+                     const std::string& version,
+                     const Job& job) {
+  Checked checked;
+  const auto fail = [&checked](const Error& error) {
+    checked.problem = error;
+    return checked;
+  };
+  const QTemporaryDir pictures;
+  PressCheckInput input;
+  input.folder = folder;
+  for (const FramePtr& frame : frames) {
+    const fs::path file = fs::path(pictures.path().toStdString()) / (frame->name + ".png");
+    const Status written =
+        write_picture(file, frame->grey, frame->controls ? *frame->controls : std::string());
+    if (!written) return fail(written.error());
+    input.presses.push_back(file);
+  }
+  const auto finger = Finger::load(folder);
+  if (!finger) return fail(finger.error());
+  const auto check = check_with_presses(input, *finger, job);
+  if (!check) return fail(check.error());
+  checked.before = content_of(folder / kCheckFile);
+  const Status kept = append_check(folder, entry_of(*check, *finger, utc_now(), version));
+  if (!kept) return fail(kept.error());
+  checked.after = content_of(folder / kCheckFile);
+  checked.check = *check;
+  return checked;
+}
+
+}  // namespace
+
+CheckPage::CheckPage(LiveSession& session,
+                     PressDesk& desk,
+                     const CalibrationRun& run,
+                     QUndoStack& undo,
+                     std::string program_version,
+                     QWidget* parent)
+    : StepPage(parent),
+      session_(session),
+      desk_(desk),
+      run_(run),
+      undo_(undo),
+      version_(std::move(program_version)),
+      problems_(new ProblemList),
+      live_(new PicturePanel(session)),
+      take_group_(new QGroupBox),
+      verdict_group_(new QGroupBox),
+      how_(wrapped_text()),
+      count_(wrapped_text()),
+      symbol_(new QLabel),
+      verdict_(new QLabel),
+      sentence_(wrapped_text()),
+      take_(new QPushButton),
+      again_(new QPushButton),
+      check_(new QPushButton),
+      bar_(new QProgressBar),
+      plot_(new HistoryPlot) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(problems_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(live_, 1);
+  row->addWidget(make_side());
+  column->addLayout(row, 1);
+  connect(take_, &QPushButton::clicked, this, &CheckPage::take);
+  connect(again_, &QPushButton::clicked, this, &CheckPage::begin_again);
+  connect(check_, &QPushButton::clicked, this, &CheckPage::check);
+  connect(&work_, &BackgroundWork::progressed, this, &CheckPage::show_status);
+  connect(&work_, &BackgroundWork::finished, this, &CheckPage::show_status);
+  connect(&run_, &CalibrationRun::changed, this, &CheckPage::show_status);
+  connect(&session_, &LiveSession::status_ready, this, &CheckPage::show_status);
+  say([this] {
+    take_group_->setTitle(tr("Three presses"));
+    verdict_group_->setTitle(tr("Is it still what it was?"));
+    how_->setText(
+        tr("Press the ball of the calibration in at three places, base, middle and tip, and take a "
+           "picture of each. The calibration stays as it is."));
+    take_->setText(tr("&Take a press (Space)"));
+    again_->setText(tr("&Begin again"));
+    check_->setText(tr("&Check now"));
+    bar_->setAccessibleName(tr("Progress of the check"));
+    show_history();
+    show_verdict();
+    show_status();
+  });
+}
+
+QWidget* CheckPage::make_side() {
+  auto* side = new QWidget;
+  side->setFixedWidth(kSideWidth);
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(6, 0, 0, 0);
+  auto* take = new QVBoxLayout(take_group_);
+  take->addWidget(how_);
+  take_->setMinimumHeight(40);
+  take->addWidget(take_);
+  take->addWidget(count_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(check_);
+  row->addWidget(again_);
+  row->addWidget(bar_, 1);
+  row->addStretch();
+  take->addLayout(row);
+  column->addWidget(take_group_);
+  auto* inside = new QVBoxLayout(verdict_group_);
+  auto* head = new QHBoxLayout;
+  head->addWidget(symbol_);
+  QFont large = verdict_->font();
+  large.setPointSizeF(1.4 * large.pointSizeF());
+  large.setBold(true);
+  verdict_->setFont(large);
+  head->addWidget(verdict_, 1);
+  inside->addLayout(head);
+  inside->addWidget(sentence_);
+  inside->addWidget(plot_, 1);
+  column->addWidget(verdict_group_, 1);
+  return side;
+}
+
+StepState CheckPage::state() const {
+  if (history_.empty()) return StepState::kToDo;
+  return history_.back().verdict == CheckVerdict::kPass ? StepState::kDone : StepState::kLookAgain;
+}
+
+QString CheckPage::why_not_take() const {
+  if (!session_.view()) return tr("There is no live picture: choose a source.");
+  if (run_.state() == CalibrationState::kNone) return tr("The finger is not calibrated.");
+  if (work_.is_running()) return tr("The check is being made.");
+  return {};
+}
+
+void CheckPage::take() {
+  const FramePtr frame =
+      why_not_take().isEmpty() ? session_.view()->watched.result.frame : FramePtr();
+  if (!frame) return;
+  auto copy = std::make_shared<Frame>(*frame);
+  copy->name = "check_" + std::to_string(taken_.size() + 1);
+  copy->jpeg.reset();
+  undo_.push(new ValueChange<std::vector<FramePtr>>(
+      tr("take a press for the check"),
+      taken_,
+      [&] {
+        auto more = taken_;
+        more.push_back(copy);
+        return more;
+      }(),
+      [this](const std::vector<FramePtr>& frames) {
+        taken_ = frames;
+        show_status();
+      }));
+}
+
+void CheckPage::begin_again() {
+  taken_.clear();
+  last_.reset();
+  show_verdict();
+  show_status();
+}
+
+void CheckPage::keyPressEvent(QKeyEvent* event) {
+  const bool is_space = event->key() == Qt::Key_Space && !event->isAutoRepeat();
+  if (!is_space || !take_->isEnabled()) return StepPage::keyPressEvent(event);
+  take();
+}
+
+void CheckPage::check() {
+  problems_->set_problems({});
+  work_.start([this, folder = folder_, frames = taken_, version = version_](const Job& job) {
+    auto checked = std::make_shared<Checked>(check_frames(folder, frames, version, job));
+    return std::function<void()>([this, checked, folder] {
+      if (folder != folder_) return;
+      if (checked->problem) return problems_->set_problems({Problem::of(*checked->problem)});
+      taken_.clear();
+      last_ = checked->check;
+      undo_.push(new ValueChange<std::optional<std::string>>(
+          tr("check"),
+          checked->before,
+          checked->after,
+          [this, folder](const std::optional<std::string>& content) {
+            if (folder == folder_) write_history(content);
+          }));
+      show_verdict();
+    });
+  });
+  show_status();
+}
+
+void CheckPage::write_history(const std::optional<std::string>& content) {
+  desk_.disk()->add([file = folder_ / kCheckFile, content]() -> Status {
+    if (content) return write_file_atomically(file, *content);
+    std::error_code failed;
+    fs::remove(file, failed);
+    return {};
+  });
+  load_history();
+}
+
+void CheckPage::load_history() {
+  if (loading_.is_running()) {
+    connect(&loading_,
+            &BackgroundWork::finished,
+            this,
+            &CheckPage::load_history,
+            Qt::SingleShotConnection);
+    return;
+  }
+  loading_.start([this, folder = folder_, disk = desk_.disk()](const Job&) {
+    disk->wait();
+    const auto checks = load_checks(folder, nullptr);
+    return std::function<void()>([this, checks, folder] {
+      if (folder != folder_) return;
+      history_ = checks ? *checks : std::vector<CheckEntry>();
+      if (!checks) problems_->set_problems({Problem::of(checks.error())});
+      show_history();
+      show_verdict();
+      Q_EMIT changed();
+    });
+  });
+}
+
+void CheckPage::show_history() {
+  HistoryData data;
+  for (const CheckEntry& check : history_) {
+    data.points.push_back({seconds_of(check.time).value_or(0), check.error_mm});
+    data.drifting_above_mm = check.drifting_above_mm;
+    data.recalibrate_above_mm = check.recalibrate_above_mm;
+  }
+  plot_->set_data(std::move(data));
+}
+
+void CheckPage::show_verdict() {
+  symbol_->setVisible(!history_.empty());
+  if (history_.empty()) {
+    verdict_->setText(tr("Not checked yet"));
+    sentence_->clear();
+    return;
+  }
+  const CheckEntry& latest = history_.back();
+  const Meaning meaning = meaning_of(latest.verdict);
+  symbol_->setPixmap(symbol(meaning == Meaning::kGood       ? QStringLiteral("good")
+                            : meaning == Meaning::kDoubtful ? QStringLiteral("doubtful")
+                                                            : QStringLiteral("bad"),
+                            meaning_colour(meaning, palette()),
+                            kSymbol,
+                            devicePixelRatioF()));
+  verdict_->setText(verdict_text(latest.verdict));
+  sentence_->setText(last_ && last_->verdict == latest.verdict
+                         ? sentence(last_->sentence)
+                         : tr("Checked last on %1.").arg(as_text(latest.time)));
+}
+
+void CheckPage::show_status() {
+  if (folder_ != desk_.folder()) {
+    folder_ = desk_.folder();
+    history_.clear();
+    begin_again();
+    if (!folder_.empty()) load_history();
+    return;
+  }
+  const QString reason = why_not_take();
+  const int count = static_cast<int>(taken_.size());
+  take_->setEnabled(reason.isEmpty());
+  count_->setText(!reason.isEmpty() ? reason : tr("%1 of %2 taken.").arg(count).arg(kCheckPresses));
+  check_->setEnabled(count >= kCheckPresses && reason.isEmpty());
+  again_->setEnabled(count > 0 && !work_.is_running());
+  bar_->setVisible(work_.is_running());
+  bar_->setValue(static_cast<int>(100 * work_.fraction()));
+}
+
+void CheckPage::changeEvent(QEvent* event) {
+  StepPage::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) show_verdict();
+}
+
+}  // namespace alltact

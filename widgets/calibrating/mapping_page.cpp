@@ -1,0 +1,153 @@
+#include "widgets/calibrating/mapping_page.h"
+
+#include "widgets/report/calibration_figures.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QVBoxLayout>
+#include <cmath>
+
+namespace alltact {
+
+MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
+    : StepPage(parent),
+      desk_(desk),
+      run_(run),
+      problems_(new ProblemList),
+      calibrate_(new QPushButton),
+      stop_(new QPushButton),
+      bar_(new QProgressBar),
+      progress_(wrapped_text()),
+      text_(wrapped_text()),
+      log_(new QListWidget),
+      mapping_(new MappingPlot),
+      errors_(new PressErrorPlot),
+      residual_(new FaceMapPlot),
+      sd_(new FaceMapPlot) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(problems_);
+  auto* row = new QHBoxLayout;
+  calibrate_->setMinimumHeight(36);
+  calibrate_->setMinimumWidth(160);
+  row->addWidget(calibrate_);
+  row->addWidget(bar_, 1);
+  row->addWidget(stop_);
+  row->addWidget(progress_, 2);
+  column->addLayout(row);
+  column->addWidget(text_);
+  column->addWidget(log_, 1);
+  auto* figures = new QGridLayout;
+  figures->addWidget(mapping_, 0, 0);
+  figures->addWidget(errors_, 0, 1);
+  figures->addWidget(residual_, 1, 0);
+  figures->addWidget(sd_, 1, 1);
+  for (int i = 0; i < 2; ++i) {
+    figures->setColumnStretch(i, 1);
+    figures->setRowStretch(i, 1);
+  }
+  column->addLayout(figures, 1);
+  connect(calibrate_, &QPushButton::clicked, &run_, &CalibrationRun::start);
+  connect(stop_, &QPushButton::clicked, &run_, &CalibrationRun::stop);
+  connect(&run_, &CalibrationRun::changed, this, &MappingPage::show_status);
+  connect(&desk_, &PressDesk::changed, this, &MappingPage::show_status);
+  say([this] {
+    stop_->setText(tr("&Stop"));
+    stop_->setToolTip(tr("Keeps the best solution so far"));
+    log_->setAccessibleName(tr("What has been done"));
+    bar_->setAccessibleName(tr("Progress of the calibration"));
+    mapping_->setAccessibleName(tr("Depth over brightness difference"));
+    errors_->setAccessibleName(tr("Error of every press, worst first"));
+    shown_.reset();
+    show_status();
+  });
+}
+
+StepState MappingPage::state() const {
+  switch (run_.state()) {
+    case CalibrationState::kNone:
+      return StepState::kToDo;
+    case CalibrationState::kStale:
+      return StepState::kLookAgain;
+    case CalibrationState::kCurrent:
+      break;
+  }
+  return StepState::kDone;
+}
+
+QString MappingPage::missing() const {
+  if (run_.is_running()) return tr("The calibration is being made.");
+  return run_.state() == CalibrationState::kNone ? tr("Calibrate first.") : QString();
+}
+
+void MappingPage::show_status() {
+  const bool is_running = run_.is_running();
+  bar_->setVisible(is_running);
+  stop_->setVisible(is_running);
+  calibrate_->setEnabled(!is_running && desk_.usable_count() > 0);
+  calibrate_->setText(run_.state() == CalibrationState::kNone ? tr("&Calibrate now")
+                                                              : tr("&Calibrate again"));
+  bar_->setValue(static_cast<int>(100 * run_.work().fraction()));
+  QString progress;
+  if (is_running) {
+    progress = run_.work().what();
+    if (const auto left = run_.work().seconds_left())
+      progress += QLatin1Char(' ') +
+                  tr("(about %n second(s) left)", nullptr, static_cast<int>(std::ceil(*left)));
+  } else if (run_.state() == CalibrationState::kStale) {
+    progress = tr("The presses have changed since this calibration.");
+  } else if (run_.state() == CalibrationState::kCurrent && !run_.result()) {
+    progress = tr("This finger is calibrated. Calibrating again shows the figures.");
+  }
+  progress_->setText(progress);
+  problems_->set_problems(run_.problem() && !is_running
+                              ? std::vector<Problem>{Problem::of(*run_.problem())}
+                              : std::vector<Problem>{});
+  show_log();
+  show_figures();
+  Q_EMIT changed();
+}
+
+void MappingPage::show_log() {
+  const bool is_running = run_.is_running();
+  if (is_running && !was_running_) log_->clear();
+  was_running_ = is_running;
+  log_->setVisible(is_running);
+  const QString what = run_.work().what();
+  const int count = log_->count();
+  if (!is_running || what.isEmpty() || (count > 0 && log_->item(count - 1)->text() == what)) return;
+  log_->addItem(what);
+  log_->scrollToBottom();
+}
+
+void MappingPage::show_figures() {
+  const auto& done = run_.result();
+  const bool is_shown = done != nullptr && !run_.is_running();
+  for (QWidget* figure : {static_cast<QWidget*>(mapping_),
+                          static_cast<QWidget*>(errors_),
+                          static_cast<QWidget*>(residual_),
+                          static_cast<QWidget*>(sd_)})
+    figure->setVisible(is_shown);
+  if (done == shown_ && done) return;
+  shown_ = done;
+  if (!done) {
+    text_->setText(
+        desk_.usable_count() == 0
+            ? tr("With one press or more, what every pixel's darkening means in mm is learnt from "
+                 "the shape of the ball.")
+            : tr("What every pixel's darkening means in mm is learnt from the shape of the ball, "
+                 "with all presses together. Each press is left out once to see how well the "
+                 "others foretell it."));
+    return;
+  }
+  const Calibration& calibration = done->calibration;
+  const FaceKind kind = done->finger.face.kind;
+  mapping_->set_data(mapping_figure(calibration, done->residuals));
+  errors_->set_data(press_errors(calibration));
+  residual_->set_data(face_figure(FaceQuantity::kResidual, calibration, done->residuals, kind));
+  sd_->set_data(face_figure(FaceQuantity::kDepthSd, calibration, done->residuals, kind));
+  text_->setText(tr("Mapping: %1.").arg(QString::fromStdString(calibration.degree_choice)));
+}
+
+}  // namespace alltact

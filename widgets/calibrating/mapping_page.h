@@ -1,0 +1,45 @@
+// Step 4, the mapping: solved beside the window, with what can be seen of it.
+#pragma once
+
+#include "widgets/calibrating/calibration_run.h"
+#include "widgets/calibrating/step_page.h"
+#include "widgets/plots/face_map_plot.h"
+#include "widgets/plots/mapping_plot.h"
+#include "widgets/plots/press_error_plot.h"
+#include "widgets/shell/problem_list.h"
+
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace alltact {
+
+class MappingPage : public StepPage {
+  Q_OBJECT
+ public:
+  MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString title() const override { return tr("Mapping"); }
+  [[nodiscard]] StepState state() const override;
+  [[nodiscard]] QString missing() const override;
+  void show_status();
+
+ private:
+  void show_figures();
+  void show_log();
+
+  PressDesk& desk_;
+  CalibrationRun& run_;
+  ProblemList* problems_;
+  QPushButton *calibrate_, *stop_;
+  QProgressBar* bar_;
+  QLabel *progress_, *text_;
+  QListWidget* log_;  // what was done, and how the solution settles
+  bool was_running_ = false;
+  MappingPlot* mapping_;
+  PressErrorPlot* errors_;
+  FaceMapPlot *residual_, *sd_;
+  std::shared_ptr<const FingerCalibration> shown_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,391 @@
+#include "widgets/calibrating/press_desk.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/picture.h"
+#include "core/sources/source.h"
+#include "widgets/value_change.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Steps that follow each other and are of one kind are undone together.
+enum MergeId { kRadius = 5'000'000, kOperator, kGrips = 5'100'000 };
+
+fs::path file_of(const fs::path& folder, const std::string& name) {
+  return folder / kPressFolder / (name + ".png");
+}
+
+Status write_press(const fs::path& folder, const Frame& frame) {
+  if (const Status made = make_folder(folder / kPressFolder); !made) return made;
+  return write_picture(
+      file_of(folder, frame.name), frame.grey, frame.controls ? *frame.controls : std::string());
+}
+
+Result<FramePtr> read_press(const fs::path& file) {
+  auto source = open_source({file});
+  if (!source) return source.error();
+  return (*source)->next();
+}
+
+FramePtr named(const FramePtr& frame, const std::string& name) {
+  auto copy = std::make_shared<Frame>(*frame);
+  copy->name = name;
+  copy->jpeg.reset();
+  return copy;
+}
+
+bool before(const DeskPress& a, const DeskPress& b) {
+  return a.name < b.name;
+}
+
+QString text_of(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+/// Everything that is in the folder, as a background thread found it.
+struct Found {
+  std::vector<fs::path> files;
+  PressNotes notes;
+  std::shared_ptr<PressLooker> looker;
+  std::optional<Error> problem;
+};
+
+Found find_presses(const fs::path& folder, const Job& job) {
+  Found found;
+  auto files = kept_presses(folder);
+  if (files)
+    found.files = std::move(*files);
+  else
+    found.problem = files.error();
+  auto notes = PressNotes::load(folder);
+  if (notes)
+    found.notes = std::move(*notes);
+  else
+    found.problem = notes.error();
+  auto looker = PressLooker::create(folder, job);
+  if (looker)
+    found.looker = std::move(*looker);
+  else
+    found.problem = looker.error();
+  return found;
+}
+
+}  // namespace
+
+/// Of notes that change quickly only the latest are written.
+struct PressDesk::Waiting {
+  std::mutex mutex;
+  std::optional<PressNotes> notes;
+};
+
+class PressDesk::AddOrRemove : public QUndoCommand {
+ public:
+  AddOrRemove(PressDesk& desk, const QString& text, std::vector<FramePtr> frames, bool adds)
+      : QUndoCommand(text),
+        desk_(desk),
+        frames_(std::move(frames)),
+        adds_(adds),
+        folder_(desk.folder_) {}
+  void redo() override { go(adds_); }
+  void undo() override { go(!adds_); }
+
+ private:
+  void go(bool adds) {
+    if (desk_.folder_ != folder_) return;  // another finger is open: its presses are its own
+    adds ? desk_.insert(frames_) : desk_.erase(frames_);
+  }
+  PressDesk& desk_;
+  std::vector<FramePtr> frames_;
+  bool adds_;
+  fs::path folder_;
+};
+
+PressDesk::PressDesk(QUndoStack& undo, QObject* parent)
+    : QObject(parent), undo_(undo), disk_(std::make_shared<DiskQueue>()) {
+  connect(&loading_, &BackgroundWork::finished, this, &PressDesk::changed);
+  connect(&looking_, &BackgroundWork::finished, this, &PressDesk::look_at_next);
+}
+
+PressDesk::~PressDesk() = default;
+
+std::optional<Error> PressDesk::problem() const {
+  if (const auto disk = disk_->problem()) return disk;
+  return problem_;
+}
+
+void PressDesk::open(const fs::path& folder) {
+  ++opened_;
+  folder_ = folder;
+  is_ready_ = false;
+  problem_.reset();
+  looker_.reset();
+  presses_.clear();
+  notes_ = {};
+  waiting_notes_ = std::make_shared<Waiting>();
+  loading_.stop();
+  load();
+  Q_EMIT changed();
+}
+
+void PressDesk::load() {
+  if (folder_.empty()) return;
+  if (loading_.is_running()) {  // for another finger: it ends soon
+    connect(&loading_, &BackgroundWork::finished, this, &PressDesk::load, Qt::SingleShotConnection);
+    return;
+  }
+  loading_.start([this, folder = folder_, opened = opened_, disk = disk_](const Job& job) {
+    disk->wait();
+    auto found = std::make_shared<Found>(find_presses(folder, job));
+    return std::function<void()>([this, found, opened] {
+      if (opened != opened_) return;
+      is_ready_ = true;
+      problem_ = found->problem;
+      looker_ = found->looker;
+      notes_ = found->notes;
+      for (const fs::path& file : found->files)
+        presses_.push_back({file.stem().string(), nullptr, {}, false});
+      std::sort(presses_.begin(), presses_.end(), before);
+      look_at_next();
+    });
+  });
+}
+
+void PressDesk::look_at_next() {
+  Q_EMIT changed();
+  if (looking_.is_running() || !looker_) return;
+  const auto next = std::find_if(
+      presses_.begin(), presses_.end(), [](const DeskPress& press) { return !press.is_looked_at; });
+  if (next == presses_.end()) return;
+  looking_.start([this,
+                  opened = opened_,
+                  name = next->name,
+                  given = next->frame,
+                  file = file_of(folder_, next->name),
+                  looker = looker_,
+                  radius = notes_.radius_of(next->name)](const Job&) {
+    FramePtr frame = given;
+    LookedAt looked;
+    if (!frame) {
+      auto read = read_press(file);
+      if (read && *read)
+        frame = *read;
+      else if (!read)
+        looked.problem = read.error();
+    }
+    if (frame) looked = (*looker)(frame, radius);
+    return std::function<void()>([this, opened, name, frame, looked, radius] {
+      if (opened != opened_) return;
+      const auto press = std::find_if(
+          presses_.begin(), presses_.end(), [&](const DeskPress& one) { return one.name == name; });
+      if (press == presses_.end()) return;
+      press->frame = frame;
+      press->looked = looked;
+      press->is_looked_at = radius == notes_.radius_of(name);
+    });
+  });
+}
+
+const DeskPress* PressDesk::find(const std::string& name) const {
+  for (const DeskPress& press : presses_)
+    if (press.name == name) return &press;
+  return nullptr;
+}
+
+const PlacedBall* PressDesk::placed(const std::string& name) const {
+  for (const PlacedBall& ball : notes_.balls)
+    if (ball.name == name) return &ball;
+  return nullptr;
+}
+
+const ExcludedPress* PressDesk::exclusion(const std::string& name) const {
+  for (const ExcludedPress& press : notes_.excluded)
+    if (press.name == name) return &press;
+  return nullptr;
+}
+
+int PressDesk::usable_count() const {
+  return static_cast<int>(
+      std::count_if(presses_.begin(), presses_.end(), [&](const DeskPress& press) {
+        return exclusion(press.name) == nullptr &&
+               (press.looked.found_mm || placed(press.name) != nullptr);
+      }));
+}
+
+void PressDesk::change(const QString& text, PressNotes notes, int merge_id) {
+  if (notes == notes_ || folder_.empty()) return;
+  undo_.push(new ValueChange<PressNotes>(
+      text,
+      notes_,
+      std::move(notes),
+      [this, folder = folder_](const PressNotes& value) {
+        if (folder == folder_) set_notes(value);
+      },
+      merge_id));
+}
+
+void PressDesk::set_notes(const PressNotes& notes) {
+  for (DeskPress& press : presses_)
+    if (notes.radius_of(press.name) != notes_.radius_of(press.name)) press.is_looked_at = false;
+  notes_ = notes;
+  bool is_waiting = false;
+  {
+    const std::lock_guard lock(waiting_notes_->mutex);
+    is_waiting = waiting_notes_->notes.has_value();
+    waiting_notes_->notes = notes_;
+  }
+  if (!is_waiting)
+    disk_->add([waiting = waiting_notes_, folder = folder_] {
+      std::optional<PressNotes> latest;
+      {
+        const std::lock_guard lock(waiting->mutex);
+        latest.swap(waiting->notes);
+      }
+      return latest ? latest->save(folder) : Status();
+    });
+  look_at_next();
+}
+
+void PressDesk::change_radii(const QString& text, PressNotes notes, int merge_id) {
+  // Outlines drawn by hand stay where they are: the same cone, another ball.
+  if (looker_ && looker_->is_perspective())
+    for (PlacedBall& ball : notes.balls)
+      if (const double before = notes_.radius_of(ball.name); before > 0)
+        ball.centre_mm *= notes.radius_of(ball.name) / before;
+  change(text, std::move(notes), merge_id);
+}
+
+void PressDesk::set_radius(double radius_mm) {
+  if (!(radius_mm > 0)) return;
+  PressNotes notes = notes_;
+  notes.ball_radius_mm = radius_mm;
+  change_radii(tr("change the ball's radius"), std::move(notes), kRadius);
+}
+
+void PressDesk::set_radius_of(const std::string& name, double radius_mm) {
+  PressNotes notes = notes_;
+  std::erase_if(notes.other_balls, [&](const OtherBall& ball) { return ball.name == name; });
+  if (radius_mm > 0 && radius_mm != notes.ball_radius_mm)
+    notes.other_balls.push_back({name, radius_mm});
+  change_radii(tr("change the ball's radius of %1").arg(text_of(name)), std::move(notes), -1);
+}
+
+void PressDesk::set_operator(const std::string& name) {
+  PressNotes notes = notes_;
+  notes.operator_name = name;
+  change(tr("change the operator"), std::move(notes), kOperator);
+}
+
+void PressDesk::place_ball(const std::string& name, const Eigen::Vector3d& centre_mm, int grip) {
+  PressNotes notes = notes_;
+  std::erase_if(notes.balls, [&](const PlacedBall& ball) { return ball.name == name; });
+  notes.balls.push_back({name, centre_mm});
+  change(tr("move the outline of %1").arg(text_of(name)), std::move(notes), kGrips + grip);
+}
+
+void PressDesk::find_again(const std::string& name) {
+  PressNotes notes = notes_;
+  std::erase_if(notes.balls, [&](const PlacedBall& ball) { return ball.name == name; });
+  change(tr("find the ball of %1").arg(text_of(name)), std::move(notes));
+}
+
+void PressDesk::take_out(const std::string& name, const std::string& because) {
+  PressNotes notes = notes_;
+  std::erase_if(notes.excluded, [&](const ExcludedPress& press) { return press.name == name; });
+  notes.excluded.push_back({name, because});
+  change(tr("take out %1").arg(text_of(name)), std::move(notes));
+}
+
+void PressDesk::put_back(const std::string& name) {
+  PressNotes notes = notes_;
+  std::erase_if(notes.excluded, [&](const ExcludedPress& press) { return press.name == name; });
+  change(tr("put back %1").arg(text_of(name)), std::move(notes));
+}
+
+std::string PressDesk::add(std::vector<FramePtr> frames) {
+  if (!is_ready_ || frames.empty()) return {};
+  std::set<std::string> taken;
+  for (const DeskPress& press : presses_) taken.insert(press.name);
+  for (FramePtr& frame : frames) {
+    int i = 1;
+    std::string name;
+    do name = fmt::format("press_{:02}", i++);
+    while (!taken.insert(name).second);
+    frame = named(frame, name);
+  }
+  const std::string first = frames.front()->name;
+  undo_.push(new AddOrRemove(*this, tr("take %1").arg(text_of(first)), std::move(frames), true));
+  return first;
+}
+
+void PressDesk::remove(const std::string& name) {
+  const DeskPress* press = find(name);
+  if (press == nullptr || !press->frame) return;
+  undo_.push(new AddOrRemove(*this, tr("remove %1").arg(text_of(name)), {press->frame}, false));
+}
+
+void PressDesk::insert(const std::vector<FramePtr>& frames) {
+  for (const FramePtr& frame : frames) {
+    presses_.push_back({frame->name, frame, {}, false});
+    disk_->add([folder = folder_, frame] { return write_press(folder, *frame); });
+  }
+  std::sort(presses_.begin(), presses_.end(), before);
+  look_at_next();
+}
+
+void PressDesk::erase(const std::vector<FramePtr>& frames) {
+  for (const FramePtr& frame : frames) {
+    std::erase_if(presses_, [&](const DeskPress& press) { return press.name == frame->name; });
+    disk_->add([file = file_of(folder_, frame->name)]() -> Status {
+      std::error_code failed;
+      fs::remove(file, failed);
+      if (!failed) return {};
+      return Error{"the press could not be removed: " + failed.message(), file.string(), ""};
+    });
+  }
+  Q_EMIT changed();
+}
+
+void PressDesk::add_files(const std::vector<fs::path>& inputs) {
+  adding_.start([this, inputs, opened = opened_](const Job& job) {
+    auto frames = std::make_shared<std::vector<FramePtr>>();
+    std::optional<Error> problem;
+    auto source = open_source(inputs);
+    if (!source) problem = source.error();
+    while (source && !problem && !job.stop_requested()) {
+      auto next = (*source)->next();
+      if (!next)
+        problem = next.error();
+      else if (!*next)
+        break;
+      else
+        frames->push_back(*next);
+    }
+    return std::function<void()>([this, frames, problem, opened] {
+      if (opened != opened_) return;
+      if (problem) return void(Q_EMIT refused(text_of(problem->sentence())));
+      QStringList twice;
+      std::erase_if(*frames, [&](const FramePtr& frame) {
+        if (find(frame->name) == nullptr) return false;
+        twice << text_of(frame->name);
+        return true;
+      });
+      if (!frames->empty())
+        undo_.push(
+            new AddOrRemove(*this,
+                            tr("add %n picture(s)", nullptr, static_cast<int>(frames->size())),
+                            std::move(*frames),
+                            true));
+      if (!twice.isEmpty())
+        Q_EMIT refused(tr("There are presses of these names already: %1.").arg(twice.join(", ")));
+    });
+  });
+}
+
+}  // namespace alltact

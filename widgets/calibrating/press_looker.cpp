@@ -1,0 +1,57 @@
+#include "widgets/calibrating/press_looker.h"
+
+namespace alltact {
+namespace {
+
+constexpr int kThumbnailWidth = 112;
+
+QImage thumbnail_of(const cv::Mat& grey) {
+  const QImage image(grey.data,
+                     grey.cols,
+                     grey.rows,
+                     static_cast<qsizetype>(grey.step),
+                     QImage::Format_Grayscale8);
+  return image.scaledToWidth(kThumbnailWidth, Qt::SmoothTransformation)
+      .convertToFormat(QImage::Format_RGB32);
+}
+
+}  // namespace
+
+Result<std::shared_ptr<PressLooker>> PressLooker::create(const std::filesystem::path& folder,
+                                                         const Job& job) {
+  auto finger = Finger::load(folder);
+  if (!finger) return finger.error();
+  finger->mapping.reset();  // with one there would be depth instead of a difference
+  auto pipeline = Pipeline::create(folder, *finger, {}, job);
+  if (!pipeline) return pipeline.error();
+  return std::shared_ptr<PressLooker>(new PressLooker(std::move(*pipeline)));
+}
+
+LookedAt PressLooker::operator()(const FramePtr& frame, double radius_mm) {
+  LookedAt looked;
+  pipeline_.forget();
+  auto result = pipeline_(frame);
+  if (!result) {
+    looked.problem = result.error();
+    return looked;
+  }
+  looked.grey = result->grey;
+  looked.thumbnail = thumbnail_of(result->grey);
+  if (result->shape) looked.shape = std::make_shared<const FaceShape>(*result->shape);
+  if (!result->difference || !result->shape) {
+    looked.problem =
+        Error{result->problems.empty() ? "no face was found" : result->problems.front(), "", ""};
+    return looked;
+  }
+  if (!(radius_mm > 0)) return looked;
+  const Press press{
+      frame->name, std::move(*result->difference), std::move(*result->shape), radius_mm};
+  const auto ball = find_ball(press, pipeline_.finger().face);
+  if (ball)
+    looked.found_mm = ball->centre_mm;
+  else
+    looked.problem = Error{ball.error().what, "", ball.error().advice};
+  return looked;
+}
+
+}  // namespace alltact

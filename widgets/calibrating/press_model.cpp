@@ -1,0 +1,107 @@
+#include "widgets/calibrating/press_model.h"
+
+#include <QFont>
+#include <QLocale>
+#include <QPixmap>
+#include <algorithm>
+
+namespace alltact {
+namespace {
+
+QString mm(double value, int digits) {
+  return QLocale().toString(value, 'f', digits);
+}
+
+QString text_of(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+}  // namespace
+
+const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press) {
+  if (!run.result()) return nullptr;
+  for (const BallFit& ball : run.result()->calibration.balls)
+    if (ball.press == press) return &ball;
+  return nullptr;
+}
+
+QString press_state_text(const DeskPress& press, const PressDesk& desk, const CalibrationRun& run) {
+  if (const ExcludedPress* out = desk.exclusion(press.name))
+    return out->because.empty() ? PressModel::tr("taken out")
+                                : PressModel::tr("taken out: %1").arg(text_of(out->because));
+  if (const BallFit* ball = fitted_ball(run, press.name))
+    return PressModel::tr("%1 mm deep, error %2 mm")
+        .arg(mm(ball->depth_mm, 2),
+             mm(ball->held_out_mm > 0 ? ball->held_out_mm : ball->residual_mm, 3));
+  if (desk.placed(press.name) != nullptr) return PressModel::tr("ball put by hand");
+  if (!press.is_looked_at) return PressModel::tr("being looked at");
+  if (press.looked.found_mm) return PressModel::tr("ball found");
+  if (press.looked.problem) return text_of(press.looked.problem->what);
+  return PressModel::tr("the ball's radius is missing");
+}
+
+PressModel::PressModel(const PressDesk& desk, const CalibrationRun& run, QObject* parent)
+    : QAbstractListModel(parent), desk_(desk), run_(run) {
+  connect(&desk_, &PressDesk::changed, this, &PressModel::follow);
+  connect(&run_, &CalibrationRun::changed, this, &PressModel::follow);
+  follow();
+}
+
+void PressModel::follow() {
+  std::vector<std::string> names;
+  for (const DeskPress& press : desk_.presses()) names.push_back(press.name);
+  const auto error = [this](const std::string& name) {
+    const BallFit* ball = desk_.exclusion(name) ? nullptr : fitted_ball(run_, name);
+    return ball == nullptr ? 0.0 : std::max(ball->held_out_mm, ball->residual_mm);
+  };
+  std::stable_sort(names.begin(), names.end(), [&](const auto& a, const auto& b) {
+    return error(a) > error(b);
+  });
+  if (names != names_) {
+    beginResetModel();
+    names_ = std::move(names);
+    endResetModel();
+  } else if (!names_.empty()) {
+    Q_EMIT dataChanged(index(0), index(static_cast<int>(names_.size()) - 1));
+  }
+}
+
+int PressModel::row_of(const std::string& name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  return found == names_.end() ? -1 : static_cast<int>(found - names_.begin());
+}
+
+std::string PressModel::name_at(int row) const {
+  return row < 0 || row >= rowCount() ? std::string() : names_[static_cast<std::size_t>(row)];
+}
+
+int PressModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(names_.size());
+}
+
+QVariant PressModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const DeskPress* press = desk_.find(name_at(index.row()));
+  if (press == nullptr) return {};
+  switch (role) {
+    case Qt::DisplayRole:
+      return QStringLiteral("%1\n%2").arg(text_of(press->name),
+                                          press_state_text(*press, desk_, run_));
+    case Qt::ToolTipRole:
+      return press->looked.problem ? text_of(press->looked.problem->sentence()) : QString();
+    case Qt::DecorationRole:
+      return press->looked.thumbnail.isNull() ? QVariant()
+                                              : QPixmap::fromImage(press->looked.thumbnail);
+    case Qt::FontRole: {
+      QFont font;
+      font.setStrikeOut(desk_.exclusion(press->name) != nullptr);
+      return font;
+    }
+    case kName:
+      return text_of(press->name);
+    default:
+      return {};
+  }
+}
+
+}  // namespace alltact

@@ -1,0 +1,132 @@
+// What the step Presses shows of one press: its picture, the ball over it, and what to do with it.
+#include "calibration/placed_ball.h"
+#include "widgets/calibrating/presses_page.h"
+#include "widgets/picture/overlays.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace alltact {
+namespace {
+
+constexpr int kRimPoints = 90;
+const QColor kContact(86, 180, 233);  // Okabe and Ito's sky blue
+
+QString text_of(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+QString mm(double value, int digits) {
+  return QLocale().toString(value, 'f', digits);
+}
+
+/// Where the ball meets the untouched face: nearly the dark disc that one sees.
+Overlay contact_overlay(const std::vector<Eigen::Vector2d>& rim) {
+  return [rim](QPainter& painter, const ImageTransform& transform) {
+    QPolygonF polygon;
+    for (const auto& p : rim) polygon << transform.to_widget({p.x(), p.y()});
+    QPainterPath path;
+    path.addPolygon(polygon);
+    path.closeSubpath();
+    stroke_over(painter, path, kContact, 1.4, Qt::DotLine);
+  };
+}
+
+}  // namespace
+
+std::optional<ShownBall> PressesPage::ball_of(const DeskPress& press) const {
+  const double radius = desk_.notes().radius_of(press.name);
+  if (desk_.looker() == nullptr || !(radius > 0)) return std::nullopt;
+  const Camera& camera = desk_.looker()->camera();
+  const Face& face = desk_.looker()->finger().face;
+  const auto shown = [&](const Eigen::Vector3d& centre, bool is_by_hand) {
+    ShownBall ball{camera, radius, centre, is_by_hand, Eigen::Vector3d::UnitZ()};
+    const auto contact =
+        press.looked.shape ? ball_on_face(*press.looked.shape, face, centre, radius) : std::nullopt;
+    if (contact) ball.normal = contact->normal;
+    return ball;
+  };
+  if (const PlacedBall* placed = desk_.placed(press.name)) return shown(placed->centre_mm, true);
+  const bool is_current = run_.state() == CalibrationState::kCurrent;
+  if (const BallFit* fitted = is_current ? fitted_ball(run_, press.name) : nullptr)
+    return shown(fitted->centre_mm, false);
+  if (press.looked.found_mm) return shown(*press.looked.found_mm, false);
+  if (press.looked.grey.empty()) return std::nullopt;
+  // Nothing was found: something to drag onto the ball, where balls mostly are.
+  const auto middle = press.looked.shape ? press.looked.shape->at(0.5 * press.looked.grey.cols,
+                                                                  0.5 * press.looked.grey.rows)
+                                         : std::nullopt;
+  if (!middle) return std::nullopt;
+  return shown(untouched_point_mm(*middle, face.layer_mm, MappingAlong::kNormal) +
+                   0.8 * radius * middle->normal,
+               false);
+}
+
+std::vector<Overlay> PressesPage::overlays_of(const DeskPress& press) const {
+  const auto ball = ball_of(press);
+  if (!ball || !press.looked.shape) return {};
+  const auto contact = ball_on_face(
+      *press.looked.shape, desk_.looker()->finger().face, ball->centre_mm, ball->radius_mm);
+  if (!contact) return {};
+  return {contact_overlay(contact_rim_px(ball->camera, *contact, kRimPoints))};
+}
+
+QString PressesPage::advice_for(const DeskPress& press) const {
+  QStringList lines{press_state_text(press, desk_, run_)};
+  if (press.looked.problem && desk_.placed(press.name) == nullptr &&
+      !press.looked.problem->advice.empty())
+    lines << tr("Try: %1.").arg(text_of(press.looked.problem->advice));
+  const auto ball = ball_of(press);
+  if (press.is_looked_at && !press.looked.found_mm && desk_.placed(press.name) == nullptr && ball)
+    lines << tr("Or drag the outline onto the ball.");
+  if (ball && desk_.placed(press.name) != nullptr && press.looked.shape) {
+    const auto contact = ball_on_face(
+        *press.looked.shape, desk_.looker()->finger().face, ball->centre_mm, ball->radius_mm);
+    lines << (contact && contact->depth_mm > 0
+                  ? tr("As it lies now it is pressed in by %1 mm.").arg(mm(contact->depth_mm, 2))
+                  : tr("As it lies now it does not touch the face."));
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+void PressesPage::show_shown() {
+  const DeskPress* press = desk_.find(shown_);
+  if (press == nullptr) shown_.clear();
+  live_button_->setChecked(press == nullptr);
+  press_button_->setChecked(press != nullptr);
+  press_button_->setText(press != nullptr ? text_of(press->name) : tr("Chosen &press"));
+  press_button_->setEnabled(!desk_.presses().empty());
+  pictures_->setCurrentIndex(press == nullptr ? 0 : 1);
+  press_group_->setVisible(press != nullptr);
+  out_->setEnabled(press != nullptr);
+  remove_->setEnabled(press != nullptr && press->frame);
+  out_->setText(press != nullptr && desk_.exclusion(press->name) != nullptr ? tr("&Put back")
+                                                                            : tr("Take &out"));
+  out_->setToolTip(tr("A press that is taken out stays with the finger and is not used"));
+  if (press == nullptr) {
+    editor_->set_ball(std::nullopt);
+    return;
+  }
+  find_->setEnabled(desk_.placed(press->name) != nullptr);
+  const QSignalBlocker quiet(own_radius_);
+  own_radius_->setValue(desk_.notes().radius_of(press->name));
+  press_text_->setText(advice_for(*press));
+  if (press->looked.grey.empty()) {
+    editor_->set_ball(std::nullopt);
+    editor_->show_message(tr("The picture is being read."));
+  } else {
+    editor_->show_picture(press->looked.grey, overlays_of(*press));
+    const auto ball = ball_of(*press);
+    editor_->set_ball(ball);
+  }
+  const auto place = editor_->ball() ? outline_place(*editor_->ball()) : std::nullopt;
+  place_->setText(place ? tr("Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera")
+                              .arg(mm(place->centre.x(), 1),
+                                   mm(place->centre.y(), 1),
+                                   mm(place->radius_px(), 1),
+                                   mm(editor_->ball()->centre_mm.z(), 2))
+                        : tr("No ball is drawn here."));
+}
+
+}  // namespace alltact

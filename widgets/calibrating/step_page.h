@@ -1,0 +1,38 @@
+// One step of a calibration.
+#pragma once
+
+#include "widgets/translated.h"
+
+#include <QLabel>
+
+namespace alltact {
+
+enum class StepState {
+  kToDo = 1,
+  kDone,
+  kLookAgain,  ///< done, but something has changed since
+};
+
+class StepPage : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit StepPage(QWidget* parent = nullptr) : Translated(parent) {}
+  [[nodiscard]] virtual QString title() const = 0;
+  [[nodiscard]] virtual StepState state() const = 0;
+  /// What is missing before the next step can begin; empty: nothing.
+  [[nodiscard]] virtual QString missing() const = 0;
+
+ Q_SIGNALS:
+  /// The state, or what is missing, may have changed.
+  void changed();
+};
+
+/// A label for sentences.
+[[nodiscard]] inline QLabel* wrapped_text() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+}  // namespace alltact

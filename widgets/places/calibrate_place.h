@@ -1,0 +1,78 @@
+// The place Calibrate: lens, finger, presses, mapping, verdict, one after the other, and the check
+// whether it still holds.
+#pragma once
+
+#include "widgets/calibrating/calibration_run.h"
+#include "widgets/calibrating/check_page.h"
+#include "widgets/calibrating/finger_page.h"
+#include "widgets/calibrating/lens_page.h"
+#include "widgets/calibrating/mapping_page.h"
+#include "widgets/calibrating/presses_page.h"
+#include "widgets/calibrating/verdict_page.h"
+
+#include <QStackedWidget>
+#include <QToolButton>
+#include <array>
+
+namespace alltact {
+
+/// What the place needs of the program around it.
+struct CalibrateTools {
+  LensMeasurer measure_lens;
+  std::filesystem::path work_folder;  ///< for files that nobody named
+  std::filesystem::path program;      ///< the command line; see CalibrationRun
+  std::string version;                ///< of the program, for the record
+};
+
+class CalibratePlace : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  CalibratePlace(LiveSession& session,
+                 QUndoStack& undo,
+                 const CalibrateTools& tools,
+                 QWidget* parent = nullptr);
+
+  /// The finger's folder has changed under the same name: another reference.
+  void reload();
+  [[nodiscard]] PressDesk& desk() { return desk_; }
+  [[nodiscard]] CalibrationRun& run() { return run_; }
+  /// The step that waits: the first that is not done.
+  void go_to_next_to_do();
+
+ Q_SIGNALS:
+  void new_finger_wanted(const alltact::NewFinger& known);
+  void open_finger_wanted();
+  void record_wanted();
+  /// finger.yaml was written anew.
+  void finger_changed();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  static constexpr std::size_t kSteps = 6;
+  void follow();
+  void show_steps();
+  void go_to(std::size_t step);
+  /// The furthest step that can be gone to: nothing is missing before it.
+  [[nodiscard]] std::size_t last_open() const;
+
+  LiveSession& session_;
+  PressDesk desk_;
+  CalibrationRun run_;
+  LensPage* lens_;
+  FingerPage* finger_;
+  PressesPage* presses_;
+  MappingPage* mapping_;
+  VerdictPage* verdict_;
+  CheckPage* check_;
+  std::array<StepPage*, kSteps> pages_;
+  std::array<QToolButton*, kSteps> buttons_;
+  QStackedWidget* stack_;
+  QLabel* missing_;
+  QPushButton* next_;
+  std::size_t step_ = 0;
+  QString shown_icons_;
+};
+
+}  // namespace alltact
