@@ -126,6 +126,21 @@ TEST(Window, NeverBlocksForMoreThan30Milliseconds) {
       "another finger", [&] { window.open_finger(made.described()); }, 500);
   during(
       "undo", [&] { window.undo_stack().undo(); }, 500);
+  Dresser dresser;
+  during(
+      "a dark window",
+      [&] {
+        dresser.wear({Theme::kDark, QStringLiteral("en")});
+      },
+      300);
+  during(
+      "German",
+      [&] {
+        dresser.wear({Theme::kDark, QStringLiteral("de")});
+      },
+      300);
+  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  QTest::qWait(100);
   const auto choose = [&](const char* entry) {
     for (QAction* action : window.findChildren<QAction*>())
       if (action->text().remove(QLatin1Char('&')) == QString::fromUtf8(entry))
@@ -144,19 +159,6 @@ TEST(Window, NeverBlocksForMoreThan30Milliseconds) {
     for (QDialog* dialog : window.findChildren<QDialog*>()) dialog->close();
     QTest::qWait(10);
   }
-  Dresser dresser;
-  during(
-      "a dark window",
-      [&] {
-        dresser.wear({Theme::kDark, QStringLiteral("en")});
-      },
-      300);
-  during(
-      "German",
-      [&] {
-        dresser.wear({Theme::kDark, QStringLiteral("de")});
-      },
-      300);
   during(
       "no such source", [&] { window.open_source({"/nowhere.mkv"}); }, 300);
   during(
@@ -258,13 +260,13 @@ bool is_stop(const QWidget& widget) {
 TEST(Window, EveryControlCanBeReachedByTab) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());
-  for (const char* place : {"live", "calibrate", "record"}) {
+  for (const char* place : {"live", "calibrate", "record", "inspect"}) {
     studio.window().go_to(place);
     QTest::qWait(300);
     std::set<QWidget*> wanted;
     for (QWidget* widget : studio.window().findChildren<QWidget*>())
       if (is_for_people(*widget) && widget->isEnabled() && is_stop(*widget)) wanted.insert(widget);
-    EXPECT_GE(wanted.size(), 9U);
+    EXPECT_GE(wanted.size(), place == std::string("calibrate") ? 4U : 9U) << place;
     studio.window().setFocus();
     for (int i = 0; i < 100; ++i) {
       QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : &studio.window(),

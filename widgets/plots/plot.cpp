@@ -19,13 +19,13 @@ Plot::~Plot() = default;
 
 QImage Plot::picture(const QSize& size, double scale) {
   ensurePolished();
-  rebuild();
+  draw_now();
   return chart_->toPixmap(size.width(), size.height(), scale).toImage();
 }
 
 bool Plot::save_pdf(const QString& file, const QSize& size) {
   ensurePolished();
-  rebuild();
+  draw_now();
   return chart_->savePdf(file, size.width(), size.height(), QCP::epAllowCosmetic);
 }
 
@@ -34,7 +34,18 @@ void Plot::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) rebuild();
 }
 
+void Plot::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (is_stale_) draw_now();
+}
+
 void Plot::rebuild() {
+  is_stale_ = true;
+  if (isVisible()) draw_now();
+}
+
+void Plot::draw_now() {
+  is_stale_ = false;
   chart_->clearPlottables();
   chart_->clearItems();
   dress();

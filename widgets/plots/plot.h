@@ -24,13 +24,14 @@ class Plot : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
   /// Draws what was given into chart(), which is empty and dressed; false when there is nothing to
   /// draw. Called again whenever data or palette change.
   virtual bool draw() = 0;
   /// Stands in the middle where draw() has nothing.
   [[nodiscard]] virtual QString empty_text() const = 0;
-  /// To be called when the data changed.
+  /// To be called when the data changed. What nobody sees is drawn when it is shown.
   void rebuild();
 
   [[nodiscard]] QCustomPlot& chart() const { return *chart_; }
@@ -40,9 +41,11 @@ class Plot : public QWidget {
   void show_legend(Qt::Alignment corner);
 
  private:
+  void draw_now();
   void dress();
   void dress_axis(QCPAxis* axis) const;
   QCustomPlot* chart_;
+  bool is_stale_ = true;
 };
 
 }  // namespace alltact

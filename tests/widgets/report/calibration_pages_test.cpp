@@ -76,7 +76,7 @@ TEST(CalibrationPages, SayWhatALabBookNeeds) {
                             "Wrong radius of the ball"})
     EXPECT_THAT(html, HasSubstr(words));
   // The verdict before everything else.
-  EXPECT_LT(html.find("of depth error on presses"), html.find("What it was made with"));
+  EXPECT_LT(html.find("of depth error to be expected"), html.find("What it was made with"));
 }
 
 TEST(CalibrationPages, StandAlone) {
