@@ -35,22 +35,6 @@
 <context>
     <name>alltact::CalibratePlace</name>
     <message>
-        <source>done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>look again</source>
-        <translation>请再看</translation>
-    </message>
-    <message>
-        <source>to do</source>
-        <translation>待办</translation>
-    </message>
-    <message>
-        <source>%1 %2: %3</source>
-        <translation>%1 %2:%3</translation>
-    </message>
-    <message>
         <source>&amp;Next: %1</source>
         <translation>下一步:%1(&amp;N)</translation>
     </message>
@@ -2595,6 +2579,25 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Camera %1</source>
         <translation>相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::StepList</name>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>look again</source>
+        <translation>请再看</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <translation>待办</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <translation>%1 %2:%3</translation>
     </message>
 </context>
 <context>

@@ -5,11 +5,14 @@
 #include "widgets/picture/outline_editor.h"
 #include "widgets/picture/overlays.h"
 #include "widgets/places/record_place.h"
+#include "widgets/plots/mapping_plot.h"
+#include "widgets/plots/press_error_plot.h"
 #include "widgets/recording/coverage_view.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/shell/settings_dialog.h"
 #include "widgets/shell/start_panel.h"
+#include "widgets/shell/step_list.h"
 
 #include <QVBoxLayout>
 #include <cmath>
@@ -110,6 +113,35 @@ Shown new_finger_dialog() {
   });
 }
 
+Shown mapping_plot() {
+  auto plot = std::make_unique<MappingPlot>();
+  MappingPlotData data;
+  data.x_max = 0.5;
+  for (int i = 0; i <= 50; ++i) {
+    const double x = 0.01 * i, depth_mm = 2.4 * x / (1 + 0.6 * x);
+    data.curve.push_back({x, depth_mm, 0.02 * depth_mm});
+    data.points.push_back({x, depth_mm + 0.03 * std::sin(11.0 * i), i > 8});
+  }
+  plot->set_data(std::move(data));
+  return plot;
+}
+
+Shown press_error_plot() {
+  auto plot = std::make_unique<PressErrorPlot>();
+  plot->set_data({{"press_1", 0.012, 0.019}, {"press_2", 0.008, 0.011}, {"press_3", 0.021, 0.034}});
+  return plot;
+}
+
+Shown step_list() {
+  auto list = std::make_unique<StepList>();
+  list->show_steps({{"Lens", StepState::kDone, true, {}},
+                    {"Presses", StepState::kLookAgain, true, {}},
+                    {"Mapping", StepState::kToDo, true, {}},
+                    {"Verdict", StepState::kToDo, false, "There is no mapping yet."}},
+                   2);
+  return list;
+}
+
 Shown settings_dialog() {
   return std::make_unique<SettingsDialog>(Appearance{});
 }
@@ -145,11 +177,14 @@ const std::map<std::string, std::unique_ptr<QWidget> (*)()>& gallery() {
                                                           {"coverage_view", coverage_view},
                                                           {"empty_recording", empty_recording},
                                                           {"image_view", image_view},
+                                                          {"mapping_plot", mapping_plot},
                                                           {"new_finger_dialog", new_finger_dialog},
                                                           {"outline_editor", outline_editor},
+                                                          {"press_error_plot", press_error_plot},
                                                           {"problem_list", problem_list},
                                                           {"settings_dialog", settings_dialog},
-                                                          {"start_panel", start_panel}};
+                                                          {"start_panel", start_panel},
+                                                          {"step_list", step_list}};
   return widgets;
 }
 

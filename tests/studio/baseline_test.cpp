@@ -74,12 +74,17 @@ INSTANTIATE_TEST_SUITE_P(Gallery,
                                          Kept{"empty_recording", {900, 600}},
                                          Kept{"empty_recording", {900, 600}, Theme::kDark},
                                          Kept{"image_view", {480, 270}},
+                                         Kept{"mapping_plot", {420, 280}},
+                                         Kept{"mapping_plot", {420, 280}, Theme::kDark},
                                          Kept{"new_finger_dialog", {560, 420}},
                                          Kept{"outline_editor", {480, 270}},
+                                         Kept{"press_error_plot", {420, 200}},
                                          Kept{"problem_list", {480, 160}},
                                          Kept{"problem_list", {480, 160}, Theme::kDark},
                                          Kept{"settings_dialog", {360, 140}},
-                                         Kept{"start_panel", {560, 560}}),
+                                         Kept{"start_panel", {560, 560}},
+                                         Kept{"step_list", {640, 60}},
+                                         Kept{"step_list", {640, 60}, Theme::kDark}),
                          [](const auto& kept) {
                            const std::string name = kept.param.widget;
                            return name + (kept.param.theme == Theme::kLight  ? "_light"

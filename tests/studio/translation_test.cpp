@@ -196,8 +196,7 @@ TEST_F(PseudoLanguage, NothingIsLeftOutOfCalibrate) {
   ASSERT_TRUE(rig.wait_until_looked_at(2));
   speak();
   int step = 0;
-  for (auto* button :
-       rig.place().findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+  for (auto* button : rig.place().findChild<StepList*>()->findChildren<QToolButton*>()) {
     if (!button->isEnabled()) continue;
     QTest::mouseClick(button, Qt::LeftButton);
     QTest::qWait(300);

@@ -1,17 +1,12 @@
 // One step of a calibration.
 #pragma once
 
+#include "widgets/shell/step_list.h"
 #include "widgets/translated.h"
 
 #include <QLabel>
 
 namespace alltact {
-
-enum class StepState {
-  kToDo = 1,
-  kDone,
-  kLookAgain,  ///< done, but something has changed since
-};
 
 class StepPage : public Translated<QWidget> {
   Q_OBJECT

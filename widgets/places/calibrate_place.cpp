@@ -1,31 +1,9 @@
 #include "widgets/places/calibrate_place.h"
 
-#include "widgets/shell/icons.h"
-#include "widgets/theme.h"
-
-#include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
 namespace alltact {
-namespace {
-
-constexpr int kSymbol = 16;
-
-QString state_word(StepState state) {
-  switch (state) {
-    case StepState::kDone:
-      return CalibratePlace::tr("done");
-    case StepState::kLookAgain:
-      return CalibratePlace::tr("look again");
-    case StepState::kToDo:
-      break;
-  }
-  return CalibratePlace::tr("to do");
-}
-
-}  // namespace
-
 CalibratePlace::CalibratePlace(LiveSession& session,
                                QUndoStack& undo,
                                const CalibrateTools& tools,
@@ -41,30 +19,18 @@ CalibratePlace::CalibratePlace(LiveSession& session,
       verdict_(new VerdictPage(run_)),
       check_(new CheckPage(session, desk_, run_, undo, tools.version)),
       pages_{lens_, finger_, presses_, mapping_, verdict_, check_},
-      buttons_{},
+      steps_(new StepList),
       stack_(new QStackedWidget),
       missing_(wrapped_text()),
       next_(new QPushButton) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  auto* strip = new QHBoxLayout;
-  auto* group = new QButtonGroup(this);
-  for (std::size_t i = 0; i < kSteps; ++i) {
-    auto* button = new QToolButton;
-    button->setCheckable(true);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setIconSize({kSymbol, kSymbol});
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    button->setMinimumHeight(34);
-    button->setFocusPolicy(Qt::StrongFocus);
-    group->addButton(button);
-    strip->addWidget(button);
-    buttons_[i] = button;
-    stack_->addWidget(pages_[i]);
-    connect(button, &QToolButton::clicked, this, [this, i] { go_to(i); });
-    connect(pages_[i], &StepPage::changed, this, &CalibratePlace::show_steps);
+  column->addWidget(steps_);
+  connect(steps_, &StepList::chosen, this, &CalibratePlace::go_to);
+  for (StepPage* page : pages_) {
+    stack_->addWidget(page);
+    connect(page, &StepPage::changed, this, &CalibratePlace::show_steps);
   }
-  column->addLayout(strip);
   column->addWidget(stack_, 1);
   auto* foot = new QHBoxLayout;
   foot->addWidget(missing_, 1);
@@ -78,10 +44,8 @@ CalibratePlace::CalibratePlace(LiveSession& session,
   connect(finger_, &FingerPage::finger_changed, this, &CalibratePlace::finger_changed);
   connect(&run_, &CalibrationRun::finger_changed, this, &CalibratePlace::finger_changed);
   connect(&session_, &LiveSession::status_ready, this, &CalibratePlace::follow);
-  say([this] {
-    shown_icons_.clear();
-    show_steps();
-  });
+  is_made_ = true;
+  say([this] { show_steps(); });
 }
 
 void CalibratePlace::follow() {
@@ -120,55 +84,26 @@ void CalibratePlace::go_to(std::size_t step) {
 }
 
 void CalibratePlace::show_steps() {
-  if (next_ == nullptr || buttons_.back() == nullptr) return;
+  if (!is_made_) return;
   finger_->set_camera_file(lens_->camera_file());
   const std::size_t open = last_open();
   if (step_ > open) {  // what it stands on has gone
     step_ = open;
     stack_->setCurrentWidget(pages_[step_]);
   }
-  QString icons;
-  for (std::size_t i = 0; i < kSteps; ++i) {
-    const StepState state = i <= open ? pages_[i]->state() : StepState::kToDo;
-    QToolButton* button = buttons_[i];
-    button->setEnabled(i <= open);
-    button->setChecked(i == step_);
-    const QString text = tr("%1 %2: %3").arg(i + 1).arg(pages_[i]->title(), state_word(state));
-    if (button->text() != text) {
-      button->setText(text);
-      button->setAccessibleName(text);
-    }
-    button->setToolTip(i <= open ? QString() : pages_[open]->missing());
-    icons += QChar(static_cast<char16_t>(state));
-  }
-  if (icons != shown_icons_) {
-    shown_icons_ = icons;
-    for (std::size_t i = 0; i < kSteps; ++i) {
-      const auto state = static_cast<StepState>(icons[static_cast<qsizetype>(i)].unicode());
-      const Meaning meaning = state == StepState::kDone ? Meaning::kGood : Meaning::kDoubtful;
-      buttons_[i]->setIcon(
-          state == StepState::kToDo
-              ? QIcon()
-              : QIcon(symbol(
-                    meaning == Meaning::kGood ? QStringLiteral("good") : QStringLiteral("doubtful"),
-                    meaning_colour(meaning, palette()),
-                    kSymbol,
-                    devicePixelRatioF())));
-    }
-  }
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < kSteps; ++i)
+    steps.push_back({pages_[i]->title(),
+                     i <= open ? pages_[i]->state() : StepState::kToDo,
+                     i <= open,
+                     pages_[open]->missing()});
+  steps_->show_steps(steps, step_);
   const bool is_last = step_ + 1 == kSteps;
   const QString missing = pages_[step_]->missing();
   missing_->setText(missing);
   next_->setVisible(!is_last);
   next_->setEnabled(missing.isEmpty());
   if (!is_last) next_->setText(tr("&Next: %1").arg(pages_[step_ + 1]->title()));
-}
-
-void CalibratePlace::changeEvent(QEvent* event) {
-  Translated::changeEvent(event);
-  if (event->type() != QEvent::PaletteChange) return;
-  shown_icons_.clear();
-  show_steps();
 }
 
 }  // namespace alltact

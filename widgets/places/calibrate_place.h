@@ -11,7 +11,6 @@
 #include "widgets/calibrating/verdict_page.h"
 
 #include <QStackedWidget>
-#include <QToolButton>
 #include <array>
 
 namespace alltact {
@@ -46,9 +45,6 @@ class CalibratePlace : public Translated<QWidget> {
   /// finger.yaml was written anew.
   void finger_changed();
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   static constexpr std::size_t kSteps = 6;
   void follow();
@@ -67,12 +63,12 @@ class CalibratePlace : public Translated<QWidget> {
   VerdictPage* verdict_;
   CheckPage* check_;
   std::array<StepPage*, kSteps> pages_;
-  std::array<QToolButton*, kSteps> buttons_;
+  StepList* steps_;
   QStackedWidget* stack_;
   QLabel* missing_;
   QPushButton* next_;
   std::size_t step_ = 0;
-  QString shown_icons_;
+  bool is_made_ = false;  // signals come before all is there
 };
 
 }  // namespace alltact

@@ -1,0 +1,90 @@
+#include "widgets/shell/step_list.h"
+
+#include "widgets/shell/icons.h"
+#include "widgets/theme.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+
+namespace alltact {
+namespace {
+
+constexpr int kSymbol = 16;
+constexpr int kHeight = 34;
+
+QString state_word(StepState state) {
+  switch (state) {
+    case StepState::kDone:
+      return StepList::tr("done");
+    case StepState::kLookAgain:
+      return StepList::tr("look again");
+    case StepState::kToDo:
+      break;
+  }
+  return StepList::tr("to do");
+}
+
+}  // namespace
+
+StepList::StepList(QWidget* parent) : Translated(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  say([this] { dress(); });
+}
+
+void StepList::make_buttons(std::size_t count) {
+  auto* group = new QButtonGroup(this);
+  for (std::size_t i = 0; i < count; ++i) {
+    auto* button = new QToolButton;
+    button->setCheckable(true);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIconSize({kSymbol, kSymbol});
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setMinimumHeight(kHeight);
+    button->setFocusPolicy(Qt::StrongFocus);
+    group->addButton(button);
+    layout()->addWidget(button);
+    buttons_.push_back(button);
+    connect(button, &QToolButton::clicked, this, [this, i] { Q_EMIT chosen(i); });
+  }
+}
+
+void StepList::show_steps(const std::vector<Step>& steps, std::size_t current) {
+  if (buttons_.empty()) make_buttons(steps.size());
+  Q_ASSERT(steps.size() == buttons_.size() && current < steps.size());
+  const bool is_new =
+      !std::equal(steps.begin(), steps.end(), steps_.begin(), steps_.end(), [](auto& a, auto& b) {
+        return a.title == b.title && a.state == b.state && a.is_open == b.is_open &&
+               a.why_not == b.why_not;
+      });
+  steps_ = steps;
+  if (is_new) dress();
+  buttons_[current]->setChecked(true);
+}
+
+void StepList::dress() {
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const Step& step = steps_[i];
+    QToolButton* button = buttons_[i];
+    button->setEnabled(step.is_open);
+    button->setToolTip(step.is_open ? QString() : step.why_not);
+    const QString text = tr("%1 %2: %3").arg(i + 1).arg(step.title, state_word(step.state));
+    button->setText(text);
+    button->setAccessibleName(text);
+    const bool is_done = step.state == StepState::kDone;
+    button->setIcon(
+        step.state == StepState::kToDo
+            ? QIcon()
+            : QIcon(symbol(is_done ? QStringLiteral("good") : QStringLiteral("doubtful"),
+                           meaning_colour(is_done ? Meaning::kGood : Meaning::kDoubtful, palette()),
+                           kSymbol,
+                           devicePixelRatioF())));
+  }
+}
+
+void StepList::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) dress();
+}
+
+}  // namespace alltact

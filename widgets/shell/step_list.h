@@ -1,0 +1,47 @@
+// Steps in a row, each with a number, its name and how far it is; those that cannot be gone to yet
+// say why.
+#pragma once
+
+#include "widgets/translated.h"
+
+#include <QString>
+#include <QToolButton>
+#include <vector>
+
+namespace alltact {
+
+enum class StepState {
+  kToDo = 1,
+  kDone,
+  kLookAgain,  ///< done, but something has changed since
+};
+
+struct Step {
+  QString title;
+  StepState state = StepState::kToDo;
+  bool is_open = true;  ///< it can be gone to
+  QString why_not;      ///< shown where it is not open
+};
+
+class StepList : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit StepList(QWidget* parent = nullptr);
+
+  /// Always the same number of steps. `current` is marked.
+  void show_steps(const std::vector<Step>& steps, std::size_t current);
+
+ Q_SIGNALS:
+  void chosen(std::size_t step);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void make_buttons(std::size_t count);
+  void dress();
+  std::vector<Step> steps_;
+  std::vector<QToolButton*> buttons_;
+};
+
+}  // namespace alltact
