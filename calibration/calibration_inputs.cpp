@@ -123,9 +123,7 @@ CalibrationInputs read_inputs(YamlSection& top) {
   inputs.date = top.text("date");
   inputs.program_version = top.text("program_version");
   if (top.has("operator")) inputs.operator_name = top.text("operator");
-  inputs.ball_radius_mm = top.number("ball_radius_mm", "the ball's radius in mm");
-  if (!(inputs.ball_radius_mm > 0 && inputs.ball_radius_mm <= 1000))
-    top.refuse("ball_radius_mm", "must be above 0 and at most 1000", "the ball's radius in mm");
+  inputs.ball_radius_mm = read_ball_radius_mm(top);
   inputs.calibration = read_settings(top.section("calibration"), calibration_settings());
   inputs.pipeline = read_settings(top.section("pipeline"), pipeline_settings());
   inputs.is_continuous = top.word("continuous", {"false", "true"}) == 1;

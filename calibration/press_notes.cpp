@@ -17,11 +17,7 @@ PressNotes read_notes(YamlSection& top) {
   PressNotes notes;
   if (const std::string format = top.text("format"); format != PressNotes::kFormat)
     top.refuse("format", fmt::format("'{}' cannot be read by this version", format), "");
-  if (top.has("ball_radius_mm")) {
-    notes.ball_radius_mm = top.number("ball_radius_mm", "the ball's radius in mm");
-    if (!(notes.ball_radius_mm > 0 && notes.ball_radius_mm <= 1000))
-      top.refuse("ball_radius_mm", "must be above 0 and at most 1000", "the ball's radius in mm");
-  }
+  if (top.has("ball_radius_mm")) notes.ball_radius_mm = read_ball_radius_mm(top);
   if (top.has("operator")) notes.operator_name = top.text("operator");
   notes.other_balls = read_other_balls(top);
   notes.balls = read_placed_balls(top);

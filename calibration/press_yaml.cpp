@@ -14,7 +14,19 @@ void refuse_unless_paired(YamlSection& top, const char* key, std::size_t count, 
                "one for each press, \"\" where there is nothing to say");
 }
 
+bool is_radius(double mm) {
+  return mm > 0 && mm <= 1000;
+}
+
+constexpr const char* kRadiusRange = "must be above 0 and at most 1000";
+
 }  // namespace
+
+double read_ball_radius_mm(YamlSection& top) {
+  const double radius_mm = top.number("ball_radius_mm", "the ball's radius in mm");
+  if (!is_radius(radius_mm)) top.refuse("ball_radius_mm", kRadiusRange, "the ball's radius in mm");
+  return radius_mm;
+}
 
 std::vector<PlacedBall> read_placed_balls(YamlSection& top) {
   std::vector<PlacedBall> balls;
@@ -48,8 +60,8 @@ std::vector<OtherBall> read_other_balls(YamlSection& top) {
   const auto radii_mm = top.numbers("other_balls_mm");
   refuse_unless_paired(top, "other_balls_mm", radii_mm.size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!(radii_mm[i] > 0 && radii_mm[i] <= 1000))
-      top.refuse("other_balls_mm", "must be above 0 and at most 1000", "the balls' radii in mm");
+    if (!is_radius(radii_mm[i]))
+      top.refuse("other_balls_mm", kRadiusRange, "the balls' radii in mm");
     balls.push_back({names[i], radii_mm[i]});
   }
   return balls;

@@ -9,6 +9,8 @@
 
 namespace alltact {
 
+/// `ball_radius_mm`. Refuses what no ball has.
+[[nodiscard]] double read_ball_radius_mm(YamlSection& top);
 /// `balls` and `balls_mm`, `excluded` and `excluded_because`; nothing where the first is absent.
 /// Refuses lists of different lengths and impossible values.
 [[nodiscard]] std::vector<PlacedBall> read_placed_balls(YamlSection& top);

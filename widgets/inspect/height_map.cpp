@@ -1,10 +1,8 @@
 #include "widgets/inspect/height_map.h"
 
-#include "core/io/colour_map.h"
 #include "widgets/picture/overlays.h"
 
 #include <QFontMetricsF>
-#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -16,8 +14,8 @@ namespace {
 const QColor kHalo(0, 0, 0, 190);
 const QColor kMark(255, 184, 0);
 
-MapColour colour_of(double part, bool is_difference) {
-  return is_difference ? cool_to_warm(2 * part - 1) : viridis(part);
+MapColour difference_colour(double part) {
+  return cool_to_warm(2 * part - 1);
 }
 
 void draw_point(QPainter& painter, QPointF at, const QString& letter) {
@@ -45,7 +43,8 @@ cv::Mat height_layer(const cv::Mat& value_mm, double top_mm, bool is_difference)
   constexpr int kSteps = 256;
   std::array<cv::Vec4b, kSteps> table;
   for (int i = 0; i < kSteps; ++i) {
-    const MapColour c = colour_of(static_cast<double>(i) / (kSteps - 1), is_difference);
+    const double part = static_cast<double>(i) / (kSteps - 1);
+    const MapColour c = is_difference ? difference_colour(part) : viridis(part);
     table[static_cast<std::size_t>(i)] = {c.blue, c.green, c.red, 255};
   }
   const double low = is_difference ? -top_mm : 0;
@@ -80,40 +79,7 @@ Overlay points_overlay(const std::optional<cv::Point2d>& a, const std::optional<
 
 Overlay height_scale_overlay(double top_mm, bool is_difference, const QString& title) {
   if (!is_difference) return colour_bar_overlay(top_mm, title);
-  return [top_mm, title](QPainter& painter, const ImageTransform& /*transform*/) {
-    const QRectF room(painter.viewport());
-    const QFontMetricsF metrics(painter.font());
-    constexpr double kHeight = 14, kMargin = 10, kGap = 8;
-    const QLocale locale;
-    const double width = std::clamp(0.3 * room.width(), 160.0, 280.0);
-    const double number = metrics.horizontalAdvance(locale.toString(-top_mm, 'f', 2));
-    const QSizeF size(width + number + 2 * kGap, kHeight + 2 * metrics.height() + 2 * kGap);
-    const QRectF panel(
-        QPointF(room.right() - kMargin - size.width(), room.bottom() - kMargin - size.height()),
-        size);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(kHalo);
-    painter.drawRoundedRect(panel, 4, 4);
-    painter.setPen(Qt::white);
-    painter.drawText(panel.topLeft() + QPointF(kGap, kGap / 2 + metrics.ascent()), title);
-    const QRectF bar(panel.left() + kGap + 0.5 * number,
-                     panel.top() + kGap / 2 + metrics.height() + 3,
-                     width,
-                     kHeight);
-    QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    for (int i = 0; i <= 16; ++i) {
-      const MapColour c = colour_of(i / 16.0, true);
-      gradient.setColorAt(i / 16.0, QColor(c.red, c.green, c.blue));
-    }
-    painter.fillRect(bar, gradient);
-    for (int i = -1; i <= 1; ++i) {
-      const QString text = locale.toString(i * top_mm, 'f', 2);
-      const double x = bar.center().x() + 0.5 * i * bar.width();
-      painter.drawText(
-          QPointF(x - 0.5 * metrics.horizontalAdvance(text), bar.bottom() + 3 + metrics.ascent()),
-          text);
-    }
-  };
+  return colour_bar_overlay(ColourScale{-top_mm, top_mm, 2, difference_colour}, title);
 }
 
 }  // namespace alltact

@@ -1,7 +1,5 @@
 #include "widgets/picture/overlays.h"
 
-#include "core/io/colour_map.h"
-
 #include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
@@ -150,22 +148,26 @@ Overlay layer_overlay(const cv::Mat& layer) {
   };
 }
 
-Overlay colour_bar_overlay(double top_mm, const QString& title) {
-  return [top_mm, title](QPainter& painter, const ImageTransform& /*transform*/) {
+Overlay colour_bar_overlay(const ColourScale& scale, const QString& title) {
+  return [scale, title](QPainter& painter, const ImageTransform& /*transform*/) {
     const QRectF room(painter.viewport());
     const QFontMetricsF metrics(painter.font());
     constexpr double kHeight = 14, kMargin = 10, kGap = 8;
-    constexpr int kTicks = 4;
     const QLocale locale;
+    const auto number_at = [&](int step) {
+      const double part = static_cast<double>(step) / scale.steps;
+      return locale.toString(scale.low_mm + part * (scale.top_mm - scale.low_mm), 'f', 2);
+    };
     const double width = std::clamp(0.3 * room.width(), 160.0, 280.0);
-    const double number = metrics.horizontalAdvance(locale.toString(top_mm, 'f', 2));
+    const double number = std::max(metrics.horizontalAdvance(number_at(0)),
+                                   metrics.horizontalAdvance(number_at(scale.steps)));
     const double height = kHeight + 2 * metrics.height() + 2 * kGap;
     const QRectF panel(room.right() - kMargin - width - number - 2 * kGap,
                        room.bottom() - kMargin - height,
                        width + number + 2 * kGap,
                        height);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 190));
+    painter.setBrush(kHalo);
     painter.drawRoundedRect(panel, 4, 4);
     painter.setPen(kText);
     painter.drawText(QPointF(panel.left() + kGap, panel.top() + kGap / 2 + metrics.ascent()),
@@ -176,21 +178,22 @@ Overlay colour_bar_overlay(double top_mm, const QString& title) {
                      kHeight);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     for (int i = 0; i <= 16; ++i) {
-      const MapColour colour = viridis(i / 16.0);
+      const MapColour colour = scale.colour_of(i / 16.0);
       gradient.setColorAt(i / 16.0, QColor(colour.red, colour.green, colour.blue));
     }
-    painter.setBrush(gradient);
-    painter.setPen(Qt::NoPen);
-    painter.drawRect(bar);
-    painter.setPen(kText);
-    for (int i = 0; i <= kTicks; ++i) {
-      const QString text = locale.toString(top_mm * i / kTicks, 'f', 2);
-      const double x = bar.left() + bar.width() * i / kTicks;
+    painter.fillRect(bar, gradient);
+    for (int i = 0; i <= scale.steps; ++i) {
+      const QString text = number_at(i);
+      const double x = bar.left() + bar.width() * i / scale.steps;
       painter.drawText(
           QPointF(x - 0.5 * metrics.horizontalAdvance(text), bar.bottom() + 3 + metrics.ascent()),
           text);
     }
   };
+}
+
+Overlay colour_bar_overlay(double top_mm, const QString& title) {
+  return colour_bar_overlay(ColourScale{0, top_mm, 4, viridis}, title);
 }
 
 }  // namespace alltact
