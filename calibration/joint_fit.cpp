@@ -1,5 +1,6 @@
 #include "calibration/joint_fit.h"
 
+#include "calibration/compressed_cost.h"
 #include "calibration/joint_costs.h"
 #include "calibration/solver_settings.h"
 #include "core/numerics/median.h"
@@ -68,10 +69,12 @@ bool solve(const std::vector<Weighted>& weighted,
   ceres::Problem problem;
   for (std::size_t i = 0; i < weighted.size(); ++i) {
     if (weighted[i].samples.size() < 10) return false;
-    problem.AddResidualBlock(new PressCost(weighted[i], family, options),
-                             nullptr,
-                             fit->centres_mm[i].data(),
-                             fit->curve.values().data());
+    // Hundreds of samples a press, and five to a dozen unknowns that they depend on.
+    problem.AddResidualBlock(
+        new CompressedCost(std::make_unique<PressCost>(weighted[i], family, options)),
+        nullptr,
+        fit->centres_mm[i].data(),
+        fit->curve.values().data());
     if (!weighted[i].outline.empty())
       problem.AddResidualBlock(new OutlineCost(weighted[i]), nullptr, fit->centres_mm[i].data());
   }
