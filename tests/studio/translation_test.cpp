@@ -149,7 +149,9 @@ class PseudoLanguage : public testing::Test {
       if (const auto* label = qobject_cast<const QLabel*>(widget)) {
         expect_translated(label->text(), "label");
         if (label->wordWrap()) {
-          EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+          // A label that was just said anew is laid out with the next turns of the loop.
+          EXPECT_TRUE(wait_until(
+              [&] { return label->height() >= label->heightForWidth(label->width()); }, 2000))
               << "clipped: " << label->text().toStdString();
         }
       }

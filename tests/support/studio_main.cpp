@@ -1,6 +1,7 @@
 // The Studio is tested on Qt's offscreen platform, in one style and one language, with settings of
 // its own.
 #include "tests/support/program.h"
+#include "tests/support/qt_messages.h"
 #include "tests/support/run_all_tests.h"
 #include "widgets/scene3d/vtk_view.h"
 #include "widgets/shell/studio_style.h"
@@ -9,6 +10,7 @@
 #include <QLocale>
 
 int main(int argc, char** argv) {
+  alltact::test::show_qt_messages();
   const alltact::test::TemporaryFolder home;
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
   setenv("XDG_CONFIG_HOME", (home / "config").c_str(), 1);
