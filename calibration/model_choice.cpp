@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -256,9 +257,60 @@ void keep(const HeldOut& held_out, ModelChoice* choice) {
   choice->spread_mm = spread_of(held_out.curves);
 }
 
-/// The best family for one way of measuring thickness.
+struct Candidate {
+  JointFit fit;
+  HeldOut held_out;
+};
+
+/// Fits of the families that gave an increasing curve, the simplest first, each with what leaving
+/// presses out shows (nothing with one press), up to where more coefficients no longer help. One
+/// press takes the first that fits.
+std::vector<Candidate> try_families(const ChoiceInput& input,
+                                    const std::vector<CurveFamily>& families,
+                                    const JointFit& start,
+                                    const JointOptions& options,
+                                    const Job& job) {
+  constexpr int kMostWorse = 3;
+  std::vector<Candidate> candidates;
+  double best_mm = std::numeric_limits<double>::infinity();
+  int worse = 0;
+  for (std::size_t i = 0; i < families.size() && worse < kMostWorse; ++i) {
+    if (job.stop_requested() && !candidates.empty()) break;
+    job.report(static_cast<double>(i) / static_cast<double>(families.size()),
+               fmt::format("trying a {}", families[i].name()));
+    Candidate candidate{fit_jointly(input.presses, as_family(start, families[i]), options, job),
+                        {}};
+    if (!candidate.fit.converged || !increases(candidate.fit.curve, options.along)) continue;
+    if (input.presses.size() < 2) return {std::move(candidate)};
+    candidate.held_out = hold_out(input, candidate.fit, options, job);
+    // Stopped amid leaving presses out; the only family there is needs no comparing.
+    if (candidate.held_out.errors_mm.size() < input.presses.size() && families.size() > 1) break;
+    const double error_mm = mean_of(candidate.held_out.errors_mm);
+    worse = error_mm < best_mm ? 0 : worse + 1;
+    best_mm = std::min(best_mm, error_mm);
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
+}
+
+/// Why one of several was taken, of which one does best on presses left out.
+std::string why(const Candidate& chosen, const Candidate& best) {
+  const std::string name = chosen.fit.curve.family().name();
+  const double error_mm = mean_of(chosen.held_out.errors_mm);
+  if (&chosen == &best)
+    return fmt::format("{}: least error on presses left out, {:.4f} mm", name, error_mm);
+  return fmt::format(
+      "{}: {:.4f} mm on presses left out, not distinguishable from the best ({}, {:.4f} mm) and "
+      "simpler",
+      name,
+      error_mm,
+      best.fit.curve.family().name(),
+      mean_of(best.held_out.errors_mm));
+}
+
+/// The best of some families for one way of measuring thickness.
 std::optional<ModelChoice> choose_family(const ChoiceInput& input,
-                                         const CalibrationSettings& settings,
+                                         const std::vector<CurveFamily>& families,
                                          MappingAlong along,
                                          const Job& job) {
   ModelChoice choice{{along}, straight_start(input, along, domain_of(input, along)), {}, 0, {}, {}};
@@ -268,67 +320,24 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
   JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
   std::string zone_remark;
   start = grow_zone(input, std::move(start), &choice.options, &zone_remark, job);
-
-  struct Candidate {
-    JointFit fit;
-    HeldOut held_out;
-  };
-  std::vector<Candidate> candidates;
-  std::size_t best = 0;
-  int worse = 0;
-  const bool alone = input.presses.size() < 2;
-  const auto families = families_for(settings, input.presses.size());
-  for (std::size_t i = 0; i < families.size(); ++i) {
-    if (job.stop_requested() && !candidates.empty()) break;
-    job.report(static_cast<double>(i) / static_cast<double>(families.size()),
-               fmt::format("trying a {}", families[i].name()));
-    Candidate candidate{
-        fit_jointly(input.presses, as_family(start, families[i]), choice.options, job), {}};
-    if (!candidate.fit.converged || !increases(candidate.fit.curve, along)) continue;
-    if (!alone && families.size() > 1)
-      candidate.held_out = hold_out(input, candidate.fit, choice.options, job);
-    if (!alone && families.size() > 1 && candidate.held_out.errors_mm.size() < input.presses.size())
-      break;
-    candidates.push_back(std::move(candidate));
-    if (alone || families.size() == 1) break;
-    const std::size_t last = candidates.size() - 1;
-    if (mean_of(candidates[last].held_out.errors_mm) <
-        mean_of(candidates[best].held_out.errors_mm)) {
-      best = last;
-      worse = 0;
-    } else if (++worse == 3) {
-      break;  // more coefficients no longer help
-    }
-  }
-  if (candidates.empty()) return std::nullopt;
-  std::size_t chosen = 0;
-  if (!alone && families.size() > 1)
-    while (chosen < best &&
-           !as_good(candidates[chosen].held_out.errors_mm, candidates[best].held_out.errors_mm))
-      ++chosen;
-
-  choice.fit = candidates[chosen].fit;
-  const std::string name = choice.fit.curve.family().name();
-  if (alone) {
-    choice.sentence = fmt::format("{}: with one press nothing can be held out", name);
-  } else if (families.size() == 1) {
-    choice.sentence = fmt::format("{}: as asked for", name);
-    keep(hold_out(input, choice.fit, choice.options, job), &choice);
-  } else {
-    keep(candidates[chosen].held_out, &choice);
-    choice.sentence =
-        chosen == best ? fmt::format("{}: least error on presses left out, {:.4f} mm",
-                                     name,
-                                     mean_of(candidates[chosen].held_out.errors_mm))
-                       : fmt::format(
-                             "{}: {:.4f} mm on presses left out, not distinguishable from the best "
-                             "({}, {:.4f} mm) and simpler",
-                             name,
-                             mean_of(candidates[chosen].held_out.errors_mm),
-                             candidates[best].fit.curve.family().name(),
-                             mean_of(candidates[best].held_out.errors_mm));
-  }
   if (!zone_remark.empty()) choice.remarks.push_back(std::move(zone_remark));
+
+  const auto candidates = try_families(input, families, start, choice.options, job);
+  if (candidates.empty()) return std::nullopt;
+  const auto best =
+      std::min_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+        return mean_of(a.held_out.errors_mm) < mean_of(b.held_out.errors_mm);
+      });
+  const auto chosen = std::find_if(candidates.begin(), best, [&](const Candidate& one) {
+    return as_good(one.held_out.errors_mm, best->held_out.errors_mm);
+  });
+  choice.fit = chosen->fit;
+  keep(chosen->held_out, &choice);
+  const std::string name = choice.fit.curve.family().name();
+  choice.sentence = input.presses.size() < 2
+                        ? fmt::format("{}: with one press nothing can be held out", name)
+                    : families.size() == 1 ? fmt::format("{}: as asked for", name)
+                                           : why(*chosen, *best);
   return choice;
 }
 
@@ -359,35 +368,43 @@ bool increases(const MappingCurve& curve, MappingAlong along) {
 
 namespace {
 
-/// The best way of measuring thickness, with the best family for it.
+/// The best way of measuring thickness, with the best family for it. Ways are compared by the
+/// family that is best along z: it differs between them by what a curve hardly shows.
 std::optional<ModelChoice> choose_along(const ChoiceInput& input,
                                         const CalibrationSettings& settings,
                                         const Job& job) {
+  const auto families = families_for(settings, input.presses.size());
   if (settings.along == AlongChoice::kNormal)
-    return choose_family(input, settings, MappingAlong::kNormal, job);
+    return choose_family(input, families, MappingAlong::kNormal, job);
   if (settings.along == AlongChoice::kProjected)
-    return choose_family(input, settings, MappingAlong::kProjected, job);
-  const auto by_z = choose_family(input, settings, MappingAlong::kZ, job);
+    return choose_family(input, families, MappingAlong::kProjected, job);
+  auto by_z = choose_family(input, families, MappingAlong::kZ, job);
   const bool told_apart = input.presses.size() > 1 && steepest_deg(input) > kInclineDeg;
   if (settings.along == AlongChoice::kZ || !by_z || by_z->held_out_mm.empty() || !told_apart)
     return by_z;
-  auto best = by_z;
+  const std::vector<CurveFamily> same{by_z->fit.curve.family()};
+  const ModelChoice* best = &*by_z;
+  std::vector<std::optional<ModelChoice>> others;
+  others.reserve(2);
   for (const MappingAlong along : {MappingAlong::kNormal, MappingAlong::kProjected}) {
-    if (job.stop_requested()) break;
-    auto other = choose_family(input, settings, along, job);
-    if (!other || other->held_out_mm.size() != by_z->held_out_mm.size()) continue;
+    others.push_back(choose_family(input, same, along, job));
+    const auto& other = others.back();
+    if (job.stop_requested() || !other || other->held_out_mm.size() != by_z->held_out_mm.size())
+      continue;
     const Excess excess = excess_of(best->held_out_mm, other->held_out_mm);
-    if (excess.mean > excess.standard_error) best = std::move(other);
+    if (excess.mean > excess.standard_error) best = &*other;
   }
-  if (best->options.along != MappingAlong::kZ)
-    best->remarks.push_back(fmt::format(
-        "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
-        "{:.4f} mm along z",
-        best->options.along == MappingAlong::kNormal ? "along its normal"
-                                                     : "along z projected onto its normal",
-        mean_of(best->held_out_mm),
-        mean_of(by_z->held_out_mm)));
-  return best;
+  if (best == &*by_z) return by_z;
+  const MappingAlong along = best->options.along;
+  auto choice = families.size() == 1 ? *best : choose_family(input, families, along, job);
+  if (!choice || choice->held_out_mm.size() != by_z->held_out_mm.size()) return by_z;
+  choice->remarks.push_back(fmt::format(
+      "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
+      "{:.4f} mm along z",
+      along == MappingAlong::kNormal ? "along its normal" : "along z projected onto its normal",
+      mean_of(choice->held_out_mm),
+      mean_of(by_z->held_out_mm)));
+  return choice;
 }
 
 /// Lets the mapping vary over the face where the presses ask for it.
