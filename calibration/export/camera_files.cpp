@@ -17,7 +17,7 @@ Status has_camera_matrix(const CameraParameters& camera, std::string_view who) {
   if (which.empty()) return {};
   return Error{fmt::format("{} has no camera matrix, so {} has no form for it", which, who),
                "",
-               "--to json"};
+               "json, or zip for the whole finger"};
 }
 
 /// Those that were not given are zero.

@@ -1,8 +1,11 @@
 #include "calibration/export/export_finger.h"
 
+#include "calibration/calibration_inputs.h"
 #include "calibration/export/export_texts.h"
 #include "core/io/atomic_file.h"
 #include "core/io/zip_file.h"
+
+#include <fmt/format.h>
 
 namespace alltact {
 namespace {
@@ -114,6 +117,18 @@ std::optional<ExportForm> export_form_from(std::string_view word) {
   for (const ExportFormInfo& info : export_forms())
     if (info.word == word) return info.form;
   return std::nullopt;
+}
+
+std::string export_command(const fs::path& finger_folder,
+                           const std::vector<ExportForm>& forms,
+                           const fs::path& folder) {
+  std::string words;
+  for (const ExportFormInfo& info : export_forms())
+    if (wants(forms, info.form)) words += (words.empty() ? "" : ",") + std::string(info.word);
+  return fmt::format("alltact export {} --to {} -o {}",
+                     shell_quoted(finger_folder.string()),
+                     words,
+                     shell_quoted(folder.string()));
 }
 
 Status export_finger(const Finger& finger,

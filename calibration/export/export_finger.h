@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct ExportFormInfo {
 /// All there are, in the order in which they are written.
 [[nodiscard]] const std::vector<ExportFormInfo>& export_forms();
 [[nodiscard]] std::optional<ExportForm> export_form_from(std::string_view word);
+
+/// The command that writes the same files in a terminal.
+[[nodiscard]] std::string export_command(const std::filesystem::path& finger_folder,
+                                         const std::vector<ExportForm>& forms,
+                                         const std::filesystem::path& folder);
 
 /// Writes these forms to `folder`, which is made if it is not there; files of an earlier export are
 /// replaced, each whole or not at all.

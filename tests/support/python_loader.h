@@ -49,7 +49,7 @@ inline DepthDifference python_against_program(const std::string& finger,
       run_alltact({"export", finger, "--to", "zip", "-o", folder.path().string()});
   EXPECT_EQ(exported.status, 0) << exported.errors;
   std::string command = fmt::format("{} -W error {}/packaging/python/alltact_finger.py '{}'",
-                                    ALLTACT_PYTHON,
+                                    kPython,
                                     ALLTACT_SOURCE_DIR,
                                     (folder / "finger.zip").string());
   for (const fs::path& picture : pictures) {

@@ -164,7 +164,7 @@ TEST(ExportFinger, TheZipHoldsEveryFileOfTheFinger) {
   const Status status = export_finger(finger, from, kAll, folder / "out", Job(), &written);
   ASSERT_TRUE(status.ok()) << status.error().sentence();
   EXPECT_EQ(written.size(), 5U);
-  const test::ProgramRun run = test::run_shell(std::string(ALLTACT_PYTHON) + " -m zipfile -e '" +
+  const test::ProgramRun run = test::run_shell(std::string(test::kPython) + " -m zipfile -e '" +
                                                (folder / "out/finger.zip").string() + "' '" +
                                                (folder / "unpacked").string() + "'");
   ASSERT_EQ(run.status, 0) << run.errors;
