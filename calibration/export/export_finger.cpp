@@ -122,12 +122,12 @@ std::optional<ExportForm> export_form_from(std::string_view word) {
 std::string export_command(const fs::path& finger_folder,
                            const std::vector<ExportForm>& forms,
                            const fs::path& folder) {
-  std::string words;
+  std::vector<std::string_view> words;
   for (const ExportFormInfo& info : export_forms())
-    if (wants(forms, info.form)) words += (words.empty() ? "" : ",") + std::string(info.word);
+    if (wants(forms, info.form)) words.push_back(info.word);
   return fmt::format("alltact export {} --to {} -o {}",
                      shell_quoted(finger_folder.string()),
-                     words,
+                     fmt::join(words, ","),
                      shell_quoted(folder.string()));
 }
 

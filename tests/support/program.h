@@ -15,10 +15,6 @@ struct ProgramRun {
   std::string errors;
 };
 
-/// Debian's, for which the packages hold numpy and OpenCV; another one in the PATH may have
-/// neither.
-constexpr const char* kPython = "/usr/bin/python3";
-
 /// Runs alltact with these arguments; nothing on standard input.
 ProgramRun run_alltact(const std::vector<std::string>& arguments);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/support/program.h"
+#include "tests/support/python.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "core/io/atomic_file.h"
 #include "tests/support/cameras.h"
 #include "tests/support/program.h"
+#include "tests/support/python.h"
 
 #include <clocale>
 

@@ -2,6 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "tests/support/program.h"
+#include "tests/support/python.h"
 
 #include <chrono>
 #include <csignal>
