@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 const char* const kPlaces[] = {"live", "calibrate", "record", "inspect"};
 
 struct Page {
-  std::string place, language;  ///< "en", "zh_CN"
+  std::string place, language;  ///< "en", "de", "zh_CN"
   [[nodiscard]] std::string name() const {
     return place + (language == "en" ? "" : "_" + language);
   }
@@ -37,7 +37,7 @@ void PrintTo(const Page& page, std::ostream* out) {
 std::vector<Page> pages() {
   std::vector<Page> all;
   for (const char* place : kPlaces)
-    for (const char* language : {"en", "zh_CN"}) all.push_back({place, language});
+    for (const char* language : {"en", "de", "zh_CN"}) all.push_back({place, language});
   return all;
 }
 
@@ -57,7 +57,8 @@ QString plain(QString text) {
 
 /// All that the program says in a language.
 std::set<QString> said_in(const std::string& language) {
-  QFile file(QStringLiteral(ALLTACT_SOURCE_DIR "/translations/alltact_zh_CN.ts"));
+  QFile file(QStringLiteral(ALLTACT_SOURCE_DIR "/translations/alltact_%1.ts")
+                 .arg(QLatin1String(language == "en" ? "de" : language.c_str())));
   EXPECT_TRUE(file.open(QIODevice::ReadOnly));
   QXmlStreamReader xml(&file);
   std::set<QString> said;
@@ -151,7 +152,7 @@ double unlike_part(const QImage& a, const QImage& b) {
 constexpr double kMostUnlike = 0.03;
 
 void expect_like_kept(MainWindow& window, const char* place) {
-  for (const Page& page : {Page{place, "zh_CN"}, Page{place, "en"}}) {
+  for (const Page& page : {Page{place, "zh_CN"}, Page{place, "de"}, Page{place, "en"}}) {
     Dresser dresser;
     dresser.wear({Theme::kLight, QString::fromStdString(page.language)});
     QTest::qWait(400);
