@@ -48,6 +48,9 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   column->addStretch(1);
   auto* row = new QHBoxLayout;
   buttons_->addButton(write_, QDialogButtonBox::ActionRole);
+  // Return exports, wherever the focus is.
+  for (QPushButton* button : {choose_, copy_, stop_, buttons_->button(QDialogButtonBox::Close)})
+    button->setAutoDefault(false);
   write_->setDefault(true);
   row->addWidget(progress_, 1);
   row->addWidget(stop_);
