@@ -118,13 +118,13 @@ TEST_P(Help, ShowsItsPictureAndLeavesNoMarkBehind) {
 
 /// As pages show it: smaller, and in few shades, which is what makes its file small.
 QImage reduced(const QImage& window) {
-  constexpr int kWidthPx = 800, kShade = 15;
+  constexpr int kWidthPx = 720, kShades = 32;
   QImage small = window.convertToFormat(QImage::Format_RGB888)
                      .scaledToWidth(kWidthPx, Qt::SmoothTransformation);
   for (int y = 0; y < small.height(); ++y) {
     uchar* line = small.scanLine(y);
     for (int i = 0; i < 3 * small.width(); ++i)
-      line[i] = static_cast<uchar>((line[i] + kShade / 2) / kShade * kShade);
+      line[i] = static_cast<uchar>((line[i] * kShades + 127) / 255 * 255 / kShades);
   }
   return small;
 }

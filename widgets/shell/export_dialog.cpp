@@ -92,13 +92,14 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
 
 QLayout* ExportDialog::make_forms() {
   auto* column = new QVBoxLayout;
+  column->setSpacing(2);
   for (const ExportFormInfo& info : export_forms()) {
     const Form form{info.form, new QCheckBox, new QLabel};
     form.wanted->setObjectName(
         QString::fromUtf8(info.word.data(), static_cast<int>(info.word.size())));
     form.wanted->setChecked(info.form == ExportForm::kJson || info.form == ExportForm::kZip);
     form.what_for->setWordWrap(true);
-    form.what_for->setContentsMargins(kIndent, 0, 0, 4);
+    form.what_for->setContentsMargins(kIndent, 0, 0, 8);
     column->addWidget(form.wanted);
     column->addWidget(form.what_for);
     connect(form.wanted, &QCheckBox::toggled, this, &ExportDialog::show_command);
