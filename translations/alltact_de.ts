@@ -248,6 +248,105 @@
     </message>
 </context>
 <context>
+    <name>alltact::ExportDialog</name>
+    <message>
+        <source>Export finger</source>
+        <translation>Finger exportieren</translation>
+    </message>
+    <message>
+        <source>What finger %1 has learnt, for other programs.</source>
+        <translation>Was der Finger %1 gelernt hat, für andere Programme.</translation>
+    </message>
+    <message>
+        <source>&amp;Folder for the files</source>
+        <translation>&amp;Ordner für die Dateien</translation>
+    </message>
+    <message>
+        <source>Folder for the files</source>
+        <translation>Ordner für die Dateien</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>The same as a command line</source>
+        <translation>Dasselbe als Befehlszeile</translation>
+    </message>
+    <message>
+        <source>Copy as command &amp;line</source>
+        <translation>A&amp;ls Befehlszeile kopieren</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;OpenCV: camera.opencv.yaml</source>
+        <translation>Open&amp;CV: camera.opencv.yaml</translation>
+    </message>
+    <message>
+        <source>Camera matrix and distortion, for cv::FileStorage.</source>
+        <translation>Kameramatrix und Verzeichnung, für cv::FileStorage.</translation>
+    </message>
+    <message>
+        <source>&amp;ROS: camera_info.yaml and parameters.yaml</source>
+        <translation>&amp;ROS: camera_info.yaml und parameters.yaml</translation>
+    </message>
+    <message>
+        <source>The camera as drivers and image_pipeline read it; face, markers and mapping as parameters of a ROS 2 node.</source>
+        <translation>Die Kamera, wie Treiber und image_pipeline sie lesen; Fläche, Marken und Abbildung als Parameter eines ROS-2-Knotens.</translation>
+    </message>
+    <message>
+        <source>&amp;JSON: calibration.json</source>
+        <translation>&amp;JSON: calibration.json</translation>
+    </message>
+    <message>
+        <source>All figures in one file, for programs of your own.</source>
+        <translation>Alle Zahlen in einer Datei, für eigene Programme.</translation>
+    </message>
+    <message>
+        <source>&amp;Whole finger: finger.zip</source>
+        <translation>&amp;Ganzer Finger: finger.zip</translation>
+    </message>
+    <message>
+        <source>Every file of the finger, its untouched pictures too: to keep, to send, and to measure with in Python.</source>
+        <translation>Jede Datei des Fingers, auch seine unberührten Bilder: zum Aufbewahren, zum Verschicken und zum Messen in Python.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen.</source>
+        <translation>Nichts ist gewählt.</translation>
+    </message>
+    <message>
+        <source>No folder is named.</source>
+        <translation>Kein Ordner ist genannt.</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FaceMapPlot</name>
     <message>
         <source>%1 over the face</source>
@@ -1478,6 +1577,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Inspect (Ctrl+4)</source>
         <translation>Prüfen (Strg+4)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport finger…</source>
+        <translation>Finger e&amp;xportieren …</translation>
     </message>
 </context>
 <context>

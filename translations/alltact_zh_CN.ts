@@ -248,6 +248,105 @@
     </message>
 </context>
 <context>
+    <name>alltact::ExportDialog</name>
+    <message>
+        <source>Export finger</source>
+        <translation>导出手指</translation>
+    </message>
+    <message>
+        <source>What finger %1 has learnt, for other programs.</source>
+        <translation>手指 %1 学到的内容,供其他程序使用。</translation>
+    </message>
+    <message>
+        <source>&amp;Folder for the files</source>
+        <translation>存放文件的文件夹(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Folder for the files</source>
+        <translation>存放文件的文件夹</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>选择文件夹</translation>
+    </message>
+    <message>
+        <source>The same as a command line</source>
+        <translation>相同操作的命令行</translation>
+    </message>
+    <message>
+        <source>Copy as command &amp;line</source>
+        <translation>复制为命令行(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>导出进度</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>导出(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;OpenCV: camera.opencv.yaml</source>
+        <translation>OpenCV:camera.opencv.yaml(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Camera matrix and distortion, for cv::FileStorage.</source>
+        <translation>相机矩阵和畸变,供 cv::FileStorage 读取。</translation>
+    </message>
+    <message>
+        <source>&amp;ROS: camera_info.yaml and parameters.yaml</source>
+        <translation>ROS:camera_info.yaml 和 parameters.yaml(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The camera as drivers and image_pipeline read it; face, markers and mapping as parameters of a ROS 2 node.</source>
+        <translation>驱动程序和 image_pipeline 所读的相机;面、标记点和映射作为 ROS 2 节点的参数。</translation>
+    </message>
+    <message>
+        <source>&amp;JSON: calibration.json</source>
+        <translation>JSON:calibration.json(&amp;J)</translation>
+    </message>
+    <message>
+        <source>All figures in one file, for programs of your own.</source>
+        <translation>全部数值放在一个文件中,供自己的程序使用。</translation>
+    </message>
+    <message>
+        <source>&amp;Whole finger: finger.zip</source>
+        <translation>整个手指:finger.zip(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Every file of the finger, its untouched pictures too: to keep, to send, and to measure with in Python.</source>
+        <translation>手指的所有文件,包括未触碰的图像:用于保存、发送,以及在 Python 中测量。</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen.</source>
+        <translation>没有选择任何内容。</translation>
+    </message>
+    <message>
+        <source>No folder is named.</source>
+        <translation>未指定文件夹。</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>已写入:%1。</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>打开文件夹</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FaceMapPlot</name>
     <message>
         <source>%1 over the face</source>
@@ -1476,6 +1575,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Inspect (Ctrl+4)</source>
         <translation>检视 (Ctrl+4)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport finger…</source>
+        <translation>导出手指(&amp;X)…</translation>
     </message>
 </context>
 <context>

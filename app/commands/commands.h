@@ -5,6 +5,7 @@
 #include "app/console.h"
 #include "app/finger_work.h"
 #include "calibration/calibrate.h"
+#include "calibration/export/export_finger.h"
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/motion_coverage.h"
 #include "calibration/press_check.h"
@@ -137,7 +138,7 @@ Status run_check_numerics(Console& console);
 struct ExportOptions {
   Path finger;
   Path folder;
-  bool opencv = false, json = false;
+  std::vector<ExportForm> forms;
 };
 /// Writes a finger's calibration for other programs.
 Status run_export(const ExportOptions& options, Console& console);

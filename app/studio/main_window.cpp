@@ -171,6 +171,10 @@ void MainWindow::make_menus() {
          *file_menu_, [] { return tr("&New finger…"); }, QKeySequence::New),
      [this] { new_finger(); });
   recent_menu_ = file_menu_->addMenu(QString());
+  export_action_ = add(
+      *file_menu_, [] { return tr("E&xport finger…"); }, QKeySequence(Qt::CTRL | Qt::Key_E));
+  export_action_->setEnabled(false);
+  on(export_action_, &MainWindow::export_open_finger);
   on(add(*file_menu_, [] { return tr("&Close finger"); }), [this] { open_finger({}); });
   file_menu_->addSeparator();
   source_menu_ = file_menu_->addMenu(QString());

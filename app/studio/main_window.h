@@ -71,6 +71,7 @@ class MainWindow : public Translated<QMainWindow> {
   void fill_recent_menu();
   void choose_finger();
   void new_finger(const NewFinger& known = {});
+  void export_open_finger();
   void choose_video();
   void choose_folder();
   void choose_scene();
@@ -103,7 +104,7 @@ class MainWindow : public Translated<QMainWindow> {
   QUndoStack undo_;
   std::vector<Words> words_;
   QMenu *file_menu_, *source_menu_, *recent_menu_, *edit_menu_, *view_menu_, *help_menu_;
-  QAction *undo_action_, *redo_action_;
+  QAction *undo_action_, *redo_action_, *export_action_;
   QButtonGroup* rail_;
   QToolButton *live_button_, *calibrate_button_, *record_button_, *inspect_button_, *finger_button_,
       *source_button_;

@@ -1,6 +1,7 @@
 // What the window's menus and dialogs do. No dialog stops what runs.
 #include "app/finger_work.h"
 #include "app/studio/main_window.h"
+#include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 
 #include <QApplication>
@@ -22,13 +23,14 @@ Status make(const NewFinger& wanted) {
 }
 
 /// A page of text in a window of its own.
-void show_page(QWidget* parent, const QString& title, const QString& markdown) {
+void show_page(QWidget* parent, const QString& title, const QString& markdown, const QSize& size) {
   auto* dialog = new QDialog(parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(title);
   auto* layout = new QVBoxLayout(dialog);
   auto* text = new QTextBrowser;
   text->setOpenExternalLinks(true);
+  text->setSearchPaths({QStringLiteral(":/alltact/help")});  // of the pages' pictures
   text->setMarkdown(markdown);
   text->setAccessibleName(title);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
@@ -36,7 +38,7 @@ void show_page(QWidget* parent, const QString& title, const QString& markdown) {
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
   layout->addWidget(text);
   layout->addWidget(buttons);
-  dialog->resize(640, 560);
+  dialog->resize(size);
   dialog->show();
 }
 
@@ -110,6 +112,12 @@ void MainWindow::new_finger(const NewFinger& known) {
   dialog->show();
 }
 
+void MainWindow::export_open_finger() {
+  auto* dialog = new ExportDialog(state_.finger, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
+}
+
 void MainWindow::choose_video() {
   auto* dialog =
       new QFileDialog(this, tr("Open a video"), QString(), tr("Videos (*.mkv *.avi *.mp4)"));
@@ -173,7 +181,7 @@ void MainWindow::show_help() {
   QFile file(QStringLiteral(":/alltact/help/%1%2.md").arg(page, language));
   if (!file.exists()) file.setFileName(QStringLiteral(":/alltact/help/%1.md").arg(page));
   if (!file.open(QIODevice::ReadOnly)) return;
-  show_page(this, tr("Help"), QString::fromUtf8(file.readAll()));
+  show_page(this, tr("Help"), QString::fromUtf8(file.readAll()), {880, 720});
 }
 
 void MainWindow::show_about() {
@@ -183,7 +191,8 @@ void MainWindow::show_about() {
       tr("## AllTact Studio %1\n\nTurns a clear silicone finger with a camera inside into a "
          "measuring instrument.\n\nIts own source is under the BSD-3-Clause licence; with the "
          "libraries it uses, the program as a whole is under the GPL, version 3.")
-          .arg(QStringLiteral(ALLTACT_VERSION)));
+          .arg(QStringLiteral(ALLTACT_VERSION)),
+      {640, 320});
 }
 
 }  // namespace alltact

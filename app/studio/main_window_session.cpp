@@ -47,6 +47,7 @@ void MainWindow::set_finger(const std::filesystem::path& folder) {
     state_.recent_fingers.insert(state_.recent_fingers.begin(), state_.finger);
     if (state_.recent_fingers.size() > kMostRecent) state_.recent_fingers.resize(kMostRecent);
   }
+  export_action_->setEnabled(!folder.empty());
   fill_recent_menu();
   keep();
 }

@@ -159,44 +159,5 @@ TEST(Files, AReadOnlyFolderIsTold) {
   }
 }
 
-TEST(Files, ExportsCarryTheSameNumbers) {
-  const TemporaryFolder folder;
-  write_text(folder / "camera.yaml",
-             "model: brown\nsize: [640, 480]\nfx: 411.5\nfy: 412.25\ncx: 320.5\ncy: 239.75\n"
-             "distortion: [-0.11, 0.02, 0.001, -0.002]\norientation: none\n");
-  const std::string finger = (folder / "finger").string();
-  ASSERT_EQ(make_fin_ray(finger, folder / "camera.yaml").status, 0);
-  const ProgramRun run =
-      run_alltact({"export", finger, "--to", "opencv,json", "-o", (folder / "out").string()});
-  ASSERT_EQ(run.status, 0) << run.errors;
-  const cv::FileStorage file((folder / "out").string() + "/camera.opencv.yaml",
-                             cv::FileStorage::READ);
-  ASSERT_TRUE(file.isOpened());
-  cv::Mat matrix, distortion;
-  file["camera_matrix"] >> matrix;
-  file["distortion_coefficients"] >> distortion;
-  EXPECT_EQ(static_cast<int>(file["image_width"]), 640);
-  EXPECT_EQ(matrix.at<double>(0, 0), 411.5);
-  EXPECT_EQ(matrix.at<double>(1, 1), 412.25);
-  EXPECT_EQ(matrix.at<double>(0, 2), 320.5);
-  EXPECT_EQ(matrix.at<double>(1, 2), 239.75);
-  ASSERT_EQ(distortion.total(), 5U);
-  EXPECT_EQ(distortion.at<double>(3), -0.002);
-  EXPECT_EQ(distortion.at<double>(4), 0.0);
-  const auto json = nlohmann::json::parse(text_of(folder.path() / "out" / "calibration.json"));
-  EXPECT_EQ(json.at("camera").at("fy_px"), 412.25);
-  EXPECT_EQ(json.at("face").at("width_mm"), 24.0);
-  EXPECT_FALSE(json.contains("mapping")) << "absent, never zero";
-}
-
-TEST(Files, AnOrthographicCameraHasNoOpenCvForm) {
-  const FlatFinger flat;
-  ASSERT_EQ(flat.make().status, 0);
-  const ProgramRun run =
-      run_alltact({"export", flat.finger(), "--to", "opencv", "-o", flat.file("out")});
-  EXPECT_EQ(run.status, 1);
-  EXPECT_THAT(run.errors, HasSubstr("orthographic"));
-}
-
 }  // namespace
 }  // namespace alltact::test

@@ -1,6 +1,7 @@
 // A newcomer's whole day with the simulated finger, through the program alone.
 #include "calibration/evaluate.h"
 #include "tests/support/program.h"
+#include "tests/support/python_loader.h"
 
 #include <sstream>
 
@@ -164,6 +165,22 @@ void expect_checked_well(const Day& day) {
   EXPECT_NEAR(check_small().at("factor").get<double>(), 1.1, 0.03);
 }
 
+/// Another program, with what was exported for it. The bounds stand in packaging/python/README.md.
+void expect_python_agrees(const Day& day) {
+  std::vector<fs::path> pictures;
+  for (int i = 0; i < 12; ++i)
+    pictures.push_back(day.file(fmt::format("objects/frame_{:05}.png", i)));
+  const DepthDifference difference =
+      python_against_program(day.file("finger"), pictures, day.file("results"));
+  std::printf("Python: %s\n", difference.words().c_str());
+  ASSERT_GT(difference.in_contact.size(), 10000U);
+  EXPECT_LT(difference.part(difference.all, 0.5), 0.002);
+  EXPECT_LT(difference.part(difference.all, 0.95), 0.02);
+  EXPECT_LT(difference.part(difference.in_contact, 0.5), 0.01);
+  EXPECT_LT(difference.part(difference.in_contact, 0.95), 0.1);
+  EXPECT_LT(difference.missing_part(), 0.01);
+}
+
 TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {
   Day day;
   ASSERT_NO_FATAL_FAILURE(day.prepare(""));
@@ -184,6 +201,7 @@ TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {
     EXPECT_EQ(contact.at("face"), "contact") << line;
   }
   EXPECT_EQ(frames, 12);
+  expect_python_agrees(day);
   expect_checked_well(day);
 }
 

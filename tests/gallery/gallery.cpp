@@ -8,6 +8,7 @@
 #include "widgets/plots/mapping_plot.h"
 #include "widgets/plots/press_error_plot.h"
 #include "widgets/recording/coverage_view.h"
+#include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/shell/settings_dialog.h"
@@ -113,6 +114,10 @@ Shown new_finger_dialog() {
   });
 }
 
+Shown export_dialog() {
+  return std::make_unique<ExportDialog>("/fingers/left-07");
+}
+
 Shown mapping_plot() {
   auto plot = std::make_unique<MappingPlot>();
   MappingPlotData data;
@@ -176,6 +181,7 @@ const std::map<std::string, std::unique_ptr<QWidget> (*)()>& gallery() {
   static const std::map<std::string, Shown (*)()> widgets{{"control_panel", control_panel},
                                                           {"coverage_view", coverage_view},
                                                           {"empty_recording", empty_recording},
+                                                          {"export_dialog", export_dialog},
                                                           {"image_view", image_view},
                                                           {"mapping_plot", mapping_plot},
                                                           {"new_finger_dialog", new_finger_dialog},

@@ -4,6 +4,7 @@
 #include "tests/gallery/gallery.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/picture_match.h"
+#include "tests/support/same_everywhere.h"
 
 #include <QPainter>
 
@@ -17,27 +18,6 @@ namespace fs = std::filesystem;
 QString text_of(const fs::path& path) {
   return QString::fromStdString(path.string());
 }
-
-/// The same letters on every computer, and no cursor that is sometimes there.
-class SameEverywhere {
- public:
-  SameEverywhere() : font_(QApplication::font()), flash_(QApplication::cursorFlashTime()) {
-    QFont font(QStringLiteral("DejaVu Sans"), 9);
-    font.setHintingPreference(QFont::PreferNoHinting);
-    QApplication::setFont(font);
-    QApplication::setCursorFlashTime(0);
-  }
-  ~SameEverywhere() {
-    QApplication::setFont(font_);
-    QApplication::setCursorFlashTime(flash_);
-  }
-  SameEverywhere(const SameEverywhere&) = delete;
-  SameEverywhere& operator=(const SameEverywhere&) = delete;
-
- private:
-  QFont font_;
-  int flash_;
-};
 
 void expect_as_kept(const QImage& seen, const std::string& name) {
   const fs::path kept = fs::path(ALLTACT_SOURCE_DIR) / "tests/studio/baselines" / (name + ".png");
@@ -73,6 +53,8 @@ INSTANTIATE_TEST_SUITE_P(Gallery,
                                          Kept{"coverage_view", {300, 300}, Theme::kHighContrast},
                                          Kept{"empty_recording", {900, 600}},
                                          Kept{"empty_recording", {900, 600}, Theme::kDark},
+                                         Kept{"export_dialog", {620, 460}},
+                                         Kept{"export_dialog", {620, 460}, Theme::kDark},
                                          Kept{"image_view", {480, 270}},
                                          Kept{"mapping_plot", {420, 280}},
                                          Kept{"mapping_plot", {420, 280}, Theme::kDark},

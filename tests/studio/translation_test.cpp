@@ -1,6 +1,7 @@
 // Every text can be translated, is translated, and has room for longer words.
 #include "tests/studio/calibrate_rig.h"
 #include "tests/support/program.h"
+#include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/settings_dialog.h"
 
@@ -189,6 +190,11 @@ TEST_F(PseudoLanguage, NothingIsLeftOutAndNothingIsClipped) {
   finger.show();
   QTest::qWait(50);
   look_through(finger);
+  ExportDialog exported(MadeFingers::get().calibrated());
+  exported.show();
+  QTest::qWait(50);
+  look_through(exported);
+  exported.grab().save(QStringLiteral(ALLTACT_SCREENS "/pseudo_export.png"));
 }
 
 TEST_F(PseudoLanguage, NothingIsLeftOutOfCalibrate) {

@@ -3,6 +3,7 @@
 #include "tests/studio/loop_watch_rig.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/program.h"
+#include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/settings_dialog.h"
 
@@ -186,6 +187,9 @@ TEST(Window, EveryControlHasANameAndARole) {
   SettingsDialog settings({});
   settings.show();
   expect_names(settings);
+  ExportDialog exported(MadeFingers::get().calibrated());
+  exported.show();
+  expect_names(exported);
   Studio empty;
   expect_names(empty.window());
 }

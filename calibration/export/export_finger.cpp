@@ -1,0 +1,165 @@
+#include "calibration/export/export_finger.h"
+
+#include "calibration/calibration_inputs.h"
+#include "calibration/export/export_texts.h"
+#include "core/io/atomic_file.h"
+#include "core/io/zip_file.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file with its whole content.
+struct Part {
+  fs::path name;
+  std::string content;
+};
+
+struct Texts {
+  ExportForm form;
+  const char* name;
+  Result<std::string> (*make)(const Finger&);
+};
+constexpr Texts kTexts[] = {{ExportForm::kOpencv, "camera.opencv.yaml", opencv_camera},
+                            {ExportForm::kRos, "camera_info.yaml", ros_camera_info},
+                            {ExportForm::kRos, "parameters.yaml", ros_parameters},
+                            {ExportForm::kJson, "calibration.json", calibration_json}};
+constexpr const char* kZipName = "finger.zip";
+
+bool wants(const std::vector<ExportForm>& forms, ExportForm form) {
+  return std::find(forms.begin(), forms.end(), form) != forms.end();
+}
+
+Result<std::vector<Part>> texts(const Finger& finger,
+                                const fs::path& finger_folder,
+                                const std::vector<ExportForm>& forms) {
+  std::vector<Part> parts;
+  for (const Texts& one : kTexts) {
+    if (!wants(forms, one.form)) continue;
+    auto content = one.make(finger);
+    if (!content) {
+      Error error = content.error();
+      if (error.where.empty()) error.where = finger_folder.string();
+      return error;
+    }
+    parts.push_back({one.name, std::move(content).value()});
+  }
+  return parts;
+}
+
+/// "" is below everything.
+bool is_below(const fs::path& inner, const fs::path& outer) {
+  std::error_code ignored;
+  const fs::path a = fs::weakly_canonical(inner / "", ignored),
+                 b = fs::weakly_canonical(outer / "", ignored);
+  const auto ends = std::mismatch(b.begin(), b.end(), a.begin(), a.end());
+  return ends.first == b.end() || ends.first->empty();
+}
+
+/// Every file of the finger's folder, in the order of their names. Error: something that a zip
+/// cannot hold; nothing is left out in silence.
+Result<std::vector<ZipEntry>> files_below(const fs::path& finger_folder) {
+  std::vector<ZipEntry> entries;
+  std::error_code failed;
+  fs::recursive_directory_iterator entry(finger_folder, failed);
+  for (; !failed && entry != fs::recursive_directory_iterator(); entry.increment(failed)) {
+    std::error_code ignored;
+    const bool is_folder = entry->is_directory(ignored);
+    if (is_folder && !entry->is_symlink(ignored)) continue;
+    if (is_folder || !entry->is_regular_file(ignored))
+      return Error{is_folder ? "is a link to another folder, which a zip cannot hold"
+                             : "is neither a file nor a folder, so a zip cannot hold it",
+                   entry->path().string(),
+                   "moving it out of the finger's folder"};
+    const fs::path name = "finger" / entry->path().lexically_relative(finger_folder);
+    entries.push_back({name.generic_string(), entry->path(), {}});
+  }
+  if (failed)
+    return Error{"the finger's folder could not be read: " + failed.message(),
+                 finger_folder.string(),
+                 "its permissions, and that its disk is there"};
+  std::sort(entries.begin(), entries.end(), [](const ZipEntry& a, const ZipEntry& b) {
+    return a.name < b.name;
+  });
+  return entries;
+}
+
+Result<std::vector<ZipEntry>> zip_entries(const Finger& finger,
+                                          const fs::path& finger_folder,
+                                          const fs::path& folder) {
+  if (is_below(folder, finger_folder))
+    return Error{"a zip of the finger cannot lie in the finger's own folder",
+                 folder.string(),
+                 "another folder"};
+  auto json = calibration_json(finger);
+  if (!json) return json.error();
+  auto entries = files_below(finger_folder);
+  if (!entries) return entries.error();
+  entries->insert(entries->begin(), {"calibration.json", {}, std::move(json).value()});
+  return entries;
+}
+
+}  // namespace
+
+const std::vector<ExportFormInfo>& export_forms() {
+  static const std::vector<ExportFormInfo> forms = {
+      {ExportForm::kOpencv, "opencv", "camera.opencv.yaml"},
+      {ExportForm::kRos, "ros", "camera_info.yaml, parameters.yaml"},
+      {ExportForm::kJson, "json", "calibration.json"},
+      {ExportForm::kZip, "zip", kZipName}};
+  return forms;
+}
+
+std::optional<ExportForm> export_form_from(std::string_view word) {
+  for (const ExportFormInfo& info : export_forms())
+    if (info.word == word) return info.form;
+  return std::nullopt;
+}
+
+std::string export_command(const fs::path& finger_folder,
+                           const std::vector<ExportForm>& forms,
+                           const fs::path& folder) {
+  std::vector<std::string_view> words;
+  for (const ExportFormInfo& info : export_forms())
+    if (wants(forms, info.form)) words.push_back(info.word);
+  return fmt::format("alltact export {} --to {} -o {}",
+                     shell_quoted(finger_folder.string()),
+                     fmt::join(words, ","),
+                     shell_quoted(folder.string()));
+}
+
+Status export_finger(const Finger& finger,
+                     const fs::path& finger_folder,
+                     const std::vector<ExportForm>& forms,
+                     const fs::path& folder,
+                     const Job& job,
+                     std::vector<fs::path>* written) {
+  const auto parts = texts(finger, finger_folder, forms);
+  if (!parts) return parts.error();
+  std::optional<std::vector<ZipEntry>> entries;
+  if (wants(forms, ExportForm::kZip)) {
+    auto found = zip_entries(finger, finger_folder, folder);
+    if (!found) return found.error();
+    entries = std::move(found).value();
+  }
+  if (Status status = make_folder(folder); !status) return status;
+  const auto done = [&](const fs::path& file) {
+    if (written != nullptr) written->push_back(file);
+  };
+  for (const Part& part : *parts) {
+    const fs::path file = folder / part.name;
+    if (job.stop_requested()) return Error{"stopped before it was written", file.string(), ""};
+    if (Status status = write_file_atomically(file, part.content); !status) return status;
+    done(file);
+  }
+  if (!entries) return {};
+  const fs::path file = folder / kZipName;
+  if (Status status = write_zip(file, *entries, job); !status) return status;
+  done(file);
+  return {};
+}
+
+}  // namespace alltact

@@ -1,0 +1,53 @@
+// A finger's calibration for other programs: the same files from the window and the command line.
+#pragma once
+
+#include "core/finger/finger.h"
+#include "core/job.h"
+#include "core/result.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alltact {
+
+enum class ExportForm { kOpencv = 1, kRos, kJson, kZip };
+
+/// What is written in a form, and how files and command line call it.
+struct ExportFormInfo {
+  ExportForm form;
+  std::string_view word;   ///< "opencv"
+  std::string_view files;  ///< "camera.opencv.yaml"
+};
+/// All there are, in the order in which they are written.
+[[nodiscard]] const std::vector<ExportFormInfo>& export_forms();
+[[nodiscard]] std::optional<ExportForm> export_form_from(std::string_view word);
+
+/// The command that writes the same files in a terminal.
+[[nodiscard]] std::string export_command(const std::filesystem::path& finger_folder,
+                                         const std::vector<ExportForm>& forms,
+                                         const std::filesystem::path& folder);
+
+/// Writes these forms to `folder`, which is made if it is not there; files of an earlier export are
+/// replaced, each whole or not at all.
+///   opencv  camera.opencv.yaml: camera matrix and distortion, for cv::FileStorage
+///   ros     camera_info.yaml, as camera_calibration_parsers reads it, and parameters.yaml for a
+///           ROS 2 node: face, markers, mapping, with the units in the names
+///   json    calibration.json: all that measuring needs but the reference pictures
+///   zip     finger.zip: calibration.json and, below finger/, every file of the finger's folder;
+///           the same finger gives the same bytes
+/// Pixels are those of the picture turned as the camera's orientation says.
+/// Nothing is written when one of the forms cannot express the finger (an orthographic camera or
+/// one behind a window has no camera matrix), or a zip would lie in the finger's folder. Other
+/// errors: a disk that cannot be read or written, stopped by `job`; what was written before stays.
+/// `written`: may be null; what is there, also when an error is returned.
+[[nodiscard]] Status export_finger(const Finger& finger,
+                                   const std::filesystem::path& finger_folder,
+                                   const std::vector<ExportForm>& forms,
+                                   const std::filesystem::path& folder,
+                                   const Job& job,
+                                   std::vector<std::filesystem::path>* written);
+
+}  // namespace alltact

@@ -1,0 +1,18 @@
+// What each exported file says. Numbers have all their digits and never depend on the locale.
+#pragma once
+
+#include "core/finger/finger.h"
+#include "core/result.h"
+
+#include <string>
+
+namespace alltact {
+
+/// Error: the camera has no camera matrix; `where` is empty.
+[[nodiscard]] Result<std::string> opencv_camera(const Finger& finger);
+[[nodiscard]] Result<std::string> ros_camera_info(const Finger& finger);
+/// Error: the mapping is none.
+[[nodiscard]] Result<std::string> ros_parameters(const Finger& finger);
+[[nodiscard]] Result<std::string> calibration_json(const Finger& finger);
+
+}  // namespace alltact

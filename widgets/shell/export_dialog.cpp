@@ -1,0 +1,237 @@
+#include "widgets/shell/export_dialog.h"
+
+#include "core/finger/finger.h"
+
+#include <QClipboard>
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kIndent = 26;  // what a form is for stands below its words, not below the box
+
+QString text_of(const fs::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
+    : Translated(parent),
+      finger_((finger / "").parent_path()),
+      intro_(new QLabel),
+      folder_label_(new QLabel),
+      folder_(new QLineEdit),
+      command_(new QLineEdit),
+      choose_(new QPushButton),
+      copy_(new QPushButton),
+      write_(new QPushButton),
+      stop_(new QPushButton),
+      progress_(new QProgressBar),
+      outcome_(new ProblemList),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
+  auto* column = new QVBoxLayout(this);
+  intro_->setWordWrap(true);
+  column->addWidget(intro_);
+  column->addLayout(make_forms());
+  column->addLayout(make_folder_row());
+  column->addLayout(make_command_row());
+  column->addWidget(outcome_);
+  column->addStretch(1);
+  auto* row = new QHBoxLayout;
+  buttons_->addButton(write_, QDialogButtonBox::ActionRole);
+  // Return exports, wherever the focus is.
+  for (QPushButton* button : {choose_, copy_, stop_, buttons_->button(QDialogButtonBox::Close)})
+    button->setAutoDefault(false);
+  write_->setDefault(true);
+  row->addWidget(progress_, 1);
+  row->addWidget(stop_);
+  row->addStretch();
+  row->addWidget(buttons_);
+  column->addLayout(row);
+  folder_->setText(text_of(finger_.parent_path() / (finger_.filename().string() + "-export")));
+  connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::show_command);
+  connect(choose_, &QPushButton::clicked, this, &ExportDialog::choose_folder);
+  connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
+  connect(stop_, &QPushButton::clicked, &work_, &BackgroundWork::stop);
+  connect(copy_, &QPushButton::clicked, this, [this] {
+    QGuiApplication::clipboard()->setText(command_line());
+  });
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(&work_, &BackgroundWork::progressed, this, [this] {
+    progress_->setValue(static_cast<int>(std::lround(100 * work_.fraction())));
+  });
+  say([this] {
+    setWindowTitle(tr("Export finger"));
+    intro_->setText(
+        tr("What finger %1 has learnt, for other programs.").arg(text_of(finger_.filename())));
+    name_forms();
+    folder_label_->setText(tr("&Folder for the files"));
+    folder_->setAccessibleName(tr("Folder for the files"));
+    choose_->setText(tr("Choose…"));
+    choose_->setAccessibleName(tr("Choose the folder"));
+    command_->setAccessibleName(tr("The same as a command line"));
+    copy_->setText(tr("Copy as command &line"));
+    progress_->setAccessibleName(tr("Progress of the export"));
+    stop_->setText(tr("&Stop"));
+    write_->setText(tr("&Export"));
+    buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+  });
+  show_command();
+  show_running(false);
+  resize(620, 460);
+}
+
+QLayout* ExportDialog::make_forms() {
+  auto* column = new QVBoxLayout;
+  column->setSpacing(2);
+  for (const ExportFormInfo& info : export_forms()) {
+    const Form form{info.form, new QCheckBox, new QLabel};
+    form.wanted->setObjectName(
+        QString::fromUtf8(info.word.data(), static_cast<int>(info.word.size())));
+    form.wanted->setChecked(info.form == ExportForm::kJson || info.form == ExportForm::kZip);
+    form.what_for->setWordWrap(true);
+    form.what_for->setContentsMargins(kIndent, 0, 0, 8);
+    column->addWidget(form.wanted);
+    column->addWidget(form.what_for);
+    connect(form.wanted, &QCheckBox::toggled, this, &ExportDialog::show_command);
+    forms_.push_back(form);
+  }
+  return column;
+}
+
+QLayout* ExportDialog::make_folder_row() {
+  auto* row = new QHBoxLayout;
+  folder_label_->setBuddy(folder_);
+  folder_->setMinimumWidth(260);
+  row->addWidget(folder_label_);
+  row->addWidget(folder_, 1);
+  row->addWidget(choose_);
+  return row;
+}
+
+QLayout* ExportDialog::make_command_row() {
+  auto* row = new QHBoxLayout;
+  QFont mono(QStringLiteral("monospace"));
+  mono.setStyleHint(QFont::Monospace);
+  command_->setFont(mono);
+  command_->setReadOnly(true);
+  row->addWidget(command_, 1);
+  row->addWidget(copy_);
+  return row;
+}
+
+void ExportDialog::name_forms() {
+  for (const Form& form : forms_) {
+    QString name, what_for;
+    switch (form.form) {
+      case ExportForm::kOpencv:
+        name = tr("&OpenCV: camera.opencv.yaml");
+        what_for = tr("Camera matrix and distortion, for cv::FileStorage.");
+        break;
+      case ExportForm::kRos:
+        name = tr("&ROS: camera_info.yaml and parameters.yaml");
+        what_for =
+            tr("The camera as drivers and image_pipeline read it; face, markers and mapping "
+               "as parameters of a ROS 2 node.");
+        break;
+      case ExportForm::kJson:
+        name = tr("&JSON: calibration.json");
+        what_for = tr("All figures in one file, for programs of your own.");
+        break;
+      case ExportForm::kZip:
+        name = tr("&Whole finger: finger.zip");
+        what_for =
+            tr("Every file of the finger, its untouched pictures too: to keep, to send, and "
+               "to measure with in Python.");
+        break;
+    }
+    form.wanted->setText(name);
+    form.wanted->setAccessibleDescription(what_for);
+    form.what_for->setText(what_for);
+  }
+}
+
+std::vector<ExportForm> ExportDialog::forms() const {
+  std::vector<ExportForm> chosen;
+  for (const Form& form : forms_)
+    if (form.wanted->isChecked()) chosen.push_back(form.form);
+  return chosen;
+}
+
+QString ExportDialog::command_line() const {
+  return QString::fromStdString(
+      export_command(finger_, forms(), folder_->text().trimmed().toStdString()));
+}
+
+void ExportDialog::choose_folder() {
+  auto* dialog = new QFileDialog(this, tr("Folder for the files"), folder_->text());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, folder_, &QLineEdit::setText);
+  dialog->show();
+}
+
+void ExportDialog::show_command() {
+  const bool is_whole = !forms().empty() && !folder_->text().trimmed().isEmpty();
+  command_->setText(is_whole ? command_line() : QString());
+  command_->setCursorPosition(0);
+  copy_->setEnabled(is_whole);
+}
+
+void ExportDialog::show_running(bool is_running) {
+  for (const Form& form : forms_) form.wanted->setEnabled(!is_running);
+  for (QWidget* part : std::initializer_list<QWidget*>{folder_, choose_, write_})
+    part->setEnabled(!is_running);
+  for (QWidget* part : std::initializer_list<QWidget*>{progress_, stop_})
+    part->setVisible(is_running);
+}
+
+void ExportDialog::write() {
+  const fs::path folder = folder_->text().trimmed().toStdString();
+  std::vector<Problem> problems;
+  if (forms().empty()) problems.push_back({Meaning::kBad, tr("Nothing is chosen."), {}, {}});
+  if (folder.empty()) problems.push_back({Meaning::kBad, tr("No folder is named."), {}, {}});
+  outcome_->set_problems(problems);
+  if (!problems.empty()) return;
+  show_running(true);
+  progress_->setValue(0);
+  work_.start([this, finger_folder = finger_, wanted = forms(), folder](const Job& job) {
+    std::vector<fs::path> written;
+    Status status;
+    if (const auto finger = Finger::load(finger_folder))
+      status = export_finger(*finger, finger_folder, wanted, folder, job, &written);
+    else
+      status = finger.error();
+    return std::function<void()>([this, status, written] {
+      show_running(false);
+      tell(status, written);
+    });
+  });
+}
+
+void ExportDialog::tell(const Status& status, const std::vector<fs::path>& written) {
+  std::vector<Problem> rows;
+  if (!status) rows.push_back(Problem::of(status.error()));
+  if (!written.empty()) {
+    QStringList names;
+    for (const fs::path& file : written) names << text_of(file.filename());
+    const fs::path folder = written.front().parent_path();
+    rows.push_back({Meaning::kGood,
+                    tr("Written: %1.").arg(names.join(QStringLiteral(", "))),
+                    {},
+                    tr("Open the folder"),
+                    [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(text_of(folder))); }});
+  }
+  outcome_->set_problems(rows);
+}
+
+}  // namespace alltact

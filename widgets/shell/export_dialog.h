@@ -1,0 +1,55 @@
+// A finger's calibration for other programs: which forms, where, and what was written.
+#pragma once
+
+#include "calibration/export/export_finger.h"
+#include "widgets/background_work.h"
+#include "widgets/shell/problem_list.h"
+
+#include <QCheckBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <filesystem>
+#include <vector>
+
+namespace alltact {
+
+class ExportDialog : public Translated<QDialog> {
+  Q_OBJECT
+ public:
+  /// `finger`: its folder. Into a folder beside it unless another one is chosen.
+  explicit ExportDialog(const std::filesystem::path& finger, QWidget* parent = nullptr);
+  [[nodiscard]] std::vector<ExportForm> forms() const;
+  [[nodiscard]] QString command_line() const;
+
+ private:
+  struct Form {
+    ExportForm form;
+    QCheckBox* wanted;
+    QLabel* what_for;
+  };
+  [[nodiscard]] QLayout* make_forms();
+  [[nodiscard]] QLayout* make_folder_row();
+  [[nodiscard]] QLayout* make_command_row();
+  void name_forms();
+  void choose_folder();
+  void show_command();
+  void show_running(bool is_running);
+  void write();
+  void tell(const Status& status, const std::vector<std::filesystem::path>& written);
+
+  const std::filesystem::path finger_;
+  std::vector<Form> forms_;
+  QLabel *intro_, *folder_label_;
+  QLineEdit *folder_, *command_;
+  QPushButton *choose_, *copy_, *write_, *stop_;
+  QProgressBar* progress_;
+  ProblemList* outcome_;
+  QDialogButtonBox* buttons_;
+  BackgroundWork work_;
+};
+
+}  // namespace alltact
