@@ -136,7 +136,7 @@ Result<Measured> measure_all(const std::vector<fs::path>& pictures,
       all.left_out.push_back(
           fmt::format("{}: {}",
                       (*frame)->name,
-                      result->problems.empty() ? "no face was found" : result->problems.front()));
+                      result->problems.empty() ? "no face was found." : result->problems.front()));
       continue;
     }
     const double light = result->difference->light.change();
@@ -291,10 +291,12 @@ Result<PressCheck> check_with_presses(const PressCheckInput& input,
   if (!measured) return measured.error();
   check.presses = std::move(measured->presses);
   check.left_out = std::move(measured->left_out);
-  if (check.presses.empty())
-    return Error{fmt::format("no press can be used: {}", fmt::join(check.left_out, " ")),
-                 "",
-                 "pictures of this finger with the ball pressed 0.3 mm or more into its face"};
+  if (check.presses.empty()) {
+    std::string what = fmt::format("no press can be used: {}", fmt::join(check.left_out, " "));
+    if (what.ends_with('.')) what.pop_back();  // Error adds the full stop
+    return Error{
+        what, "", "pictures of this finger with the ball pressed 0.3 mm or more into its face"};
+  }
   job.report(0.6, "measuring the presses of the calibration");
   const auto own = own_presses(input.folder, *pipeline, *mapping, job);
   if (job.stop_requested()) return stopped();

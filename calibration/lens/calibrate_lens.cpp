@@ -62,7 +62,7 @@ void put_repeats_aside(LensCalibration& calibration, cv::Size size) {
     if (calibration.used.begin() + static_cast<std::ptrdiff_t>(i) == same) {
       ++i;
     } else {
-      put_aside(calibration, i, "shows the board just where " + same->name + " shows it");
+      put_aside(calibration, i, fmt::format("shows the board just where {} shows it", same->name));
     }
   }
 }

@@ -140,11 +140,11 @@ bool YamlSection::has(const std::string& key) const {
 YamlSection::Entry& YamlSection::required(const std::string& key) {
   for (Entry& entry : entries_)
     if (entry.key == key) return entry.is_read = true, entry;
-  throw Refused{file_->error(
-      "is missing",
-      line_,
-      full_name(key),
-      fmt::format("add '{}: ...'{}", key, name_.empty() ? "" : " under '" + name_ + ":'"))};
+  throw Refused{file_->error("is missing",
+                             line_,
+                             full_name(key),
+                             name_.empty() ? fmt::format("add '{}: ...'", key)
+                                           : fmt::format("add '{}: ...' under '{}:'", key, name_))};
 }
 
 void YamlSection::refuse(const std::string& key, std::string what, std::string advice) const {

@@ -60,11 +60,13 @@ Error not_decodable(const std::filesystem::path& file) {
 
 std::optional<Error> unfit_for_grey(const PictureHeader& header) {
   if (header.is_float || header.bits > 8)
-    return Error{fmt::format("the picture has {} bits per channel{}; 8 are needed",
-                             header.bits,
-                             header.is_float ? " (floating point)" : ""),
-                 "",
-                 "the camera's 8-bit pictures"};
+    return Error{
+        header.is_float
+            ? fmt::format("the picture has {} bits per channel (floating point); 8 are needed",
+                          header.bits)
+            : fmt::format("the picture has {} bits per channel; 8 are needed", header.bits),
+        "",
+        "the camera's 8-bit pictures"};
   if (header.has_transparency)
     return Error{"the picture has transparent parts; a camera takes none",
                  "",

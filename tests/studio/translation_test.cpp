@@ -1,9 +1,11 @@
 // Every text can be translated, is translated, and has room for longer words.
 #include "tests/studio/calibrate_rig.h"
 #include "tests/support/program.h"
+#include "tests/support/ts_file.h"
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/settings_dialog.h"
+#include "widgets/words/catalogue.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -12,41 +14,12 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QTranslator>
-#include <QXmlStreamReader>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace alltact::test {
 namespace {
-
-struct Message {
-  QString source;
-  QStringList translations;
-  bool is_finished = true;
-};
-
-std::vector<Message> messages_of(const std::filesystem::path& file) {
-  QFile text(QString::fromStdString(file.string()));
-  EXPECT_TRUE(text.open(QIODevice::ReadOnly)) << file;
-  QXmlStreamReader xml(&text);
-  std::vector<Message> messages;
-  while (!xml.atEnd()) {
-    xml.readNext();
-    if (!xml.isStartElement()) continue;
-    if (xml.name() == QLatin1String("message")) messages.emplace_back();
-    if (xml.name() == QLatin1String("source")) messages.back().source = xml.readElementText();
-    if (xml.name() == QLatin1String("numerusform"))
-      messages.back().translations << xml.readElementText();
-    if (xml.name() == QLatin1String("translation")) {
-      messages.back().is_finished = !xml.attributes().hasAttribute(QStringLiteral("type"));
-      const QString plain = xml.readElementText(QXmlStreamReader::IncludeChildElements);
-      if (!plain.trimmed().isEmpty()) messages.back().translations << plain;
-    }
-  }
-  EXPECT_FALSE(xml.hasError()) << file << xml.errorString().toStdString();
-  return messages;
-}
 
 QStringList places_in(const QString& text) {
   static const QRegularExpression form(QStringLiteral("%(n|[1-9])"));
@@ -61,15 +34,13 @@ QStringList places_in(const QString& text) {
 const std::string kSpoken =
     "widgets/calibrating widgets/controls widgets/inspect widgets/live widgets/picture "
     "widgets/places widgets/plots widgets/recording widgets/report/calibration_figures.cpp "
-    "widgets/shell app/studio";
+    "widgets/shell widgets/words app/studio";
 
 class Language : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Ts, Language, testing::Values("de", "zh_CN"));
 
 TEST_P(Language, IsCompleteAndKeepsWhatIsFilledIn) {
-  const auto file = std::filesystem::path(ALLTACT_SOURCE_DIR) / "translations" /
-                    (std::string("alltact_") + GetParam() + ".ts");
-  const auto messages = messages_of(file);
+  const auto messages = messages_of(ts_file(GetParam()));
   EXPECT_GT(messages.size(), 200U);
   for (const Message& message : messages) {
     EXPECT_TRUE(message.is_finished) << message.source.toStdString();
@@ -103,7 +74,8 @@ class Pseudo : public QTranslator {
                                   const char* source,
                                   const char* /*disambiguation*/,
                                   int n) const override {
-    if (!QByteArray(context).startsWith("alltact")) return {};
+    if (!QByteArray(context).startsWith("alltact") && QByteArray(context) != kLibraryContext)
+      return {};
     QString text = QString::fromUtf8(source);
     if (n >= 0) text.replace(QLatin1String("%n"), QString::number(n));
     return kOpen + text + QString(text.size() / 3, QLatin1Char('~')) + kClose;
