@@ -1,5 +1,7 @@
 #include "widgets/background_work.h"
 
+#include "widgets/words/library_words.h"
+
 #include <thread>
 
 namespace alltact {
@@ -62,7 +64,7 @@ void BackgroundWork::look() {
   {
     const std::lock_guard lock(shared_->mutex);
     fraction_ = shared_->fraction;
-    what_ = QString::fromStdString(shared_->what);
+    what_ = in_window_language(shared_->what);
     is_done = shared_->is_done;
     at_end = std::move(shared_->at_end);
   }

@@ -92,7 +92,7 @@ void MainWindow::add_source_problems(const LiveStatus& status,
   }
   if (status.desk.problem) problems.push_back(Problem::of(*status.desk.problem));
   if (!status.remark.empty())
-    problems.push_back({Meaning::kDoubtful, QString::fromStdString(status.remark), {}, {}, {}});
+    problems.push_back(Problem::of(Error{status.remark, "", ""}, Meaning::kDoubtful));
 }
 
 void MainWindow::add_finger_problems(const LiveStatus& status,
@@ -100,14 +100,13 @@ void MainWindow::add_finger_problems(const LiveStatus& status,
   const FingerStatus& finger = status.finger;
   if (finger.problem) problems.push_back(Problem::of(*finger.problem));
   for (const std::string& warning : finger.warnings)
-    problems.push_back({Meaning::kDoubtful, QString::fromStdString(warning), {}, {}, {}});
+    problems.push_back(Problem::of(Error{warning, "", ""}, Meaning::kDoubtful));
   const auto& view = session_.view();
   if (view && view->watched.problem) problems.push_back(Problem::of(*view->watched.problem));
   if (view && finger.finger && finger.has_reference && view->watched.result.frame) {
     const std::string other =
         other_settings_than_stored(*view->watched.result.frame, *finger.finger);
-    if (!other.empty())
-      problems.push_back({Meaning::kDoubtful, QString::fromStdString(other), {}, {}, {}});
+    if (!other.empty()) problems.push_back(Problem::of(Error{other, "", ""}, Meaning::kDoubtful));
   }
   const bool is_own = finger.state == FingerState::kReady && !finger.folder.empty();
   if (is_own && finger.finger->face.kind == FaceKind::kFinRay && !finger.has_reference)

@@ -2,6 +2,7 @@
 #include "tests/studio/calibrate_rig.h"
 #include "tests/support/program.h"
 #include "tests/support/ts_file.h"
+#include "tests/support/words_left.h"
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/settings_dialog.h"
@@ -10,6 +11,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGroupBox>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -77,6 +79,8 @@ class Pseudo : public QTranslator {
     if (!QByteArray(context).startsWith("alltact") && QByteArray(context) != kLibraryContext)
       return {};
     QString text = QString::fromUtf8(source);
+    // No blank, so that what a library said and nobody translated is told apart.
+    if (QByteArray(context) == kLibraryContext) text.replace(QLatin1Char(' '), QChar{0xa0});
     if (n >= 0) text.replace(QLatin1String("%n"), QString::number(n));
     return kOpen + text + QString(text.size() / 3, QLatin1Char('~')) + kClose;
   }
@@ -100,6 +104,7 @@ class PseudoLanguage : public testing::Test {
   static void expect_translated(const QString& text, const char* what) {
     if (!is_text(text)) return;
     EXPECT_TRUE(text.contains(Pseudo::kOpen)) << what << ": " << text.toStdString();
+    EXPECT_TRUE(words_left(text).isEmpty()) << what << ": " << text.toStdString();
   }
   static void look_through(const QWidget& root) {
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
@@ -117,6 +122,8 @@ class PseudoLanguage : public testing::Test {
               << "clipped: " << button->text().toStdString();
         }
       }
+      if (const auto* list = qobject_cast<const QListWidget*>(widget))
+        for (int i = 0; i < list->count(); ++i) expect_translated(list->item(i)->text(), "item");
       if (const auto* group = qobject_cast<const QGroupBox*>(widget))
         expect_translated(group->title(), "group");
       if (const auto* label = qobject_cast<const QLabel*>(widget)) {
@@ -174,6 +181,8 @@ TEST_F(PseudoLanguage, NothingIsLeftOutOfCalibrate) {
   rig.open();
   rig.desk().set_radius(4);
   ASSERT_TRUE(rig.wait_until_looked_at(2));
+  rig.run().start();
+  ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
   speak();
   int step = 0;
   for (auto* button : rig.place().findChild<StepList*>()->findChildren<QToolButton*>()) {
@@ -184,7 +193,17 @@ TEST_F(PseudoLanguage, NothingIsLeftOutOfCalibrate) {
     rig.studio().window().grab().save(
         QStringLiteral(ALLTACT_SCREENS "/pseudo_calibrate_%1.png").arg(++step));
   }
-  EXPECT_EQ(step, 4) << "lens, finger, presses, mapping";
+  EXPECT_EQ(step, 6) << "lens, finger, presses, mapping, verdict, check";
+}
+
+TEST_F(PseudoLanguage, NothingIsLeftOutOfWhatIsWrong) {
+  StudioOptions options;
+  options.source = {"/nowhere/video.mkv"};
+  options.finger = "/nowhere/finger";
+  Studio studio(options);
+  ASSERT_TRUE(wait_until([&] { return !studio.problems().empty(); }));
+  speak();
+  look_through(studio.window());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "calibration/calibration_report.h"
 #include "core/io/atomic_file.h"
+#include "widgets/words/library_words.h"
 
 #include <QUndoCommand>
 #include <algorithm>
@@ -105,8 +106,7 @@ CalibrationRun::CalibrationRun(PressDesk& desk,
   });
   connect(&process_, &QProcess::finished, this, [this](int status) {
     has_report_ = status == 0;
-    if (!has_report_)
-      report_problem_ = QString::fromUtf8(process_.readAllStandardError()).trimmed();
+    if (!has_report_) report_errors_ = process_.readAllStandardError().trimmed().toStdString();
     Q_EMIT changed();
   });
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
@@ -201,6 +201,7 @@ void CalibrationRun::start() {
   if (is_running()) return;
   end_report();
   report_problem_.clear();
+  report_errors_.clear();
   FingerCalibrationInput input = input_for(desk_.notes());
   input.date = utc_now();
   struct Done {
@@ -233,6 +234,10 @@ void CalibrationRun::start() {
 
 void CalibrationRun::stop() {
   work_.stop();
+}
+
+QString CalibrationRun::report_problem() const {
+  return report_errors_.empty() ? report_problem_ : in_window_language(report_errors_);
 }
 
 void CalibrationRun::write_report() {

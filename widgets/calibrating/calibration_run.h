@@ -51,7 +51,7 @@ class CalibrationRun : public QObject {
   [[nodiscard]] bool is_writing_report() const { return process_.state() != QProcess::NotRunning; }
   /// The page to open; empty while there is none of this calibration.
   [[nodiscard]] std::filesystem::path report() const;
-  [[nodiscard]] const QString& report_problem() const { return report_problem_; }
+  [[nodiscard]] QString report_problem() const;
 
  Q_SIGNALS:
   void changed();
@@ -84,6 +84,7 @@ class CalibrationRun : public QObject {
   std::filesystem::path looked_at_;
   bool has_report_ = false;
   QString report_problem_;
+  std::string report_errors_;  ///< what the command line said that wrote it
   QProcess process_;
   int restored_ = 0, told_ = 0;  // counts
   BackgroundWork work_, loading_, writing_;

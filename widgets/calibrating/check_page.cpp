@@ -6,6 +6,7 @@
 #include "widgets/shell/icons.h"
 #include "widgets/theme.h"
 #include "widgets/value_change.h"
+#include "widgets/words/library_words.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -298,7 +299,7 @@ void CheckPage::show_verdict() {
                             devicePixelRatioF()));
   verdict_->setText(verdict_text(latest.verdict));
   sentence_->setText(last_ && last_->verdict == latest.verdict
-                         ? sentence(last_->sentence)
+                         ? window_sentence(last_->sentence)
                          : tr("Checked last on %1.").arg(as_text(latest.time)));
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/calibrating/lens_page.h"
 
 #include "core/io/atomic_file.h"
+#include "widgets/words/library_words.h"
 
 #include <QFileDialog>
 #include <QFormLayout>
@@ -39,7 +40,7 @@ QString camera_text(const CameraParameters& camera, const LensRecord& record) {
   text += QLatin1Char('.');
   if (const auto verdict = record.find("verdict"); verdict != record.end())
     text += QLatin1Char('\n') +
-            LensPage::tr("Its calibration: %1.").arg(QString::fromStdString(verdict->second));
+            LensPage::tr("Its calibration: %1.").arg(in_window_language(verdict->second));
   return text;
 }
 

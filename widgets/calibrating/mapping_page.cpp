@@ -1,6 +1,7 @@
 #include "widgets/calibrating/mapping_page.h"
 
 #include "widgets/report/calibration_figures.h"
+#include "widgets/words/library_words.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -147,7 +148,7 @@ void MappingPage::show_figures() {
   errors_->set_data(press_errors(calibration));
   residual_->set_data(face_figure(FaceQuantity::kResidual, calibration, done->residuals, kind));
   sd_->set_data(face_figure(FaceQuantity::kDepthSd, calibration, done->residuals, kind));
-  text_->setText(tr("Mapping: %1.").arg(QString::fromStdString(calibration.degree_choice)));
+  text_->setText(tr("Mapping: %1.").arg(in_window_language(calibration.degree_choice)));
 }
 
 }  // namespace alltact

@@ -4,6 +4,7 @@
 #include "core/io/picture.h"
 #include "core/sources/source.h"
 #include "widgets/value_change.h"
+#include "widgets/words/library_words.h"
 
 #include <algorithm>
 #include <set>
@@ -369,7 +370,7 @@ void PressDesk::add_files(const std::vector<fs::path>& inputs) {
     }
     return std::function<void()>([this, frames, problem, opened] {
       if (opened != opened_) return;
-      if (problem) return void(Q_EMIT refused(text_of(problem->sentence())));
+      if (problem) return void(Q_EMIT refused(in_window_language(problem->sentence())));
       QStringList twice;
       std::erase_if(*frames, [&](const FramePtr& frame) {
         if (find(frame->name) == nullptr) return false;

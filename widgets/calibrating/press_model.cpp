@@ -1,5 +1,7 @@
 #include "widgets/calibrating/press_model.h"
 
+#include "widgets/words/library_words.h"
+
 #include <QFont>
 #include <QLocale>
 #include <QPixmap>
@@ -36,7 +38,7 @@ QString press_state_text(const DeskPress& press, const PressDesk& desk, const Ca
   if (desk.placed(press.name) != nullptr) return PressModel::tr("ball put by hand");
   if (!press.is_looked_at) return PressModel::tr("being looked at");
   if (press.looked.found_mm) return PressModel::tr("ball found");
-  if (press.looked.problem) return text_of(press.looked.problem->what);
+  if (press.looked.problem) return in_window_language(press.looked.problem->what);
   return PressModel::tr("the ball's radius is missing");
 }
 
@@ -88,7 +90,8 @@ QVariant PressModel::data(const QModelIndex& index, int role) const {
       return QStringLiteral("%1\n%2").arg(text_of(press->name),
                                           press_state_text(*press, desk_, run_));
     case Qt::ToolTipRole:
-      return press->looked.problem ? text_of(press->looked.problem->sentence()) : QString();
+      return press->looked.problem ? in_window_language(press->looked.problem->sentence())
+                                   : QString();
     case Qt::DecorationRole:
       return press->looked.thumbnail.isNull() ? QVariant()
                                               : QPixmap::fromImage(press->looked.thumbnail);

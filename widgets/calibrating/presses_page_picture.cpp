@@ -2,6 +2,7 @@
 #include "calibration/placed_ball.h"
 #include "widgets/calibrating/presses_page.h"
 #include "widgets/picture/overlays.h"
+#include "widgets/words/library_words.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -76,7 +77,7 @@ QString PressesPage::advice_for(const DeskPress& press) const {
   QStringList lines{press_state_text(press, desk_, run_)};
   if (press.looked.problem && desk_.placed(press.name) == nullptr &&
       !press.looked.problem->advice.empty())
-    lines << tr("Try: %1.").arg(text_of(press.looked.problem->advice));
+    lines << tr("Try: %1.").arg(in_window_language(press.looked.problem->advice));
   const auto ball = ball_of(press);
   if (press.is_looked_at && !press.looked.found_mm && desk_.placed(press.name) == nullptr && ball)
     lines << tr("Or drag the outline onto the ball.");

@@ -4,6 +4,7 @@
 #include "widgets/report/report_words.h"
 #include "widgets/shell/icons.h"
 #include "widgets/theme.h"
+#include "widgets/words/library_words.h"
 
 #include <QClipboard>
 #include <QDesktopServices>
@@ -144,7 +145,7 @@ void VerdictPage::show_status() {
   if (known) {
     const std::string& whole = known->sentence;
     const std::size_t colon = whole.find(": ");
-    words = sentence(colon == std::string::npos ? whole : whole.substr(colon + 2));
+    words = window_sentence(colon == std::string::npos ? whole : whole.substr(colon + 2));
   }
   if (run_.state() == CalibrationState::kStale)
     words += QLatin1Char(' ') + tr("The presses have changed since: calibrate again.");
@@ -160,7 +161,7 @@ void VerdictPage::show_status() {
     zones_->setVisible(shown_ != nullptr);
     if (shown_)
       zones_->setText(
-          tr("By zone of the face: %1.").arg(QString::fromStdString(zone_sentence(shown_->zones))));
+          tr("By zone of the face: %1.").arg(in_window_language(zone_sentence(shown_->zones))));
     show_next_press();
     show_remarks();
   }
@@ -177,7 +178,7 @@ void VerdictPage::show_next_press() {
   if (!advice) {
     next_->setText(tr("Nothing can be said about it with these presses."));
   } else {
-    next_->setText(sentence(advice->sentence));
+    next_->setText(window_sentence(advice->sentence));
     if (!advice->enough) {
       const double r = shown_->inputs.ball_radius_mm, d = std::min(advice->depth_mm, r);
       data.contacts.push_back({advice->along_mm,
@@ -195,7 +196,7 @@ void VerdictPage::show_remarks() {
   remarks_group_->setVisible(shown_ != nullptr);
   if (!shown_) return;
   const Calibration& calibration = shown_->calibration;
-  const auto add = [this](const std::string& text) { remarks_->addItem(sentence(text)); };
+  const auto add = [this](const std::string& text) { remarks_->addItem(window_sentence(text)); };
   for (const std::string& sign : shown_->fault_signs) add(sign);
   for (const std::string& warning : shown_->about_settings) add(warning);
   for (const std::string& warning : shown_->warnings) add(warning);

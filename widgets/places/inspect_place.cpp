@@ -5,6 +5,7 @@
 #include "widgets/inspect/save_inspected.h"
 #include "widgets/places/side_panel.h"
 #include "widgets/value_change.h"
+#include "widgets/words/library_words.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -223,7 +224,7 @@ QString InspectPlace::why_nothing() const {
   if (frame && !frame->is_calibrated)
     return tr("The finger is not calibrated yet, so brightness cannot be told as depth.");
   if (frame && !frame->result.problems.empty())
-    return QString::fromStdString(frame->result.problems.front());
+    return window_sentence(frame->result.problems.front());
   if (frame) return tr("The face was not found in this picture.");
   if (session_.status().finger.state == FingerState::kLoading)
     return tr("The finger is being loaded.");
@@ -311,7 +312,7 @@ void InspectPlace::show_saving() {
 
 void InspectPlace::end_saving(const Status& status, const std::filesystem::path& file) {
   saved_->setText(status ? tr("Saved: %1").arg(text_of(file))
-                         : QString::fromStdString(status.error().sentence()));
+                         : window_sentence(status.error().sentence()));
   saved_->setToolTip(saved_->text());
 }
 

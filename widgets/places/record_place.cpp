@@ -1,6 +1,7 @@
 #include "widgets/places/record_place.h"
 
 #include "widgets/places/side_panel.h"
+#include "widgets/words/library_words.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -135,6 +136,7 @@ void RecordPlace::name_parts() {
   stop_install_->setAccessibleDescription(tr("Stops the installation; nothing is changed."));
   bar_->setAccessibleName(tr("Progress of the installation"));
   rejected_->setAccessibleName(tr("Frames that were left out, with the reason"));
+  list_rejected();
   show_status();
   show_coverage();
 }
@@ -229,18 +231,18 @@ void RecordPlace::install() {
     return std::function<void()>([this, report, video] {
       installed_ = video;
       report_ = *report;
-      show_installed(*report);
+      list_rejected();
+      if (*report) Q_EMIT installed();
     });
   });
   show_status();
 }
 
-void RecordPlace::show_installed(const Result<ReferenceReport>& report) {
+void RecordPlace::list_rejected() {
   rejected_->clear();
-  if (!report) return;
-  for (const std::string& reason : report->rejected)
-    rejected_->addItem(QString::fromStdString(reason));
-  Q_EMIT installed();
+  if (!report_ || !*report_) return;
+  for (const std::string& reason : report_->value().rejected)
+    rejected_->addItem(in_window_language(reason));
 }
 
 void RecordPlace::show_status() {

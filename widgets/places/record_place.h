@@ -50,7 +50,7 @@ class RecordPlace : public Translated<QWidget> {
   void propose_file();
   void measure_space();
   void install();
-  void show_installed(const Result<ReferenceReport>& report);
+  void list_rejected();
   void show_status();
   void show_button(const LiveStatus& status);
   void show_progress(const RecordingStatus& recording);

@@ -164,7 +164,7 @@ void RecordPlace::show_problems(const LiveStatus& status) {
          tr("Choose a file on another disk, or make room."));
   if (report_ && report_->ok())
     for (const std::string& warning : report_->value().warnings)
-      note(Meaning::kDoubtful, QString::fromStdString(warning), {});
+      problems.push_back(Problem::of(Error{warning, "", ""}, Meaning::kDoubtful));
   problems_->set_problems(std::move(problems));
 }
 

@@ -2,6 +2,7 @@
 
 #include "widgets/accessible.h"
 #include "widgets/shell/icons.h"
+#include "widgets/words/library_words.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,14 +12,6 @@ namespace alltact {
 namespace {
 
 constexpr int kSymbol = 20;
-
-QString sentence(const std::string& text) {
-  QString whole = QString::fromStdString(text).trimmed();
-  if (whole.isEmpty()) return whole;
-  whole[0] = whole[0].toUpper();
-  if (!whole.endsWith(QLatin1Char('.'))) whole += QLatin1Char('.');
-  return whole;
-}
 
 QString symbol_of(Meaning meaning) {
   switch (meaning) {
@@ -37,10 +30,11 @@ QString symbol_of(Meaning meaning) {
 Problem Problem::of(const Error& error, Meaning meaning) {
   Problem problem;
   problem.meaning = meaning;
-  problem.what = sentence(error.where.empty() ? error.what : error.where + ": " + error.what);
+  problem.told = error;
+  problem.what =
+      window_sentence(error.where.empty() ? error.what : error.where + ": " + error.what);
   if (!error.advice.empty())
-    problem.advice =
-        ProblemList::tr("Try: %1").arg(QString::fromStdString(error.advice) + QLatin1Char('.'));
+    problem.advice = ProblemList::tr("Try: %1").arg(in_window_language(error.advice + "."));
   return problem;
 }
 
@@ -53,8 +47,11 @@ ProblemList::ProblemList(QWidget* parent) : Translated(parent), rows_(new QVBoxL
   rows_->setContentsMargins(0, 0, 0, 0);
   rows_->setSpacing(4);
   set_accessible_role(*this, QAccessible::List);
-  say([this] { setAccessibleName(tr("Problems")); });
   hide();
+  say([this] {
+    setAccessibleName(tr("Problems"));
+    word_anew();
+  });
 }
 
 void ProblemList::set_problems(std::vector<Problem> problems) {
@@ -64,6 +61,16 @@ void ProblemList::set_problems(std::vector<Problem> problems) {
       });
   problems_ = std::move(problems);
   if (!is_same) rebuild();
+}
+
+void ProblemList::word_anew() {
+  for (Problem& problem : problems_)
+    if (problem.told) {
+      Problem anew = Problem::of(*problem.told, problem.meaning);
+      problem.what = std::move(anew.what);
+      problem.advice = std::move(anew.advice);
+    }
+  rebuild();
 }
 
 void ProblemList::rebuild() {

@@ -19,8 +19,11 @@ struct Problem {
   /// A button beside it; empty for none.
   QString action;
   std::function<void()> on_action = {};
+  /// What a library said, from which `what` and `advice` are worded in the window's language.
+  std::optional<Error> told = {};
 
-  /// A core error in place: where it is, what is wrong, what to try.
+  /// A library's error in place: where it is, what is wrong, what to try. Of a warning or a remark,
+  /// which is a sentence alone, it is Error{sentence, "", ""}.
   [[nodiscard]] static Problem of(const Error& error, Meaning meaning = Meaning::kBad);
   [[nodiscard]] bool says_the_same(const Problem& other) const;
 };
@@ -39,6 +42,7 @@ class ProblemList : public Translated<QFrame> {
 
  private:
   void rebuild();
+  void word_anew();
   [[nodiscard]] QWidget* make_row(const Problem& problem);
 
   std::vector<Problem> problems_;

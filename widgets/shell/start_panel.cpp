@@ -1,5 +1,7 @@
 #include "widgets/shell/start_panel.h"
 
+#include "widgets/words/library_words.h"
+
 namespace alltact {
 
 StartPanel::StartPanel(QWidget* parent)
@@ -88,7 +90,7 @@ void StartPanel::show_cameras() {
     cameras_->addWidget(button);
     if (!camera.problem) continue;
     button->setEnabled(false);
-    auto* why = new QLabel(QString::fromStdString(camera.problem->sentence()));
+    auto* why = new QLabel(window_sentence(camera.problem->sentence()));
     why->setWordWrap(true);
     cameras_->addWidget(why);
   }

@@ -1,0 +1,31 @@
+// Finds what the libraries said and nobody translated.
+#pragma once
+
+#include "widgets/words/catalogue.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+
+namespace alltact::test {
+
+/// Stretches of the libraries' English sentences in a text of another language, or of the
+/// pseudo-language, which says no blanks.
+inline QStringList words_left(const QString& text) {
+  static const QStringList kStretches = [] {
+    constexpr qsizetype kTelling = 12;
+    static const QRegularExpression hole(QStringLiteral("%[1-9]"));
+    QStringList stretches;
+    for (const char* pattern : library_patterns())
+      for (const QString& part : QString::fromUtf8(pattern).split(hole))
+        if (const QString words = part.trimmed();
+            words.size() >= kTelling && words.contains(QLatin1Char(' ')))
+          stretches << words;
+    return stretches;
+  }();
+  QStringList left;
+  for (const QString& words : kStretches)
+    if (text.contains(words)) left << words;
+  return left;
+}
+
+}  // namespace alltact::test
