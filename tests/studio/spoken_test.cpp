@@ -37,9 +37,10 @@ QString texts_of(const QWidget& root) {
 
 void expect_nothing_clipped(const QWidget& root) {
   for (const QLabel* label : root.findChildren<QLabel*>())
-    if (label->isVisible() && label->wordWrap())
+    if (label->isVisible() && label->wordWrap()) {
       EXPECT_GE(label->height(), label->heightForWidth(label->width()))
           << "clipped: " << label->text().toStdString();
+    }
 }
 
 /// Says the open window anew in each language, looks for English that is left, and keeps a picture.
@@ -108,7 +109,9 @@ TEST_F(Spoken, TheVerdictTheAdviceAndTheRemarks) {
         rig.studio(),
         QStringLiteral("step_%1").arg(step),
         [&](const std::string& language, const std::string& texts) {
-          if (*step == '4') EXPECT_THAT(texts, HasSubstr(language == "de" ? "Eindrücken" : "按压"));
+          if (*step == '4') {
+            EXPECT_THAT(texts, HasSubstr(language == "de" ? "Abbildung: " : "映射:"));
+          }
           if (*step != '5') return;
           EXPECT_THAT(
               texts,

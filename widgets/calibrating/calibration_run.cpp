@@ -110,7 +110,7 @@ CalibrationRun::CalibrationRun(PressDesk& desk,
     Q_EMIT changed();
   });
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart) report_problem_ = process_.errorString();
+    if (error == QProcess::FailedToStart) start_problem_ = process_.errorString();
     Q_EMIT changed();
   });
 }
@@ -200,7 +200,7 @@ void CalibrationRun::take(const Made& made) {
 void CalibrationRun::start() {
   if (is_running()) return;
   end_report();
-  report_problem_.clear();
+  start_problem_.clear();
   report_errors_.clear();
   FingerCalibrationInput input = input_for(desk_.notes());
   input.date = utc_now();
@@ -237,14 +237,14 @@ void CalibrationRun::stop() {
 }
 
 QString CalibrationRun::report_problem() const {
-  return report_errors_.empty() ? report_problem_ : in_window_language(report_errors_);
+  if (is_program_missing_)
+    return tr("The command line, alltact, is not installed beside this program.");
+  return report_errors_.empty() ? start_problem_ : in_window_language(report_errors_);
 }
 
 void CalibrationRun::write_report() {
-  if (program_.empty()) {
-    report_problem_ = tr("The command line, alltact, is not installed beside this program.");
-    return;
-  }
+  is_program_missing_ = program_.empty();
+  if (is_program_missing_) return;
   process_.start(QString::fromStdString(program_.string()),
                  {QStringLiteral("calibrate"),
                   QString::fromStdString(desk_.folder().string()),

@@ -83,7 +83,8 @@ class CalibrationRun : public QObject {
   std::optional<Error> problem_;
   std::filesystem::path looked_at_;
   bool has_report_ = false;
-  QString report_problem_;
+  bool is_program_missing_ = false;
+  QString start_problem_;      ///< in the system's words
   std::string report_errors_;  ///< what the command line said that wrote it
   QProcess process_;
   int restored_ = 0, told_ = 0;  // counts
