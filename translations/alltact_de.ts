@@ -2088,7 +2088,7 @@
     </message>
     <message>
         <source>no</source>
-        <translation>kein</translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -3745,6 +3745,22 @@
     <message>
         <source>%1 (the first: %2)</source>
         <translation>%1 (das erste: %2)</translation>
+    </message>
+    <message>
+        <source>the finger that belongs to this camera, or this finger&apos;s camera</source>
+        <translation>der Finger, der zu dieser Kamera gehört, oder die Kamera dieses Fingers</translation>
+    </message>
+    <message>
+        <source>stopped by hand</source>
+        <translation>von Hand angehalten</translation>
+    </message>
+    <message>
+        <source>the source ended</source>
+        <translation>die Quelle endete</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
     </message>
 </context>
 <context>

@@ -2020,7 +2020,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1:%2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1; %2</source>
@@ -3745,6 +3745,22 @@
     <message>
         <source>%1 (the first: %2)</source>
         <translation>%1(第一张:%2)</translation>
+    </message>
+    <message>
+        <source>the finger that belongs to this camera, or this finger&apos;s camera</source>
+        <translation>打开属于此相机的手指,或使用此手指的相机</translation>
+    </message>
+    <message>
+        <source>stopped by hand</source>
+        <translation>手动停止</translation>
+    </message>
+    <message>
+        <source>the source ended</source>
+        <translation>来源已结束</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>第 %1 / %2 帧</translation>
     </message>
 </context>
 <context>

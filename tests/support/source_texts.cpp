@@ -100,7 +100,11 @@ class Scanner {
     });
     const bool is_what = !open_.empty() && open_.back() == "Error" && is_first_;
     const bool is_told = is_filled_in || is_what;
-    texts_.push_back({file_, static_cast<int>(line), std::move(text), is_told});
+    static const std::set<std::string> kQt{"QStringLiteral", "QLatin1String", "QT_TRANSLATE_NOOP"};
+    const bool is_qt =
+        is_first_ && !open_.empty() &&
+        (open_.back() == "tr" || open_.back().ends_with("::tr") || kQt.contains(open_.back()));
+    texts_.push_back({file_, static_cast<int>(line), std::move(text), is_told, is_qt});
     is_after_text_ = true;
     is_first_ = false;
   }

@@ -15,6 +15,8 @@ struct SourceText {
   std::string text;
   /// It is what an Error says, or is handed to fmt::format, a report of progress or a remark.
   bool is_told = false;
+  /// It is handed to tr() or its like, or to Qt as it is.
+  bool is_qt = false;
 };
 
 [[nodiscard]] std::vector<SourceText> texts_of(const std::filesystem::path& file);

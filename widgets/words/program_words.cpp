@@ -27,6 +27,10 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "standard output could not be written"),
     QT_TRANSLATE_NOOP("Library", "looking at what reads it"),
     QT_TRANSLATE_NOOP("Library", "'%1' is not excluded"),
+    QT_TRANSLATE_NOOP("Library", "the finger that belongs to this camera, or this finger's camera"),
+    QT_TRANSLATE_NOOP("Library", "stopped by hand"),
+    QT_TRANSLATE_NOOP("Library", "the source ended"),
+    QT_TRANSLATE_NOOP("Library", "frame %1 of %2"),
 };
 
 }  // namespace

@@ -10,6 +10,9 @@ namespace {
 
 constexpr int kFewLetters = 12;
 constexpr int kMostTries = 200;  // of one pattern on one text
+constexpr std::string_view kRow = "%1. %2";
+constexpr std::string_view kEnd = ". ";
+constexpr std::size_t kMostSentences = 4;  // in which one pattern is looked for
 
 int letters_in(std::string_view text) {
   return static_cast<int>(std::count_if(text.begin(), text.end(), [](char letter) {
@@ -49,6 +52,7 @@ SentenceReader::SentenceReader(const std::vector<const char*>& patterns) {
       whole_.emplace(kept->source, kept);
     } else if (kept->pieces.front().empty()) {
       open_.push_back(kept);
+      if (kept->source == kRow) row_ = kept;
     } else {
       by_first_[kept->pieces.front().front()].push_back(kept);
     }
@@ -59,6 +63,11 @@ SentenceReader::SentenceReader(const std::vector<const char*>& patterns) {
 class SentenceReader::Search {
  public:
   Search(const SentenceReader& reader, std::string_view text) : reader_(reader), text_(text) {}
+
+  /// As many letters of the text as the best reading accounts for.
+  [[nodiscard]] int letters_of(std::size_t begin, std::size_t end) {
+    return look_at(begin, end).letters;
+  }
 
   [[nodiscard]] Reading reading_of(std::size_t begin, std::size_t end) {
     const Best best = look_at(begin, end);
@@ -162,7 +171,36 @@ class SentenceReader::Search {
 };
 
 Reading SentenceReader::read(std::string_view text) const {
-  return Search(*this, text).reading_of(0, text.size());
+  Search search(*this, text);
+  std::vector<std::size_t> begins{0};
+  for (std::size_t at = text.find(kEnd); at != std::string_view::npos; at = text.find(kEnd, at + 1))
+    begins.push_back(at + kEnd.size());
+  const std::size_t count = begins.size();
+  if (row_ == nullptr || count <= kMostSentences) return search.reading_of(0, text.size());
+  const auto end_of = [&](std::size_t next) {
+    return next < count ? begins[next] - kEnd.size() : text.size();
+  };
+  // From the back: how many letters the best grouping accounts for, and where its next group
+  // begins.
+  std::vector<int> letters(count + 1);
+  std::vector<std::size_t> next(count);
+  for (std::size_t i = count; i-- > 0;) {
+    letters[i] = -1;
+    for (std::size_t k = i + 1; k <= std::min(i + kMostSentences, count); ++k) {
+      const int sum = search.letters_of(begins[i], end_of(k)) + letters[k];
+      if (sum > letters[i]) letters[i] = sum, next[i] = k;
+    }
+  }
+  if (letters[0] == 0) return {nullptr, std::string(text), {}};
+  std::vector<Reading> groups;
+  for (std::size_t i = 0; i < count; i = next[i])
+    groups.push_back(search.reading_of(begins[i], end_of(next[i])));
+  Reading row = std::move(groups.back());
+  for (std::size_t i = groups.size() - 1; i-- > 0;) {
+    std::vector<Reading> parts{std::move(groups[i]), std::move(row)};
+    row = {row_->source, {}, std::move(parts)};
+  }
+  return row;
 }
 
 }  // namespace alltact

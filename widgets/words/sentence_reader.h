@@ -24,7 +24,8 @@ class SentenceReader {
 
   /// Of all ways to read the text the one whose patterns account for most of its letters. A pattern
   /// with few letters of its own is believed only where each hole holds a word, a number, or what
-  /// is recognised itself.
+  /// is recognised itself. Where there are many sentences, a pattern is looked for in a few of them
+  /// at a time.
   [[nodiscard]] Reading read(std::string_view text) const;
 
  private:
@@ -40,6 +41,7 @@ class SentenceReader {
   std::unordered_map<std::string_view, const Pattern*> whole_;      ///< without holes, by text
   std::unordered_map<char, std::vector<const Pattern*>> by_first_;  ///< that begin with a letter
   std::vector<const Pattern*> open_;                                ///< that begin with a hole
+  const Pattern* row_ = nullptr;                                    ///< "%1. %2"
 };
 
 }  // namespace alltact
