@@ -103,7 +103,7 @@ TEST_F(Spoken, TheVerdictTheAdviceAndTheRemarks) {
   const FingerCalibration& done = *rig.run().result();
   ASSERT_TRUE(done.calibration.next_press);
   ASSERT_THAT(done.calibration.next_press->sentence, HasSubstr(" mm from the base"));
-  for (const char* step : {"3", "4", "5"}) {
+  for (const char* step : {"3", "4", "5", "6"}) {
     rig.go_to_step(step);
     in_every_language(
         rig.studio(),

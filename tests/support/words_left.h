@@ -8,23 +8,21 @@
 
 namespace alltact::test {
 
-/// Stretches of the libraries' English sentences in a text of another language, or of the
-/// pseudo-language, which says no blanks.
-inline QStringList words_left(const QString& text) {
+/// Stretches of the libraries' English sentences, `least` letters long at least, in a text of
+/// another language.
+inline QStringList words_left(const QString& text, qsizetype least = 12) {
   static const QStringList kStretches = [] {
-    constexpr qsizetype kTelling = 12;
     static const QRegularExpression hole(QStringLiteral("%[1-9]"));
     QStringList stretches;
     for (const char* pattern : library_patterns())
       for (const QString& part : QString::fromUtf8(pattern).split(hole))
-        if (const QString words = part.trimmed();
-            words.size() >= kTelling && words.contains(QLatin1Char(' ')))
+        if (const QString words = part.trimmed(); words.contains(QLatin1Char(' ')))
           stretches << words;
     return stretches;
   }();
   QStringList left;
   for (const QString& words : kStretches)
-    if (text.contains(words)) left << words;
+    if (words.size() >= least && text.contains(words)) left << words;
   return left;
 }
 

@@ -4,7 +4,6 @@
 #include "core/io/picture.h"
 #include "core/sources/source.h"
 #include "widgets/value_change.h"
-#include "widgets/words/library_words.h"
 
 #include <algorithm>
 #include <set>
@@ -370,7 +369,7 @@ void PressDesk::add_files(const std::vector<fs::path>& inputs) {
     }
     return std::function<void()>([this, frames, problem, opened] {
       if (opened != opened_) return;
-      if (problem) return void(Q_EMIT refused(in_window_language(problem->sentence())));
+      if (problem) return void(Q_EMIT refused(Problem::of(*problem, Meaning::kDoubtful)));
       QStringList twice;
       std::erase_if(*frames, [&](const FramePtr& frame) {
         if (find(frame->name) == nullptr) return false;
@@ -384,7 +383,11 @@ void PressDesk::add_files(const std::vector<fs::path>& inputs) {
                             std::move(*frames),
                             true));
       if (!twice.isEmpty())
-        Q_EMIT refused(tr("There are presses of these names already: %1.").arg(twice.join(", ")));
+        Q_EMIT refused({Meaning::kDoubtful,
+                        tr("There are presses of these names already: %1.").arg(twice.join(", ")),
+                        {},
+                        {},
+                        {}});
     });
   });
 }

@@ -6,6 +6,7 @@
 #include "widgets/background_work.h"
 #include "widgets/calibrating/disk_queue.h"
 #include "widgets/calibrating/press_looker.h"
+#include "widgets/shell/problem_list.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -74,8 +75,8 @@ class PressDesk : public QObject {
  Q_SIGNALS:
   /// Presses came, went, were looked at, or something was said of them.
   void changed();
-  /// `what` could not be added.
-  void refused(const QString& what);
+  /// Why pictures could not be added.
+  void refused(const alltact::Problem& problem);
 
  private:
   class AddOrRemove;

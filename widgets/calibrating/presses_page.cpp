@@ -66,8 +66,8 @@ PressesPage::PressesPage(LiveSession& session,
   row->addWidget(make_side());
   column->addLayout(row, 1);
   connect(&desk_, &PressDesk::changed, this, &PressesPage::show_status);
-  connect(&desk_, &PressDesk::refused, this, [this](const QString& what) {
-    problems_->set_problems({{Meaning::kDoubtful, what, {}, {}, {}}});
+  connect(&desk_, &PressDesk::refused, this, [this](const Problem& problem) {
+    problems_->set_problems({problem});
   });
   connect(&run_, &CalibrationRun::changed, this, &PressesPage::show_shown);
   connect(&session_, &LiveSession::view_ready, this, &PressesPage::watch_contact);
