@@ -3762,6 +3762,66 @@
         <source>frame %1 of %2</source>
         <translation>Bild %1 von %2</translation>
     </message>
+    <message>
+        <source>%1 has no camera matrix, so %2 has no form for it</source>
+        <translation>%1 hat keine Kameramatrix, darum hat %2 keine Form dafür</translation>
+    </message>
+    <message>
+        <source>an orthographic camera</source>
+        <translation>eine orthografische Kamera</translation>
+    </message>
+    <message>
+        <source>a camera behind a window</source>
+        <translation>eine Kamera hinter einem Fenster</translation>
+    </message>
+    <message>
+        <source>json, or zip for the whole finger</source>
+        <translation>json, oder zip für den ganzen Finger</translation>
+    </message>
+    <message>
+        <source>is a link to another folder, which a zip cannot hold</source>
+        <translation>ist ein Verweis auf einen anderen Ordner, den ein Zip nicht enthalten kann</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a folder, so a zip cannot hold it</source>
+        <translation>ist weder Datei noch Ordner, darum kann ein Zip es nicht enthalten</translation>
+    </message>
+    <message>
+        <source>moving it out of the finger&apos;s folder</source>
+        <translation>es aus dem Ordner des Fingers nehmen</translation>
+    </message>
+    <message>
+        <source>the finger&apos;s folder could not be read</source>
+        <translation>der Ordner des Fingers ließ sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>its permissions, and that its disk is there</source>
+        <translation>seine Rechte prüfen, und ob sein Datenträger da ist</translation>
+    </message>
+    <message>
+        <source>a zip of the finger cannot lie in the finger&apos;s own folder</source>
+        <translation>ein Zip des Fingers kann nicht im Ordner des Fingers selbst liegen</translation>
+    </message>
+    <message>
+        <source>another folder</source>
+        <translation>ein anderer Ordner</translation>
+    </message>
+    <message>
+        <source>stopped before it was written</source>
+        <translation>angehalten, bevor es geschrieben war</translation>
+    </message>
+    <message>
+        <source>could not write the archive</source>
+        <translation>das Archiv ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>another name for the file that is meant</source>
+        <translation>ein anderer Name für die gemeinte Datei</translation>
+    </message>
+    <message>
+        <source>stopped before it was packed</source>
+        <translation>angehalten, bevor es gepackt war</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CalibratePlace</name>

@@ -3762,6 +3762,66 @@
         <source>frame %1 of %2</source>
         <translation>第 %1 / %2 帧</translation>
     </message>
+    <message>
+        <source>%1 has no camera matrix, so %2 has no form for it</source>
+        <translation>%1没有相机矩阵,因此 %2 没有对应的形式</translation>
+    </message>
+    <message>
+        <source>an orthographic camera</source>
+        <translation>正交相机</translation>
+    </message>
+    <message>
+        <source>a camera behind a window</source>
+        <translation>隔着窗口的相机</translation>
+    </message>
+    <message>
+        <source>json, or zip for the whole finger</source>
+        <translation>json,或用 zip 导出整个手指</translation>
+    </message>
+    <message>
+        <source>is a link to another folder, which a zip cannot hold</source>
+        <translation>是指向另一文件夹的链接,zip 无法包含</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a folder, so a zip cannot hold it</source>
+        <translation>既不是文件也不是文件夹,zip 无法包含</translation>
+    </message>
+    <message>
+        <source>moving it out of the finger&apos;s folder</source>
+        <translation>把它移出手指的文件夹</translation>
+    </message>
+    <message>
+        <source>the finger&apos;s folder could not be read</source>
+        <translation>无法读取手指的文件夹</translation>
+    </message>
+    <message>
+        <source>its permissions, and that its disk is there</source>
+        <translation>检查其权限,以及磁盘是否在</translation>
+    </message>
+    <message>
+        <source>a zip of the finger cannot lie in the finger&apos;s own folder</source>
+        <translation>手指的 zip 不能放在手指自己的文件夹里</translation>
+    </message>
+    <message>
+        <source>another folder</source>
+        <translation>换一个文件夹</translation>
+    </message>
+    <message>
+        <source>stopped before it was written</source>
+        <translation>写完之前已停止</translation>
+    </message>
+    <message>
+        <source>could not write the archive</source>
+        <translation>无法写入压缩包</translation>
+    </message>
+    <message>
+        <source>another name for the file that is meant</source>
+        <translation>给该文件换一个名字</translation>
+    </message>
+    <message>
+        <source>stopped before it was packed</source>
+        <translation>打包完成前已停止</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CalibratePlace</name>

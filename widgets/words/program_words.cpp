@@ -31,6 +31,21 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "stopped by hand"),
     QT_TRANSLATE_NOOP("Library", "the source ended"),
     QT_TRANSLATE_NOOP("Library", "frame %1 of %2"),
+    QT_TRANSLATE_NOOP("Library", "%1 has no camera matrix, so %2 has no form for it"),
+    QT_TRANSLATE_NOOP("Library", "an orthographic camera"),
+    QT_TRANSLATE_NOOP("Library", "a camera behind a window"),
+    QT_TRANSLATE_NOOP("Library", "json, or zip for the whole finger"),
+    QT_TRANSLATE_NOOP("Library", "is a link to another folder, which a zip cannot hold"),
+    QT_TRANSLATE_NOOP("Library", "is neither a file nor a folder, so a zip cannot hold it"),
+    QT_TRANSLATE_NOOP("Library", "moving it out of the finger's folder"),
+    QT_TRANSLATE_NOOP("Library", "the finger's folder could not be read"),
+    QT_TRANSLATE_NOOP("Library", "its permissions, and that its disk is there"),
+    QT_TRANSLATE_NOOP("Library", "a zip of the finger cannot lie in the finger's own folder"),
+    QT_TRANSLATE_NOOP("Library", "another folder"),
+    QT_TRANSLATE_NOOP("Library", "stopped before it was written"),
+    QT_TRANSLATE_NOOP("Library", "could not write the archive"),
+    QT_TRANSLATE_NOOP("Library", "another name for the file that is meant"),
+    QT_TRANSLATE_NOOP("Library", "stopped before it was packed"),
 };
 
 }  // namespace

@@ -40,6 +40,9 @@ constexpr Exempt kExempt[] = {
     {"millimetres; x along image u, y along image v, z away from the camera", "in mesh files"},
     {"connectivity", "in mesh files"},
     {"offsets", "in mesh files"},
+    {"camera_info.yaml, parameters.yaml", "files"},
+    {"alltact export \x01 --to \x01 -o", "a command"},
+    {"equidistant", "a key"},
     {"press advice", "names a row of random numbers"},
     {"integer menu", "a kind of control, for the command line"},
     {"extraneous bytes before marker 0xd9", "a message of libjpeg that is looked for"},
@@ -48,8 +51,10 @@ constexpr Exempt kExempt[] = {
 /// Folders and files whose texts never come to a window.
 bool is_said_nowhere(const SourceText& text) {
   const std::string file = fs::relative(text.file, kTop).generic_string();
-  return file.starts_with("calibration/hard_cases/") ||  // a table of the command line
-         file == "calibration/typical_faults.cpp" ||     // scenes, made and read by the program
+  return file.starts_with("calibration/hard_cases/") ||        // a table of the command line
+         file == "calibration/export/calibration_json.cpp" ||  // formulas and keys of files...
+         file == "calibration/export/ros_parameters.cpp" ||    // ...for other programs
+         file == "calibration/typical_faults.cpp" ||  // scenes, made and read by the program
          text.text.find_first_of("\n\x04") != std::string::npos;  // the body of a file
 }
 
