@@ -7,6 +7,7 @@
 #include "widgets/theme.h"
 #include "widgets/value_change.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QTemporaryDir>
@@ -180,6 +181,12 @@ QString CheckPage::why_not_take() const {
   if (run_.state() == CalibrationState::kNone) return tr("The finger is not calibrated.");
   if (work_.is_running()) return tr("The check is being made.");
   return {};
+}
+
+void CheckPage::press_pedal() {
+  if (!take_->isEnabled()) return;
+  take();
+  QApplication::beep();
 }
 
 void CheckPage::take() {
