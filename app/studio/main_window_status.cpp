@@ -72,6 +72,12 @@ std::vector<Problem> MainWindow::problems_of(const LiveStatus& status) {
   }
   if (const auto kept = keeper_.problem())
     problems.push_back(Problem::of(*kept, Meaning::kDoubtful));
+  if (const auto& away = pedal_.problem())
+    problems.push_back({Meaning::kDoubtful,
+                        tr("The foot pedal is not heard now."),
+                        QString::fromStdString(away->sentence()),
+                        {},
+                        {}});
   add_source_problems(status, problems);
   add_finger_problems(status, problems);
   return problems;
