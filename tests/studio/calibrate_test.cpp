@@ -353,7 +353,7 @@ TEST(Calibrate, ShowsHowTheSolutionSettlesWhileItRuns) {
         if (plot->isVisible()) most_seen = rig.run().work().rounds().size();
         return rig.run().result() != nullptr;
       },
-      60000));
+      120000));
   EXPECT_GT(most_seen, 0U);
   EXPECT_TRUE(plot->accessibleDescription().contains(QStringLiteral("mm are left")));
   EXPECT_FALSE(plot->isVisible());

@@ -310,12 +310,14 @@ class InspectIn3D : public InspectPair {
   FaceView& view() { return *studio_.window().findChild<FaceView*>(); }
   bool open_one() {
     place().open(two_.left_video());
-    return wait_until(
+    const bool is_shown = wait_until(
         [&] {
           auto* view = studio_.window().findChild<FaceView*>();
           return view != nullptr && view->isVisible() && view->renders() > 0;
         },
         20000);
+    QTest::qWait(500);  // what comes around it takes its room
+    return is_shown;
   }
   void drag(QPoint from, QPoint to) {
     QTest::mousePress(&view(), Qt::LeftButton, {}, from);

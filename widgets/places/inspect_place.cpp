@@ -84,8 +84,8 @@ QWidget* InspectPlace::make_header() {
 
 QWidget* InspectPlace::make_side() {
   const SidePanel panel(kSideWidth);
-  panel.column->addWidget(side_);
   panel.column->addWidget(pair_box_);
+  panel.column->addWidget(side_);
   return panel.whole;
 }
 
@@ -246,8 +246,17 @@ void InspectPlace::show_frame() {
   pair_.follow();
   show_panes();
   side_->show_frame(frame && frame->surface ? frame : nullptr);
-  summary_->setText(frame && frame->surface ? deepest_text(*frame) : QString());
+  summary_->setText(summary_text());
   show_state();
+}
+
+QString InspectPlace::summary_text() const {
+  const auto text = [](const std::shared_ptr<const InspectedFrame>& frame) {
+    return frame && frame->surface ? deepest_text(*frame) : QString();
+  };
+  const QString first = text(inspection_.frame());
+  if (!options_.second) return first;
+  return QStringLiteral("1: ") + first + QStringLiteral("   2: ") + text(pair_.second().frame());
 }
 
 QString InspectPlace::title_of(bool is_second) const {

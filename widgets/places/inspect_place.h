@@ -76,6 +76,7 @@ class InspectPlace : public Translated<QWidget> {
   void show_state();
   void add_pair_problems(std::vector<Problem>& problems);
   [[nodiscard]] bool is_one_picture() const;
+  [[nodiscard]] QString summary_text() const;
   [[nodiscard]] QString title_of(bool is_second) const;
   [[nodiscard]] BackgroundWork::Work saving_work(const std::filesystem::path& file);
   [[nodiscard]] QString why_nothing() const;
