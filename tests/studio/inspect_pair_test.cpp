@@ -124,9 +124,9 @@ TEST_F(InspectPair, SaysWhatIsMissingAndTakesThePlaceThatIsTyped) {
   EXPECT_EQ(written()->translation_mm, Eigen::Vector3d(12.5, 0, 0));
   ASSERT_TRUE(wait_until([&] { return pair().place(true)->gripper_from_camera.has_value(); }));
   EXPECT_EQ(studio_.window().undo_stack().undoText(), "place right in the gripper");
-  QTest::keyClick(&studio_.window(), Qt::Key_Z, Qt::ControlModifier);
+  studio_.window().undo_stack().undo();
   EXPECT_TRUE(wait_until([&] { return !written().has_value(); }));
-  QTest::keyClick(&studio_.window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  studio_.window().undo_stack().redo();
   EXPECT_TRUE(wait_until([&] { return written().has_value(); }));
 }
 
