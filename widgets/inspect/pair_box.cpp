@@ -17,9 +17,8 @@ PairBox::PairBox(const FingerPair& pair, QWidget* parent)
       joined_(new QLabel),
       gap_(new QLabel) {
   auto* grid = new QGridLayout(this);
-  grid->addWidget(open_, 0, 0);
+  grid->addWidget(names_, 0, 0, 2, 1);
   grid->addWidget(close_, 0, 1);
-  grid->addWidget(names_, 1, 0, 1, 2);
   grid->addWidget(place_first_, 2, 0);
   grid->addWidget(place_second_, 2, 1);
   grid->addWidget(gap_, 3, 0, 1, 2);
@@ -50,9 +49,7 @@ void PairBox::show_pair(bool is_recording) {
   open_->setEnabled(is_recording);
   open_->setToolTip(is_recording ? QString()
                                  : tr("Open a recording first; a second one can be joined to it."));
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{close_, place_first_, place_second_, names_, joined_, gap_})
-    widget->setVisible(is_open);
+  setVisible(is_open);
   if (!is_open) return;
   place_first_->setEnabled(!pair_.folder(false).empty());
   names_->setText(QStringLiteral("1: %1<br>2: %2")

@@ -17,6 +17,8 @@ class PairBox : public Translated<QGroupBox> {
   explicit PairBox(const FingerPair& pair, QWidget* parent = nullptr);
   /// is_recording: a recording is shown, which a second one can be joined to.
   void show_pair(bool is_recording);
+  /// Stands wherever there is room for it: the box is hidden while there is no second finger.
+  [[nodiscard]] QPushButton* open_button() const { return open_; }
 
  Q_SIGNALS:
   void open_wanted();

@@ -71,7 +71,8 @@ QWidget* InspectPlace::make_header() {
   row->setContentsMargins(0, 0, 0, 0);
   live_->setCheckable(true);
   live_->setChecked(true);
-  for (QPushButton* button : {live_, video_, folder_}) row->addWidget(button);
+  for (QPushButton* button : {live_, video_, folder_, pair_box_->open_button()})
+    row->addWidget(button);
   shown_->setMinimumWidth(1);
   row->addSpacing(8);
   row->addWidget(shown_, 1);
