@@ -37,6 +37,7 @@ Result<Finger> make_finger(const NewFinger& wanted) {
   finger.face.plane_z_mm = wanted.plane_z_mm;
   finger.markers.per_row = wanted.per_row;
   finger.markers.polarity = wanted.polarity;
+  finger.gripper_from_camera = wanted.gripper_from_camera;
   finger.provenance["program_version"] = ALLTACT_VERSION;
   if (const Status status = finger.validate(); !status) return status.error();
   if (const Status status = make_folder(wanted.finger); !status) return status.error();

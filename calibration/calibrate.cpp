@@ -173,8 +173,15 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
   std::vector<const PressSamples*> presses;
   for (const Found& f : found) presses.push_back(&f.fine);
   JointOptions options = choice.options;
-  const std::function<void(int, double)> tell = [&job](int round, double change_mm) {
+  const std::function<void(int, double, const JointFit&)> tell = [&](int round,
+                                                                     double change_mm,
+                                                                     const JointFit& now) {
     job.report(0.9, fmt::format("solving: round {}, unknowns move by {:.1e} mm", round, change_mm));
+    if (!job.hears_rounds()) return;
+    double residual_mm = 0;
+    for (const double each_mm : quality_of(presses, now, options).residual_mm)
+      residual_mm += each_mm / static_cast<double>(presses.size());
+    job.report_round({round, residual_mm, change_mm});
   };
   options.watch = &tell;
   JointFit fit = fit_jointly(presses, choice.fit, options, job);

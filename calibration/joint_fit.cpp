@@ -239,7 +239,7 @@ JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
     const double change = change_between(next, fit);
     fit = std::move(next);
     fit.converged = true;
-    if (options.watch != nullptr) (*options.watch)(round + 1, change);
+    if (options.watch != nullptr) (*options.watch)(round + 1, change, fit);
     if (change < options.settled_mm) break;
   }
   return fit;

@@ -65,13 +65,15 @@ class ContactDisc {
 
 constexpr double kFloorMm = 0.003;  ///< no sample is believed better than this, across the ball
 
+struct JointFit;
+
 struct JointOptions {
   MappingAlong along = MappingAlong::kZ;
   double zone = 0.65;        ///< contacts are read up to this part of the rim's radius
   double settled_mm = 1e-8;  ///< the reweighting ends when no unknown changes by more
   bool fix_mapping = false;  ///< only the balls are free
-  /// Told after every round how much the unknowns still moved, mm; may be null.
-  const std::function<void(int round, double change_mm)>* watch = nullptr;
+  /// Told after every round how much the unknowns still moved, mm, and where to; may be null.
+  const std::function<void(int round, double change_mm, const JointFit& now)>* watch = nullptr;
 };
 
 /// The state of a fit: what to start from, and what came out.

@@ -3996,6 +3996,44 @@
     </message>
 </context>
 <context>
+    <name>alltact::ConvergencePlot</name>
+    <message>
+        <source>How the solution settles</source>
+        <translation>Wie sich die Lösung einstellt</translation>
+    </message>
+    <message numerus="yes">
+        <source>After %n round(s) %1 mm are left.</source>
+        <translation>
+            <numerusform>Nach %n Durchgang bleiben %1 mm.</numerusform>
+            <numerusform>Nach %n Durchgängen bleiben %1 mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The solution has not begun to settle yet</source>
+        <translation>Die Lösung hat noch nicht begonnen, sich einzustellen</translation>
+    </message>
+    <message>
+        <source>Left over</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Left over (mm)</source>
+        <translation>Rest (mm)</translation>
+    </message>
+    <message>
+        <source>Still moves</source>
+        <translation>Bewegt sich noch</translation>
+    </message>
+    <message>
+        <source>Unknowns still move by (mm)</source>
+        <translation>Unbekannte bewegen sich noch um (mm)</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Durchgang</translation>
+    </message>
+</context>
+<context>
     <name>alltact::CoverageView</name>
     <message>
         <source>bend away</source>
@@ -4305,6 +4343,69 @@
     </message>
 </context>
 <context>
+    <name>alltact::GripperDialog</name>
+    <message>
+        <source>%1 in the gripper</source>
+        <translation>%1 im Greifer</translation>
+    </message>
+    <message>
+        <source>Where the camera of %1 sits in the gripper&apos;s frame: its place, and how it is turned about the gripper&apos;s axes, first x, then y, then z. A camera that is not turned looks along the gripper&apos;s z, with x along its picture and y across it.</source>
+        <translation>Wo die Kamera von %1 im Koordinatensystem des Greifers sitzt: ihr Ort, und wie sie um die Achsen des Greifers gedreht ist, erst x, dann y, dann z. Eine Kamera, die nicht gedreht ist, blickt entlang z des Greifers, mit x längs und y quer zu ihrem Bild.</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>&amp;Ort</translation>
+    </message>
+    <message>
+        <source>&amp;Turned about</source>
+        <translation>&amp;Gedreht um</translation>
+    </message>
+    <message>
+        <source>Place, x</source>
+        <translation>Ort, x</translation>
+    </message>
+    <message>
+        <source>Place, y</source>
+        <translation>Ort, y</translation>
+    </message>
+    <message>
+        <source>Place, z</source>
+        <translation>Ort, z</translation>
+    </message>
+    <message>
+        <source>Turned about x</source>
+        <translation>Gedreht um x</translation>
+    </message>
+    <message>
+        <source>Turned about y</source>
+        <translation>Gedreht um y</translation>
+    </message>
+    <message>
+        <source>Turned about z</source>
+        <translation>Gedreht um z</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Setzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Not known</source>
+        <translation>&amp;Nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Takes the place out of the finger&apos;s file.</source>
+        <translation>Nimmt den Ort aus der Datei des Fingers heraus.</translation>
+    </message>
+</context>
+<context>
     <name>alltact::HistogramPlot</name>
     <message>
         <source>Spread of the errors</source>
@@ -4487,6 +4588,58 @@
     <message>
         <source>Saved: %1</source>
         <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>show all again</source>
+        <translation>alles wieder zeigen</translation>
+    </message>
+    <message>
+        <source>turn the 3D view</source>
+        <translation>3D-Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>inspect %1</source>
+        <translation>%1 prüfen</translation>
+    </message>
+    <message>
+        <source>go on with what was inspected</source>
+        <translation>mit dem Geprüften weitermachen</translation>
+    </message>
+    <message>
+        <source>inspect the live finger</source>
+        <translation>den Finger live prüfen</translation>
+    </message>
+    <message>
+        <source>1: %1, 2: %2, in the gripper&apos;s frame X, Y, Z</source>
+        <translation>1: %1, 2: %2, im Koordinatensystem X, Y, Z des Greifers</translation>
+    </message>
+    <message>
+        <source>place %1 in the gripper</source>
+        <translation>Ort von %1 im Greifer</translation>
+    </message>
+    <message>
+        <source>Where the camera of %1 sits in the gripper is not known, so the two fingers are shown each in its own camera&apos;s frame.</source>
+        <translation>Wo die Kamera von %1 im Greifer sitzt, ist nicht bekannt; deshalb wird jeder der beiden Finger im Koordinatensystem seiner eigenen Kamera gezeigt.</translation>
+    </message>
+    <message>
+        <source>Tell its place and how it is turned.</source>
+        <translation>Ihren Ort und ihre Drehung angeben.</translation>
+    </message>
+    <message>
+        <source>Place of &amp;2…</source>
+        <translation>Ort von &amp;2…</translation>
+    </message>
+    <message>
+        <source>Place of &amp;1…</source>
+        <translation>Ort von &amp;1…</translation>
+    </message>
+    <message>
+        <source>show a second finger</source>
+        <translation>einen zweiten Finger zeigen</translation>
+    </message>
+    <message>
+        <source>close the second finger</source>
+        <translation>den zweiten Finger schließen</translation>
     </message>
 </context>
 <context>
@@ -5373,6 +5526,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>E&amp;xport finger…</source>
         <translation>Finger e&amp;xportieren …</translation>
     </message>
+    <message>
+        <source>recording %1</source>
+        <translation>Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>The foot pedal is not heard now.</source>
+        <translation>Das Fußpedal ist gerade nicht zu hören.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MappingPage</name>
@@ -5619,6 +5780,96 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Centre u %1 px, v %2 px, radius %3 px; ball at x %4, y %5, z %6 mm</source>
         <translation>Mitte u %1 px, v %2 px, Radius %3 px; Kugel bei x %4, y %5, z %6 mm</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PairBox</name>
+    <message>
+        <source>Second finger</source>
+        <translation>Zweiter Finger</translation>
+    </message>
+    <message>
+        <source>Second fin&amp;ger…</source>
+        <translation>Zweiter Fin&amp;ger…</translation>
+    </message>
+    <message>
+        <source>Close it</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Place of 1…</source>
+        <translation>Ort von 1…</translation>
+    </message>
+    <message>
+        <source>Place of 2…</source>
+        <translation>Ort von 2…</translation>
+    </message>
+    <message>
+        <source>Place of the first finger in the gripper</source>
+        <translation>Ort des ersten Fingers im Greifer</translation>
+    </message>
+    <message>
+        <source>Place of the second finger in the gripper</source>
+        <translation>Ort des zweiten Fingers im Greifer</translation>
+    </message>
+    <message>
+        <source>Where this finger&apos;s camera sits in the gripper.</source>
+        <translation>Wo die Kamera dieses Fingers im Greifer sitzt.</translation>
+    </message>
+    <message>
+        <source>Distance between the faces</source>
+        <translation>Abstand der Flächen</translation>
+    </message>
+    <message>
+        <source>How the two recordings are joined</source>
+        <translation>Wie die beiden Aufnahmen verbunden sind</translation>
+    </message>
+    <message>
+        <source>Open a recording first; a second one can be joined to it.</source>
+        <translation>Zuerst eine Aufnahme öffnen; mit ihr kann eine zweite verbunden werden.</translation>
+    </message>
+    <message>
+        <source>Joined by time stamps; 2 was taken %1 ms after 1.</source>
+        <translation>Nach Zeitstempeln verbunden; 2 entstand %1 ms nach 1.</translation>
+    </message>
+    <message>
+        <source>Recorded at different times: their beginnings count as one moment; 2 was taken %1 ms after 1.</source>
+        <translation>Zu verschiedenen Zeiten aufgenommen: Ihre Anfänge gelten als ein Augenblick; 2 entstand %1 ms nach 1.</translation>
+    </message>
+    <message>
+        <source>Without time stamps: joined by the number of the frame.</source>
+        <translation>Ohne Zeitstempel: nach der Nummer des Bildes verbunden.</translation>
+    </message>
+    <message>
+        <source>Measuring the distance…</source>
+        <translation>Der Abstand wird gemessen…</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The faces touch or cross.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Die Flächen berühren oder durchdringen sich.&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 mm&lt;/b&gt; between the faces where they are nearest, around X %2, Y %3, Z %4 mm</source>
+        <translation>&lt;b&gt;%1 mm&lt;/b&gt; zwischen den Flächen, wo sie sich am nächsten sind, um X %2, Y %3, Z %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::Pedal</name>
+    <message>
+        <source>Press it once more.</source>
+        <translation>Noch einmal drücken.</translation>
+    </message>
+    <message>
+        <source>Press the pedal twice now.</source>
+        <translation>Jetzt das Pedal zweimal drücken.</translation>
+    </message>
+    <message>
+        <source>Leave the pedal alone for a moment.</source>
+        <translation>Das Pedal einen Augenblick nicht berühren.</translation>
+    </message>
+    <message>
+        <source>Learnt: %1</source>
+        <translation>Gelernt: %1</translation>
     </message>
 </context>
 <context>
@@ -6373,6 +6624,81 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::SecondFingerDialog</name>
+    <message>
+        <source>The second finger&apos;s folder</source>
+        <translation>Ordner des zweiten Fingers</translation>
+    </message>
+    <message>
+        <source>The second finger&apos;s video</source>
+        <translation>Video des zweiten Fingers</translation>
+    </message>
+    <message>
+        <source>The second finger&apos;s folder of pictures</source>
+        <translation>Ordner mit Bildern des zweiten Fingers</translation>
+    </message>
+    <message>
+        <source>Second finger</source>
+        <translation>Zweiter Finger</translation>
+    </message>
+    <message>
+        <source>Another finger of the same gripper, with what it recorded at the same time. Both are shown in the gripper&apos;s frame; their frames are joined by the times of capture.</source>
+        <translation>Ein anderer Finger desselben Greifers, mit dem, was er zur selben Zeit aufgenommen hat. Beide werden im Koordinatensystem des Greifers gezeigt; ihre Bilder werden nach den Zeiten der Aufnahme verbunden.</translation>
+    </message>
+    <message>
+        <source>&amp;Finger&apos;s folder</source>
+        <translation>&amp;Ordner des Fingers</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>&amp;Aufnahme</translation>
+    </message>
+    <message>
+        <source>Finger&apos;s folder</source>
+        <translation>Ordner des Fingers</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the finger&apos;s folder</source>
+        <translation>Ordner des Fingers wählen</translation>
+    </message>
+    <message>
+        <source>Video…</source>
+        <translation>Video…</translation>
+    </message>
+    <message>
+        <source>Pictures…</source>
+        <translation>Bilder…</translation>
+    </message>
+    <message>
+        <source>&amp;Show it</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.avi *.mp4)</source>
+        <translation>Videos (*.mkv *.avi *.mp4)</translation>
+    </message>
+    <message>
+        <source>Choose the finger&apos;s folder.</source>
+        <translation>Wählen Sie den Ordner des Fingers.</translation>
+    </message>
+    <message>
+        <source>Choose what it recorded.</source>
+        <translation>Wählen Sie, was er aufgenommen hat.</translation>
+    </message>
+</context>
+<context>
     <name>alltact::SectionPlot</name>
     <message>
         <source>Depth from A to B</source>
@@ -6440,6 +6766,42 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Foot pedal</source>
+        <translation>&amp;Fußpedal</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Keines</translation>
+    </message>
+    <message>
+        <source>Listens to no pedal any more.</source>
+        <translation>Hört auf kein Pedal mehr.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Learn by pressing it…</source>
+        <translation>Durch Drücken &amp;lernen…</translation>
+    </message>
+    <message>
+        <source>Stop learning the foot pedal</source>
+        <translation>Das Lernen des Fußpedals anhalten</translation>
+    </message>
+    <message>
+        <source>Learn the foot pedal by pressing it</source>
+        <translation>Das Fußpedal durch Drücken lernen</translation>
+    </message>
+    <message>
+        <source>None. A pedal takes presses in Calibrate, and starts and stops in Record.</source>
+        <translation>Keines. Ein Pedal nimmt unter „Kalibrieren“ Eindrücke auf; unter „Aufnahme“ beginnt und beendet es die Aufnahme.</translation>
+    </message>
+    <message>
+        <source>%1: not heard now</source>
+        <translation>%1: gerade nicht zu hören</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>alltact::ConvergencePlot</name>
+    <message numerus="yes">
+        <source>After %n round(s) %1 mm are left.</source>
+        <translation>
+            <numerusform>After %n round %1 mm are left.</numerusform>
+            <numerusform>After %n rounds %1 mm are left.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::FrameWords</name>
     <message numerus="yes">
         <source>%n contact(s) on the face.</source>

@@ -3996,6 +3996,43 @@
     </message>
 </context>
 <context>
+    <name>alltact::ConvergencePlot</name>
+    <message>
+        <source>How the solution settles</source>
+        <translation>解如何收敛</translation>
+    </message>
+    <message numerus="yes">
+        <source>After %n round(s) %1 mm are left.</source>
+        <translation>
+            <numerusform>%n 轮后剩余 %1 mm。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The solution has not begun to settle yet</source>
+        <translation>解尚未开始收敛</translation>
+    </message>
+    <message>
+        <source>Left over</source>
+        <translation>剩余</translation>
+    </message>
+    <message>
+        <source>Left over (mm)</source>
+        <translation>剩余 (mm)</translation>
+    </message>
+    <message>
+        <source>Still moves</source>
+        <translation>仍在变化</translation>
+    </message>
+    <message>
+        <source>Unknowns still move by (mm)</source>
+        <translation>未知量仍变化 (mm)</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>轮次</translation>
+    </message>
+</context>
+<context>
     <name>alltact::CoverageView</name>
     <message>
         <source>bend away</source>
@@ -4304,6 +4341,69 @@
     </message>
 </context>
 <context>
+    <name>alltact::GripperDialog</name>
+    <message>
+        <source>%1 in the gripper</source>
+        <translation>夹爪中的 %1</translation>
+    </message>
+    <message>
+        <source>Where the camera of %1 sits in the gripper&apos;s frame: its place, and how it is turned about the gripper&apos;s axes, first x, then y, then z. A camera that is not turned looks along the gripper&apos;s z, with x along its picture and y across it.</source>
+        <translation>%1 的相机在夹爪坐标系中的安装位置：其位置，以及绕夹爪各轴的转角，依次为 x、y、z。未转动的相机沿夹爪的 z 方向观察，x 沿图像长度方向，y 沿图像宽度方向。</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>位置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Turned about</source>
+        <translation>转角(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Place, x</source>
+        <translation>位置，x</translation>
+    </message>
+    <message>
+        <source>Place, y</source>
+        <translation>位置，y</translation>
+    </message>
+    <message>
+        <source>Place, z</source>
+        <translation>位置，z</translation>
+    </message>
+    <message>
+        <source>Turned about x</source>
+        <translation>绕 x 的转角</translation>
+    </message>
+    <message>
+        <source>Turned about y</source>
+        <translation>绕 y 的转角</translation>
+    </message>
+    <message>
+        <source>Turned about z</source>
+        <translation>绕 z 的转角</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>设置(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>&amp;Not known</source>
+        <translation>未知(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Takes the place out of the finger&apos;s file.</source>
+        <translation>从手指文件中删除该位置。</translation>
+    </message>
+</context>
+<context>
     <name>alltact::HistogramPlot</name>
     <message>
         <source>Spread of the errors</source>
@@ -4486,6 +4586,58 @@
     <message>
         <source>Saved: %1</source>
         <translation>已保存:%1</translation>
+    </message>
+    <message>
+        <source>show all again</source>
+        <translation>重新显示全部</translation>
+    </message>
+    <message>
+        <source>turn the 3D view</source>
+        <translation>转动三维视图</translation>
+    </message>
+    <message>
+        <source>inspect %1</source>
+        <translation>检视 %1</translation>
+    </message>
+    <message>
+        <source>go on with what was inspected</source>
+        <translation>继续上次检视的内容</translation>
+    </message>
+    <message>
+        <source>inspect the live finger</source>
+        <translation>检视实时手指</translation>
+    </message>
+    <message>
+        <source>1: %1, 2: %2, in the gripper&apos;s frame X, Y, Z</source>
+        <translation>1：%1，2：%2，在夹爪坐标系 X、Y、Z 中</translation>
+    </message>
+    <message>
+        <source>place %1 in the gripper</source>
+        <translation>设置 %1 在夹爪中的位置</translation>
+    </message>
+    <message>
+        <source>Where the camera of %1 sits in the gripper is not known, so the two fingers are shown each in its own camera&apos;s frame.</source>
+        <translation>尚不知道 %1 的相机在夹爪中的位置，因此两个手指分别显示在各自相机的坐标系中。</translation>
+    </message>
+    <message>
+        <source>Tell its place and how it is turned.</source>
+        <translation>请输入其位置和转角。</translation>
+    </message>
+    <message>
+        <source>Place of &amp;2…</source>
+        <translation>&amp;2 的位置…</translation>
+    </message>
+    <message>
+        <source>Place of &amp;1…</source>
+        <translation>&amp;1 的位置…</translation>
+    </message>
+    <message>
+        <source>show a second finger</source>
+        <translation>显示第二个手指</translation>
+    </message>
+    <message>
+        <source>close the second finger</source>
+        <translation>关闭第二个手指</translation>
     </message>
 </context>
 <context>
@@ -5371,6 +5523,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>E&amp;xport finger…</source>
         <translation>导出手指(&amp;X)…</translation>
     </message>
+    <message>
+        <source>recording %1</source>
+        <translation>录像 %1</translation>
+    </message>
+    <message>
+        <source>The foot pedal is not heard now.</source>
+        <translation>现在收不到脚踏开关的信号。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MappingPage</name>
@@ -5616,6 +5776,96 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Centre u %1 px, v %2 px, radius %3 px; ball at x %4, y %5, z %6 mm</source>
         <translation>中心 u %1 px,v %2 px,半径 %3 px;球在 x %4,y %5,z %6 mm</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PairBox</name>
+    <message>
+        <source>Second finger</source>
+        <translation>第二个手指</translation>
+    </message>
+    <message>
+        <source>Second fin&amp;ger…</source>
+        <translation>第二个手指(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Close it</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Place of 1…</source>
+        <translation>1 的位置…</translation>
+    </message>
+    <message>
+        <source>Place of 2…</source>
+        <translation>2 的位置…</translation>
+    </message>
+    <message>
+        <source>Place of the first finger in the gripper</source>
+        <translation>第一个手指在夹爪中的位置</translation>
+    </message>
+    <message>
+        <source>Place of the second finger in the gripper</source>
+        <translation>第二个手指在夹爪中的位置</translation>
+    </message>
+    <message>
+        <source>Where this finger&apos;s camera sits in the gripper.</source>
+        <translation>该手指的相机在夹爪中的安装位置。</translation>
+    </message>
+    <message>
+        <source>Distance between the faces</source>
+        <translation>两个面之间的距离</translation>
+    </message>
+    <message>
+        <source>How the two recordings are joined</source>
+        <translation>两段录像的对应方式</translation>
+    </message>
+    <message>
+        <source>Open a recording first; a second one can be joined to it.</source>
+        <translation>请先打开一段录像，然后可以与第二段录像对应。</translation>
+    </message>
+    <message>
+        <source>Joined by time stamps; 2 was taken %1 ms after 1.</source>
+        <translation>按时间戳对应；2 比 1 晚 %1 ms 拍摄。</translation>
+    </message>
+    <message>
+        <source>Recorded at different times: their beginnings count as one moment; 2 was taken %1 ms after 1.</source>
+        <translation>录制时间不同：以各自的开头为同一时刻；2 比 1 晚 %1 ms 拍摄。</translation>
+    </message>
+    <message>
+        <source>Without time stamps: joined by the number of the frame.</source>
+        <translation>没有时间戳：按帧号对应。</translation>
+    </message>
+    <message>
+        <source>Measuring the distance…</source>
+        <translation>正在测量距离…</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The faces touch or cross.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;两个面相接触或相交。&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 mm&lt;/b&gt; between the faces where they are nearest, around X %2, Y %3, Z %4 mm</source>
+        <translation>两个面最近处相距 &lt;b&gt;%1 mm&lt;/b&gt;，位于 X %2、Y %3、Z %4 mm 附近</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::Pedal</name>
+    <message>
+        <source>Press it once more.</source>
+        <translation>请再踩一次。</translation>
+    </message>
+    <message>
+        <source>Press the pedal twice now.</source>
+        <translation>请现在踩两次脚踏开关。</translation>
+    </message>
+    <message>
+        <source>Leave the pedal alone for a moment.</source>
+        <translation>请先不要踩脚踏开关。</translation>
+    </message>
+    <message>
+        <source>Learnt: %1</source>
+        <translation>已学习：%1</translation>
     </message>
 </context>
 <context>
@@ -6355,6 +6605,81 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::SecondFingerDialog</name>
+    <message>
+        <source>The second finger&apos;s folder</source>
+        <translation>第二个手指的文件夹</translation>
+    </message>
+    <message>
+        <source>The second finger&apos;s video</source>
+        <translation>第二个手指的视频</translation>
+    </message>
+    <message>
+        <source>The second finger&apos;s folder of pictures</source>
+        <translation>第二个手指的图像文件夹</translation>
+    </message>
+    <message>
+        <source>Second finger</source>
+        <translation>第二个手指</translation>
+    </message>
+    <message>
+        <source>Another finger of the same gripper, with what it recorded at the same time. Both are shown in the gripper&apos;s frame; their frames are joined by the times of capture.</source>
+        <translation>同一夹爪的另一个手指及其同时录制的内容。两者显示在夹爪坐标系中；各帧按拍摄时间对应。</translation>
+    </message>
+    <message>
+        <source>&amp;Finger&apos;s folder</source>
+        <translation>手指文件夹(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>录像(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Finger&apos;s folder</source>
+        <translation>手指文件夹</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录像</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the finger&apos;s folder</source>
+        <translation>选择手指文件夹</translation>
+    </message>
+    <message>
+        <source>Video…</source>
+        <translation>视频…</translation>
+    </message>
+    <message>
+        <source>Pictures…</source>
+        <translation>图像…</translation>
+    </message>
+    <message>
+        <source>&amp;Show it</source>
+        <translation>显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.avi *.mp4)</source>
+        <translation>视频 (*.mkv *.avi *.mp4)</translation>
+    </message>
+    <message>
+        <source>Choose the finger&apos;s folder.</source>
+        <translation>请选择手指文件夹。</translation>
+    </message>
+    <message>
+        <source>Choose what it recorded.</source>
+        <translation>请选择其录制的内容。</translation>
+    </message>
+</context>
+<context>
     <name>alltact::SectionPlot</name>
     <message>
         <source>Depth from A to B</source>
@@ -6422,6 +6747,42 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>&amp;Close</source>
         <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Foot pedal</source>
+        <translation>脚踏开关(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>无(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Listens to no pedal any more.</source>
+        <translation>不再使用脚踏开关。</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Learn by pressing it…</source>
+        <translation>踩踏以学习(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Stop learning the foot pedal</source>
+        <translation>停止学习脚踏开关</translation>
+    </message>
+    <message>
+        <source>Learn the foot pedal by pressing it</source>
+        <translation>通过踩踏学习脚踏开关</translation>
+    </message>
+    <message>
+        <source>None. A pedal takes presses in Calibrate, and starts and stops in Record.</source>
+        <translation>无。脚踏开关在“标定”中采集按压，在“录制”中开始和停止。</translation>
+    </message>
+    <message>
+        <source>%1: not heard now</source>
+        <translation>%1：现在收不到信号</translation>
     </message>
 </context>
 <context>

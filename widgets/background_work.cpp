@@ -16,13 +16,18 @@ struct BackgroundWork::Shared {
   std::mutex mutex;
   double fraction = 0;
   std::string what;
+  std::vector<Round> rounds;
   bool is_done = false;
   std::function<void()> at_end;
   Job job{[this](double part, std::string_view words) {
-    const std::lock_guard lock(mutex);
-    fraction = part;
-    what = words;
-  }};
+            const std::lock_guard lock(mutex);
+            fraction = part;
+            what = words;
+          },
+          [this](const Round& round) {
+            const std::lock_guard lock(mutex);
+            rounds.push_back(round);
+          }};
 };
 
 BackgroundWork::BackgroundWork(QObject* parent) : QObject(parent) {
@@ -38,6 +43,7 @@ void BackgroundWork::start(Work work) {
   shared_ = std::make_shared<Shared>();
   fraction_ = 0;
   what_.clear();
+  rounds_.clear();
   since_.start();
   timer_.start(kBetweenLooks_ms);
   std::thread([shared = shared_, work = std::move(work)] {
@@ -65,6 +71,8 @@ void BackgroundWork::look() {
     const std::lock_guard lock(shared_->mutex);
     fraction_ = shared_->fraction;
     what_ = in_window_language(shared_->what);
+    rounds_.insert(rounds_.end(), shared_->rounds.begin(), shared_->rounds.end());
+    shared_->rounds.clear();
     is_done = shared_->is_done;
     at_end = std::move(shared_->at_end);
   }

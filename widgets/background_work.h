@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 namespace alltact {
 
@@ -34,6 +35,8 @@ class BackgroundWork : public QObject {
   [[nodiscard]] const QString& what() const { return what_; }
   /// Empty as long as it cannot be told.
   [[nodiscard]] std::optional<double> seconds_left() const;
+  /// What was told so far of the work that runs, or ran last.
+  [[nodiscard]] const std::vector<Round>& rounds() const { return rounds_; }
 
  Q_SIGNALS:
   void progressed();
@@ -48,6 +51,7 @@ class BackgroundWork : public QObject {
   QElapsedTimer since_;
   double fraction_ = 0;
   QString what_;
+  std::vector<Round> rounds_;
 };
 
 }  // namespace alltact

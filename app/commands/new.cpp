@@ -74,7 +74,21 @@ void add_new(CLI::App& program, Chosen& chosen) {
                            ->type_name("Z");
   command->add_option("--name", options->name, "Name of the finger (default: the folder's)")
       ->type_name("NAME");
+  auto gripper = std::make_shared<std::vector<double>>();
+  CLI::Option* in_gripper =
+      command
+          ->add_option("--gripper-from-camera",
+                       *gripper,
+                       "Where the camera sits in the gripper: its place in mm, and its turns about "
+                       "the gripper's axes x, then y, then z, in degrees")
+          ->type_name("X Y Z RX RY RZ")
+          ->expected(6);
   command->callback([=, &chosen] {
+    if (!in_gripper->empty()) {
+      const std::vector<double>& g = *gripper;
+      options->gripper_from_camera = RigidTransform{rotation_of_degrees({g[3], g[4], g[5]}),
+                                                    Eigen::Vector3d(g[0], g[1], g[2])};
+    }
     if (options->kind == FaceKind::kFinRay) {
       if (width->empty()) throw CLI::RequiredError("--width-mm");
       if (per_row->empty()) throw CLI::RequiredError("--per-row");

@@ -41,6 +41,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
       keeper_(options.session_folder),
       session_(options.opener),
       finder_(options.lister),
+      pedal_(options.pedal),
       rail_(new QButtonGroup(this)),
       live_button_(new QToolButton),
       calibrate_button_(new QToolButton),
@@ -96,6 +97,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
     fill_source_menu();
   });
   connect(live_, &LivePlace::options_changed, this, &MainWindow::keep);
+  connect(inspect_, &InspectPlace::changed, this, &MainWindow::keep);
   connect(live_, &LivePlace::control_set, this, [this](const ControlValue& control) {
     auto& kept = state_.controls[source_name().toStdString()];
     std::erase_if(kept, [&](const ControlValue& old) { return old.id == control.id; });
@@ -111,6 +113,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
     calibrate_->reload();
   });
   connect_calibrating();
+  connect_pedal();
   connect(start_, &StartPanel::last_wanted, this, &MainWindow::go_on_with_last);
   connect(start_, &StartPanel::camera_wanted, this, [this](const QString& name) {
     open_source({name.toStdString()});
@@ -142,6 +145,22 @@ void MainWindow::connect_calibrating() {
   connect(calibrate_, &CalibratePlace::record_wanted, this, [this] { go_to("record"); });
   connect(calibrate_, &CalibratePlace::finger_changed, this, [this] {
     session_.open_finger(state_.finger);
+  });
+}
+
+void MainWindow::connect_pedal() {
+  static const QString key = QStringLiteral("pedal/button");
+  connect(&pedal_, &Pedal::pressed, this, [this] {
+    if (state_.place == "calibrate") calibrate_->press_pedal();
+    if (state_.place == "record") record_->press_pedal();
+  });
+  if (const auto kept = LearntButton::parse(QSettings().value(key).toString().toStdString()))
+    pedal_.listen(*kept);
+  connect(&pedal_, &Pedal::changed, this, [this] {
+    const auto& button = pedal_.button();
+    if (!pedal_.is_learning())
+      QSettings().setValue(key, button ? QString::fromStdString(button->text()) : QString());
+    follow();
   });
 }
 

@@ -4,6 +4,7 @@
 #include "app/studio/dresser.h"
 #include "app/studio/session_keeper.h"
 #include "widgets/live/camera_finder.h"
+#include "widgets/live/pedal.h"
 #include "widgets/places/calibrate_place.h"
 #include "widgets/places/inspect_place.h"
 #include "widgets/places/live_place.h"
@@ -27,6 +28,7 @@ struct StudioOptions {
   std::filesystem::path session_folder;       ///< where the session is kept
   SourceOpener opener = &alltact::open_source;
   CameraFinder::Lister lister;  ///< empty: the system's cameras
+  PedalPorts pedal;
   /// The program of the command line, which writes reports; empty where it is not installed.
   std::filesystem::path command_line;
 };
@@ -39,6 +41,7 @@ class MainWindow : public Translated<QMainWindow> {
 
   [[nodiscard]] LiveSession& session() { return session_; }
   [[nodiscard]] QUndoStack& undo_stack() { return undo_; }
+  [[nodiscard]] Pedal& pedal() { return pedal_; }
   /// Both can be undone. An empty one closes; what is open already is opened afresh.
   void open_finger(const std::filesystem::path& folder);
   void open_source(const std::vector<std::filesystem::path>& inputs);
@@ -61,6 +64,7 @@ class MainWindow : public Translated<QMainWindow> {
   void make_help_menu();
   [[nodiscard]] QWidget* make_rail();
   void connect_calibrating();
+  void connect_pedal();
   [[nodiscard]] QWidget* make_header();
   void make_status_line();
   void name_parts();
@@ -101,6 +105,7 @@ class MainWindow : public Translated<QMainWindow> {
   bool is_crash_told_ = false;
   LiveSession session_;
   CameraFinder finder_;
+  Pedal pedal_;
   QUndoStack undo_;
   std::vector<Words> words_;
   QMenu *file_menu_, *source_menu_, *recent_menu_, *edit_menu_, *view_menu_, *help_menu_;

@@ -158,7 +158,7 @@ void MainWindow::open_simulated() {
 }
 
 void MainWindow::show_settings() {
-  auto* dialog = new SettingsDialog(dresser_.appearance(), this);
+  auto* dialog = new SettingsDialog(dresser_.appearance(), &pedal_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &SettingsDialog::appearance_chosen, this, [this](const Appearance& chosen) {
     const auto change = [this](const Appearance& appearance) {

@@ -102,16 +102,19 @@ void MainWindow::show_undo() {
 
 void MainWindow::keep() {
   state_.view = live_->options();
+  state_.inspect = {inspect_->options(), inspect_->frame_number()};
   keeper_.keep(state_);
 }
 
 void MainWindow::restore(const SessionState& state) {
   state_.place = state.place;
   live_->set_options(state.view);
-  if (!state.finger.empty() || !state.source.empty()) {
+  const bool was_inspecting = !state.inspect.options.recording.empty();
+  if (!state.finger.empty() || !state.source.empty() || was_inspecting) {
     undo_.beginMacro(tr("go on with the last session"));
     if (!state.finger.empty()) open_finger(state.finger);
     if (!state.source.empty()) open_source(state.source);
+    inspect_->restore(state.inspect.options, state.inspect.frame);
     undo_.endMacro();
   }
   go_to(state.place);
@@ -122,6 +125,8 @@ void MainWindow::name_last() {
   QStringList what;
   if (last && !last->finger.empty()) what << tr("finger %1").arg(name_of(last->finger));
   if (last && !last->source.empty()) what << tr("source %1").arg(name_of(last->source.front()));
+  if (last && !last->inspect.options.recording.empty())
+    what << tr("recording %1").arg(name_of(last->inspect.options.recording));
   start_->set_last(what.join(QStringLiteral(", ")));
 }
 

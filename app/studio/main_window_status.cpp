@@ -2,6 +2,7 @@
 #include "app/studio/main_window.h"
 #include "calibration/settings_record.h"
 #include "widgets/accessible.h"
+#include "widgets/words/library_words.h"
 
 #include <QLocale>
 
@@ -72,6 +73,12 @@ std::vector<Problem> MainWindow::problems_of(const LiveStatus& status) {
   }
   if (const auto kept = keeper_.problem())
     problems.push_back(Problem::of(*kept, Meaning::kDoubtful));
+  if (const auto& away = pedal_.problem())
+    problems.push_back({Meaning::kDoubtful,
+                        tr("The foot pedal is not heard now."),
+                        window_sentence(away->sentence()),
+                        {},
+                        {}});
   add_source_problems(status, problems);
   add_finger_problems(status, problems);
   return problems;

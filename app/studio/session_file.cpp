@@ -1,5 +1,7 @@
 #include "app/studio/session_file.h"
 
+#include "app/studio/kind_json.h"
+
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -10,17 +12,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostRecent = 10;
-
-template <class T>
-T value_or(const Json& map, const char* key, T otherwise) {
-  const auto found = map.find(key);
-  if (found == map.end()) return otherwise;
-  try {
-    return found->get<T>();
-  } catch (const Json::exception&) {
-    return otherwise;
-  }
-}
 
 std::vector<std::filesystem::path> paths_of(const Json& map, const char* key) {
   const auto texts = value_or(map, key, std::vector<std::string>{});
@@ -71,6 +62,7 @@ std::string session_to_json(const SessionState& state) {
                   {"depth", state.view.depth},
                   {"faults", state.view.faults},
                   {"depth_top_mm", state.view.depth_top_mm}};
+  json["inspect"] = inspect_to_json(state.inspect);
   json["locked"] = state.is_locked;
   json["controls"] = Json::object();
   for (const auto& [camera, controls] : state.controls)
@@ -92,6 +84,7 @@ Result<SessionState> session_from_json(const std::string& text, const std::strin
   if (state.place != "calibrate" && state.place != "record" && state.place != "inspect")
     state.place = "live";
   state.view = view_of(value_or(json, "view", Json::object()));
+  state.inspect = inspect_from_json(value_or(json, "inspect", Json::object()));
   state.is_locked = value_or(json, "locked", true);
   const Json controls = value_or(json, "controls", Json::object());
   if (controls.is_object())

@@ -1,6 +1,7 @@
 // What was worked on, as it is kept between two days and over a crash.
 #pragma once
 
+#include "app/studio/inspect_json.h"
 #include "core/result.h"
 #include "core/sources/v4l2/camera_controls.h"
 #include "widgets/places/view_options.h"
@@ -15,8 +16,9 @@ namespace alltact {
 struct SessionState {
   std::filesystem::path finger;               ///< folder; empty for none
   std::vector<std::filesystem::path> source;  ///< what opens it; empty for none
-  std::string place = "live";                 ///< live | calibrate | record
+  std::string place = "live";                 ///< live | calibrate | record | inspect
   ViewOptions view;
+  InspectState inspect;
   bool is_locked = true;
   /// What was set by hand, by the camera's lasting name.
   std::map<std::string, std::vector<ControlValue>> controls;

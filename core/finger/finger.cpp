@@ -92,6 +92,19 @@ std::optional<Error> contact_problem(const ContactSettings& contact, int marker_
   return std::nullopt;
 }
 
+std::optional<Error> gripper_problem(const RigidTransform& gripper_from_camera) {
+  for (const double along : gripper_from_camera.translation_mm)
+    if (!is_in(along, -1e4, 1e4))
+      return Error{"must be three numbers from -10000 to 10000",
+                   "gripper_from_camera.translation_mm",
+                   "where the camera sits in the gripper, in mm"};
+  if (!is_in(gripper_from_camera.rotation.norm(), 0.999, 1.001))
+    return Error{"is no rotation: a quaternion w, x, y, z has the length 1",
+                 "gripper_from_camera.rotation",
+                 "[1.0, 0.0, 0.0, 0.0] for a camera that is not turned"};
+  return std::nullopt;
+}
+
 }  // namespace
 
 Status Finger::validate() const {
@@ -114,6 +127,8 @@ Status Finger::validate() const {
     if (auto problem = contact_problem(*contact, marker_count())) return *problem;
   if (!force_model.empty())
     if (auto problem = file_problem(force_model, "force.model")) return *problem;
+  if (gripper_from_camera)
+    if (auto problem = gripper_problem(*gripper_from_camera)) return *problem;
   return {};
 }
 

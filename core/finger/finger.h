@@ -3,6 +3,7 @@
 
 #include "core/camera/camera.h"
 #include "core/finger/mapping.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/result.h"
 
 #include <filesystem>
@@ -72,7 +73,11 @@ class Finger {
   std::optional<MappingRecord> mapping_record;
   std::optional<ReferenceFiles> reference;
   std::optional<ContactSettings> contact;
-  std::string force_model;                        ///< relative path; empty when there is none
+  std::string force_model;  ///< relative path; empty when there is none
+  /// Where the camera sits in the gripper (see RigidTransform), for fingers that look at each
+  /// other; absent: not known. Kept as written: rotation within 0.001 of unit length, each
+  /// coordinate within 10000 mm.
+  std::optional<RigidTransform> gripper_from_camera;
   std::map<std::string, std::string> provenance;  ///< date, program version, ball_radius_mm, ...
 
   /// Reads FOLDER/finger.yaml. Strict: a missing, misspelt-in-type or impossible value is an error

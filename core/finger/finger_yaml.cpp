@@ -153,6 +153,19 @@ ContactSettings read_contact(YamlSection section) {
   return contact;
 }
 
+RigidTransform read_gripper(YamlSection section) {
+  RigidTransform pose;
+  const std::vector<double> at = section.numbers("translation_mm");
+  if (at.size() != 3) section.refuse("translation_mm", "must be three numbers: x, y, z in mm", "");
+  pose.translation_mm = {at[0], at[1], at[2]};
+  const std::vector<double> turn = section.numbers("rotation");
+  if (turn.size() != 4)
+    section.refuse("rotation", "must be four numbers: w, x, y, z of a unit quaternion", "");
+  pose.rotation = {turn[0], turn[1], turn[2], turn[3]};
+  section.keep_the_rest();
+  return pose;
+}
+
 Finger read_finger(YamlSection& top) {
   Finger finger;
   if (const std::string format = top.text("format"); format != Finger::kFormat)
@@ -180,6 +193,8 @@ Finger read_finger(YamlSection& top) {
     if (finger.force_model.empty()) force.refuse("model", "must name a file", "force.yaml");
     force.keep_the_rest();
   }
+  if (top.has("gripper_from_camera"))
+    finger.gripper_from_camera = read_gripper(top.section("gripper_from_camera"));
   if (top.has("provenance")) {
     YamlSection provenance = top.section("provenance");
     finger.provenance = provenance.all_texts();
@@ -275,6 +290,16 @@ std::string contact_text(const ContactSettings& contact, const UnknownKeys& unkn
   return block.on_many_lines();
 }
 
+std::string gripper_text(const RigidTransform& pose, const UnknownKeys& unknown) {
+  YamlBlock block("gripper_from_camera");
+  const Eigen::Vector3d& at = pose.translation_mm;
+  const Eigen::Quaterniond& turn = pose.rotation;
+  block.add("translation_mm", yaml_numbers({at.x(), at.y(), at.z()}));
+  block.add("rotation", yaml_numbers({turn.w(), turn.x(), turn.y(), turn.z()}));
+  block.add_unknown(unknown);
+  return block.on_one_line();
+}
+
 /// A valid finger as a file.
 std::string text_of(const Finger& finger, const UnknownKeys& unknown) {
   YamlBlock head("");
@@ -297,6 +322,7 @@ std::string text_of(const Finger& finger, const UnknownKeys& unknown) {
     force.add_unknown(unknown);
     text += force.on_one_line();
   }
+  if (finger.gripper_from_camera) text += gripper_text(*finger.gripper_from_camera, unknown);
   YamlBlock provenance("provenance");
   for (const auto& [key, value] : finger.provenance)
     provenance.add(key, yaml_text_or_number(value));

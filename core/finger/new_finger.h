@@ -18,6 +18,7 @@ struct NewFinger {
   double plane_z_mm = 0;
   int per_row = 0;
   Polarity polarity = Polarity::kAuto;
+  std::optional<RigidTransform> gripper_from_camera;
 };
 
 }  // namespace alltact

@@ -242,6 +242,12 @@ std::size_t VideoFile::frame_count() const {
   return state_->shown.size();
 }
 
+std::int64_t VideoFile::time_ns(std::size_t number) const {
+  Frame frame;
+  state_->tell_when(number, frame);
+  return frame.time_ns;
+}
+
 double VideoFile::frames_per_s() const {
   const AVStream& video = *state_->input.video();
   for (const AVRational rate : {video.avg_frame_rate, video.r_frame_rate})

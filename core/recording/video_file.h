@@ -31,6 +31,8 @@ class VideoFile {
   /// Frame `number` (below frame_count()), named frame_NNNNN, in the order in which they are
   /// shown. One after the other is quickest. Error: it cannot be decoded; others still can.
   [[nodiscard]] Result<FramePtr> frame(std::size_t number);
+  /// When it was captured, as its Frame::time_ns; nothing is decoded.
+  [[nodiscard]] std::int64_t time_ns(std::size_t number) const;
   /// About how often frames come.
   [[nodiscard]] double frames_per_s() const;
 

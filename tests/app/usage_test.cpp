@@ -1,4 +1,5 @@
 // What the command line says of itself, and its exit statuses.
+#include "core/finger/finger.h"
 #include "core/sensing/pipeline_settings.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/program.h"
@@ -135,6 +136,34 @@ TEST(Usage, JsonIsOneObjectAlsoForAFailure) {
   EXPECT_THAT(again.errors, HasSubstr("there is a finger already"));
   EXPECT_THAT(nlohmann::json::parse(again.output).at("error").get<std::string>(),
               HasSubstr("finger.yaml"));
+}
+
+TEST(Usage, ANewFingerMayBeToldWhereItSitsInTheGripper) {
+  const TemporaryFolder folder;
+  write_flat_camera(folder / "camera.yaml");
+  const auto make = [&](std::vector<std::string> place) {
+    std::vector<std::string> words{"new",
+                                   (folder / "finger").string(),
+                                   "--camera",
+                                   (folder / "camera.yaml").string(),
+                                   "--layer-mm",
+                                   "3",
+                                   "--kind",
+                                   "flat",
+                                   "--gripper-from-camera"};
+    words.insert(words.end(), place.begin(), place.end());
+    return run_alltact(words);
+  };
+  EXPECT_EQ(make({"-40", "0", "12.5"}).status, 2);
+  EXPECT_EQ(make({"-40", "0", "12.5", "0", "-90", "up"}).status, 2);
+  EXPECT_EQ(make({"-40000", "0", "12.5", "0", "-90", "0"}).status, 1);
+  const ProgramRun made = make({"-40", "0", "12.5", "0", "-90", "0"});
+  ASSERT_EQ(made.status, 0) << made.errors;
+  const Finger finger = Finger::load(folder / "finger").value();
+  ASSERT_TRUE(finger.gripper_from_camera);
+  // The camera looks against the gripper's x.
+  const Eigen::Vector3d at = finger.gripper_from_camera->point({0, 0, 30});
+  EXPECT_LT((at - Eigen::Vector3d(-70, 0, 12.5)).norm(), 1e-12);
 }
 
 TEST(Usage, ChecksTheComputersOwnNumbers) {

@@ -74,6 +74,22 @@ TEST(Calibrate, ThreePressesWithoutRollOffGiveTheMappingToAHundredth) {
   EXPECT_LT(mapping_error(calibration.mapping, layer), 0.01);
 }
 
+TEST(Calibrate, TellsHowTheSolutionSettlesAndThatChangesNothing) {
+  std::mt19937 random(22);
+  const std::vector<Press> presses = flat_presses({0.6, 0.02}, {}, 3, random);
+  std::vector<Round> rounds;
+  const Job job({}, [&](const Round& round) { rounds.push_back(round); });
+  const Scene scene = flat_scene();
+  const auto heard = calibrate(presses, scene.camera, scene.face, {}, job);
+  ASSERT_TRUE(heard.ok()) << heard.error().sentence();
+  ASSERT_GE(rounds.size(), 3U);
+  EXPECT_EQ(rounds.front().number, 1);
+  EXPECT_LT(rounds.back().change_mm, JointOptions{}.settled_mm);
+  EXPECT_GT(rounds.front().change_mm, 1e3 * rounds.back().change_mm);
+  EXPECT_NEAR(rounds.back().residual_mm, heard->residual_mm, 1e-12);
+  EXPECT_EQ(heard->mapping.chebyshev, run(presses).mapping.chebyshev);
+}
+
 TEST(Calibrate, BallsOfSeveralSizesGiveOneMapping) {
   std::mt19937 random(29);
   const Layer layer{0.7, 0.02};

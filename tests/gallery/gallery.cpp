@@ -2,9 +2,12 @@
 
 #include "core/sources/v4l2/camera_controls.h"
 #include "widgets/controls/control_panel.h"
+#include "widgets/inspect/gripper_dialog.h"
+#include "widgets/inspect/second_finger_dialog.h"
 #include "widgets/picture/outline_editor.h"
 #include "widgets/picture/overlays.h"
 #include "widgets/places/record_place.h"
+#include "widgets/plots/convergence_plot.h"
 #include "widgets/plots/mapping_plot.h"
 #include "widgets/plots/press_error_plot.h"
 #include "widgets/recording/coverage_view.h"
@@ -147,8 +150,27 @@ Shown step_list() {
   return list;
 }
 
+Shown convergence_plot() {
+  auto plot = std::make_unique<ConvergencePlot>();
+  std::vector<Round> rounds;
+  for (int i = 0; i < 9; ++i)
+    rounds.push_back({i + 1, 0.021 + 0.03 * std::exp(-0.9 * i), 0.2 * std::pow(0.11, i)});
+  plot->set_rounds(rounds);
+  return plot;
+}
+
+Shown gripper_dialog() {
+  return std::make_unique<GripperDialog>(
+      "left-07", RigidTransform{rotation_of_degrees({0, 90, -12.5}), {-42.5, 0, 18}});
+}
+
+Shown second_finger_dialog() {
+  return std::make_unique<SecondFingerDialog>(
+      SecondFinger{"/fingers/right-03", "/recordings/grasp_right.mkv"});
+}
+
 Shown settings_dialog() {
-  return std::make_unique<SettingsDialog>(Appearance{});
+  return std::make_unique<SettingsDialog>(Appearance{}, nullptr);
 }
 
 /// The place with nothing to record from.
@@ -178,19 +200,23 @@ Shown empty_recording() {
 }  // namespace
 
 const std::map<std::string, std::unique_ptr<QWidget> (*)()>& gallery() {
-  static const std::map<std::string, Shown (*)()> widgets{{"control_panel", control_panel},
-                                                          {"coverage_view", coverage_view},
-                                                          {"empty_recording", empty_recording},
-                                                          {"export_dialog", export_dialog},
-                                                          {"image_view", image_view},
-                                                          {"mapping_plot", mapping_plot},
-                                                          {"new_finger_dialog", new_finger_dialog},
-                                                          {"outline_editor", outline_editor},
-                                                          {"press_error_plot", press_error_plot},
-                                                          {"problem_list", problem_list},
-                                                          {"settings_dialog", settings_dialog},
-                                                          {"start_panel", start_panel},
-                                                          {"step_list", step_list}};
+  static const std::map<std::string, Shown (*)()> widgets{
+      {"control_panel", control_panel},
+      {"convergence_plot", convergence_plot},
+      {"coverage_view", coverage_view},
+      {"empty_recording", empty_recording},
+      {"export_dialog", export_dialog},
+      {"gripper_dialog", gripper_dialog},
+      {"image_view", image_view},
+      {"mapping_plot", mapping_plot},
+      {"new_finger_dialog", new_finger_dialog},
+      {"outline_editor", outline_editor},
+      {"press_error_plot", press_error_plot},
+      {"problem_list", problem_list},
+      {"second_finger_dialog", second_finger_dialog},
+      {"settings_dialog", settings_dialog},
+      {"start_panel", start_panel},
+      {"step_list", step_list}};
   return widgets;
 }
 

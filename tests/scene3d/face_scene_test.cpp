@@ -5,9 +5,11 @@
 #include "widgets/scene3d/face_mesh.h"
 #include "widgets/scene3d/scene_pictures.h"
 
+#include <cstdlib>
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
 #include <vtkPointData.h>
 
 namespace alltact::test {
@@ -184,6 +186,98 @@ TEST_F(FaceSceneTest, ForgetsAFace) {
   scene().forget();
   EXPECT_EQ(cv::countNonZero(cv::Mat(empty != pictures_.picture()).reshape(1)), 0);
   EXPECT_FALSE(scene().pixel_at(400, 250));
+}
+
+class GripperSceneTest : public FaceSceneTest {
+ protected:
+  /// Turned so that nothing stands along an axis.
+  const RigidTransform first_{rotation_of_degrees({20, -35, 50}), {60, -20, 15}};
+  const RigidTransform second_{rotation_of_degrees({-10, 120, 5}), {-250, 40, 30}};
+  void show_both(const FaceSurface& first, const FaceSurface& second) {
+    scene().show_in_gripper({first, MadeSurface::camera(), first_},
+                            {second, MadeSurface::camera(), second_});
+  }
+  /// Looks as a camera does that sits there.
+  void look_with(const RigidTransform& camera) {
+    scene().look_as(
+        {camera.point({0, 0, -200}), camera.point({0, 0, 100}), camera.direction({0, -1, 0})});
+  }
+};
+
+TEST_F(GripperSceneTest, PlacesTheFirstFaceWhereItsCameraSits) {
+  made_.slope = 0.4;
+  show(made_.make(65, 37));
+  scene().look_as({{30, -200, -250}, {0, 0, 100}, {0, -1, 0}});
+  const std::vector<cv::Point2d> pixels{{50, 60}, middle_, {900, 500}};
+  std::vector<cv::Point2d> places;
+  for (const auto& pixel : pixels) places.push_back(*scene().place_of(pixel));
+  const cv::Mat alone = pictures_.picture();
+  show_both(made_.make(65, 37), made_.make(65, 37));
+  scene().look_as(
+      {first_.point({30, -200, -250}), first_.point({0, 0, 100}), first_.direction({0, -1, 0})});
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const auto place = scene().place_of(pixels[i]);
+    ASSERT_TRUE(place);
+    EXPECT_LT(cv::norm(*place - places[i]), 0.01) << "a turned gripper seen with the same turn";
+    const auto pixel = scene().pixel_at(place->x, place->y);
+    ASSERT_TRUE(pixel);
+    EXPECT_LT(cv::norm(*pixel - pixels[i]), 0.5);
+  }
+}
+
+TEST_F(GripperSceneTest, ShowsBothFacesOnOneScale) {
+  MadeSurface other = made_;
+  other.deepest_mm = 0.4;
+  const FaceSurface first = made_.make(97, 55), second = other.make(97, 55);
+  show_both(first, second);
+  const cv::Point centre(kSize.width / 2, kSize.height / 2);
+  look_with(first_);
+  EXPECT_LT(distance(pictures_.picture().at<cv::Vec3b>(centre), of(viridis(0.8))), 12);
+  look_with(second_);
+  EXPECT_LT(distance(pictures_.picture().at<cv::Vec3b>(centre), of(viridis(0.4))), 12);
+  EXPECT_FALSE(scene().pixel_at(centre.x, centre.y)) << "points lie on the first finger";
+  show(first);
+  EXPECT_EQ(scene().pixel_at(1, 1), std::nullopt);
+  scene().look_from(Standpoint::kCamera);
+  EXPECT_LT(distance(at(middle_), of(viridis(0.8))), 12) << "alone again, in its camera's frame";
+}
+
+TEST_F(GripperSceneTest, LooksSoThatBothAreInSight) {
+  const FaceSurface face = made_.make(65, 37);
+  for (const Standpoint standpoint :
+       {Standpoint::kTilted, Standpoint::kCamera, Standpoint::kOutside, Standpoint::kSide}) {
+    show_both(face, face);
+    scene().look_from(standpoint);
+    const auto first = scene().place_of(middle_);
+    // The other way round the second one's place can be asked for.
+    const Look look = scene().look();
+    scene().show_in_gripper({face, MadeSurface::camera(), second_},
+                            {face, MadeSurface::camera(), first_});
+    scene().look_as(look);
+    const auto second = scene().place_of(middle_);
+    for (const auto& place : {first, second}) {
+      ASSERT_TRUE(place);
+      EXPECT_GT(place->x, 0);
+      EXPECT_LT(place->x, kSize.width - 78);
+      EXPECT_GT(place->y, 0);
+      EXPECT_LT(place->y, kSize.height);
+    }
+  }
+}
+
+TEST_F(GripperSceneTest, DrawsTheGapAndTheFrames) {
+  const FaceSurface face = made_.make(65, 37);
+  show_both(face, face);
+  const cv::Mat bare = pictures_.picture();
+  scene().set_gap(NearestPoints{first_.point({0, 0, 100}), second_.point({0, 0, 100})});
+  EXPECT_GT(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 300);
+  scene().set_gap(std::nullopt);
+  EXPECT_EQ(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 0);
+  options_.camera = true;
+  scene().set_options(options_);
+  if (const char* folder = std::getenv("ALLTACT_LOOK_AT"))
+    cv::imwrite(std::string(folder) + "/gripper.png", pictures_.picture());
+  EXPECT_GT(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 600);
 }
 
 TEST(FaceMesh, PlacesNormalsAndTriangles) {

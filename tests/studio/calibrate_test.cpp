@@ -337,6 +337,31 @@ TEST(Calibrate, StoppingKeepsWhatWasThere) {
   }
 }
 
+TEST(Calibrate, ShowsHowTheSolutionSettlesWhileItRuns) {
+  CalibrateStudio rig(6);
+  rig.open();
+  rig.go_to_step("Presses");
+  rig.type_radius("4");
+  ASSERT_TRUE(rig.wait_until_looked_at(6));
+  rig.go_to_step("Mapping");
+  rig.studio().click("Calibrate now");
+  auto* plot = rig.studio().find<ConvergencePlot>("How the solution settles");
+  ASSERT_NE(plot, nullptr);
+  std::size_t most_seen = 0;
+  ASSERT_TRUE(wait_until(
+      [&] {
+        if (plot->isVisible()) most_seen = rig.run().work().rounds().size();
+        return rig.run().result() != nullptr;
+      },
+      120000));
+  EXPECT_GT(most_seen, 0U);
+  EXPECT_TRUE(plot->accessibleDescription().contains(QStringLiteral("mm are left")));
+  EXPECT_FALSE(plot->isVisible());
+  const auto& rounds = rig.run().work().rounds();
+  EXPECT_NEAR(rounds.back().residual_mm, rig.run().result()->calibration.residual_mm, 1e-9);
+  EXPECT_LT(rounds.back().change_mm, 1e-7);
+}
+
 TEST(Calibrate, TheListIsAProperModel) {
   CalibrateStudio rig(3);
   rig.open();

@@ -184,7 +184,7 @@ TEST(Window, EveryControlHasANameAndARole) {
   NewFingerDialog finger([](const NewFinger&) { return Status(); });
   finger.show();
   expect_names(finger);
-  SettingsDialog settings({});
+  SettingsDialog settings({}, nullptr);
   settings.show();
   expect_names(settings);
   ExportDialog exported(MadeFingers::get().calibrated());

@@ -8,6 +8,7 @@
 #include "widgets/value_change.h"
 #include "widgets/words/library_words.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QTemporaryDir>
@@ -181,6 +182,12 @@ QString CheckPage::why_not_take() const {
   if (run_.state() == CalibrationState::kNone) return tr("The finger is not calibrated.");
   if (work_.is_running()) return tr("The check is being made.");
   return {};
+}
+
+void CheckPage::press_pedal() {
+  if (!take_->isEnabled()) return;
+  take();
+  QApplication::beep();
 }
 
 void CheckPage::take() {

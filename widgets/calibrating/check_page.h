@@ -28,6 +28,7 @@ class CheckPage : public StepPage {
 
   [[nodiscard]] QString title() const override { return tr("Check"); }
   [[nodiscard]] StepState state() const override;
+  void press_pedal() override;
   [[nodiscard]] QString missing() const override { return {}; }
   void show_status();
   [[nodiscard]] const std::vector<CheckEntry>& history() const { return history_; }

@@ -22,6 +22,7 @@ MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
       progress_(wrapped_text()),
       text_(wrapped_text()),
       log_(new QListWidget),
+      convergence_(new ConvergencePlot),
       mapping_(new MappingPlot),
       errors_(new PressErrorPlot),
       residual_(new FaceMapPlot),
@@ -38,7 +39,10 @@ MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
   row->addWidget(progress_, 2);
   column->addLayout(row);
   column->addWidget(text_);
-  column->addWidget(log_, 1);
+  auto* running = new QHBoxLayout;
+  running->addWidget(log_, 1);
+  running->addWidget(convergence_, 1);
+  column->addLayout(running, 1);
   auto* figures = new QGridLayout;
   figures->addWidget(mapping_, 0, 0);
   figures->addWidget(errors_, 0, 1);
@@ -115,6 +119,8 @@ void MappingPage::show_log() {
   if (is_running && !was_running_) log_->clear();
   was_running_ = is_running;
   log_->setVisible(is_running);
+  convergence_->setVisible(is_running);
+  if (is_running) convergence_->set_rounds(run_.work().rounds());
   const QString what = run_.work().what();
   const int count = log_->count();
   if (!is_running || what.isEmpty() || (count > 0 && log_->item(count - 1)->text() == what)) return;

@@ -3,6 +3,7 @@
 
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
+#include "widgets/plots/convergence_plot.h"
 #include "widgets/plots/face_map_plot.h"
 #include "widgets/plots/mapping_plot.h"
 #include "widgets/plots/press_error_plot.h"
@@ -34,7 +35,8 @@ class MappingPage : public StepPage {
   QPushButton *calibrate_, *stop_;
   QProgressBar* bar_;
   QLabel *progress_, *text_;
-  QListWidget* log_;  // what was done, and how the solution settles
+  QListWidget* log_;  // what was done
+  ConvergencePlot* convergence_;
   bool was_running_ = false;
   MappingPlot* mapping_;
   PressErrorPlot* errors_;

@@ -259,6 +259,12 @@ void PressesPage::take() {
   show_take();
 }
 
+void PressesPage::press_pedal() {
+  if (!take_->isEnabled()) return;
+  take();
+  QApplication::beep();
+}
+
 void PressesPage::keyPressEvent(QKeyEvent* event) {
   const bool is_space = event->key() == Qt::Key_Space && !event->isAutoRepeat();
   if (!is_space || !take_->isEnabled()) return StepPage::keyPressEvent(event);

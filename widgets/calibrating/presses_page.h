@@ -29,6 +29,7 @@ class PressesPage : public StepPage {
 
   [[nodiscard]] QString title() const override { return tr("Presses"); }
   [[nodiscard]] StepState state() const override;
+  void press_pedal() override;
   [[nodiscard]] QString missing() const override;
   void show_status();
   /// Shows this press' picture; empty: the live one.

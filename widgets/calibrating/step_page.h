@@ -16,6 +16,8 @@ class StepPage : public Translated<QWidget> {
   [[nodiscard]] virtual StepState state() const = 0;
   /// What is missing before the next step can begin; empty: nothing.
   [[nodiscard]] virtual QString missing() const = 0;
+  /// What a foot pedal does here, as the space bar.
+  virtual void press_pedal() {}
 
  Q_SIGNALS:
   /// The state, or what is missing, may have changed.

@@ -53,11 +53,14 @@ void FaceView::resizeEvent(QResizeEvent* event) {
 }
 
 bool FaceView::event(QEvent* event) {
+  const bool is_wheel = event->type() == QEvent::Wheel;
+  const auto before = is_wheel ? std::optional(scene_->look()) : std::nullopt;
   const bool is_taken = Translated::event(event);
   const auto* mouse =
       event->type() == QEvent::MouseMove ? static_cast<QMouseEvent*>(event) : nullptr;
-  if (event->type() == QEvent::Wheel || (mouse != nullptr && mouse->buttons() != Qt::NoButton))
-    Q_EMIT looked();
+  if (is_wheel || (mouse != nullptr && mouse->buttons() != Qt::NoButton)) Q_EMIT looked();
+  // A touchpad sends parts of a step.
+  if (is_wheel && !(scene_->look() == *before)) Q_EMIT turned(false);
   return is_taken;
 }
 
@@ -90,22 +93,31 @@ void FaceView::keyPressEvent(QKeyEvent* event) {
       change().come_closer(1 / kCloser);
       break;
     case Qt::Key_0:
-      change().look_from(scene_->standpoint());
-      break;
+      return Q_EMIT all_wanted();
     default:
       return Translated::keyPressEvent(event);
   }
   Q_EMIT looked();
+  Q_EMIT turned(false);
 }
 
 void FaceView::mousePressEvent(QMouseEvent* event) {
-  pressed_ = event->position();
+  if (!pressed_) pressed_ = Press{event->position(), scene_->look()};
 }
 
 void FaceView::mouseReleaseEvent(QMouseEvent* event) {
   constexpr double kStill = 3;  // logical pixels that a hand may tremble
-  const bool is_click = pressed_ && (event->position() - *pressed_).manhattanLength() <= kStill;
+  if (!pressed_ || event->buttons() != Qt::NoButton) return;
+  const Press press = *pressed_;
   pressed_.reset();
+  const bool is_turned = !(scene_->look() == press.look);
+  const bool is_click = (event->position() - press.at).manhattanLength() <= kStill;
+  if (is_turned && is_click) {
+    change().look_as(press.look);
+    Q_EMIT looked();
+  } else if (is_turned) {
+    Q_EMIT turned(true);
+  }
   if (!is_click || event->button() == Qt::MiddleButton) return;
   const double ratio = devicePixelRatioF();
   const auto pixel = scene_->pixel_at(event->position().x() * ratio, event->position().y() * ratio);

@@ -27,8 +27,12 @@ class FaceView : public Translated<VtkView> {
  Q_SIGNALS:
   /// A pixel of the picture; is_second: with the right button, or Ctrl.
   void clicked(QPointF pixel, bool is_second);
-  /// One looks from another place.
+  /// One looks from another place; also while a drag goes on.
   void looked();
+  /// So one has come to look: at a drag's end, and at each step of the wheel or a key.
+  void turned(bool is_drag);
+  /// The key that shows all again.
+  void all_wanted();
 
  protected:
   bool event(QEvent* event) override;
@@ -41,7 +45,11 @@ class FaceView : public Translated<VtkView> {
  private:
   void dress();
   std::unique_ptr<FaceScene> scene_;
-  std::optional<QPointF> pressed_;
+  struct Press {
+    QPointF at;
+    Look look;
+  };
+  std::optional<Press> pressed_;
 };
 
 /// The palette's colours for a scene.

@@ -31,8 +31,15 @@ void InspectPane::make_face_view() {
   stack_->addWidget(face_);
   connect(face_, &FaceView::clicked, this, &InspectPane::clicked);
   connect(face_, &FaceView::looked, this, &InspectPane::looked);
+  connect(face_, &FaceView::turned, this, &InspectPane::turned);
+  connect(face_, &FaceView::all_wanted, this, &InspectPane::all_wanted);
   face_->change().set_options(options_.scene);
+  look();
+}
+
+void InspectPane::look() {
   face_->change().look_from(options_.standpoint);
+  if (options_.look) face_->change().look_as(*options_.look);
 }
 
 void InspectPane::set_content(PaneContent content) {
@@ -46,21 +53,34 @@ void InspectPane::set_title(const QString& title) {
 }
 
 void InspectPane::set_options(const InspectOptions& options) {
-  const bool stands_elsewhere = options.standpoint != options_.standpoint;
+  const bool stands_elsewhere =
+      options.standpoint != options_.standpoint || options.look != options_.look;
   const bool draws_else = !(options.scene == options_.scene);
   options_ = options;
   if (face_ != nullptr && draws_else) face_->change().set_options(options.scene);
-  if (face_ != nullptr && stands_elsewhere) face_->change().look_from(options.standpoint);
+  if (face_ != nullptr && stands_elsewhere) look();
   show_all();
 }
 
 void InspectPane::show_frame(std::shared_ptr<const InspectedFrame> frame) {
   frame_ = std::move(frame);
+  in_gripper_.reset();
+  show_all();
+}
+
+void InspectPane::show_pair(const FingerPair& pair) {
+  const auto frames = pair.frames();
+  frame_ = frames->first;
+  in_gripper_ =
+      InGripper{frames->second,
+                {*pair.place(false)->gripper_from_camera, *pair.place(true)->gripper_from_camera},
+                pair.gap()};
   show_all();
 }
 
 void InspectPane::show_message(const QString& message) {
   frame_.reset();
+  in_gripper_.reset();
   message_ = message;
   show_all();
 }
@@ -78,7 +98,12 @@ void InspectPane::show_all() {
 void InspectPane::show_3d() {
   FaceScene& scene = face_->change();
   const bool has_other = frame_->other_surface.has_value();
-  if (content_ == PaneContent::kDifference && has_other)
+  scene.set_gap(in_gripper_ ? in_gripper_->gap : std::nullopt);
+  if (in_gripper_)
+    scene.show_in_gripper(
+        {*frame_->surface, *frame_->camera, in_gripper_->places[0]},
+        {*in_gripper_->second->surface, *in_gripper_->second->camera, in_gripper_->places[1]});
+  else if (content_ == PaneContent::kDifference && has_other)
     scene.show_difference(*frame_->surface, frame_->other_depth_mm, *frame_->camera);
   else if (content_ == PaneContent::kSecond && has_other)
     scene.show(*frame_->other_surface, *frame_->camera);

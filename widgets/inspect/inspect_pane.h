@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/inspect/face_view.h"
+#include "widgets/inspect/finger_pair.h"
 #include "widgets/inspect/inspect_options.h"
 #include "widgets/picture/image_view.h"
 #include "widgets/translated.h"
@@ -20,6 +21,8 @@ class InspectPane : public Translated<QWidget> {
   void set_content(PaneContent content);
   void set_options(const InspectOptions& options);
   void show_frame(std::shared_ptr<const InspectedFrame> frame);
+  /// In 3D both fingers in the gripper's frame; as a height map the first.
+  void show_pair(const FingerPair& pair);
   /// Instead of a frame: why there is none.
   void show_message(const QString& message);
   /// Shown above; empty: none.
@@ -34,6 +37,8 @@ class InspectPane : public Translated<QWidget> {
  Q_SIGNALS:
   void clicked(QPointF pixel, bool is_second);
   void looked();
+  void turned(bool is_drag);
+  void all_wanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -44,10 +49,17 @@ class InspectPane : public Translated<QWidget> {
   void show_all();
   void show_3d();
   void show_map();
+  void look();
 
+  struct InGripper {
+    std::shared_ptr<const InspectedFrame> second;
+    std::array<RigidTransform, 2> places;
+    std::optional<NearestPoints> gap;
+  };
   PaneContent content_;
   InspectOptions options_;
   std::shared_ptr<const InspectedFrame> frame_;
+  std::optional<InGripper> in_gripper_;
   QString message_;
   QLabel* title_;
   QStackedWidget* stack_;

@@ -139,6 +139,7 @@ void InspectSide::connect_view() {
   connect(standpoint_, &QComboBox::activated, this, [this](int index) {
     InspectOptions next = options_;
     next.standpoint = static_cast<Standpoint>(index + 1);
+    next.look.reset();
     Q_EMIT changed(next, tr("look from: %1").arg(standpoint_->itemText(index)), -1);
   });
   connect(comparison_, &QComboBox::activated, this, [this](int index) {
@@ -306,7 +307,7 @@ void InspectSide::set_options(const InspectOptions& options) {
                                   QSignalBlocker(points_[1].v)};
   shown_as_->setCurrentIndex(VtkView::is_supported() ? static_cast<int>(options.shown_as) - 1 : 1);
   standpoint_->setCurrentIndex(static_cast<int>(options.standpoint) - 1);
-  comparison_->setCurrentIndex(static_cast<int>(options.comparison) - 1);
+  comparison_->setCurrentIndex(static_cast<int>(options.shown_comparison()) - 1);
   top_->setValue(options.scene.top_mm);
   times_->setValue(options.scene.times);
   untouched_->setChecked(options.scene.untouched);
@@ -320,6 +321,7 @@ void InspectSide::set_options(const InspectOptions& options) {
   const bool is_3d = shown_as_->currentIndex() == 0;
   for (QWidget* widget : std::initializer_list<QWidget*>{standpoint_, times_, untouched_, camera_})
     widget->setEnabled(is_3d);
+  comparison_->setEnabled(!options.second);
   clear_->setEnabled(options.a || options.b);
   show_reading();
 }
@@ -346,7 +348,7 @@ void InspectSide::show_reading() {
   reading_->setText(reading_text(*frame_, options_.a, options_.b));
   if (!options_.a || !options_.b) return profile_->set_profiles({}, std::nullopt);
   std::optional<Profile> other;
-  if (options_.comparison != Comparison::kNone && frame_->other)
+  if (options_.shown_comparison() != Comparison::kNone && frame_->other)
     other = profile_between(*frame_->other, frame_->face, {}, *options_.a, *options_.b);
   profile_->set_profiles(
       profile_between(frame_->result, frame_->face, frame_->sd_mm, *options_.a, *options_.b),

@@ -70,14 +70,14 @@ void Inspection::set_other(OtherMethod other) {
   shared_->ask([&](InspectWish& wish) { wish.other = other; }, true);
 }
 
-void Inspection::open(const std::filesystem::path& input) {
+void Inspection::open(const std::filesystem::path& input, std::size_t number) {
   recording_.reset();
   frame_.reset();
   problem_.reset();
   shared_->ask(
       [&](InspectWish& wish) {
         wish.input = input;
-        wish.number = 0;
+        wish.number = number;
         wish.live.reset();
       },
       true);

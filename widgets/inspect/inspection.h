@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/inspect/inspected_frame.h"
+#include "widgets/inspect/time_match.h"
 #include "widgets/live/finger_watcher.h"
 
 #include <QObject>
@@ -18,6 +19,7 @@ struct RecordingInfo {
   std::filesystem::path input;
   std::size_t count = 0;
   double frames_per_s = 30;
+  std::shared_ptr<const FrameTimes> times_ns;  ///< null for pictures
 };
 
 /// An object of the window's thread; work goes on a thread of its own.
@@ -32,7 +34,8 @@ class Inspection : public QObject {
   void set_finger(const std::filesystem::path& folder);
   void set_other(OtherMethod other);
   /// A video, or a folder of pictures; an empty path closes it.
-  void open(const std::filesystem::path& input);
+  ///   number: the frame that is shown first; of a shorter one the last
+  void open(const std::filesystem::path& input, std::size_t number = 0);
   void show_frame(std::size_t number);
   /// A frame that was measured live, with the finger it was measured with.
   void show_live(std::shared_ptr<const LiveView> view, const Finger& finger);

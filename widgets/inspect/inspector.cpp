@@ -47,9 +47,15 @@ Status Inspector::open(const std::filesystem::path& input, const Job& job) {
   input_ = input;
   frames_.reset();
   last_.reset();
+  std::error_code ignored;
+  if (!std::filesystem::exists(input, ignored))
+    return Error{"this recording is not there any more",
+                 input.string(),
+                 "plugging in the disk it lies on, or opening another one"};
   auto frames = RecordedFrames::open(input, job);
   if (!frames) return frames.error();
   frames_ = std::move(*frames);
+  times_ns_ = frames_->times_ns();
   return {};
 }
 
@@ -135,7 +141,8 @@ InspectAnswer Inspector::operator()(const InspectWish& wish, const Job& job) {
     return answer;
   }
   if (const Status status = open(wish.input, job); !status) return fail(status.error());
-  answer.recording = RecordingInfo{wish.input, frames_->count(), frames_->frames_per_s()};
+  answer.recording =
+      RecordingInfo{wish.input, frames_->count(), frames_->frames_per_s(), times_ns_};
   if (const Status status = load_finger(wish.finger, job); !status) return fail(status.error());
   auto frame = measure(wish, job);
   if (!frame) return fail(frame.error());

@@ -43,6 +43,7 @@ class Inspector {
   std::optional<Finger> finger_;
   std::optional<Pipeline> first_, other_;
   std::optional<RecordedFrames> frames_;
+  std::shared_ptr<const FrameTimes> times_ns_;
   std::optional<std::size_t> last_;
   cv::Size grid_;  // the same for all frames of a finger
 };

@@ -29,6 +29,13 @@ Result<FramePtr> RecordedFrames::frame(std::size_t number) {
   return PictureSource({pictures_.at(number)}).next();
 }
 
+std::shared_ptr<const FrameTimes> RecordedFrames::times_ns() const {
+  if (!video_) return nullptr;
+  auto times = std::make_shared<FrameTimes>();
+  for (std::size_t i = 0; i < count(); ++i) times->push_back(video_->time_ns(i));
+  return times;
+}
+
 double RecordedFrames::frames_per_s() const {
   constexpr double kPictures = 10;
   return video_ ? video_->frames_per_s() : kPictures;

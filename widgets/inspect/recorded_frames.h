@@ -5,8 +5,10 @@
 #include "core/recording/video_file.h"
 #include "core/result.h"
 #include "core/sources/frame.h"
+#include "widgets/inspect/time_match.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,6 +26,8 @@ class RecordedFrames {
   [[nodiscard]] Result<FramePtr> frame(std::size_t number);
   /// Of a video as it was recorded; pictures have no times and go by ten a second.
   [[nodiscard]] double frames_per_s() const;
+  /// Of capture; null where they have none.
+  [[nodiscard]] std::shared_ptr<const FrameTimes> times_ns() const;
   /// A frame follows the one before it in time.
   [[nodiscard]] bool is_continuous() const { return is_continuous_; }
 

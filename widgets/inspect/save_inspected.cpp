@@ -42,6 +42,31 @@ Status save_surface(const InspectedFrame& frame, const std::filesystem::path& fi
       file, contact_face_points_mm(frame.result, frame.face), frame.result.depth->depth_mm);
 }
 
+std::vector<std::filesystem::path> files_of_both(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> files;
+  for (const char* number : {"-1", "-2"})
+    files.push_back(file.parent_path() /
+                    (file.stem().string() + number + file.extension().string()));
+  return files;
+}
+
+Status save_both(const std::array<PlacedFrame, 2>& frames, const std::filesystem::path& file) {
+  const auto files = files_of_both(file);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const InspectedFrame& frame = *frames[i].frame;
+    if (!frame.result.depth)
+      return Error{"there is no face to save", files[i].string(), "another frame"};
+    cv::Mat points = contact_face_points_mm(frame.result, frame.face);
+    points.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int*) {
+      const Eigen::Vector3d at = frames[i].gripper_from_camera.point({p[0], p[1], p[2]});
+      p = cv::Vec3d(at.x(), at.y(), at.z());
+    });
+    const Status status = write_surface(files[i], points, frame.result.depth->depth_mm);
+    if (!status) return status;
+  }
+  return {};
+}
+
 Status save_film(const FilmOptions& options, const std::filesystem::path& file, const Job& job) {
   auto pictures = ScenePictures::create(options.size_px);
   if (!pictures) return pictures.error();

@@ -6,13 +6,27 @@
 #include "widgets/inspect/inspect_options.h"
 #include "widgets/inspect/inspected_frame.h"
 
+#include <array>
 #include <filesystem>
+#include <memory>
+#include <vector>
 
 namespace alltact {
 
 /// The contact face, a vertex a pixel, by the ending: see write_surface(). Error: no face; those of
 /// write_surface().
 [[nodiscard]] Status save_surface(const InspectedFrame& frame, const std::filesystem::path& file);
+
+/// A frame of one of two fingers, and where its camera sits in the gripper.
+struct PlacedFrame {
+  std::shared_ptr<const InspectedFrame> frame;
+  RigidTransform gripper_from_camera;
+};
+/// NAME-1 and NAME-2 with the ending of `file`.
+[[nodiscard]] std::vector<std::filesystem::path> files_of_both(const std::filesystem::path& file);
+/// Both contact faces, in the gripper's frame, into files_of_both(). Errors: as save_surface().
+[[nodiscard]] Status save_both(const std::array<PlacedFrame, 2>& frames,
+                               const std::filesystem::path& file);
 
 struct FilmOptions {
   std::filesystem::path finger, input;

@@ -50,6 +50,11 @@ void TimeLine::set_recording(std::size_t count, double frames_per_s) {
   setEnabled(count > 0);
 }
 
+void TimeLine::begin(std::size_t number) {
+  play(false);
+  wanted_ = shown_ = number;
+}
+
 void TimeLine::set_shown(std::size_t number, const QString& name) {
   shown_ = number;
   name_->setText(name);

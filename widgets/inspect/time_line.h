@@ -17,6 +17,8 @@ class TimeLine : public Translated<QWidget> {
   explicit TimeLine(QWidget* parent = nullptr);
 
   void set_recording(std::size_t count, double frames_per_s);
+  /// Another recording, from this frame on.
+  void begin(std::size_t number);
   /// The frame that is shown now; while playing, the next one is asked for when it is due.
   void set_shown(std::size_t number, const QString& name);
   [[nodiscard]] bool is_playing() const { return timer_.isActive(); }

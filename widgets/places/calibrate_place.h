@@ -37,6 +37,8 @@ class CalibratePlace : public Translated<QWidget> {
   [[nodiscard]] CalibrationRun& run() { return run_; }
   /// The step that waits: the first that is not done.
   void go_to_next_to_do();
+  /// A foot pedal was pressed: takes a press where one can be taken.
+  void press_pedal() { pages_[step_]->press_pedal(); }
 
  Q_SIGNALS:
   void new_finger_wanted(const alltact::NewFinger& known);

@@ -1,13 +1,10 @@
 #include "widgets/places/inspect_place.h"
 
-#include "core/io/picture.h"
 #include "widgets/inspect/reading_text.h"
-#include "widgets/inspect/save_inspected.h"
 #include "widgets/places/side_panel.h"
 #include "widgets/value_change.h"
 #include "widgets/words/library_words.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <cmath>
@@ -16,6 +13,8 @@ namespace alltact {
 namespace {
 
 constexpr int kSideWidth = 320;
+constexpr int kFirstTurn = 21000, kTurns = 1000;  // merge ids
+constexpr int kOneTurn_ms = 700;                  // steps of wheel and keys that belong together
 
 QString text_of(const std::filesystem::path& path) {
   return QString::fromStdString(path.string());
@@ -27,6 +26,7 @@ InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* pare
     : Translated(parent),
       session_(session),
       undo_(undo),
+      pair_(inspection_),
       problems_(new ProblemList),
       live_(new QPushButton),
       video_(new QPushButton),
@@ -38,7 +38,8 @@ InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* pare
       first_(new InspectPane(PaneContent::kFirst)),
       second_(new InspectPane(PaneContent::kSecond)),
       time_line_(new TimeLine),
-      side_(new InspectSide) {
+      side_(new InspectSide),
+      pair_box_(new PairBox(pair_)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   auto* column = new QVBoxLayout;
@@ -58,6 +59,8 @@ InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* pare
   second_->hide();
   time_line_->hide();
   connect_parts();
+  connect_panes();
+  connect_pair();
   if (!VtkView::is_supported()) options_.shown_as = ShownAs::kHeightMap;
   say([this] { name_parts(); });
   set_options(options_);
@@ -69,7 +72,8 @@ QWidget* InspectPlace::make_header() {
   row->setContentsMargins(0, 0, 0, 0);
   live_->setCheckable(true);
   live_->setChecked(true);
-  for (QPushButton* button : {live_, video_, folder_}) row->addWidget(button);
+  for (QPushButton* button : {live_, video_, folder_, pair_box_->open_button()})
+    row->addWidget(button);
   shown_->setMinimumWidth(1);
   row->addSpacing(8);
   row->addWidget(shown_, 1);
@@ -82,6 +86,7 @@ QWidget* InspectPlace::make_header() {
 
 QWidget* InspectPlace::make_side() {
   const SidePanel panel(kSideWidth);
+  panel.column->addWidget(pair_box_);
   panel.column->addWidget(side_);
   return panel.whole;
 }
@@ -100,10 +105,24 @@ void InspectPlace::connect_parts() {
   connect(save_bar_, &SaveBar::stop_wanted, &saving_, &BackgroundWork::stop);
   connect(&saving_, &BackgroundWork::progressed, this, &InspectPlace::show_saving);
   connect(&saving_, &BackgroundWork::finished, this, &InspectPlace::show_saving);
+}
+
+void InspectPlace::connect_panes() {
+  connect(first_, &InspectPane::clicked, this, &InspectPlace::set_point);
+  connect(second_, &InspectPane::clicked, this, [this](QPointF pixel, bool is_second) {
+    if (!options_.second) set_point(pixel, is_second);  // points lie on the first finger
+  });
   for (InspectPane* pane : {first_, second_}) {
     InspectPane* other = pane == first_ ? second_ : first_;
-    connect(pane, &InspectPane::clicked, this, &InspectPlace::set_point);
     connect(pane, &InspectPane::looked, other, [pane, other] { other->look_like(*pane); });
+    connect(pane, &InspectPane::turned, this, [this, pane](bool is_drag) {
+      keep_look(*pane, is_drag);
+    });
+    connect(pane, &InspectPane::all_wanted, this, [this] {
+      InspectOptions next = options_;
+      next.look.reset();
+      change_options(next, tr("show all again"), -1);
+    });
   }
 }
 
@@ -130,20 +149,33 @@ void InspectPlace::change_options(const InspectOptions& options,
 }
 
 void InspectPlace::set_options(const InspectOptions& options) {
-  options_ = options;
-  inspection_.set_other(options.comparison == Comparison::kNone ? OtherMethod::kNone
-                                                                : OtherMethod::kPaper);
-  const bool is_beside = options.comparison == Comparison::kSideBySide;
-  first_->set_content(options.comparison == Comparison::kDifference ? PaneContent::kDifference
-                                                                    : PaneContent::kFirst);
-  first_->set_title(is_beside ? tr("Ours")
-                    : options.comparison == Comparison::kDifference
-                        ? tr("Ours less the paper's method")
-                        : QString());
-  second_->set_title(tr("The paper's method"));
-  second_->setVisible(is_beside);
-  for (InspectPane* pane : {first_, second_}) pane->set_options(options);
+  const InspectOptions before = std::exchange(options_, options);
+  const Comparison comparison = options.shown_comparison();
+  inspection_.set_other(comparison == Comparison::kNone ? OtherMethod::kNone : OtherMethod::kPaper);
+  first_->set_content(comparison == Comparison::kDifference ? PaneContent::kDifference
+                                                            : PaneContent::kFirst);
+  second_->set_content(options.second ? PaneContent::kFirst : PaneContent::kSecond);
+  first_->set_options(options);
+  InspectOptions others = options;
+  if (options.second) others.a = others.b = std::nullopt;  // on the first finger only
+  second_->set_options(others);
   side_->set_options(options);
+  if (options.recording != before.recording) show_recording();
+  pair_.open(options.second);
+  show_frame();
+  Q_EMIT changed();
+}
+
+/// Each drag is a step; steps of the wheel or of keys that follow each other at once are one.
+void InspectPlace::keep_look(const InspectPane& pane, bool is_drag) {
+  if (is_drag || !since_turn_.isValid() || since_turn_.elapsed() > kOneTurn_ms) ++turns_;
+  if (is_drag)
+    since_turn_.invalidate();
+  else
+    since_turn_.start();
+  InspectOptions next = options_;
+  next.look = pane.face_view()->scene().look();
+  change_options(next, tr("turn the 3D view"), is_drag ? -1 : kFirstTurn + turns_ % kTurns);
 }
 
 void InspectPlace::set_point(QPointF pixel, bool is_second) {
@@ -154,69 +186,139 @@ void InspectPlace::set_point(QPointF pixel, bool is_second) {
 }
 
 void InspectPlace::open(const std::filesystem::path& recording) {
-  recording_ = recording;
-  live_->setChecked(false);
-  time_line_->play(false);
+  if (recording == options_.recording) return show_recording();
+  InspectOptions next = options_;
+  next.recording = recording;
+  change_options(next, tr("inspect %1").arg(text_of(recording.filename())), -1);
+}
+
+void InspectPlace::restore(const InspectOptions& options, std::size_t frame) {
+  left_at_[options.recording] = frame;
+  InspectOptions next = options;
+  if (!VtkView::is_supported()) next.shown_as = ShownAs::kHeightMap;
+  change_options(next, tr("go on with what was inspected"), -1);
+}
+
+std::size_t InspectPlace::frame_number() const {
+  const auto at = left_at_.find(options_.recording);
+  return options_.recording.empty() || at == left_at_.end() ? 0 : at->second;
+}
+
+void InspectPlace::show_recording() {
+  live_->setChecked(options_.recording.empty());
+  time_line_->begin(frame_number());
   follow_finger();
-  inspection_.open(recording);
+  inspection_.open(options_.recording, frame_number());
+  if (options_.recording.empty()) follow_live();
   show_frame();
 }
 
 void InspectPlace::go_live() {
   live_->setChecked(true);
-  recording_.clear();
-  time_line_->play(false);
-  inspection_.open({});
-  follow_live();
-  show_frame();
+  if (options_.recording.empty()) return;
+  InspectOptions next = options_;
+  next.recording.clear();
+  if (next.second) next.look.reset();
+  next.second.reset();
+  change_options(next, tr("inspect the live finger"), -1);
 }
 
 void InspectPlace::follow_live() {
   const LiveStatus& status = session_.status();
-  if (!recording_.empty() || !isVisible() || !session_.view() || !status.finger.finger) return;
+  if (!options_.recording.empty() || !isVisible() || !session_.view() || !status.finger.finger)
+    return;
   inspection_.show_live(session_.view(), *status.finger.finger);
 }
 
 void InspectPlace::follow_finger() {
   const FingerStatus& finger = session_.status().finger;
-  if (finger.state != FingerState::kLoading) inspection_.set_finger(finger.folder);
+  if (finger.state != FingerState::kLoading) {
+    inspection_.set_finger(finger.folder);
+    pair_.set_first(finger.folder);
+  }
   show_state();
 }
 
 void InspectPlace::show_frame() {
   const auto& frame = inspection_.frame();
-  if (frame && frame->surface) {
-    first_->show_frame(frame);
-    second_->show_frame(frame);
-  } else {
-    for (InspectPane* pane : {first_, second_}) pane->show_message(why_nothing());
+  if (frame && !options_.recording.empty()) {
+    left_at_[options_.recording] = frame->number;
+    if (!time_line_->is_playing()) Q_EMIT changed();
   }
+  pair_.follow();
+  show_panes();
   side_->show_frame(frame && frame->surface ? frame : nullptr);
-  summary_->setText(frame && frame->surface ? deepest_text(*frame) : QString());
+  summary_->setText(summary_text());
   show_state();
+}
+
+QString InspectPlace::summary_text() const {
+  const auto text = [](const std::shared_ptr<const InspectedFrame>& frame) {
+    return frame && frame->surface ? deepest_text(*frame) : QString();
+  };
+  const QString first = text(inspection_.frame());
+  if (!options_.second) return first;
+  return QStringLiteral("1: ") + first + QStringLiteral("   2: ") + text(pair_.second().frame());
+}
+
+QString InspectPlace::title_of(bool is_second) const {
+  if (!options_.second) {
+    if (is_second) return tr("The paper's method");
+    const Comparison comparison = options_.shown_comparison();
+    return comparison == Comparison::kSideBySide   ? tr("Ours")
+           : comparison == Comparison::kDifference ? tr("Ours less the paper's method")
+                                                   : QString();
+  }
+  if (is_one_picture())
+    return tr("1: %1, 2: %2, in the gripper's frame X, Y, Z")
+        .arg(pair_.name(false), pair_.name(true));
+  return (is_second ? QStringLiteral("2: ") : QStringLiteral("1: ")) + pair_.name(is_second);
+}
+
+void InspectPlace::show_panes() {
+  const auto& frame = inspection_.frame();
+  const bool has_face = frame && frame->surface;
+  const bool is_pair = is_one_picture() && pair_.frames();
+  first_->set_title(title_of(false));
+  second_->set_title(title_of(true));
+  if (is_pair)
+    first_->show_pair(pair_);
+  else if (has_face)
+    first_->show_frame(frame);
+  else
+    first_->show_message(why_nothing());
+  second_->setVisible(options_.second ? !is_pair : options_.comparison == Comparison::kSideBySide);
+  if (options_.second)
+    show_second();
+  else if (has_face)
+    second_->show_frame(frame);
+  else
+    second_->show_message(why_nothing());
 }
 
 void InspectPlace::show_state() {
   const auto& recording = inspection_.recording();
-  const bool is_recording = !recording_.empty();
+  const bool is_recording = !options_.recording.empty();
   time_line_->setVisible(is_recording);
   if (recording) time_line_->set_recording(recording->count, recording->frames_per_s);
   if (const auto& frame = inspection_.frame(); frame && is_recording)
     time_line_->set_shown(frame->number, QString::fromStdString(frame->result.frame->name));
   const auto& shown = inspection_.frame();
-  save_bar_->set_can_save(shown && shown->surface, is_recording && recording);
+  save_bar_->set_can_save(shown && shown->surface, is_recording && recording && !options_.second);
   shown_->setText(what_is_shown());
   std::vector<Problem> problems;
   const bool is_loading = session_.status().finger.state == FingerState::kLoading;
   if (inspection_.problem() && !is_loading) problems.push_back(Problem::of(*inspection_.problem()));
+  add_pair_problems(problems);
   problems_->set_problems(std::move(problems));
-  if (!inspection_.frame())
-    for (InspectPane* pane : {first_, second_}) pane->show_message(why_nothing());
+  pair_box_->show_pair(is_recording);
+  if (!inspection_.frame()) first_->show_message(why_nothing());
+  if (!inspection_.frame() && !options_.second) second_->show_message(why_nothing());
 }
 
 QString InspectPlace::what_is_shown() const {
-  return recording_.empty() ? tr("Shown: the live finger")
-                            : tr("Shown: %1").arg(text_of(recording_.filename()));
+  return options_.recording.empty() ? tr("Shown: the live finger")
+                                    : tr("Shown: %1").arg(text_of(options_.recording.filename()));
 }
 
 QString InspectPlace::why_nothing() const {
@@ -229,91 +331,12 @@ QString InspectPlace::why_nothing() const {
   if (session_.status().finger.state == FingerState::kLoading)
     return tr("The finger is being loaded.");
   if (inspection_.problem()) return tr("Nothing can be shown; above stands why.");
-  if (!recording_.empty()) return tr("The recording is being opened.");
+  if (!options_.recording.empty()) return tr("The recording is being opened.");
   const LiveStatus& status = session_.status();
   if (status.source.state == SourceState::kClosed)
     return tr("No source is open. Choose one above, or open a recording.");
   if (!status.finger.finger) return tr("No finger is open. Open the one that is seen, above.");
   return tr("Waiting for the first picture.");
-}
-
-void InspectPlace::choose_video() {
-  auto* dialog =
-      new QFileDialog(this, tr("Open a video"), QString(), tr("Videos (*.mkv *.avi *.mp4)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    open(file.toStdString());
-  });
-  dialog->show();
-}
-
-void InspectPlace::choose_folder() {
-  auto* dialog = new QFileDialog(this, tr("Open a folder of pictures"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
-    open(folder.toStdString());
-  });
-  dialog->show();
-}
-
-void InspectPlace::choose_file(const QString& ending) {
-  auto* dialog = new QFileDialog(this, tr("Save what is shown"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(ending);
-  dialog->setNameFilter(QStringLiteral("*.") + ending);
-  if (const auto& frame = inspection_.frame())
-    dialog->selectFile(QString::fromStdString(frame->result.frame->name) + QLatin1Char('.') +
-                       ending);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    save(file.toStdString());
-  });
-  dialog->show();
-}
-
-void InspectPlace::save(const std::filesystem::path& file) {
-  const auto frame = inspection_.frame();
-  if (!frame || saving_.is_running()) return;
-  saved_->clear();
-  BackgroundWork::Work work;
-  const auto ended = [this, file](const Status& status) {
-    return [this, file, status] { end_saving(status, file); };
-  };
-  if (file.extension() == ".png") {
-    const QImage picture = first_->picture().convertToFormat(QImage::Format_BGR888);
-    work = [=](const Job&) {
-      const cv::Mat pixels(picture.height(),
-                           picture.width(),
-                           CV_8UC3,
-                           const_cast<uchar*>(picture.constBits()),
-                           static_cast<std::size_t>(picture.bytesPerLine()));
-      return ended(write_picture(file, pixels));
-    };
-  } else if (file.extension() == ".mkv") {
-    FilmOptions film;
-    film.finger = session_.status().finger.folder;
-    film.input = recording_;
-    film.view = options_;
-    film.colours = scene_colours(palette());
-    if (first_->face_view() != nullptr) film.look = first_->face_view()->scene().look();
-    work = [=](const Job& job) { return ended(save_film(film, file, job)); };
-  } else {
-    work = [=](const Job&) { return ended(save_surface(*frame, file)); };
-  }
-  saving_.start(std::move(work));
-  show_saving();
-}
-
-void InspectPlace::show_saving() {
-  save_bar_->show_progress(saving_.is_running() ? std::optional(saving_.fraction()) : std::nullopt);
-}
-
-void InspectPlace::end_saving(const Status& status, const std::filesystem::path& file) {
-  saved_->setText(status ? tr("Saved: %1").arg(text_of(file))
-                         : window_sentence(status.error().sentence()));
-  saved_->setToolTip(saved_->text());
 }
 
 void InspectPlace::showEvent(QShowEvent* event) {

@@ -2,19 +2,23 @@
 #pragma once
 
 #include "widgets/background_work.h"
+#include "widgets/inspect/finger_pair.h"
 #include "widgets/inspect/inspect_pane.h"
 #include "widgets/inspect/inspect_side.h"
 #include "widgets/inspect/inspection.h"
+#include "widgets/inspect/pair_box.h"
 #include "widgets/inspect/save_bar.h"
 #include "widgets/inspect/time_line.h"
 #include "widgets/live/live_session.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/translated.h"
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QUndoStack>
 #include <filesystem>
+#include <map>
 
 namespace alltact {
 
@@ -24,13 +28,24 @@ class InspectPlace : public Translated<QWidget> {
   /// Changes go through `undo`.
   InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* parent = nullptr);
 
-  /// A video or a folder of pictures.
+  /// A video or a folder of pictures. What is open already is opened afresh.
   void open(const std::filesystem::path& recording);
   /// What is shown, by the file's ending (see kSavedAs); told below the face when it is done.
   void save(const std::filesystem::path& file);
+  /// Beside the recording that is shown; none: no second finger.
+  void open_second(const std::optional<SecondFinger>& second);
+  /// What was shown in another session, from this frame on.
+  void restore(const InspectOptions& options, std::size_t frame);
   [[nodiscard]] const InspectOptions& options() const { return options_; }
+  /// Of the recording that is shown.
+  [[nodiscard]] std::size_t frame_number() const;
+  [[nodiscard]] const FingerPair& pair() const { return pair_; }
   [[nodiscard]] const Inspection& inspection() const { return inspection_; }
   [[nodiscard]] bool is_saving() const { return saving_.is_running(); }
+
+ Q_SIGNALS:
+  /// What options() or frame_number() say; not of every frame while it plays.
+  void changed();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -39,10 +54,16 @@ class InspectPlace : public Translated<QWidget> {
   [[nodiscard]] QWidget* make_header();
   [[nodiscard]] QWidget* make_side();
   void connect_parts();
+  void connect_panes();
+  void connect_pair();
   void name_parts();
   void change_options(const InspectOptions& options, const QString& what, int merge_id);
   void set_options(const InspectOptions& options);
   void set_point(QPointF pixel, bool is_second);
+  void keep_look(const InspectPane& pane, bool is_drag);
+  void show_recording();
+  void choose_second();
+  void choose_place(bool is_second);
   void choose_video();
   void choose_folder();
   void choose_file(const QString& ending);
@@ -50,18 +71,28 @@ class InspectPlace : public Translated<QWidget> {
   void follow_live();
   void follow_finger();
   void show_frame();
+  void show_panes();
+  void show_second();
   void show_state();
+  void add_pair_problems(std::vector<Problem>& problems);
+  [[nodiscard]] bool is_one_picture() const;
+  [[nodiscard]] QString summary_text() const;
+  [[nodiscard]] QString title_of(bool is_second) const;
+  [[nodiscard]] BackgroundWork::Work saving_work(const std::filesystem::path& file);
   [[nodiscard]] QString why_nothing() const;
   [[nodiscard]] QString what_is_shown() const;
   void show_saving();
-  void end_saving(const Status& status, const std::filesystem::path& file);
+  void end_saving(const Status& status, const std::vector<std::filesystem::path>& files);
 
   LiveSession& session_;
   QUndoStack& undo_;
   Inspection inspection_;
+  FingerPair pair_;
   BackgroundWork saving_;
   InspectOptions options_;
-  std::filesystem::path recording_;  // empty: the live finger
+  std::map<std::filesystem::path, std::size_t> left_at_;  // the frame of each recording
+  QElapsedTimer since_turn_;
+  int turns_ = 0;  // that are steps of their own
   ProblemList* problems_;
   QPushButton *live_, *video_, *folder_;
   SaveBar* save_bar_;
@@ -69,6 +100,7 @@ class InspectPlace : public Translated<QWidget> {
   InspectPane *first_, *second_;
   TimeLine* time_line_;
   InspectSide* side_;
+  PairBox* pair_box_;
 };
 
 }  // namespace alltact

@@ -28,6 +28,10 @@ class RecordPlace : public Translated<QWidget> {
 
   void set_file(const QString& file) { file_->setText(file); }
   [[nodiscard]] bool is_busy() const;
+  /// A foot pedal was pressed: starts recording, or stops it.
+  void press_pedal() {
+    if (record_->isEnabled()) start_or_stop();
+  }
 
  Q_SIGNALS:
   /// A new reference lies in the finger's folder.

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/camera/camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/geometry/triangle_distance.h"
 #include "widgets/scene3d/face_surface.h"
 
 #include <memory>
@@ -43,12 +45,21 @@ struct SceneMarks {
   std::vector<std::vector<cv::Point2d>> lines;
 };
 
-/// Where one looks from, what at, and which way is up; camera frame, mm.
+/// Where one looks from, what at, and which way is up; in the scene's frame, mm.
 struct Look {
   Eigen::Vector3d eye, at, up;
+  bool operator==(const Look&) const = default;
 };
 
-/// Changes take effect when the window renders. Of one thread, that of the window.
+/// A finger among others: what it measured, and where its camera sits in the gripper.
+struct SceneFinger {
+  const FaceSurface& surface;
+  const Camera& camera;
+  RigidTransform gripper_from_camera;
+};
+
+/// The scene's frame is the camera's, or with two fingers the gripper's. Changes take effect when
+/// the window renders. Of one thread, that of the window.
 class FaceScene {
  public:
   /// The window outlives the scene.
@@ -62,6 +73,11 @@ class FaceScene {
   void show(const FaceSurface& surface, const Camera& camera);
   /// The face by depth less `other_mm` (CV_32FC1, of the surface's grid), from -top_mm to top_mm.
   void show_difference(const FaceSurface& surface, const cv::Mat& other_mm, const Camera& camera);
+  /// Two fingers in the gripper's frame, by depth on one scale, with the axes x1 to z1, x2 to z2 of
+  /// their cameras and X, Y, Z of the gripper. Marks are those of the first.
+  void show_in_gripper(const SceneFinger& first, const SceneFinger& second);
+  /// A line between two points of the scene, as the faces' nearest ones; none: no line.
+  void set_gap(const std::optional<NearestPoints>& gap);
   /// No face, and the next one is another one.
   void forget();
 
@@ -83,7 +99,8 @@ class FaceScene {
   void look_as(const Look& look);
   [[nodiscard]] Look look() const;
 
-  /// The pixel of the picture under a place of the window (device pixels, from the top left).
+  /// The pixel of the (first) finger's picture under a place of the window (device pixels, from
+  /// the top left); nullopt where the second face lies before it.
   [[nodiscard]] std::optional<cv::Point2d> pixel_at(double x, double y) const;
   /// Where a pixel of the picture is drawn in the window (device pixels, from the top left).
   [[nodiscard]] std::optional<cv::Point2d> place_of(cv::Point2d pixel) const;

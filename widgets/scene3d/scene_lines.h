@@ -11,6 +11,8 @@ class vtkPolyData;
 
 namespace alltact {
 
+constexpr int kLetterPoints = 13;  ///< size of letters; the window knows its dots per inch
+
 using Polyline = std::vector<Eigen::Vector3d>;
 
 /// Replaces what the data held.

@@ -1,7 +1,7 @@
 #include "widgets/shell/settings_dialog.h"
 
 #include <QFormLayout>
-#include <QPushButton>
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <array>
 
@@ -13,12 +13,17 @@ constexpr std::array kLanguages{"", "en", "de", "zh_CN"};
 
 }  // namespace
 
-SettingsDialog::SettingsDialog(const Appearance& now, QWidget* parent)
+SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* parent)
     : Translated(parent),
+      pedal_(pedal),
       theme_label_(new QLabel),
       language_label_(new QLabel),
+      pedal_label_(new QLabel),
+      pedal_text_(new QLabel),
       theme_(new QComboBox),
       language_(new QComboBox),
+      learn_(new QPushButton),
+      forget_(new QPushButton),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
   auto* layout = new QVBoxLayout(this);
   auto* form = new QFormLayout;
@@ -26,6 +31,7 @@ SettingsDialog::SettingsDialog(const Appearance& now, QWidget* parent)
   form->addRow(language_label_, language_);
   theme_label_->setBuddy(theme_);
   language_label_->setBuddy(language_);
+  form->addRow(pedal_label_, make_pedal());
   layout->addLayout(form);
   layout->addStretch();
   layout->addWidget(buttons_);
@@ -52,8 +58,52 @@ SettingsDialog::SettingsDialog(const Appearance& now, QWidget* parent)
     theme_->setItemText(2, tr("Dark"));
     theme_->setItemText(3, tr("High contrast"));
     language_->setItemText(0, tr("As the system"));
+    pedal_label_->setText(tr("&Foot pedal"));
+    forget_->setText(tr("&None"));
+    forget_->setToolTip(tr("Listens to no pedal any more."));
+    show_pedal();
     buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
   });
+}
+
+QWidget* SettingsDialog::make_pedal() {
+  auto* whole = new QWidget;
+  auto* column = new QVBoxLayout(whole);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
+  row->addWidget(learn_);
+  row->addWidget(forget_);
+  row->addStretch();
+  column->addWidget(pedal_text_);
+  column->addLayout(row);
+  pedal_text_->setWordWrap(true);
+  pedal_text_->setMinimumWidth(240);
+  pedal_label_->setBuddy(learn_);
+  connect(learn_, &QPushButton::clicked, this, [this] {
+    if (pedal_->is_learning())
+      pedal_->stop_learning();
+    else
+      pedal_->learn();
+  });
+  connect(forget_, &QPushButton::clicked, this, [this] { pedal_->listen(std::nullopt); });
+  if (pedal_ != nullptr) connect(pedal_, &Pedal::changed, this, &SettingsDialog::show_pedal);
+  return whole;
+}
+
+void SettingsDialog::show_pedal() {
+  const bool is_learning = pedal_ != nullptr && pedal_->is_learning();
+  const bool is_chosen = pedal_ != nullptr && pedal_->button();
+  learn_->setEnabled(pedal_ != nullptr);
+  learn_->setText(is_learning ? tr("&Stop") : tr("&Learn by pressing it…"));
+  learn_->setAccessibleName(is_learning ? tr("Stop learning the foot pedal")
+                                        : tr("Learn the foot pedal by pressing it"));
+  forget_->setEnabled(is_chosen && !is_learning);
+  QString text = tr("None. A pedal takes presses in Calibrate, and starts and stops in Record.");
+  if (is_chosen) text = QString::fromStdString(pedal_->button()->device);
+  if (is_chosen && pedal_->problem()) text = tr("%1: not heard now").arg(text);
+  if (pedal_ != nullptr && !pedal_->learning_text().isEmpty() && (is_learning || !is_chosen))
+    text = pedal_->learning_text();
+  pedal_text_->setText(text);
 }
 
 void SettingsDialog::tell() {

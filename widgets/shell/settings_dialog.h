@@ -1,6 +1,7 @@
 // How the program looks and which language it speaks; every choice shows at once.
 #pragma once
 
+#include "widgets/live/pedal.h"
 #include "widgets/theme.h"
 #include "widgets/translated.h"
 
@@ -8,6 +9,7 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QPushButton>
 
 namespace alltact {
 
@@ -20,18 +22,22 @@ struct Appearance {
 class SettingsDialog : public Translated<QDialog> {
   Q_OBJECT
  public:
-  explicit SettingsDialog(const Appearance& now, QWidget* parent = nullptr);
+  /// `pedal` is told what is chosen of it, and outlives the dialog; null: nothing can be.
+  explicit SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void appearance_chosen(const alltact::Appearance& appearance);
 
  private:
   void tell();
+  [[nodiscard]] QWidget* make_pedal();
+  void show_pedal();
 
-  QLabel *theme_label_, *language_label_;
+  Pedal* pedal_;
+  QLabel *theme_label_, *language_label_, *pedal_label_, *pedal_text_;
   QComboBox *theme_, *language_;
+  QPushButton *learn_, *forget_;
   QDialogButtonBox* buttons_;
-  bool is_naming_ = false;
 };
 
 }  // namespace alltact

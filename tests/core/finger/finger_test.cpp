@@ -59,6 +59,9 @@ contact:
   rest_markers: [[101.5, 40.0], [205.25, 41.0], [102.0, 500.0], [206.0, 499.5]]
 force:
   model: force.yaml
+gripper_from_camera:
+  translation_mm: [40.5, 0.0, -12.0]
+  rotation: [0.6, 0.0, -0.8, 0.0]
 provenance:
   date: 2024-06-11
   ball_radius_mm: 3
@@ -103,6 +106,7 @@ const std::set<std::string> kOptional{"camera.distortion",
                                       "reference",
                                       "contact",
                                       "force",
+                                      "gripper_from_camera",
                                       "provenance",
                                       "provenance.date",
                                       "provenance.ball_radius_mm",
@@ -209,6 +213,8 @@ TEST_F(FingerFile, EveryValueIsRead) {
   EXPECT_EQ(finger->reference->markers, "reference.csv");
   EXPECT_EQ(finger->contact->rest_markers[1], Eigen::Vector2d(205.25, 41));
   EXPECT_EQ(finger->force_model, "force.yaml");
+  EXPECT_EQ(finger->gripper_from_camera->translation_mm, Eigen::Vector3d(40.5, 0, -12));
+  EXPECT_EQ(finger->gripper_from_camera->rotation.coeffs(), Eigen::Vector4d(0, -0.8, 0, 0.6));
   EXPECT_EQ(finger->provenance.at("ball_radius_mm"), "3");
   EXPECT_EQ(finger->provenance.at("operator"), "null");
 }
@@ -247,6 +253,44 @@ TEST_F(FingerFile, AMappingThatVariesOverTheFaceComesBack) {
   EXPECT_THAT(refused("middle_mm: [52.0, 0.5]", "middle_mm: [52.0]"), HasSubstr("middle_mm"));
 }
 
+TEST_F(FingerFile, APlaceInTheGripperComesBackToTheLastDigit) {
+  const Finger plain = *load(kFlat);
+  EXPECT_FALSE(plain.gripper_from_camera) << "files from before it was known are read";
+  const bool holds = rc::check("places in the gripper", [&] {
+    const auto number = [](double scale) {
+      return scale * static_cast<double>(*rc::gen::inRange<long>(-(1L << 52), 1L << 52)) /
+             static_cast<double>(1L << 52);
+    };
+    Finger finger = plain;
+    RigidTransform& pose = finger.gripper_from_camera.emplace();
+    pose.translation_mm = {number(1e4), number(100), number(1e-9)};
+    pose.rotation = rotation_of_degrees({number(180), number(90), number(180)});
+    const auto once = finger.to_yaml();
+    RC_ASSERT(once.ok());
+    const auto again = load(*once);
+    RC_ASSERT(again.ok());
+    RC_ASSERT(again->gripper_from_camera == finger.gripper_from_camera);
+    RC_ASSERT(*again->to_yaml() == *once);
+  });
+  EXPECT_TRUE(holds);
+}
+
+TEST_F(FingerFile, APlaceInTheGripperThatIsNoneIsRefused) {
+  const auto said = [&](const std::string& pose) {
+    const auto finger = load(std::string(kFlat) + "gripper_from_camera: {" + pose + "}\n");
+    return finger.ok() ? std::string("accepted") : finger.error().sentence();
+  };
+  EXPECT_EQ(said("translation_mm: [1, 2, 3], rotation: [0.7071, 0, 0.7071, 0]"), "accepted");
+  EXPECT_THAT(said("translation_mm: [1, 2, 3], rotation: [1, 1, 0, 0]"), HasSubstr("length 1"));
+  EXPECT_THAT(said("translation_mm: [1, 2, 3], rotation: [0, 0, 0, 0]"), HasSubstr("length 1"));
+  EXPECT_THAT(said("translation_mm: [1, 2, 3], rotation: [1, 0, 0]"), HasSubstr("four numbers"));
+  EXPECT_THAT(said("translation_mm: [1, 2], rotation: [1, 0, 0, 0]"), HasSubstr("three numbers"));
+  EXPECT_THAT(said("translation_mm: [1, 2, 20000], rotation: [1, 0, 0, 0]"),
+              HasSubstr("gripper_from_camera.translation_mm"));
+  EXPECT_NE(said("translation_mm: [1, 2, .nan], rotation: [1, 0, 0, 0]"), "accepted");
+  EXPECT_NE(said("translation_mm: [1, 2, 3]"), "accepted");
+}
+
 TEST_F(FingerFile, FlatSensorsHaveNoMarkersAndDefaults) {
   const auto finger = load(kFlat);
   ASSERT_TRUE(finger.ok()) << finger.error().sentence();
@@ -273,6 +317,7 @@ TEST_F(FingerFile, SavedTwiceIsTheSameBytesAndTheSameFinger) {
     EXPECT_EQ(second->mapping->chebyshev, first->mapping->chebyshev);
     EXPECT_EQ(second->mapping->covariance, first->mapping->covariance);
     EXPECT_EQ(second->contact.has_value(), first->contact.has_value());
+    EXPECT_EQ(second->gripper_from_camera, first->gripper_from_camera);
   }
 }
 

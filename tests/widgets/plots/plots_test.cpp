@@ -1,5 +1,6 @@
 // Plots are looked at as pictures: what is given must be seen, in every theme, and nothing else.
 #include "tests/support/program.h"
+#include "widgets/plots/convergence_plot.h"
 #include "widgets/plots/face_map_plot.h"
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/plots/history_plot.h"
@@ -247,6 +248,27 @@ TEST(Plots, ArePrintedAsPdf) {
   EXPECT_TRUE(plot.save_pdf(QString::fromStdString(file), {600, 340}));
   EXPECT_THAT(test::text_of(file), testing::StartsWith("%PDF"));
   EXPECT_FALSE(plot.save_pdf(QString::fromStdString(folder / "none/plot.pdf"), {600, 340}));
+}
+
+TEST(ConvergencePlot, ShowsBothFiguresOfEveryRoundAndGrows) {
+  ConvergencePlot plot;
+  const QSize size(420, 240);
+  EXPECT_LT(inked(shown(plot, size, "convergence_empty")), 0.06);
+  std::vector<Round> rounds;
+  int before = 0;
+  for (int i = 0; i < 6; ++i) {
+    rounds.push_back({i + 1, 0.05 / (i + 1), std::pow(10, -i)});
+    plot.set_rounds(rounds);
+    const QImage image = shown(plot, size, "convergence");
+    const int residual = count_of(image, series_colour(0, plot.palette()));
+    EXPECT_GT(count_of(image, series_colour(1, plot.palette())), 20);
+    if (i == 5) {
+      EXPECT_GT(residual, before) << "a line where there was a dot";
+    }
+    if (i == 0) before = residual;
+  }
+  EXPECT_TRUE(
+      plot.accessibleDescription().startsWith(QStringLiteral("After 6 round(s) 0.0083 mm")));
 }
 
 }  // namespace

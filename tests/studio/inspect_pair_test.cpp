@@ -1,0 +1,416 @@
+// Two fingers in the place Inspect, the view that is turned by hand, and what comes back after a
+// crash.
+#include "core/finger/finger.h"
+#include "core/io/picture.h"
+#include "core/recording/video_writer.h"
+#include "core/sources/source.h"
+#include "tests/studio/studio_rig.h"
+#include "widgets/inspect/gripper_dialog.h"
+#include "widgets/inspect/second_finger_dialog.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QWheelEvent>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// The calibrated finger twice, and what both recorded: `left.mkv` every 100 ms, `right.mkv` every
+/// 50 ms.
+class TwoFingers {
+ public:
+  static const TwoFingers& get() {
+    static const TwoFingers fingers;
+    return fingers;
+  }
+  [[nodiscard]] fs::path left() const { return folder_ / "left"; }
+  [[nodiscard]] fs::path right() const { return folder_ / "right"; }
+  [[nodiscard]] fs::path left_video() const { return folder_ / "left.mkv"; }
+  [[nodiscard]] fs::path right_video() const { return folder_ / "right.mkv"; }
+  /// The faces look at each other.
+  static RigidTransform place_of_left() {
+    return {rotation_of_degrees({0, 60, 0}), Eigen::Vector3d(-150, 0, 0)};
+  }
+  static RigidTransform place_of_right() {
+    return {rotation_of_degrees({0, 60, 180}), Eigen::Vector3d(150, 0, 0)};
+  }
+
+ private:
+  TwoFingers() {
+    for (const fs::path& finger : {left(), right()})
+      fs::copy(MadeFingers::get().calibrated(), finger, fs::copy_options::recursive);
+    write(left_video(), 6, 100);
+    write(right_video(), 12, 50);
+  }
+  static void write(const fs::path& file, int count, int step_ms) {
+    const auto source = open_source({MadeFingers::get().touched()}).value();
+    std::optional<VideoWriter> writer;
+    for (int i = 0; i < count; ++i) {
+      Frame frame = *source->next().value();
+      frame.time_ns = (1000 + i * step_ms) * std::int64_t{1'000'000};
+      if (!writer) writer = VideoWriter::create(file, frame, VideoCodec::kMagicYuv, 20).value();
+      EXPECT_TRUE(writer->add(frame));
+    }
+    EXPECT_TRUE(writer->finish());
+  }
+  TemporaryFolder folder_;
+};
+
+void put_in_gripper(const fs::path& folder, const std::optional<RigidTransform>& place) {
+  Finger finger = Finger::load(folder).value();
+  finger.gripper_from_camera = place;
+  ASSERT_TRUE(finger.save(folder));
+}
+
+class InspectPair : public testing::Test {
+ protected:
+  static StudioOptions options() {
+    StudioOptions options;
+    options.finger = TwoFingers::get().left();
+    return options;
+  }
+  InspectPair() : studio_(options()) { studio_.window().go_to("inspect"); }
+  ~InspectPair() override {
+    put_in_gripper(two_.left(), std::nullopt);
+    put_in_gripper(two_.right(), std::nullopt);
+  }
+  InspectPlace& place() { return *studio_.window().findChild<InspectPlace*>(); }
+  const FingerPair& pair() { return place().pair(); }
+  bool open_both() {
+    place().open(two_.left_video());
+    place().open_second(SecondFinger{two_.right(), two_.right_video()});
+    return wait_until([&] { return pair().frames() && pair().place(true) != nullptr; }, 20000);
+  }
+  std::string text(const QString& label) {
+    return studio_.find<QLabel>(label)->text().toStdString();
+  }
+  const TwoFingers& two_ = TwoFingers::get();
+  Studio studio_;
+};
+
+TEST_F(InspectPair, JoinsFramesByTheirTimes) {
+  ASSERT_TRUE(open_both());
+  auto* slider = studio_.find<QSlider>("Frame of the recording");
+  for (const int frame : {3, 1, 5}) {
+    slider->setValue(frame);
+    ASSERT_TRUE(wait_until([&] {
+      const auto frames = pair().frames();
+      return frames && frames->first->number == static_cast<std::size_t>(frame) &&
+             frames->second->number == 2 * static_cast<std::size_t>(frame);
+    }));
+    EXPECT_THAT(text("How the two recordings are joined"), HasSubstr("2 was taken 0.0 ms after 1"));
+  }
+}
+
+TEST_F(InspectPair, SaysWhatIsMissingAndTakesThePlaceThatIsTyped) {
+  ASSERT_TRUE(open_both());
+  EXPECT_FALSE(pair().is_placed());
+  EXPECT_THAT(studio_.problems(), HasSubstr("camera of calibrated sits in the gripper is not"));
+  studio_.click("Place of the second finger in the gripper");
+  auto* dialog = studio_.window().findChild<GripperDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  for (QDoubleSpinBox* box : dialog->findChildren<QDoubleSpinBox*>())
+    if (box->accessibleName() == QLatin1String("Place, x")) box->setValue(12.5);
+  QTest::keyClick(dialog, Qt::Key_Return);
+  const auto written = [&] { return Finger::load(two_.right()).value().gripper_from_camera; };
+  ASSERT_TRUE(wait_until([&] { return written().has_value(); }));
+  EXPECT_EQ(written()->translation_mm, Eigen::Vector3d(12.5, 0, 0));
+  ASSERT_TRUE(wait_until([&] { return pair().place(true)->gripper_from_camera.has_value(); }));
+  EXPECT_EQ(studio_.window().undo_stack().undoText(), "place right in the gripper");
+  studio_.window().undo_stack().undo();
+  EXPECT_TRUE(wait_until([&] { return !written().has_value(); }));
+  studio_.window().undo_stack().redo();
+  EXPECT_TRUE(wait_until([&] { return written().has_value(); }));
+}
+
+TEST_F(InspectPair, TellsTheDistanceOfTheFaces) {
+  put_in_gripper(two_.left(), TwoFingers::place_of_left());
+  put_in_gripper(two_.right(), TwoFingers::place_of_right());
+  ASSERT_TRUE(open_both());
+  ASSERT_TRUE(wait_until([&] { return pair().gap().has_value(); }));
+  // Of points of both contact faces none are nearer, and some are nearly as near.
+  const auto points = [](const InspectedFrame& frame, const RigidTransform& place) {
+    std::vector<Eigen::Vector3d> points;
+    const cv::Mat face = contact_face_points_mm(frame.result, frame.face);
+    for (int v = 0; v < face.rows; v += 7)
+      for (int u = 0; u < face.cols; u += 7)
+        if (const auto& p = face.at<cv::Vec3f>(v, u); std::isfinite(p[2]))
+          points.push_back(place.point({p[0], p[1], p[2]}));
+    return points;
+  };
+  const auto frames = *pair().frames();
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto right = points(*frames.second, TwoFingers::place_of_right());
+  for (const auto& p : points(*frames.first, TwoFingers::place_of_left()))
+    for (const auto& q : right) nearest = std::min(nearest, (p - q).norm());
+  const double said = pair().gap()->distance();
+  EXPECT_GT(said, 1);
+  EXPECT_LE(said, nearest + 0.1);
+  EXPECT_GT(said, nearest - 3.0)
+      << "seven pixels and the edge's margin are about a millimetre each";
+  EXPECT_THAT(text("Distance between the faces"),
+              HasSubstr(QLocale().toString(said, 'f', 2).toStdString() + " mm"));
+  EXPECT_EQ(studio_.problems(), "");
+}
+
+TEST_F(InspectPair, SavesBothInTheGrippersFrame) {
+  put_in_gripper(two_.left(), TwoFingers::place_of_left());
+  put_in_gripper(two_.right(), TwoFingers::place_of_right());
+  ASSERT_TRUE(open_both());
+  const TemporaryFolder out;
+  place().save(out / "both.ply");
+  ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }));
+  EXPECT_FALSE(fs::exists(out / "both.ply"));
+  const auto frames = *pair().frames();
+  for (const auto& [name, frame, at] :
+       {std::tuple{"both-1.ply", frames.first, TwoFingers::place_of_left()},
+        {"both-2.ply", frames.second, TwoFingers::place_of_right()}}) {
+    const std::string file = text_of(out / name);
+    const std::size_t data = file.find("end_header\n") + 11;
+    ASSERT_LT(data, file.size());
+    cv::Vec3f first;
+    std::memcpy(first.val, file.data() + data, sizeof first.val);
+    const cv::Mat face = contact_face_points_mm(frame->result, frame->face);
+    for (int i = 0; i < static_cast<int>(face.total()); ++i) {
+      const auto& p = face.at<cv::Vec3f>(i / face.cols, i % face.cols);
+      if (!std::isfinite(p[2])) continue;
+      const Eigen::Vector3d expected = at.point({p[0], p[1], p[2]});
+      EXPECT_LT((Eigen::Vector3d(first[0], first[1], first[2]) - expected).norm(), 1e-3) << name;
+      break;
+    }
+  }
+  EXPECT_THAT(text("What was saved"), HasSubstr("both-2.ply"));
+}
+
+TEST_F(InspectPair, IsOpenedByItsDialogAndClosedByUndo) {
+  place().open(two_.left_video());
+  ASSERT_TRUE(wait_until([&] { return place().inspection().frame() != nullptr; }));
+  studio_.click("Second finger…");
+  auto* dialog = studio_.window().findChild<SecondFingerDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  for (QLineEdit* line : dialog->findChildren<QLineEdit*>())
+    line->setText(QString::fromStdString(
+        (line->accessibleName() == QLatin1String("Recording") ? two_.right_video() : two_.right())
+            .string()));
+  QTest::keyClick(dialog, Qt::Key_Return);
+  ASSERT_TRUE(wait_until([&] { return pair().frames().has_value(); }));
+  EXPECT_EQ(studio_.window().undo_stack().undoText(), "show a second finger");
+  studio_.window().undo_stack().undo();
+  EXPECT_FALSE(pair().is_open());
+  studio_.window().undo_stack().redo();
+  EXPECT_TRUE(wait_until([&] { return pair().frames().has_value(); }));
+  studio_.click("Live finger");
+  EXPECT_FALSE(pair().is_open());
+  EXPECT_TRUE(place().options().recording.empty());
+  studio_.window().undo_stack().undo();
+  EXPECT_TRUE(wait_until([&] { return pair().frames().has_value(); }));
+}
+
+TEST_F(InspectPair, SaysWhyTheSecondCannotBeShown) {
+  place().open(two_.left_video());
+  place().open_second(SecondFinger{"/nowhere/finger", "/nowhere/b.mkv"});
+  ASSERT_TRUE(
+      wait_until([&] { return studio_.problems().find("/nowhere/finger") != std::string::npos; }));
+  ASSERT_TRUE(
+      wait_until([&] { return studio_.problems().find("/nowhere/b.mkv") != std::string::npos; }));
+}
+
+class InspectAfterACrash : public testing::Test {
+ protected:
+  SessionState kept() {
+    SessionState state;
+    state.finger = TwoFingers::get().left();
+    state.place = "inspect";
+    InspectOptions& options = state.inspect.options;
+    options.recording = TwoFingers::get().left_video();
+    options.second = SecondFinger{TwoFingers::get().right(), TwoFingers::get().right_video()};
+    options.scene.top_mm = 0.7;
+    options.a = cv::Point2d(400, 260);
+    options.look = Look{{1, -90, -120}, {0, 0, 60}, {0, -1, 0}};
+    state.inspect.frame = 4;
+    return state;
+  }
+  void leave(const SessionState& state) {
+    { SessionKeeper(folder_ / "session").keep(state); }
+    leave_as_after_a_crash(folder_ / "session");
+  }
+  StudioOptions options() {
+    StudioOptions options;
+    options.session_folder = folder_ / "session";
+    return options;
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(InspectAfterACrash, WhatWasInspectedComesBack) {
+  leave(kept());
+  Studio studio(options());
+  studio.click("Go on with it");
+  auto& place = *studio.window().findChild<InspectPlace*>();
+  ASSERT_TRUE(wait_until([&] { return place.pair().frames().has_value(); }, 20000));
+  EXPECT_TRUE(wait_until([&] { return place.inspection().frame()->number == 4; }));
+  EXPECT_TRUE(wait_until([&] { return place.pair().frames()->second->number == 8; }));
+  InspectOptions expected = kept().inspect.options;
+  if (!VtkView::is_supported()) expected.shown_as = ShownAs::kHeightMap;
+  EXPECT_EQ(place.options(), expected);
+  EXPECT_EQ(studio.find<QSpinBox>("Number of the frame")->value(), 5);
+  EXPECT_EQ(studio.window().undo_stack().count(), 1);
+  studio.window().undo_stack().undo();
+  EXPECT_TRUE(place.options().recording.empty());
+}
+
+TEST_F(InspectAfterACrash, ARecordingThatHasGoneIsSaid) {
+  SessionState state = kept();
+  state.inspect.options.recording = folder_ / "grasp.mkv";
+  state.inspect.options.second.reset();
+  leave(state);
+  Studio studio(options());
+  studio.click("Go on with it");
+  ASSERT_TRUE(wait_until([&] {
+    return studio.problems().find("grasp.mkv: this recording is not there any more") !=
+           std::string::npos;
+  })) << studio.problems();
+}
+
+TEST_F(InspectAfterACrash, WhatIsShownIsKeptWhileOneWorks) {
+  {
+    StudioOptions with = options();
+    with.finger = TwoFingers::get().left();
+    Studio studio(with);
+    studio.window().go_to("inspect");
+    auto& place = *studio.window().findChild<InspectPlace*>();
+    place.open(TwoFingers::get().left_video());
+    ASSERT_TRUE(wait_until([&] { return place.inspection().frame() != nullptr; }, 20000));
+    studio.find<QSlider>("Frame of the recording")->setValue(2);
+    ASSERT_TRUE(wait_until([&] { return place.inspection().frame()->number == 2; }));
+    studio.click("Deepest");
+    const auto written = [&] {
+      const SessionKeeper other(folder_ / "session");
+      return other.last() ? other.last()->inspect : InspectState();
+    };
+    EXPECT_TRUE(wait_until([&] { return written().frame == 2 && written().options.a; }))
+        << "without closing it";
+    EXPECT_EQ(written().options.recording, TwoFingers::get().left_video());
+  }
+}
+
+/// On a screen with OpenGL only.
+class InspectIn3D : public InspectPair {
+ protected:
+  void SetUp() override {
+    if (!VtkView::is_supported()) GTEST_SKIP() << "needs a screen with OpenGL: xvfb-run";
+  }
+  FaceView& view() { return *studio_.window().findChild<FaceView*>(); }
+  bool open_one() {
+    place().open(two_.left_video());
+    const bool is_shown = wait_until(
+        [&] {
+          auto* view = studio_.window().findChild<FaceView*>();
+          return view != nullptr && view->isVisible() && view->renders() > 0;
+        },
+        20000);
+    QTest::qWait(500);  // what comes around it takes its room
+    return is_shown;
+  }
+  void drag(QPoint from, QPoint to) {
+    QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 4; ++i) {
+      const QPoint at = from + (to - from) * i / 4;
+      QMouseEvent move(QEvent::MouseMove, at, at, Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(&view(), &move);
+    }
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
+  }
+  void roll(int clicks) {
+    const QPointF at(200, 200);
+    for (int i = 0; i < clicks; ++i) {
+      QWheelEvent event(
+          at, view().mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+      QApplication::sendEvent(&view(), &event);
+    }
+  }
+  QUndoStack& stack() { return studio_.window().undo_stack(); }
+  void expect_look(const Look& look) {
+    EXPECT_LT((view().scene().look().eye - look.eye).norm(), 1e-6);
+    EXPECT_LT((view().scene().look().at - look.at).norm(), 1e-6);
+  }
+};
+
+TEST_F(InspectIn3D, ADragIsOneStepBack) {
+  ASSERT_TRUE(open_one());
+  const int before = stack().count();
+  const Look first = view().scene().look();
+  drag({200, 200}, {320, 240});
+  const Look second = view().scene().look();
+  EXPECT_GT((second.eye - first.eye).norm(), 1);
+  drag({200, 200}, {150, 260});
+  const Look third = view().scene().look();
+  EXPECT_EQ(stack().count(), before + 2);
+  EXPECT_EQ(stack().undoText(), "turn the 3D view");
+  stack().undo();
+  expect_look(second);
+  stack().undo();
+  expect_look(first);
+  stack().redo();
+  stack().redo();
+  expect_look(third);
+}
+
+TEST_F(InspectIn3D, StepsOfTheWheelAndOfKeysBelongTogetherForAMoment) {
+  ASSERT_TRUE(open_one());
+  const int before = stack().count();
+  const Look first = view().scene().look();
+  roll(3);
+  EXPECT_EQ(stack().count(), before + 1);
+  QTest::qWait(800);
+  const Look closer = view().scene().look();
+  view().setFocus();
+  for (int i = 0; i < 3; ++i) QTest::keyClick(&view(), Qt::Key_Left);
+  EXPECT_EQ(stack().count(), before + 2);
+  EXPECT_GT((view().scene().look().eye - closer.eye).norm(), 1);
+  stack().undo();
+  expect_look(closer);
+  stack().undo();
+  expect_look(first);
+  roll(1);
+  QTest::keyClick(&view(), Qt::Key_0);
+  EXPECT_EQ(stack().undoText(), "show all again");
+  expect_look(first);
+  stack().undo();
+  EXPECT_GT((view().scene().look().eye - first.eye).norm(), 0.1);
+}
+
+TEST_F(InspectIn3D, AClickThatTremblesTurnsNothing) {
+  ASSERT_TRUE(open_one());
+  const Look first = view().scene().look();
+  const int before = stack().count();
+  const QPoint middle = view().rect().center();
+  drag(middle, middle + QPoint(1, 1));
+  expect_look(first);
+  EXPECT_LE(stack().count(), before + 1) << "a point perhaps, no turn";
+  EXPECT_NE(stack().undoText(), "turn the 3D view");
+}
+
+TEST_F(InspectIn3D, ShowsBothInOnePicture) {
+  put_in_gripper(two_.left(), TwoFingers::place_of_left());
+  put_in_gripper(two_.right(), TwoFingers::place_of_right());
+  ASSERT_TRUE(open_both());
+  ASSERT_TRUE(wait_until([&] { return pair().gap().has_value(); }));
+  int panes = 0;
+  for (const InspectPane* pane : place().findChildren<InspectPane*>()) panes += pane->isVisible();
+  EXPECT_EQ(panes, 1);
+  QTest::qWait(300);
+  fs::create_directories(ALLTACT_SCREENS);
+  studio_.window().grab().save(QStringLiteral(ALLTACT_SCREENS "/inspect_pair_3d.png"));
+  put_in_gripper(two_.right(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace alltact::test

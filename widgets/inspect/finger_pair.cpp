@@ -1,0 +1,161 @@
+#include "widgets/inspect/finger_pair.h"
+
+#include "core/finger/finger.h"
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As it is, never drawn larger.
+cv::Mat contact_face(const FaceSurface& surface) {
+  cv::Mat face = surface.untouched_mm.clone();
+  for (int j = 0; j < face.rows; ++j)
+    for (int i = 0; i < face.cols; ++i)
+      if (const float depth = surface.depth_mm.at<float>(j, i); std::isfinite(depth))
+        face.at<cv::Vec3f>(j, i)[2] -= depth;
+  return face;
+}
+
+}  // namespace
+
+FingerPair::FingerPair(const Inspection& first, QObject* parent) : QObject(parent), first_(first) {
+  connect(&inspection_, &Inspection::frame_ready, this, [this] {
+    measure();
+    Q_EMIT changed();
+  });
+  connect(&inspection_, &Inspection::state_changed, this, [this] {
+    follow();
+    Q_EMIT changed();
+  });
+  connect(&reading_, &BackgroundWork::finished, this, [this] {
+    if (must_read_) read_places();
+    measure();
+    Q_EMIT changed();
+  });
+  connect(&measuring_, &BackgroundWork::finished, this, [this] {
+    measure();
+    Q_EMIT changed();
+  });
+}
+
+FingerPair::~FingerPair() = default;
+
+void FingerPair::set_first(const fs::path& finger) {
+  if (folders_[0] == finger) return;
+  folders_[0] = finger;
+  if (is_open()) read_places();
+}
+
+void FingerPair::open(const std::optional<SecondFinger>& second) {
+  if (second_ == second) return;
+  second_ = second;
+  folders_[1] = second ? second->finger : fs::path();
+  beside_ = {};
+  inspection_.set_finger(folders_[1]);
+  inspection_.open(second ? second->recording : fs::path());
+  if (second) read_places();
+  follow();
+  Q_EMIT changed();
+}
+
+void FingerPair::follow() {
+  const auto &ours = first_.recording(), &other = inspection_.recording();
+  if (!is_open() || !ours || !other || !first_.frame()) return;
+  static const FrameTimes kNone;
+  const FrameBeside beside = frame_beside(first_.frame()->number,
+                                          ours->times_ns ? *ours->times_ns : kNone,
+                                          other->times_ns ? *other->times_ns : kNone,
+                                          other->count);
+  const bool is_new = beside.number != beside_.number;
+  beside_ = beside;
+  if (is_new) inspection_.show_frame(beside.number);
+  measure();
+}
+
+void FingerPair::read_places() {
+  must_read_ = reading_.is_running();
+  if (must_read_) return;
+  reading_.start([this, folders = folders_, disk = disk_](const Job&) {
+    disk->wait();
+    auto places = std::make_shared<std::map<fs::path, FingerPlace>>();
+    auto problem = std::make_shared<std::optional<Error>>();
+    for (const fs::path& folder : folders) {
+      if (folder.empty()) continue;
+      const auto finger = Finger::load(folder);
+      if (finger)
+        (*places)[folder] = {finger->name, finger->gripper_from_camera};
+      else
+        *problem = finger.error();
+    }
+    return std::function<void()>([this, places, problem] {
+      places_ = *places;
+      read_problem_ = *problem;
+    });
+  });
+}
+
+const FingerPlace* FingerPair::place(bool is_second) const {
+  const auto found = places_.find(folder(is_second));
+  return found == places_.end() ? nullptr : &found->second;
+}
+
+QString FingerPair::name(bool is_second) const {
+  if (const FingerPlace* known = place(is_second)) return QString::fromStdString(known->name);
+  return QString::fromStdString(folder(is_second).filename().string());
+}
+
+bool FingerPair::is_placed() const {
+  const FingerPlace *first = place(false), *second = place(true);
+  return is_open() && first != nullptr && second != nullptr && first->gripper_from_camera &&
+         second->gripper_from_camera;
+}
+
+RigidTransform FingerPair::pose(bool is_second) const {
+  return *place(is_second)->gripper_from_camera;
+}
+
+std::optional<FramePair> FingerPair::frames() const {
+  const auto &ours = first_.frame(), &other = inspection_.frame();
+  if (!is_open() || !ours || !other || !ours->surface || !other->surface) return std::nullopt;
+  return FramePair{ours, other};
+}
+
+std::optional<NearestPoints> FingerPair::gap() const {
+  const auto now = frames();
+  if (!now || !measured_ || !is_placed() || !(measured_->frames == *now) ||
+      measured_->poses != std::array{pose(false), pose(true)})
+    return std::nullopt;
+  return measured_->gap;
+}
+
+void FingerPair::measure() {
+  const auto now = frames();
+  if (!now || !is_placed() || measuring_.is_running()) return;
+  const std::array poses{pose(false), pose(true)};
+  if (measured_ && measured_->frames == *now && measured_->poses == poses) return;
+  measuring_.start([this, frames = *now, poses](const Job&) {
+    const auto gap = nearest_points({contact_face(*frames.first->surface), poses[0]},
+                                    {contact_face(*frames.second->surface), poses[1]});
+    return std::function<void()>([this, frames, poses, gap] {
+      measured_ = Measured{frames, poses, gap};
+    });
+  });
+}
+
+std::optional<Error> FingerPair::problem() const {
+  if (const auto written = disk_->problem()) return written;
+  return is_open() ? read_problem_ : std::nullopt;
+}
+
+void FingerPair::set_place(const fs::path& folder, const std::optional<RigidTransform>& place) {
+  disk_->add([folder, place]() -> Status {
+    auto finger = Finger::load(folder);
+    if (!finger) return finger.error();
+    finger->gripper_from_camera = place;
+    return finger->save(folder);
+  });
+  read_places();
+}
+
+}  // namespace alltact

@@ -1,0 +1,109 @@
+#include "widgets/inspect/gripper_dialog.h"
+
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+namespace alltact {
+namespace {
+
+QDoubleSpinBox* field(double most, int decimals) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(-most, most);
+  box->setDecimals(decimals);
+  return box;
+}
+
+Eigen::Vector3d values(const std::array<QDoubleSpinBox*, 3>& fields) {
+  return {fields[0]->value(), fields[1]->value(), fields[2]->value()};
+}
+
+void fill(const std::array<QDoubleSpinBox*, 3>& fields, const Eigen::Vector3d& values) {
+  for (std::size_t i = 0; i < 3; ++i) fields[i]->setValue(values[static_cast<Eigen::Index>(i)]);
+}
+
+}  // namespace
+
+GripperDialog::GripperDialog(const QString& finger,
+                             const std::optional<RigidTransform>& now,
+                             QWidget* parent)
+    : Translated(parent),
+      finger_(finger),
+      now_(now),
+      intro_(new QLabel),
+      at_label_(new QLabel),
+      turn_label_(new QLabel),
+      at_{field(10000, 2), field(10000, 2), field(10000, 2)},
+      turn_{field(180, 2), field(180, 2), field(180, 2)},
+      forget_(new QPushButton),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+  auto* column = new QVBoxLayout(this);
+  intro_->setWordWrap(true);
+  column->addWidget(intro_);
+  auto* grid = new QGridLayout;
+  int row = 0;
+  for (const auto& [label, fields] : {std::pair{at_label_, &at_}, {turn_label_, &turn_}}) {
+    grid->addWidget(label, row, 0);
+    label->setBuddy((*fields)[0]);
+    for (std::size_t i = 0; i < 3; ++i) grid->addWidget((*fields)[i], row, static_cast<int>(i) + 1);
+    ++row;
+  }
+  column->addLayout(grid);
+  column->addStretch();
+  buttons_->addButton(forget_, QDialogButtonBox::ResetRole);
+  forget_->setEnabled(now.has_value());
+  column->addWidget(buttons_);
+  if (now) {
+    fill(at_, now->translation_mm);
+    fill(turn_, degrees_of(now->rotation));
+  }
+  connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
+    Q_EMIT chosen(place());
+    accept();
+  });
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(forget_, &QPushButton::clicked, this, [this] {
+    Q_EMIT chosen(std::nullopt);
+    accept();
+  });
+  say([this] {
+    setWindowTitle(tr("%1 in the gripper").arg(finger_));
+    intro_->setText(
+        tr("Where the camera of %1 sits in the gripper's frame: its place, and how it is turned "
+           "about the gripper's axes, first x, then y, then z. A camera that is not turned looks "
+           "along the gripper's z, with x along its picture and y across it.")
+            .arg(finger_));
+    at_label_->setText(tr("&Place"));
+    turn_label_->setText(tr("&Turned about"));
+    static const std::array axes{QStringLiteral("x "), QStringLiteral("y "), QStringLiteral("z ")};
+    const std::array<QString, 3> places{tr("Place, x"), tr("Place, y"), tr("Place, z")};
+    const std::array<QString, 3> turns{
+        tr("Turned about x"), tr("Turned about y"), tr("Turned about z")};
+    for (std::size_t i = 0; i < 3; ++i) {
+      at_[i]->setPrefix(axes[i]);
+      at_[i]->setSuffix(tr(" mm"));
+      at_[i]->setAccessibleName(places[i]);
+      turn_[i]->setPrefix(axes[i]);
+      turn_[i]->setSuffix(QStringLiteral("°"));
+      turn_[i]->setAccessibleName(turns[i]);
+    }
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Set"));
+    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    forget_->setText(tr("&Not known"));
+    forget_->setToolTip(tr("Takes the place out of the finger's file."));
+  });
+}
+
+RigidTransform GripperDialog::place() const {
+  if (!now_) return {rotation_of_degrees(values(turn_)), values(at_)};
+  // The fields round; what was not touched must not change by that.
+  const auto kept = [](const std::array<QDoubleSpinBox*, 3>& fields, const Eigen::Vector3d& was) {
+    constexpr double kRounded = 0.0051;
+    const Eigen::Vector3d now = values(fields);
+    return Eigen::Vector3d(((now - was).array().abs() < kRounded).select(was, now));
+  };
+  const Eigen::Vector3d degrees = degrees_of(now_->rotation), turned = kept(turn_, degrees);
+  return {turned == degrees ? now_->rotation : rotation_of_degrees(turned),
+          kept(at_, now_->translation_mm)};
+}
+
+}  // namespace alltact

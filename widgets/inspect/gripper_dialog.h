@@ -1,0 +1,40 @@
+// Where a finger's camera sits in the gripper: asked for in millimetres and degrees.
+#pragma once
+
+#include "core/geometry/rigid_transform.h"
+#include "widgets/translated.h"
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <array>
+#include <optional>
+
+namespace alltact {
+
+class GripperDialog : public Translated<QDialog> {
+  Q_OBJECT
+ public:
+  /// now: what is known.
+  GripperDialog(const QString& finger,
+                const std::optional<RigidTransform>& now,
+                QWidget* parent = nullptr);
+  /// What stands in the fields. Where nobody changed them, exactly what it was made with.
+  [[nodiscard]] RigidTransform place() const;
+
+ Q_SIGNALS:
+  /// none: it is not known any more.
+  void chosen(const std::optional<alltact::RigidTransform>& gripper_from_camera);
+
+ private:
+  QString finger_;
+  std::optional<RigidTransform> now_;
+  QLabel *intro_, *at_label_, *turn_label_;
+  std::array<QDoubleSpinBox*, 3> at_, turn_;
+  QPushButton* forget_;
+  QDialogButtonBox* buttons_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,94 @@
+#include "widgets/inspect/pair_box.h"
+
+#include <QGridLayout>
+#include <QLocale>
+#include <cmath>
+
+namespace alltact {
+
+PairBox::PairBox(const FingerPair& pair, QWidget* parent)
+    : Translated(parent),
+      pair_(pair),
+      open_(new QPushButton),
+      close_(new QPushButton),
+      place_first_(new QPushButton),
+      place_second_(new QPushButton),
+      names_(new QLabel),
+      joined_(new QLabel),
+      gap_(new QLabel) {
+  auto* grid = new QGridLayout(this);
+  grid->addWidget(names_, 0, 0, 2, 1);
+  grid->addWidget(close_, 0, 1);
+  grid->addWidget(place_first_, 2, 0);
+  grid->addWidget(place_second_, 2, 1);
+  grid->addWidget(gap_, 3, 0, 1, 2);
+  grid->addWidget(joined_, 4, 0, 1, 2);
+  for (QLabel* label : {names_, joined_, gap_}) label->setWordWrap(true);
+  gap_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  connect(open_, &QPushButton::clicked, this, &PairBox::open_wanted);
+  connect(close_, &QPushButton::clicked, this, &PairBox::close_wanted);
+  connect(place_first_, &QPushButton::clicked, this, [this] { Q_EMIT place_wanted(false); });
+  connect(place_second_, &QPushButton::clicked, this, [this] { Q_EMIT place_wanted(true); });
+  say([this] {
+    setTitle(tr("Second finger"));
+    open_->setText(tr("Second fin&ger…"));
+    close_->setText(tr("Close it"));
+    place_first_->setText(tr("Place of 1…"));
+    place_second_->setText(tr("Place of 2…"));
+    place_first_->setAccessibleName(tr("Place of the first finger in the gripper"));
+    place_second_->setAccessibleName(tr("Place of the second finger in the gripper"));
+    for (QPushButton* button : {place_first_, place_second_})
+      button->setToolTip(tr("Where this finger's camera sits in the gripper."));
+    gap_->setAccessibleName(tr("Distance between the faces"));
+    joined_->setAccessibleName(tr("How the two recordings are joined"));
+  });
+}
+
+void PairBox::show_pair(bool is_recording) {
+  const bool is_open = pair_.is_open();
+  open_->setEnabled(is_recording);
+  open_->setToolTip(is_recording ? QString()
+                                 : tr("Open a recording first; a second one can be joined to it."));
+  setVisible(is_open);
+  if (!is_open) return;
+  place_first_->setEnabled(!pair_.folder(false).empty());
+  names_->setText(QStringLiteral("1: %1<br>2: %2")
+                      .arg(pair_.name(false).toHtmlEscaped(), pair_.name(true).toHtmlEscaped()));
+  joined_->setText(joined_text());
+  gap_->setText(gap_text());
+}
+
+QString PairBox::joined_text() const {
+  const FrameBeside& beside = pair_.beside();
+  if (!pair_.frames()) return {};
+  const QString later = QLocale().toString(std::round(10 * beside.later_ms) / 10 + 0.0, 'f', 1);
+  switch (beside.by) {
+    case JoinedBy::kTime:
+      return tr("Joined by time stamps; 2 was taken %1 ms after 1.").arg(later);
+    case JoinedBy::kBeginning:
+      return tr("Recorded at different times: their beginnings count as one moment; 2 was taken "
+                "%1 ms after 1.")
+          .arg(later);
+    case JoinedBy::kNumber:
+      break;
+  }
+  return tr("Without time stamps: joined by the number of the frame.");
+}
+
+QString PairBox::gap_text() const {
+  if (!pair_.is_placed() || !pair_.frames()) return {};
+  const auto gap = pair_.gap();
+  if (!gap) return tr("Measuring the distance…");
+  const double apart_mm = gap->distance();
+  if (apart_mm < 0.005) return tr("<b>The faces touch or cross.</b>");
+  const Eigen::Vector3d middle = 0.5 * (gap->first + gap->second);
+  const auto number = [](double value, int digits) {
+    const double unit = std::pow(10, digits);
+    return QLocale().toString(std::round(value * unit) / unit + 0.0, 'f', digits);
+  };
+  return tr("<b>%1 mm</b> between the faces where they are nearest, around X %2, Y %3, Z %4 mm")
+      .arg(
+          number(apart_mm, 2), number(middle.x(), 1), number(middle.y(), 1), number(middle.z(), 1));
+}
+
+}  // namespace alltact

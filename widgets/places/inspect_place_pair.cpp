@@ -1,0 +1,91 @@
+// The second finger in the place Inspect.
+#include "widgets/inspect/gripper_dialog.h"
+#include "widgets/inspect/second_finger_dialog.h"
+#include "widgets/places/inspect_place.h"
+#include "widgets/value_change.h"
+
+namespace alltact {
+namespace {
+
+QString text_of(const std::filesystem::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+}  // namespace
+
+void InspectPlace::connect_pair() {
+  connect(&pair_, &FingerPair::changed, this, [this] {
+    if (options_.second) show_frame();
+  });
+  connect(pair_box_, &PairBox::open_wanted, this, &InspectPlace::choose_second);
+  connect(pair_box_, &PairBox::close_wanted, this, [this] { open_second(std::nullopt); });
+  connect(pair_box_, &PairBox::place_wanted, this, &InspectPlace::choose_place);
+}
+
+void InspectPlace::choose_second() {
+  auto* dialog = new SecondFingerDialog(options_.second, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &SecondFingerDialog::chosen, this, [this](const SecondFinger& second) {
+    open_second(second);
+  });
+  dialog->show();
+}
+
+void InspectPlace::choose_place(bool is_second) {
+  const FingerPlace* known = pair_.place(is_second);
+  if (known == nullptr) return;
+  const std::filesystem::path folder = pair_.folder(is_second);
+  using Place = std::optional<RigidTransform>;
+  const Place now = known->gripper_from_camera;
+  auto* dialog = new GripperDialog(pair_.name(is_second), now, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &GripperDialog::chosen, this, [this, folder, now](const Place& place) {
+    if (place == now) return;
+    undo_.push(new ValueChange<Place>(
+        tr("place %1 in the gripper").arg(text_of(folder.filename())),
+        now,
+        place,
+        [this, folder](const Place& wanted) { pair_.set_place(folder, wanted); }));
+  });
+  dialog->show();
+}
+
+/// Two fingers of which it is known where they sit.
+bool InspectPlace::is_one_picture() const {
+  return pair_.is_placed() && options_.shown_as == ShownAs::k3d && VtkView::is_supported();
+}
+
+void InspectPlace::show_second() {
+  const auto& frame = pair_.second().frame();
+  if (frame && frame->surface) return second_->show_frame(frame);
+  second_->show_message(frame                      ? tr("The face was not found in this picture.")
+                        : pair_.second().problem() ? tr("Nothing can be shown; above stands why.")
+                                                   : tr("The recording is being opened."));
+}
+
+void InspectPlace::add_pair_problems(std::vector<Problem>& problems) {
+  if (const auto problem = pair_.problem()) problems.push_back(Problem::of(*problem));
+  if (!options_.second) return;
+  if (pair_.second().problem()) problems.push_back(Problem::of(*pair_.second().problem()));
+  for (const bool is_second : {false, true}) {
+    const FingerPlace* place = pair_.place(is_second);
+    if (place == nullptr || place->gripper_from_camera) continue;
+    problems.push_back(
+        {Meaning::kDoubtful,
+         tr("Where the camera of %1 sits in the gripper is not known, so the two fingers are shown "
+            "each in its own camera's frame.")
+             .arg(pair_.name(is_second)),
+         tr("Tell its place and how it is turned."),
+         is_second ? tr("Place of &2…") : tr("Place of &1…"),
+         [this, is_second] { choose_place(is_second); }});
+  }
+}
+
+void InspectPlace::open_second(const std::optional<SecondFinger>& second) {
+  InspectOptions next = options_;
+  next.second = second;
+  next.look.reset();  // another frame, other faces
+  change_options(next, second ? tr("show a second finger") : tr("close the second finger"), -1);
+}
+
+}  // namespace alltact

@@ -1,0 +1,82 @@
+#include "widgets/plots/convergence_plot.h"
+
+#include "widgets/plots/custom_plot.h"
+#include "widgets/theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+
+ConvergencePlot::ConvergencePlot(QWidget* parent) : Plot(parent) {
+  setAccessibleName(tr("How the solution settles"));
+}
+
+void ConvergencePlot::set_rounds(const std::vector<Round>& rounds) {
+  if (rounds.size() == rounds_.size() && !rounds.empty()) return;  // they are only added to
+  rounds_ = rounds;
+  if (!rounds_.empty())
+    setAccessibleDescription(
+        tr("After %n round(s) %1 mm are left.", "", static_cast<int>(rounds_.size()))
+            .arg(QLocale().toString(rounds_.back().residual_mm, 'f', 4)));
+  rebuild();
+}
+
+QString ConvergencePlot::empty_text() const {
+  return tr("The solution has not begun to settle yet");
+}
+
+void ConvergencePlot::draw_residual() {
+  auto* line = chart().addGraph();
+  double most = 0;
+  for (std::size_t i = 0; i < rounds_.size(); ++i) {
+    line->addData(static_cast<double>(i + 1), rounds_[i].residual_mm);
+    most = std::max(most, rounds_[i].residual_mm);
+  }
+  line->setName(tr("Left over"));
+  line->setPen(QPen(series_colour(0, palette()), 2));
+  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, series_colour(0, palette()), 6));
+  chart().yAxis->setRange(0, most > 0 ? 1.25 * most : 1);
+  chart().yAxis->setLabel(tr("Left over (mm)"));
+}
+
+void ConvergencePlot::draw_change() {
+  constexpr double kNone = 1e-12;  // nothing smaller can be told from none
+  QCPAxis& axis = *chart().yAxis2;
+  auto* line = chart().addGraph(chart().xAxis, &axis);
+  double least = 1, most = kNone;
+  for (std::size_t i = 0; i < rounds_.size(); ++i) {
+    const double change = std::max(rounds_[i].change_mm, kNone);
+    line->addData(static_cast<double>(i + 1), change);
+    least = std::min(least, change);
+    most = std::max(most, change);
+  }
+  line->setName(tr("Still moves"));
+  line->setPen(QPen(series_colour(1, palette()), 2, Qt::DashLine));
+  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssSquare, series_colour(1, palette()), 6));
+  axis.setTicks(true);
+  axis.setTickLabels(true);
+  axis.setScaleType(QCPAxis::stLogarithmic);
+  axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+  axis.setNumberFormat(QStringLiteral("eb"));
+  axis.setNumberPrecision(0);
+  axis.setRange(std::pow(10, std::floor(std::log10(least))),
+                std::pow(10, std::ceil(std::log10(most) + 0.5)));
+  axis.setLabel(tr("Unknowns still move by (mm)"));
+}
+
+bool ConvergencePlot::draw() {
+  if (rounds_.empty()) return false;
+  draw_residual();
+  draw_change();
+  chart().xAxis->setRange(0.5, static_cast<double>(std::max<std::size_t>(rounds_.size(), 8)) + 0.5);
+  auto whole = QSharedPointer<QCPAxisTickerFixed>::create();
+  whole->setTickStep(1);
+  whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+  chart().xAxis->setTicker(whole);
+  chart().xAxis->setLabel(tr("Round"));
+  show_legend(Qt::AlignTop | Qt::AlignRight);
+  return true;
+}
+
+}  // namespace alltact

@@ -1,0 +1,192 @@
+#include "widgets/scene3d/placed_face.h"
+
+#include "widgets/scene3d/face_grid.h"
+#include "widgets/scene3d/scene_lines.h"
+
+#include <cmath>
+
+#include <vtkActor.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+namespace alltact {
+namespace {
+
+constexpr int kGhostLines = 6;  // along the shorter side of the grid
+constexpr double kAxis_mm = 12;
+
+Eigen::Vector3d to_eigen(const cv::Vec3f& p) {
+  return {p[0], p[1], p[2]};
+}
+
+vtkSmartPointer<vtkMatrix4x4> matrix_of(const RigidTransform& transform) {
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  const Eigen::Matrix3d turn = transform.rotation.normalized().toRotationMatrix();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) matrix->SetElement(row, column, turn(row, column));
+    matrix->SetElement(row, 3, transform.translation_mm[row]);
+  }
+  return matrix;
+}
+
+}  // namespace
+
+PlacedFace::PlacedFace(vtkRenderer* renderer)
+    : ghost_(line_actor(ghost_lines_, 25)),
+      camera_(line_actor(camera_lines_, 0)),
+      axes_(renderer, kAxis_mm) {
+  const vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh_.data());
+  mapper->SetColorModeToDirectScalars();
+  mapper->StaticOn();  // nothing upstream to ask
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
+  face_->SetMapper(mapper);
+  face_->GetProperty()->SetAmbient(0.5);
+  face_->GetProperty()->SetDiffuse(0.5);
+  face_->GetProperty()->SetSpecular(0.0);
+  for (vtkActor* actor : {face_.Get(), ghost_.Get(), camera_.Get()}) renderer->AddActor(actor);
+  hide();
+}
+
+PlacedFace::~PlacedFace() = default;
+
+void PlacedFace::show(const FaceSurface& surface, const cv::Mat& other_mm) {
+  surface_ = surface;
+  other_mm_ = other_mm;
+  draw_face();
+  draw_ghost();
+}
+
+void PlacedFace::hide() {
+  surface_ = {};
+  other_mm_ = cv::Mat();
+  face_->VisibilityOff();
+  draw_ghost();
+}
+
+void PlacedFace::set_options(const SceneOptions& options) {
+  options_ = options;
+  draw_face();
+  draw_ghost();
+  show_camera(options.camera);
+}
+
+void PlacedFace::show_camera(bool is_shown) {
+  camera_->SetVisibility(is_shown);
+  axes_.show(is_shown);
+}
+
+void PlacedFace::place(const RigidTransform& scene_from_camera) {
+  if (place_ == scene_from_camera) return;
+  place_ = scene_from_camera;
+  const auto matrix = matrix_of(place_);
+  for (vtkActor* actor : {face_.Get(), ghost_.Get(), camera_.Get()}) actor->SetUserMatrix(matrix);
+  axes_.place(place_);
+}
+
+void PlacedFace::draw_camera(const Camera& camera) {
+  const cv::Size size = camera.size();
+  constexpr double kFar_mm = 8;
+  const auto corner = camera.unproject({0, 0}),
+             other = camera.unproject({size.width - 1.0, size.height - 1.0});
+  std::vector<Polyline> lines;
+  if (camera.is_perspective() && corner && other) {
+    const Eigen::Vector3d a = corner->point_at(kFar_mm), b = other->point_at(kFar_mm);
+    lines = camera_lines(0.5 * (b.x() - a.x()), 0.5 * (b.y() - a.y()), kFar_mm);
+  }
+  set_lines(camera_lines_, lines);
+}
+
+void PlacedFace::dress(const SceneColours& colours, double pixels_per_unit) {
+  ghost_->GetProperty()->SetColor(0.55, 0.55, 0.55);
+  camera_->GetProperty()->SetColor(
+      colours.text[0] / 255.0, colours.text[1] / 255.0, colours.text[2] / 255.0);
+  for (const auto& actor : {ghost_, camera_})
+    actor->GetProperty()->SetLineWidth(static_cast<float>(pixels_per_unit));
+  axes_.dress(pixels_per_unit);
+}
+
+void PlacedFace::draw_face() {
+  if (!is_shown()) return;
+  const cv::Mat value = is_difference() ? surface_.depth_mm - other_mm_ : surface_.depth_mm;
+  mesh_.update(surface_.untouched_mm,
+               surface_.depth_mm,
+               static_cast<float>(options_.times),
+               value,
+               is_difference() ? difference_scale(options_.top_mm)
+                               : ColourScale{0, options_.top_mm, &viridis});
+  face_->VisibilityOn();
+}
+
+void PlacedFace::draw_ghost() {
+  ghost_->SetVisibility(options_.untouched && is_shown());
+  if (!options_.untouched || !is_shown()) return;
+  const int columns = surface_.columns(), rows = surface_.rows();
+  const double step = static_cast<double>(std::min(columns, rows) - 1) / kGhostLines;
+  std::vector<Polyline> lines;
+  const int across = std::max(1, static_cast<int>(std::lround((columns - 1) / step)));
+  for (int k = 0; k <= across; ++k) {
+    const int i = k * (columns - 1) / across;
+    Polyline& line = lines.emplace_back();
+    for (int j = 0; j < rows; ++j)
+      line.push_back(to_eigen(surface_.untouched_mm.at<cv::Vec3f>(j, i)));
+  }
+  const int along = std::max(1, static_cast<int>(std::lround((rows - 1) / step)));
+  for (int k = 0; k <= along; ++k) {
+    const int j = k * (rows - 1) / along;
+    Polyline& line = lines.emplace_back();
+    for (int i = 0; i < columns; ++i)
+      line.push_back(to_eigen(surface_.untouched_mm.at<cv::Vec3f>(j, i)));
+  }
+  set_lines(ghost_lines_, lines);
+}
+
+std::vector<Eigen::Vector3d> PlacedFace::outline() const {
+  std::vector<Eigen::Vector3d> points;
+  if (!is_shown()) return points;
+  const cv::Mat& drawn = mesh_.drawn_mm();
+  constexpr int kOfMany = 7;
+  for (int j = 0; j < drawn.rows; j += j + kOfMany < drawn.rows ? kOfMany : 1)
+    for (int i = 0; i < drawn.cols; i += i + kOfMany < drawn.cols ? kOfMany : 1)
+      points.push_back(place_.point(to_eigen(drawn.at<cv::Vec3f>(j, i))));
+  if (!options_.camera) return points;
+  for (const Eigen::Vector3d& end : {Eigen::Vector3d(0, 0, 0),
+                                     Eigen::Vector3d(kAxis_mm, 0, 0),
+                                     Eigen::Vector3d(0, kAxis_mm, 0),
+                                     Eigen::Vector3d(-kAxis_mm, -kAxis_mm, 0)})
+    points.push_back(place_.point(end));
+  return points;
+}
+
+Eigen::Vector3d PlacedFace::inward() const {
+  if (!is_shown()) return {0, 0, -1};
+  const cv::Mat& whole = surface_.untouched_mm;
+  const auto corner = [&](int j, int i) { return to_eigen(whole.at<cv::Vec3f>(j, i)); };
+  const Eigen::Vector3d along = corner(0, whole.cols - 1) - corner(0, 0);
+  const Eigen::Vector3d down = corner(whole.rows - 1, 0) - corner(0, 0);
+  return down.cross(along).normalized();
+}
+
+std::optional<PlacedFace::Hit> PlacedFace::hit(const Eigen::Vector3d& from,
+                                               const Eigen::Vector3d& direction) const {
+  if (!is_shown()) return std::nullopt;
+  const RigidTransform back = place_.inverse();
+  const auto place = first_hit(mesh_.drawn_mm(), back.point(from), back.direction(direction));
+  if (!place) return std::nullopt;
+  const cv::Vec2f pixel = pixel_between(surface_.pixel, *place);
+  const Eigen::Vector3d at = place_.point(to_eigen(point_between(mesh_.drawn_mm(), *place)));
+  return Hit{{pixel[0], pixel[1]}, (at - from).dot(direction) / direction.squaredNorm()};
+}
+
+std::optional<Eigen::Vector3d> PlacedFace::point_of(cv::Point2d pixel) const {
+  if (!is_shown()) return std::nullopt;
+  const auto place = grid_place_of(surface_, pixel);
+  if (!place) return std::nullopt;
+  return place_.point(to_eigen(point_between(mesh_.drawn_mm(), *place)));
+}
+
+}  // namespace alltact
