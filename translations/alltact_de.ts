@@ -3822,6 +3822,46 @@
         <source>stopped before it was packed</source>
         <translation>angehalten, bevor es gepackt war</translation>
     </message>
+    <message>
+        <source>there is no HID device that can be read</source>
+        <translation>Es gibt kein lesbares HID-Gerät</translation>
+    </message>
+    <message>
+        <source>plugging in a pedal</source>
+        <translation>ein Pedal anstecken</translation>
+    </message>
+    <message>
+        <source>must be three numbers from -10000 to 10000</source>
+        <translation>muss drei Zahlen von -10000 bis 10000 enthalten</translation>
+    </message>
+    <message>
+        <source>where the camera sits in the gripper, in mm</source>
+        <translation>wo die Kamera im Greifer sitzt, in mm</translation>
+    </message>
+    <message>
+        <source>is no rotation: a quaternion w, x, y, z has the length 1</source>
+        <translation>ist keine Drehung: ein Quaternion w, x, y, z hat die Länge 1</translation>
+    </message>
+    <message>
+        <source>[1.0, 0.0, 0.0, 0.0] for a camera that is not turned</source>
+        <translation>[1.0, 0.0, 0.0, 0.0] für eine nicht gedrehte Kamera</translation>
+    </message>
+    <message>
+        <source>must be three numbers: x, y, z in mm</source>
+        <translation>muss drei Zahlen enthalten: x, y, z in mm</translation>
+    </message>
+    <message>
+        <source>must be four numbers: w, x, y, z of a unit quaternion</source>
+        <translation>muss vier Zahlen enthalten: w, x, y, z eines Einheitsquaternions</translation>
+    </message>
+    <message>
+        <source>this recording is not there any more</source>
+        <translation>Diese Aufnahme ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>plugging in the disk it lies on, or opening another one</source>
+        <translation>den Datenträger anstecken, auf dem sie liegt, oder eine andere öffnen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CalibratePlace</name>

@@ -3822,6 +3822,46 @@
         <source>stopped before it was packed</source>
         <translation>打包完成前已停止</translation>
     </message>
+    <message>
+        <source>there is no HID device that can be read</source>
+        <translation>没有可以读取的 HID 设备</translation>
+    </message>
+    <message>
+        <source>plugging in a pedal</source>
+        <translation>插上踏板</translation>
+    </message>
+    <message>
+        <source>must be three numbers from -10000 to 10000</source>
+        <translation>必须是三个从 -10000 到 10000 的数</translation>
+    </message>
+    <message>
+        <source>where the camera sits in the gripper, in mm</source>
+        <translation>相机在夹爪中的位置，单位 mm</translation>
+    </message>
+    <message>
+        <source>is no rotation: a quaternion w, x, y, z has the length 1</source>
+        <translation>不是旋转：四元数 w, x, y, z 的长度为 1</translation>
+    </message>
+    <message>
+        <source>[1.0, 0.0, 0.0, 0.0] for a camera that is not turned</source>
+        <translation>相机没有转动时用 [1.0, 0.0, 0.0, 0.0]</translation>
+    </message>
+    <message>
+        <source>must be three numbers: x, y, z in mm</source>
+        <translation>必须是三个数：x、y、z，单位 mm</translation>
+    </message>
+    <message>
+        <source>must be four numbers: w, x, y, z of a unit quaternion</source>
+        <translation>必须是四个数：单位四元数的 w、x、y、z</translation>
+    </message>
+    <message>
+        <source>this recording is not there any more</source>
+        <translation>这段录像已不存在</translation>
+    </message>
+    <message>
+        <source>plugging in the disk it lies on, or opening another one</source>
+        <translation>插上存放它的磁盘，或打开另一段录像</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CalibratePlace</name>

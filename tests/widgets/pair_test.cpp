@@ -15,8 +15,8 @@ constexpr std::int64_t kMs = 1'000'000;
 TEST(TimeMatch, TakesTheFrameNearestInTime) {
   const FrameTimes ours{1000 * kMs, 1033 * kMs, 1067 * kMs, 1100 * kMs};
   const FrameTimes other{990 * kMs, 1040 * kMs, 1090 * kMs, 1140 * kMs};
-  const std::vector<std::size_t> expected{0, 1, 1, 2};
-  const std::vector<double> later{-10, 7, -27, -10};
+  const std::vector<std::size_t> expected{0, 1, 2, 2};
+  const std::vector<double> later{-10, 7, 23, -10};
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const FrameBeside beside = frame_beside(i, ours, other, other.size());
     EXPECT_EQ(beside.number, expected[i]) << i;

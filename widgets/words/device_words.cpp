@@ -142,6 +142,8 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "Format"),
     QT_TRANSLATE_NOOP("Library", "Camera"),
     QT_TRANSLATE_NOOP("Library", "Light"),
+    QT_TRANSLATE_NOOP("Library", "there is no HID device that can be read"),
+    QT_TRANSLATE_NOOP("Library", "plugging in a pedal"),
 };
 
 }  // namespace

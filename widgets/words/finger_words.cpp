@@ -135,6 +135,12 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "holds %1, which is not a list"),
     QT_TRANSLATE_NOOP("Library", "is not known, and too large or too odd to be kept"),
     QT_TRANSLATE_NOOP("Library", "is not known here; it is kept as it is"),
+    QT_TRANSLATE_NOOP("Library", "must be three numbers from -10000 to 10000"),
+    QT_TRANSLATE_NOOP("Library", "where the camera sits in the gripper, in mm"),
+    QT_TRANSLATE_NOOP("Library", "is no rotation: a quaternion w, x, y, z has the length 1"),
+    QT_TRANSLATE_NOOP("Library", "[1.0, 0.0, 0.0, 0.0] for a camera that is not turned"),
+    QT_TRANSLATE_NOOP("Library", "must be three numbers: x, y, z in mm"),
+    QT_TRANSLATE_NOOP("Library", "must be four numbers: w, x, y, z of a unit quaternion"),
 };
 
 }  // namespace

@@ -46,6 +46,8 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "could not write the archive"),
     QT_TRANSLATE_NOOP("Library", "another name for the file that is meant"),
     QT_TRANSLATE_NOOP("Library", "stopped before it was packed"),
+    QT_TRANSLATE_NOOP("Library", "this recording is not there any more"),
+    QT_TRANSLATE_NOOP("Library", "plugging in the disk it lies on, or opening another one"),
 };
 
 }  // namespace
