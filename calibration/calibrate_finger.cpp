@@ -307,6 +307,9 @@ Status write(const Work& work, FingerCalibration& done, const Job& job) {
     std::error_code absent;
     for (const char* page : kReportPages) fs::remove(work.folder / page, absent);
   }
+  // Typed in while this ran, and no business of it.
+  if (const auto now = Finger::load(work.folder))
+    done.finger.gripper_from_camera = now->gripper_from_camera;
   return done.finger.save(work.folder);
 }
 

@@ -116,6 +116,12 @@ Result<std::string> calibration_json(const Finger& finger) {
     for (const auto& marker : finger.contact->rest_markers)
       contact["rest_markers_px"].push_back({marker.x(), marker.y()});
   }
+  if (finger.gripper_from_camera) {
+    const Eigen::Vector3d& at = finger.gripper_from_camera->translation_mm;
+    const Eigen::Quaterniond& turn = finger.gripper_from_camera->rotation;
+    json["gripper_from_camera"] = {{"translation_mm", {at.x(), at.y(), at.z()}},
+                                   {"rotation_wxyz", {turn.w(), turn.x(), turn.y(), turn.z()}}};
+  }
   if (finger.reference) json["reference"] = reference_json(*finger.reference);
   json["provenance"] = finger.provenance;
   // Names and remarks may come from anywhere.

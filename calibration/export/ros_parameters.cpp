@@ -70,6 +70,13 @@ Texts contact_lines(const ContactSettings& contact) {
           numbers("rest_markers_v_px", v)};
 }
 
+Texts gripper_lines(const RigidTransform& pose) {
+  const Eigen::Vector3d& at = pose.translation_mm;
+  const Eigen::Quaterniond& turn = pose.rotation;
+  return {numbers("translation_mm", {at.x(), at.y(), at.z()}),
+          numbers("rotation_wxyz", {turn.w(), turn.x(), turn.y(), turn.z()})};
+}
+
 }  // namespace
 
 Result<std::string> ros_parameters(const Finger& finger) {
@@ -86,6 +93,8 @@ Result<std::string> ros_parameters(const Finger& finger) {
   }
   if (finger.contact && !finger.contact->rest_markers.empty())
     text += block("contact", contact_lines(*finger.contact));
+  if (finger.gripper_from_camera)
+    text += block("gripper_from_camera", gripper_lines(*finger.gripper_from_camera));
   return text;
 }
 

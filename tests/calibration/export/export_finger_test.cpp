@@ -140,6 +140,26 @@ TEST(ExportFinger, JsonHoldsWhatALoaderNeeds) {
   }
 }
 
+TEST(ExportFinger, TellsWhereTheCameraSitsInTheGripper) {
+  Finger finger = whole_finger();
+  EXPECT_FALSE(nlohmann::json::parse(*calibration_json(finger)).contains("gripper_from_camera"));
+  // A quarter turn about z: x of the camera is y of the gripper.
+  finger.gripper_from_camera = RigidTransform{
+      Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ())), {1.5, -20, 80.25}};
+  const auto json = nlohmann::json::parse(*calibration_json(finger)).at("gripper_from_camera");
+  const YAML::Node ros =
+      YAML::Load(*ros_parameters(finger))["/**"]["ros__parameters"]["gripper_from_camera"];
+  const double half = std::sqrt(0.5);
+  const std::vector<double> place{1.5, -20, 80.25}, turn{half, 0, 0, half};
+  EXPECT_EQ(json.at("translation_mm").get<std::vector<double>>(), place);
+  EXPECT_EQ(ros["translation_mm"].as<std::vector<double>>(), place);
+  for (std::size_t i = 0; i < turn.size(); ++i) {
+    EXPECT_NEAR(json.at("rotation_wxyz").at(i).get<double>(), turn[i], 1e-15);
+    EXPECT_NEAR(ros["rotation_wxyz"][i].as<double>(), turn[i], 1e-15);
+  }
+  expect_real_numbers(ros["translation_mm"]);
+}
+
 TEST(ExportFinger, TheZipHoldsEveryFileOfTheFinger) {
   const TemporaryFolder folder;
   const Finger finger = whole_finger();
