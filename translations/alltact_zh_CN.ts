@@ -648,7 +648,7 @@
     </message>
     <message>
         <source>another device; a pedal that only clicks must be set to send a key</source>
-        <translation>换一个设备;只会点击的踏板须设为发送按键</translation>
+        <translation>换一个设备;只会点击的脚踏开关须设为发送按键</translation>
     </message>
     <message>
         <source>the device cannot be opened</source>
@@ -3828,7 +3828,7 @@
     </message>
     <message>
         <source>plugging in a pedal</source>
-        <translation>插上踏板</translation>
+        <translation>插上脚踏开关</translation>
     </message>
     <message>
         <source>must be three numbers from -10000 to 10000</source>

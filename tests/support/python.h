@@ -3,7 +3,8 @@
 
 namespace alltact::test {
 
-/// Debian's, for which the packages hold numpy and OpenCV; another one in the PATH may have neither.
+/// Debian's, for which the packages hold numpy and OpenCV; another one in the PATH may have
+/// neither.
 constexpr const char* kPython = "/usr/bin/python3";
 
 }  // namespace alltact::test
