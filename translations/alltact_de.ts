@@ -2052,7 +2052,7 @@
     </message>
     <message>
         <source>Try: %1</source>
-        <translation>Versuch: %1</translation>
+        <translation>Abhilfe: %1</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -6244,7 +6244,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Try: %1.</source>
-        <translation>Versuchen Sie: %1.</translation>
+        <translation>Abhilfe: %1.</translation>
     </message>
     <message>
         <source>Or drag the outline onto the ball.</source>
@@ -6309,7 +6309,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <name>alltact::ProblemList</name>
     <message>
         <source>Try: %1</source>
-        <translation>Versuch: %1</translation>
+        <translation>Abhilfe: %1</translation>
     </message>
     <message>
         <source>Problems</source>

@@ -5,8 +5,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace alltact {
+namespace {
+
+/// 10⁻⁶ and 1 where the library would write 1E-06.
+class PowersOfTen final : public QCPAxisTickerLog {
+ protected:
+  QString getTickLabel(double tick, const QLocale&, QChar, int) override {
+    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    const int power = static_cast<int>(std::lround(std::log10(tick)));
+    if (power == 0) return QStringLiteral("1");
+    QString label = QStringLiteral("10");
+    if (power < 0) label += QStringLiteral("⁻");
+    for (const QChar digit : QString::number(std::abs(power))) label += digits[digit.digitValue()];
+    return label;
+  }
+};
+
+}  // namespace
 
 ConvergencePlot::ConvergencePlot(QWidget* parent) : Plot(parent) {
   setAccessibleName(tr("How the solution settles"));
@@ -57,9 +75,7 @@ void ConvergencePlot::draw_change() {
   axis.setTicks(true);
   axis.setTickLabels(true);
   axis.setScaleType(QCPAxis::stLogarithmic);
-  axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
-  axis.setNumberFormat(QStringLiteral("eb"));
-  axis.setNumberPrecision(0);
+  axis.setTicker(QSharedPointer<PowersOfTen>::create());
   axis.setRange(std::pow(10, std::floor(std::log10(least))),
                 std::pow(10, std::ceil(std::log10(most) + 0.5)));
   axis.setLabel(tr("Unknowns still move by (mm)"));
