@@ -414,13 +414,13 @@ void let_vary(const ChoiceInput& input, ModelChoice* choice, const Job& job) {
   CurveFamily family = choice->fit.curve.family();
   family.varies = true;
   job.report(1.0, fmt::format("trying a {}", family.name()));
-  const JointFit varying =
-      fit_jointly(input.presses, as_family(choice->fit, family), choice->options, job);
-  if (!varying.converged || !increases(varying.curve, choice->options.along)) return;
-  const HeldOut held_out = hold_out(input, varying, choice->options, job);
-  const std::vector<double>& errors = held_out.errors_mm;
+  Candidate varying{
+      fit_jointly(input.presses, as_family(choice->fit, family), choice->options, job), {}};
+  if (!varying.fit.converged || !increases(varying.fit.curve, choice->options.along)) return;
+  varying.held_out = hold_out(input, varying.fit, choice->options, job);
+  const std::vector<double>& errors = varying.held_out.errors_mm;
   if (errors.size() < choice->held_out_mm.size() || as_good(choice->held_out_mm, errors)) return;
-  const Eigen::Vector2d part = varying.curve.values().tail<2>();
+  const Eigen::Vector2d part = varying.fit.curve.values().tail<2>();
   choice->remarks.push_back(fmt::format(
       "the mapping varies over the face, as uneven light or an uneven layer make it: by {:+.0f} % "
       "from the presses nearest to the base to those nearest to the tip, by {:+.0f} % from side to "
@@ -429,10 +429,9 @@ void let_vary(const ChoiceInput& input, ModelChoice* choice, const Job& job) {
       200.0 * part.y(),
       mean_of(errors),
       mean_of(choice->held_out_mm)));
-  choice->sentence =
-      fmt::format("{}: least error on presses left out, {:.4f} mm", family.name(), mean_of(errors));
-  choice->fit = varying;
-  keep(held_out, choice);
+  choice->sentence = why(varying, varying);
+  keep(varying.held_out, choice);
+  choice->fit = varying.fit;
 }
 
 }  // namespace
