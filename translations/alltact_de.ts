@@ -4108,8 +4108,8 @@
         <translation>Noch keine Haltung gesehen.</translation>
     </message>
     <message>
-        <source>All directions are reached.</source>
-        <translation>Alle Richtungen sind erreicht.</translation>
+        <source>Enough: all directions are reached.</source>
+        <translation>Genug: Alle Richtungen sind erreicht.</translation>
     </message>
     <message>
         <source>Missing: %1.</source>
@@ -6434,12 +6434,28 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Um die Biegung zu erkennen, müssen die Marken zu sehen sein.</translation>
     </message>
     <message>
-        <source>All directions are reached.</source>
-        <translation>Alle Richtungen sind erreicht.</translation>
+        <source>Enough: all directions are reached.</source>
+        <translation>Genug: Alle Richtungen sind erreicht.</translation>
     </message>
     <message>
         <source>Still missing: %1.</source>
         <translation>Es fehlen noch: %1.</translation>
+    </message>
+    <message>
+        <source>Set res&amp;t pose</source>
+        <translation>Ruhelage se&amp;tzen</translation>
+    </message>
+    <message>
+        <source>The finger hangs free now: all bending is told from here.</source>
+        <translation>Der Finger hängt jetzt frei: jede Biegung zählt von hier.</translation>
+    </message>
+    <message>
+        <source>Bending is told from the rest pose that was set.</source>
+        <translation>Die Biegung zählt von der gesetzten Ruhelage.</translation>
+    </message>
+    <message>
+        <source>Bending is told from the middle of all poses.</source>
+        <translation>Die Biegung zählt von der Mitte aller Lagen.</translation>
     </message>
     <message>
         <source>Record to</source>

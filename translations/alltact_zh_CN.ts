@@ -4107,8 +4107,8 @@
         <translation>还没有看到任何姿态。</translation>
     </message>
     <message>
-        <source>All directions are reached.</source>
-        <translation>所有方向都已达到。</translation>
+        <source>Enough: all directions are reached.</source>
+        <translation>足够:所有方向都已达到。</translation>
     </message>
     <message>
         <source>Missing: %1.</source>
@@ -6425,12 +6425,28 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>必须看得见标记点才能判断弯曲。</translation>
     </message>
     <message>
-        <source>All directions are reached.</source>
-        <translation>所有方向都已达到。</translation>
+        <source>Enough: all directions are reached.</source>
+        <translation>足够:所有方向都已达到。</translation>
     </message>
     <message>
         <source>Still missing: %1.</source>
         <translation>还缺少:%1。</translation>
+    </message>
+    <message>
+        <source>Set res&amp;t pose</source>
+        <translation>设定静止姿态(&amp;T)</translation>
+    </message>
+    <message>
+        <source>The finger hangs free now: all bending is told from here.</source>
+        <translation>手指现在自由悬垂:所有弯曲都从这里算起。</translation>
+    </message>
+    <message>
+        <source>Bending is told from the rest pose that was set.</source>
+        <translation>弯曲从设定的静止姿态算起。</translation>
+    </message>
+    <message>
+        <source>Bending is told from the middle of all poses.</source>
+        <translation>弯曲从所有姿态的中间算起。</translation>
     </message>
     <message>
         <source>Record to</source>

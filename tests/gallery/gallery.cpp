@@ -93,7 +93,9 @@ Shown coverage_view() {
   coverage.begin();
   for (int i = 0; i < 400; ++i) {
     const double turn = 0.05 * i, reach = 0.015 * i;
-    coverage.add(Motion{reach * std::cos(turn), 0.4 * reach * std::sin(turn), 0.3 * reach});
+    coverage.add(TipPlace{{0, 0.4 * reach * std::sin(turn), 60 + reach * std::cos(turn)},
+                          {0, 0, 1},
+                          0.3 * reach * M_PI / 180});
   }
   view->show_coverage(coverage.picture());
   return view;

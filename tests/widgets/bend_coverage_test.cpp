@@ -1,6 +1,7 @@
 // Motions that are put in by hand: what is told of them follows from the definition.
 #include "widgets/recording/bend_coverage.h"
 
+#include <cmath>
 #include <numeric>
 
 #include <gmock/gmock.h>
@@ -11,33 +12,46 @@ namespace {
 
 constexpr MotionNeed kNeed{4, 2, 3};
 
-TEST(BendCoverage, MissesEveryDirectionAtFirstAndNoneInTheEnd) {
+/// A tip that has moved so from a place in front of the camera.
+TipPlace at(double bend_mm, double sway_mm, double twist_deg) {
+  return {{0, sway_mm, 60 + bend_mm}, {0, 0, 1}, twist_deg * M_PI / 180};
+}
+
+/// Coverage whose rest is at(0, 0, 0).
+BendCoverage at_rest() {
   BendCoverage coverage;
   coverage.begin(kNeed);
+  coverage.add(at(0, 0, 0));
+  EXPECT_TRUE(coverage.set_rest());
+  coverage.begin(kNeed);
+  return coverage;
+}
+
+TEST(BendCoverage, MissesEveryDirectionAtFirstAndNoneInTheEnd) {
+  BendCoverage coverage = at_rest();
   EXPECT_EQ(coverage.picture().missing().size(), kBendDirections);
   EXPECT_FALSE(coverage.picture().is_enough());
-  coverage.add({});
-  coverage.add({4, 0, 0});
-  coverage.add({0, -2, 0});
+  coverage.add(at(0, 0, 0));
+  coverage.add(at(4.001, 0, 0));
+  coverage.add(at(0, -2.001, 0));
   EXPECT_THAT(coverage.picture().missing(),
               testing::ElementsAre(BendDirection::kTowards,
                                    BendDirection::kDown,
                                    BendDirection::kTwistRight,
                                    BendDirection::kTwistLeft));
-  coverage.add({-3.9, 2, 3});  // nearly
+  coverage.add(at(-3.9, 2.001, 3.001));  // nearly
   EXPECT_THAT(coverage.picture().missing(),
               testing::ElementsAre(BendDirection::kTowards, BendDirection::kTwistLeft));
-  coverage.add({-4, 0, -3});
+  coverage.add(at(-4.001, 0, -3.001));
   EXPECT_TRUE(coverage.picture().is_enough());
   EXPECT_EQ(coverage.picture().poses, 5U);
 }
 
 TEST(BendCoverage, CountsPosesWhereTheyWere) {
-  BendCoverage coverage;
-  coverage.begin(kNeed);
-  for (int i = 0; i < 3; ++i) coverage.add({});
-  coverage.add({1000, 0, 0});  // beyond the picture: its last column
-  coverage.add({0, -2.9, 0});  // nearly beyond it: its first row
+  BendCoverage coverage = at_rest();
+  for (int i = 0; i < 3; ++i) coverage.add(at(0, 0, 0));
+  coverage.add(at(1000, 0, 0));  // beyond the picture: its last column
+  coverage.add(at(0, -2.9, 0));  // nearly beyond it: its first row
   constexpr int n = BendPicture::kCells;
   const auto& visits = coverage.picture().visits;
   EXPECT_EQ(visits[n / 2 * n + n / 2], 3U);
@@ -47,22 +61,55 @@ TEST(BendCoverage, CountsPosesWhereTheyWere) {
 }
 
 TEST(BendCoverage, HasNoPoseNowWhereMarkersAreHidden) {
-  BendCoverage coverage;
-  coverage.begin(kNeed);
-  coverage.add({2, 0, 0});
+  BendCoverage coverage = at_rest();
+  coverage.add(at(2, 0, 0));
   EXPECT_TRUE(coverage.picture().now);
   coverage.add_nothing();
   EXPECT_FALSE(coverage.picture().now);
-  EXPECT_DOUBLE_EQ(coverage.picture().reached[0], 0.5);  // what was reached stays
+  EXPECT_FALSE(coverage.set_rest());
+  EXPECT_NEAR(coverage.picture().reached[0], 0.5, 1e-12);  // what was reached stays
 }
 
-TEST(BendCoverage, ForgetsAnEarlierRecording) {
-  BendCoverage coverage;
-  coverage.begin(kNeed);
-  coverage.add({5, 0, 0});
+TEST(BendCoverage, ForgetsAnEarlierRecordingButNotTheRestThatWasSet) {
+  BendCoverage coverage = at_rest();
+  coverage.add(at(5, 0, 0));
   coverage.begin(kNeed);
   EXPECT_EQ(coverage.picture().poses, 0U);
   EXPECT_EQ(coverage.picture().missing().size(), kBendDirections);
+  coverage.add(at(1, 0, 0));
+  EXPECT_NEAR(coverage.picture().now->bend_mm, 1, 1e-12);
+}
+
+// A finger that is held twisted when the recording begins, and then moves both ways alike.
+TEST(BendCoverage, TakesTheMiddleForRestHoweverTheRecordingBegins) {
+  BendCoverage coverage;
+  coverage.begin(kNeed);
+  for (int i = 0; i <= 200; ++i) {
+    const double turn = 0.05 * i;
+    coverage.add(at(5 * std::sin(1.7 * turn), 2.5 * std::sin(2.3 * turn), 12 * std::cos(turn)));
+  }
+  EXPECT_TRUE(coverage.picture().is_enough());
+  const auto& reached = coverage.picture().reached;
+  const auto part = [&](BendDirection d) { return reached[static_cast<std::size_t>(d)]; };
+  EXPECT_NEAR(part(BendDirection::kTwistLeft), part(BendDirection::kTwistRight), 0.8);
+  EXPECT_NEAR(part(BendDirection::kTwistLeft) + part(BendDirection::kTwistRight), 24 / 3., 1e-2);
+}
+
+// However late somebody says which pose is rest, the poses before are told from it too.
+TEST(BendCoverage, TellsPosesBeforeFromTheRestThatIsSetAfterThem) {
+  BendCoverage late;
+  late.begin(kNeed);
+  BendCoverage early = at_rest();
+  for (int i = 0; i < 50; ++i) {
+    const TipPlace place = at(0.1 * i, 0.03 * i, -0.05 * i);
+    late.add(place);
+    early.add(place);
+  }
+  late.add(at(0, 0, 0));
+  early.add(at(0, 0, 0));
+  ASSERT_TRUE(late.set_rest());
+  EXPECT_EQ(late.picture().reached, early.picture().reached);
+  EXPECT_EQ(late.picture().visits, early.picture().visits);
 }
 
 }  // namespace

@@ -45,6 +45,8 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
       result_group_(new QGroupBox),
       coverage_view_(new CoverageView),
       missing_(wrapped_label()),
+      rest_(new QPushButton),
+      rest_note_(wrapped_label()),
       file_label_(new QLabel),
       file_(new QLineEdit),
       browse_(new QPushButton),
@@ -67,6 +69,7 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
   layout->addLayout(left, 1);
   layout->addWidget(make_side());
   panel_->set_options(only_finger());
+  connect(rest_, &QPushButton::clicked, this, &RecordPlace::set_rest);
   connect(record_, &QPushButton::clicked, this, &RecordPlace::start_or_stop);
   connect(browse_, &QPushButton::clicked, this, &RecordPlace::choose_file);
   connect(install_, &QPushButton::clicked, this, &RecordPlace::install);
@@ -83,6 +86,8 @@ QWidget* RecordPlace::make_side() {
   auto* coverage = new QVBoxLayout(coverage_group_);
   coverage->addWidget(coverage_view_);
   coverage->addWidget(missing_);
+  coverage->addWidget(rest_);
+  coverage->addWidget(rest_note_);
   side.column->addWidget(coverage_group_);
   make_recording_group(*side.column);
   make_result_group(*side.column);
@@ -126,6 +131,9 @@ void RecordPlace::make_result_group(QVBoxLayout& column) {
 
 void RecordPlace::name_parts() {
   coverage_group_->setTitle(tr("Bend it in all directions"));
+  rest_->setText(tr("Set res&t pose"));
+  rest_->setToolTip(tr("The finger hangs free now: all bending is told from here."));
+  rest_->setAccessibleDescription(rest_->toolTip());
   recording_group_->setTitle(tr("Recording"));
   result_group_->setTitle(tr("What was recorded"));
   file_label_->setText(tr("&File"));
@@ -152,6 +160,10 @@ void RecordPlace::begin_coverage() {
   touched_frames_ = 0;
 }
 
+void RecordPlace::set_rest() {
+  if (coverage_.set_rest()) show_coverage();
+}
+
 void RecordPlace::look_at_frame() {
   if (!isVisible()) return;
   const WatchedFrame& watched = session_.view()->watched;
@@ -173,8 +185,12 @@ void RecordPlace::show_coverage() {
   QStringList missing;
   for (const BendDirection direction : picture.missing()) missing << bend_direction_text(direction);
   missing_->setText(picture.poses == 0  ? tr("The markers have to be seen to tell how it bends.")
-                    : missing.isEmpty() ? tr("All directions are reached.")
+                    : missing.isEmpty() ? tr("Enough: all directions are reached.")
                                         : tr("Still missing: %1.").arg(missing.join(", ")));
+  rest_->setEnabled(picture.now.has_value());
+  rest_note_->setText(coverage_.rest_is_set()
+                          ? tr("Bending is told from the rest pose that was set.")
+                          : tr("Bending is told from the middle of all poses."));
 }
 
 void RecordPlace::start_or_stop() {
@@ -248,11 +264,15 @@ void RecordPlace::list_rejected() {
 void RecordPlace::show_status() {
   const LiveStatus& status = session_.status();
   const RecordingState state = status.recording.state;
+  if (status.finger.folder != shown_finger_ || status.source.inputs != shown_source_) {
+    coverage_ = BendCoverage();
+    show_coverage();
+  }
+  shown_source_ = status.source.inputs;
   if (status.finger.folder != shown_finger_ || file_->text().isEmpty()) {
     if (status.finger.folder != shown_finger_ && !was_recording_) report_.reset();
     shown_finger_ = status.finger.folder;
     if (state != RecordingState::kRunning) propose_file();
-    coverage_ = BendCoverage();
   }
   const bool is_recording = state == RecordingState::kRunning;
   if (was_recording_ && state == RecordingState::kDone) {

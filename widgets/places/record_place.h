@@ -47,6 +47,7 @@ class RecordPlace : public Translated<QWidget> {
   void make_result_group(QVBoxLayout& column);
   void name_parts();
   void begin_coverage();
+  void set_rest();
   void look_at_frame();
   void start_or_stop();
   void begin_recording();
@@ -74,6 +75,8 @@ class RecordPlace : public Translated<QWidget> {
   QGroupBox *coverage_group_, *recording_group_, *result_group_;
   CoverageView* coverage_view_;
   QLabel* missing_;
+  QPushButton* rest_;
+  QLabel* rest_note_;
   QLabel* file_label_;
   QLineEdit* file_;
   QPushButton *browse_, *record_;
@@ -86,6 +89,7 @@ class RecordPlace : public Translated<QWidget> {
 
   BendCoverage coverage_;
   std::filesystem::path shown_finger_;
+  std::vector<std::filesystem::path> shown_source_;
   bool was_recording_ = false;
   std::uint64_t touched_frames_ = 0;
   FaceTouch touch_ = FaceTouch::kUnknown;

@@ -30,22 +30,34 @@ struct BendPicture {
   [[nodiscard]] bool is_enough() const { return poses > 0 && missing().empty(); }
 };
 
-/// Collects poses. The first one is rest, as in the reference recording itself.
+/// Collects poses. Rest is the pose in the middle of those seen, so that it does not matter how a
+/// recording begins, until somebody says which pose it is.
 class BendCoverage {
  public:
+  /// Forgets the poses, and keeps the rest that somebody set.
   void begin(const MotionNeed& need = {});
   /// Uses the pair of dots nearest the tip that the first pose shows; a pose that does not show it
   /// is none.
   void add(const Markers& markers, const FaceShape& shape);
-  void add(const Motion& motion);
+  void add(const TipPlace& place);
   /// The markers could not be seen: there is no pose now.
-  void add_nothing() { picture_.now.reset(); }
+  void add_nothing();
+  /// The pose now is rest, for the poses before as well. False: there is no pose now.
+  bool set_rest();
+  [[nodiscard]] bool rest_is_set() const { return is_set_; }
   [[nodiscard]] const BendPicture& picture() const { return picture_; }
 
  private:
+  void choose_rest();
+  void show_again();
+  void show(const TipPlace& place);
+
   BendPicture picture_;
-  std::size_t pair_ = 0;
-  std::optional<TipPlace> rest_;
+  std::vector<TipPlace> places_;
+  std::optional<std::size_t> pair_;
+  std::optional<TipPlace> now_, rest_;
+  bool is_set_ = false;
+  std::size_t next_choice_ = 1;  // number of poses at which rest is chosen anew
 };
 
 }  // namespace alltact

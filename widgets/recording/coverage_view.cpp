@@ -58,7 +58,7 @@ void CoverageView::describe() {
     missing << bend_direction_text(direction);
   set_accessible_description(*this,
                              picture_.poses == 0 ? tr("No pose has been seen yet.")
-                             : missing.isEmpty() ? tr("All directions are reached.")
+                             : missing.isEmpty() ? tr("Enough: all directions are reached.")
                                                  : tr("Missing: %1.").arg(missing.join(", ")));
 }
 
