@@ -1,13 +1,14 @@
 """All that a technician would take of one finger, in a folder: recording, presses, pictures to measure, and the truth.
 
     camera.yaml  recording/*.png  presses/*.png  tests/*.png  truth/*.npz  finger.json (written last)
+    degraded/*.png, frozen/*.png: pictures that cannot be measured rightly, of the class of that name
 """
 
 from __future__ import annotations
 
 import json
 import shutil
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import cv2
@@ -18,7 +19,7 @@ from face import Face, Pose
 from finger import Finger, draw_finger
 from render import Renderer
 
-VERSION = 1
+VERSION = 2
 PRESSES = 6
 TESTS = 10
 
@@ -54,6 +55,8 @@ def make_finger(cache: Path, seed: int, index: int, kind: str) -> Path:
     _record(folder, finger, renderer, rng)
     presses = _press(folder, finger, renderer, rng)
     shots = _shoot(folder, finger, renderer, rng)
+    if kind == "degraded":
+        _degrade(folder, finger, renderer, rng)
     facts.write_text(json.dumps(_facts(finger, presses, shots), indent=1))
     return folder
 
@@ -196,6 +199,23 @@ def _shoot(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Gene
             }
         )
     return shots
+
+
+def _degrade(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Generator) -> None:
+    """Far too bright, black, of another finger, and a camera that hangs while it says that it delivers."""
+    (folder / "degraded").mkdir()
+    (folder / "frozen").mkdir()
+    pose = finger.motion.pose(rng.uniform(-0.5, 0.5, 4))
+    light, _ = renderer.light(pose)
+    _save(folder / "degraded" / "too_bright.png", finger.sensor.expose(light, rng, gain=1.6))
+    _save(folder / "degraded" / "black.png", finger.sensor.expose(light, rng, gain=0.004))
+    slimmer = replace(finger.rest, width_mm=0.8 * finger.rest.width_mm, layer_mm=1.2 * finger.rest.layer_mm)
+    shifted = tuple(replace(dot, s_mm=dot.s_mm + 2.5) for dot in finger.dots[1:])
+    other, _ = Renderer(replace(finger, rest=slimmer, dots=shifted)).light(pose)
+    _save(folder / "degraded" / "other_finger.png", finger.sensor.expose(other, rng))
+    hanging = finger.sensor.expose(light, rng)
+    for frame in range(8):
+        _save(folder / "frozen" / f"frame_{frame:03d}.png", hanging)
 
 
 def _facts(finger: Finger, presses: list[dict[str, object]], shots: list[dict[str, object]]) -> dict[str, object]:

@@ -256,6 +256,17 @@ def _dots(
     seen = s[(middle > 0.03 * camera.width_px) & (middle < 0.95 * camera.width_px) & (middle < middle[-1] - radius_px - 4)]
     first, last = seen[0] + rng.uniform(0, 0.08) * np.ptp(seen), seen[-1] - rng.uniform(0, 0.1) * np.ptp(seen)
     outward, stretch = rng.uniform(0.0, 0.25), rng.uniform(0.85, 1.2)
+    # A mark back from the edge is seen further along than the edge beside it: the last one still beside the face.
+    for _ in range(3):
+        trial = _placed(camera, face, rest, 1, last, 1.5, gap_px + radius_px, contrast, outward, stretch)
+        if trial is None:
+            return None
+        over = trial.pixel(camera, face)[0] + 2 * radius_px + 3 - middle[-1]
+        if over <= 0:
+            break
+        last = float(np.interp(np.interp(last, s, middle) - over, middle, s))
+    if last - first < 0.4 * rest.length_mm:
+        return None
     dots: list[Dot] = []
     for side in (-1, 1):
         here = count
@@ -387,7 +398,8 @@ def _complete(
     absorb = 0.375 * ratio * scatter
     photons = walk(rng, scatter, absorb, rng.uniform(0, 0.7), rng.uniform(0.65, 1.0))
     layer = Layer(photons, rest.layer_mm)
-    spread = min(0.2, rng.uniform(0.05, 0.3) * layer.aside_mm)
+    # How far light comes out aside has a long tail of faint light; what blurs a picture is its core.
+    spread = min(layer.aside_mm, rng.uniform(0.02, 0.15))
     noise = rng.uniform(1, 3) if kind in ("jpeg", "small-picture") else rng.uniform(1, 2.2)
     shot_share = rng.uniform(0.1, 0.7)
     pattern_sd = rng.uniform(0.001, 0.006)

@@ -45,6 +45,7 @@ def judge_one(program: Path, made: Path, results: Path | None) -> dict[str, Any]
             "failed": run.failed,
             "said": run.said,
             "seconds": run.seconds,
+            "unnamed": run.unnamed,
         }
         if run.lines:
             figures |= measure(run, made, facts)
@@ -73,6 +74,9 @@ def main() -> int:
     parser.add_argument("--render-only", action="store_true", help="do not judge")
     parser.add_argument("--cached-only", action="store_true", help="judge what is rendered already, nothing else")
     parser.add_argument("--results", type=Path, help="new folder to keep what the program wrote")
+    parser.add_argument(
+        "--measured-only", action="store_true", help="exit status 0 when every finger is measured, however well"
+    )
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--json", type=Path, help="file for all figures")
     options = parser.parse_args()
@@ -109,6 +113,8 @@ def conclude(fingers: list[dict[str, Any]], options: argparse.Namespace) -> int:
     if options.json:
         kept = [{"what": what, "kept": is_kept, "how": how} for what, is_kept, how in rows]
         options.json.write_text(json.dumps({"seed": options.seed, "must": kept, "fingers": fingers}, indent=1))
+    if options.measured_only:
+        return 0 if all(figures["measured"] for figures in fingers) else 1
     return 0 if all(kept for _, kept, _ in rows) else 1
 
 

@@ -122,8 +122,6 @@ def _picture(path: Path) -> np.ndarray | None:
     if not path.exists():
         return None
     picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
-    if picture is not None and picture.ndim == 3:
-        picture = picture[..., ::-1]  # OpenCV reads channels backwards: z y x
     return picture
 
 

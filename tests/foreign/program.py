@@ -23,6 +23,7 @@ class Run:
     lines: dict[str, dict[str, Any]] = field(default_factory=dict)
     results: Path = Path()
     seconds: dict[str, float] = field(default_factory=dict)
+    unnamed: list[str] = field(default_factory=list)  # pictures that cannot be measured rightly, yet no problem is told
 
 
 def run_program(program: Path, made: Path, facts: dict[str, Any], scratch: Path) -> Run:
@@ -69,12 +70,31 @@ def run_program(program: Path, made: Path, facts: dict[str, Any], scratch: Path)
             run.said = said[-1] if said else str(answer.get("error", output[-300:]))
             if name != "reconstruct":
                 return run
-    lines = run.results / "results.jsonl"
-    if lines.exists():
-        for text in lines.read_text().splitlines():
-            line = json.loads(text)
-            run.lines[line["frame"]] = line
+    run.lines = _lines(run.results)
+    if (made / "degraded").exists():
+        run.unnamed = _unnamed(program, made, scratch)
     return run
+
+
+def _lines(results: Path) -> dict[str, dict[str, Any]]:
+    file = results / "results.jsonl"
+    if not file.exists():
+        return {}
+    return {line["frame"]: line for line in map(json.loads, file.read_text().splitlines())}
+
+
+def _unnamed(program: Path, made: Path, scratch: Path) -> list[str]:
+    unnamed = []
+    for part in ("degraded", "frozen"):
+        results = scratch / part
+        command = [program, "reconstruct", scratch / "finger", made / part, "-o", results, "--format", "depth"]
+        subprocess.run([str(word) for word in command], capture_output=True, timeout=COMMAND_S, check=False)
+        lines = _lines(results)
+        if part == "degraded":
+            unnamed += [p.stem for p in (made / part).iterdir() if not lines.get(p.stem, {}).get("problems")]
+        elif not any(line.get("problems") for line in lines.values()):
+            unnamed.append(part)
+    return sorted(unnamed)
 
 
 def _answer(output: str) -> dict[str, Any]:

@@ -121,6 +121,9 @@ def report(fingers: list[Finger]) -> str:
     if failing:
         lines += ["", "not measured:"]
         lines += [f"  {f['name']}: {f['failed'] or 'depth in too few pictures'}: {f['said']}" for f in failing]
+    for f in fingers:
+        if f.get("unnamed"):
+            lines += ["", f"{f['name']}: no problem named for {', '.join(f['unnamed'])}"]
     wrong = Counter(
         frame["regions"].split(",")[0] for f in fingers for frame in f.get("frames", []) if not frame["regions_right"]
     )
