@@ -17,9 +17,10 @@ import numpy as np
 from contact import Body
 from face import Face, Pose
 from finger import Finger, draw_finger
+from mirror import mirrored_camera, mirrored_truth
 from render import Renderer
 
-VERSION = 2
+VERSION = 3
 PRESSES = 6
 TESTS = 10
 
@@ -51,7 +52,8 @@ def make_finger(cache: Path, seed: int, index: int, kind: str) -> Path:
     finger = draw_finger(seed, index, kind)
     renderer = Renderer(finger)
     rng = np.random.default_rng([seed, index, 77])
-    (folder / "camera.yaml").write_text(finger.told_camera.yaml())
+    told = mirrored_camera(finger.told_camera) if finger.mirrored else finger.told_camera
+    (folder / "camera.yaml").write_text(told.yaml())
     _record(folder, finger, renderer, rng)
     presses = _press(folder, finger, renderer, rng)
     shots = _shoot(folder, finger, renderer, rng)
@@ -59,6 +61,11 @@ def make_finger(cache: Path, seed: int, index: int, kind: str) -> Path:
         _degrade(folder, finger, renderer, rng)
     facts.write_text(json.dumps(_facts(finger, presses, shots), indent=1))
     return folder
+
+
+def _take(path: Path, finger: Finger, light: np.ndarray, rng: np.random.Generator, gain: float = 1.0) -> None:
+    """Exposes a picture and writes it; JPEG blocks and noise are those of the mirrored one."""
+    _save(path, finger.sensor.expose(light[:, ::-1] if finger.mirrored else light, rng, gain))
 
 
 def _save(path: Path, picture: np.ndarray) -> None:
@@ -80,7 +87,7 @@ def _record(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Gen
         if motion.start_twist_deg:
             part[3] = np.sin(np.arcsin(motion.start_twist_deg / motion.twist_deg) + 2 * np.pi * rates[3] * time)
         light, _ = renderer.light(motion.pose(part), (1 - time) * begin + time * end)
-        _save(folder / "recording" / f"frame_{frame:04d}.png", finger.sensor.expose(light, rng))
+        _take(folder / "recording" / f"frame_{frame:04d}.png", finger, light, rng)
 
 
 def _press(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Generator) -> list[dict[str, object]]:
@@ -90,7 +97,7 @@ def _press(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Gene
         depth = finger.rest.layer_mm * (0.2 + 0.55 * (number + rng.uniform(0, 1)) / PRESSES)
         body = _inside(finger, pose, rng, "ball", depth, (finger.ball_radius_mm,))
         light, _ = renderer.light(pose, _lamp_gains(finger, rng), (body,))
-        _save(folder / "presses" / f"press_{number}.png", finger.sensor.expose(light, rng))
+        _take(folder / "presses" / f"press_{number}.png", finger, light, rng)
         presses.append(asdict(body))
     return presses
 
@@ -176,8 +183,9 @@ def _shoot(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Gene
         shot = Shot(what, pose, bodies, frozenset(np.flatnonzero(covered).tolist()))
         light, truth = renderer.light(pose, _lamp_gains(finger, rng), bodies, shot.hidden, with_truth=True)
         name = f"test_{3 * number + 1:02d}"  # not numbered through: single pictures, no video
-        _save(folder / "tests" / f"{name}.png", finger.sensor.expose(light, rng))
+        _take(folder / "tests" / f"{name}.png", finger, light, rng)
         assert truth is not None
+        truth = mirrored_truth(truth) if finger.mirrored else truth
         np.savez_compressed(
             folder / "truth" / f"{name}.npz",
             depth_mm=truth.depth_mm,
@@ -207,13 +215,13 @@ def _degrade(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Ge
     (folder / "frozen").mkdir()
     pose = finger.motion.pose(rng.uniform(-0.5, 0.5, 4))
     light, _ = renderer.light(pose)
-    _save(folder / "degraded" / "too_bright.png", finger.sensor.expose(light, rng, gain=1.6))
-    _save(folder / "degraded" / "black.png", finger.sensor.expose(light, rng, gain=0.004))
+    _take(folder / "degraded" / "too_bright.png", finger, light, rng, 1.6)
+    _take(folder / "degraded" / "black.png", finger, light, rng, 0.004)
     slimmer = replace(finger.rest, width_mm=0.8 * finger.rest.width_mm, layer_mm=1.2 * finger.rest.layer_mm)
     shifted = tuple(replace(dot, s_mm=dot.s_mm + 2.5) for dot in finger.dots[1:])
     other, _ = Renderer(replace(finger, rest=slimmer, dots=shifted)).light(pose)
-    _save(folder / "degraded" / "other_finger.png", finger.sensor.expose(other, rng))
-    hanging = finger.sensor.expose(light, rng)
+    _take(folder / "degraded" / "other_finger.png", finger, other, rng)
+    hanging = finger.sensor.expose(light[:, ::-1] if finger.mirrored else light, rng)
     for frame in range(8):
         _save(folder / "frozen" / f"frame_{frame:03d}.png", hanging)
 
@@ -227,6 +235,7 @@ def _facts(finger: Finger, presses: list[dict[str, object]], shots: list[dict[st
         "index": finger.index,
         "size": [camera.width_px, camera.height_px],
         "lens": camera.model,
+        "mirrored": finger.mirrored,
         "width_mm": finger.rest.width_mm,
         "layer_mm": finger.rest.layer_mm,
         "length_mm": finger.rest.length_mm,
@@ -241,6 +250,7 @@ def _facts(finger: Finger, presses: list[dict[str, object]], shots: list[dict[st
         "lamp_drift": finger.lamp_drift,
         "frames": finger.frames,
         "motion": asdict(finger.motion),
+        "blemishes": len(finger.blemishes),
         **finger.layer_facts,
         "presses": presses,
         "shots": shots,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -103,15 +103,15 @@ class Finger:
     frames: int
     lamp_drift: float  # sd of each lamp's gain, slowly over the recording
     ball_radius_mm: float
-    notes: dict[str, float | str] = field(default_factory=dict)
+    mirrored: bool  # the base lies at the picture's right: see mirror.py
 
 
 SIZES = ((480, 300), (640, 400), (640, 480), (800, 500), (800, 600), (960, 540), (1280, 720), (1920, 1080))
 SIZE_WEIGHTS = (0.16, 0.16, 0.22, 0.14, 0.12, 0.12, 0.06, 0.02)
 
 
-def draw_finger(seed: int, index: int, kind: str) -> Finger:
-    """The same finger for the same numbers, always."""
+def draw_finger(seed: int, index: int, kind: str, photons: int = 120_000) -> Finger:
+    """The same finger for the same numbers, always. photons: fewer for a rougher law of its layer."""
     rng = np.random.default_rng([seed, index, CLASSES.index(kind)])
     for _ in range(400):
         size = _size(rng, kind)
@@ -124,7 +124,7 @@ def draw_finger(seed: int, index: int, kind: str) -> Finger:
         if dots is None:
             continue
         row, polarity, per_row = dots
-        return _complete(rng, seed, index, kind, camera, rest, motion, row, polarity, per_row)
+        return _complete(rng, seed, index, kind, camera, rest, motion, row, polarity, per_row, photons)
     raise RuntimeError(f"no finger of class {kind} fits into the picture (seed {seed}, finger {index})")
 
 
@@ -156,7 +156,9 @@ def _camera(rng: np.random.Generator, kind: str, size: tuple[int, int]) -> Camer
 
 def _motion(rng: np.random.Generator, kind: str) -> Motion:
     sway = rng.uniform(2.0, 4.0) if kind == "sway" else rng.uniform(0.1, 0.8)
-    twist = rng.uniform(6, 12) if kind in ("twist", "twisted-start") else rng.uniform(0, 1.0)
+    twist = rng.uniform(0, 1.0) if rng.random() < 0.85 else rng.uniform(1.5, 5)
+    if kind in ("twist", "twisted-start"):
+        twist = rng.uniform(6, 12)
     bend = (rng.uniform(2.5, 5.5), rng.uniform(4, 9))
     if rng.random() < 0.4:
         bend = bend[::-1]
@@ -361,6 +363,8 @@ def _lamps(rng: np.random.Generator, camera: Camera, rest: RestShape) -> Lamps:
     s = np.linspace(0, rest.length_mm, 40)
     middle = camera.project(face.point(s, np.zeros(40)))
     seen = s[(middle[:, 0] > 0) & (middle[:, 0] < camera.width_px)]
+    # Now and then somebody sets the exposure a little too long.
+    brightest = float(rng.uniform(175, 232)) if rng.random() < 0.95 else float(rng.uniform(245, 262))
     best: tuple[float, Lamps] | None = None
     for _ in range(60):
         count = int(rng.integers(2, 5))
@@ -371,7 +375,7 @@ def _lamps(rng: np.random.Generator, camera: Camera, rest: RestShape) -> Lamps:
         s_grid, w_grid = np.meshgrid(seen, np.linspace(-0.5, 0.5, 7) * rest.width_mm)
         light = lamps.irradiance(face, s_grid, w_grid)
         fade = light[:, -1].mean() / light.max()
-        scaled = replace(lamps, scale=float(rng.uniform(175, 232) / light.max()))
+        scaled = replace(lamps, scale=brightest / float(light.max()))
         if best is None or fade > best[0]:
             best = (fade, scaled)
         if 0.22 < fade < 0.8:
@@ -391,13 +395,14 @@ def _complete(
     dots: tuple[Dot, ...],
     polarity: str,
     per_row: int,
+    photons: int,
 ) -> Finger:
     scatter = float(np.exp(rng.uniform(np.log(0.5), np.log(2.0))))
     # Kubelka and Munk's K/S is 2 absorb / (0.75 scatter) for light that is diffuse.
     ratio = rng.uniform(0.08, 0.15) if kind == "absorbing" else rng.uniform(0, 0.04)
     absorb = 0.375 * ratio * scatter
-    photons = walk(rng, scatter, absorb, rng.uniform(0, 0.7), rng.uniform(0.65, 1.0))
-    layer = Layer(photons, rest.layer_mm)
+    forwardness, incidence = rng.uniform(0, 0.7), rng.uniform(0.65, 1.0)
+    layer = Layer(walk(rng, scatter, absorb, forwardness, incidence, photons), rest.layer_mm)
     # How far light comes out aside has a long tail of faint light; what blurs a picture is its core.
     spread = min(layer.aside_mm, rng.uniform(0.02, 0.15))
     noise = rng.uniform(1, 3) if kind in ("jpeg", "small-picture") else rng.uniform(1, 2.2)
@@ -405,7 +410,9 @@ def _complete(
     pattern_sd = rng.uniform(0.001, 0.006)
     pattern = 1 + pattern_sd * rng.standard_normal((camera.height_px, camera.width_px))
     defocus = rng.uniform(1.1, 1.8) if kind == "jpeg" else rng.uniform(0.4, 1.0)
-    quality = int(rng.integers(75, 95)) if kind == "jpeg" else None
+    quality = int(rng.integers(85, 96)) if rng.random() < 0.08 else None
+    if kind == "jpeg":
+        quality = int(rng.integers(75, 96))
     sensor = Sensor(
         defocus,
         float(noise * np.sqrt(1 - shot_share)),
@@ -453,16 +460,24 @@ def _complete(
         sensor=sensor,
         blemishes=_blemishes(rng, kind, rest),
         frames=frames,
-        lamp_drift=float(rng.uniform(0.02, 0.05) if kind == "drift" else rng.uniform(0, 0.003)),
+        lamp_drift=float(_drift(rng, kind)),
         ball_radius_mm=float(rng.uniform(2.2, 6.0)),
+        mirrored=bool(rng.random() < 0.12),
     )
 
 
+def _drift(rng: np.random.Generator, kind: str) -> float:
+    if kind == "drift":
+        return rng.uniform(0.02, 0.05)
+    return rng.uniform(0.005, 0.015) if rng.random() < 0.1 else rng.uniform(0, 0.003)
+
+
 def _blemishes(rng: np.random.Generator, kind: str, rest: RestShape) -> tuple[Blemish, ...]:
-    if kind != "blemished":
-        return ()
+    count = int(rng.integers(1, 4)) if rng.random() < 0.1 else 0
+    if kind == "blemished":
+        count = int(rng.integers(7, 19))
     found = []
-    for _ in range(int(rng.integers(7, 19))):
+    for _ in range(count):
         scratch = rng.random() < 0.4
         found.append(
             Blemish(

@@ -16,6 +16,7 @@ from dataset import make_finger
 from face import Face, Pose, RestShape
 from finger import CLASSES, draw_finger
 from layer import Layer, walk
+from mirror import mirrored_camera
 from render import Renderer
 
 REST = RestShape((-20.0, 30.0), 70.0, 0.5, 0.002, 1e-5, 0.001, 1.0, 1.0, 1.3, 0.5, 20.0, 1.5)
@@ -200,9 +201,35 @@ class PictureTest(unittest.TestCase):
         self.assertAlmostEqual((change > change.max() * 0.4).sum() / pressed.sum(), 1.0, delta=0.5)
         self.assertEqual(len(truth.regions), 1)
 
+    def test_depth_comes_back_from_a_picture_without_noise(self) -> None:
+        # Brightness to thickness by the layer's own law, and from there along the normal to the pressed face.
+        finger = replace(draw_finger(9, 0, "small-picture"), spread_mm=1e-4)
+        pose, face = Pose(1.0, 0.5, 0.3, 2.0), Face(finger.rest, Pose(1.0, 0.5, 0.3, 2.0))
+        body = Body("ball", 0.5 * finger.rest.length_mm, 1.0, 0.6 * finger.rest.layer_mm, (4.0,))
+        renderer = Renderer(finger)
+        share = renderer.light(pose, bodies=(body,))[0] / renderer.light(pose)[0]
+        v, u = np.mgrid[: share.shape[0], : share.shape[1]]
+        s, w = face.meet(*finger.camera.sight_lines(np.stack([u, v], axis=-1).astype(float)))
+        near = (np.hypot(s - body.s_mm, w - body.w_mm) < 3) & (share < 0.99)
+        thick = np.linspace(0.05, 1.0, 4000) * finger.rest.layer_mm
+        found = np.interp(share[near], finger.layer.relative(thick), thick)
+        place = face.point(s[near], w[near]) + found[:, None] * face.normal_at(s[near])
+        dent = Dent(face, finger.skin, body)
+        depth = dent.side.lookup(dent.side.z, place[:, 0], place[:, 1]) - place[:, 2]
+        self.assertGreater(depth.max(), 0.55 * finger.rest.layer_mm)
+        np.testing.assert_allclose(depth, dent.depth_at(place[:, 0], place[:, 1]), atol=2e-3)
+
+    def test_mirrored_finger_is_the_same_finger(self) -> None:
+        finger = draw_finger(9, 0, "small-picture")
+        camera = mirrored_camera(replace(finger.camera, model="brown", distortion=(-0.1, 0.01, 3e-4, 5e-4, 0.0)))
+        plain = replace(finger.camera, model="brown", distortion=(-0.1, 0.01, 3e-4, 5e-4, 0.0))
+        points = np.array([[5.0, 3.0, 40.0], [-7.0, -2.0, 50.0]])
+        there, here = camera.project(points * [-1, 1, 1]), plain.project(points)
+        np.testing.assert_allclose(there, [finger.camera.width_px - 1, 0] + here * [-1, 1], atol=1e-9)
+
     def test_every_class_can_be_drawn(self) -> None:
         for kind in CLASSES:
-            finger = draw_finger(3, 1, kind)
+            finger = draw_finger(3, 1, kind, photons=3000)
             self.assertEqual(finger.kind, kind)
             self.assertEqual(len(finger.dots) == 0, kind == "no-dots")
 
