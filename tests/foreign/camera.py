@@ -52,6 +52,15 @@ class Camera:
             origins, directions = _behind_port(self.port, flat)
         return origins, directions
 
+    def folds(self) -> bool:
+        """True when two directions would be seen in one pixel of the picture, or a little beyond its corners."""
+        corners = np.array([[0, 0], [0, self.height_px], [self.width_px, 0], [self.width_px, self.height_px]], float)
+        reach = 1.04 * np.linalg.norm((corners - self.centre_px) / self.f_px, axis=1).max()
+        slope = np.linspace(0, 6, 6000)
+        seen = np.linalg.norm(self._distorted(np.stack([slope, 0 * slope], axis=-1)), axis=-1)
+        far = np.argmax(seen > reach)  # 0: never
+        return bool(far == 0 or np.any(np.diff(seen[: far + 1]) <= 0))
+
     def _distorted(self, flat: np.ndarray) -> np.ndarray:
         if self.model == "pinhole":
             return flat

@@ -118,7 +118,7 @@ def draw_finger(seed: int, index: int, kind: str, photons: int = 120_000) -> Fin
         camera = _camera(rng, kind, size)
         motion = _motion(rng, kind)
         rest = _rest(rng, camera)
-        if rest is None or not _is_seen(camera, rest, motion):
+        if camera.folds() or rest is None or not _is_seen(camera, rest, motion):
             continue
         dots = _dots(rng, kind, camera, rest)
         if dots is None:

@@ -40,6 +40,10 @@ class LensTest(unittest.TestCase):
                 told, _ = cv2.projectPoints(points, none, none, matrix, np.array(lens.distortion or (0.0,) * 5))
             np.testing.assert_allclose(lens.project(points), told[:, 0], atol=1e-6)
 
+    def test_a_lens_that_folds_is_known(self) -> None:
+        self.assertFalse(any(lens.folds() for lens in LENSES))
+        self.assertTrue(replace(LENSES[1], distortion=(-0.5, 0.0, 0.0, 0.0, 0.0)).folds())
+
     def test_lines_of_sight_come_back_to_their_pixels(self) -> None:
         port = replace(LENSES[0], port=Port(3.0, 2.0, 1.5, 1.41))
         pixels = np.random.default_rng(2).uniform(0, 470, (40, 2))
