@@ -47,6 +47,7 @@ class _Sums:
         self.rim: list[np.ndarray] = []
         self.steep: list[np.ndarray] = []
         self.rim_pixels = self.inner_pixels = 0
+        self.off_face: list[int] = []
         self.free: list[np.ndarray] = []
         self.free_share: list[float] = []
         self.shape: list[np.ndarray] = []
@@ -75,6 +76,8 @@ class _Sums:
             figures["steep_mm"] = float(np.abs(steep[0] - steep[1]).mean())
         if self.free:
             figures["false_mm"] = float(np.abs(np.concatenate(self.free)).mean())
+        if self.off_face:
+            figures["off_face_px"] = float(np.mean(self.off_face))
         if self.free_share:
             figures["free_coverage"] = float(np.mean(self.free_share))
         if self.shape:
@@ -157,7 +160,7 @@ def _add_depth(
         frame["coverage"] = float((pressed & measured).sum() / pressed.sum())
     if (free & measured).any():
         frame["false_mm"] = float(np.abs(depth[free & measured]).mean())
-    frame["off_face"] = int((measured & ~on_face).sum())
+    sums.off_face.append(int((measured & ~on_face).sum()))
 
 
 def _add_shape(

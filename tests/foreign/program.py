@@ -67,7 +67,7 @@ def run_program(program: Path, made: Path, facts: dict[str, Any], scratch: Path)
         if status != 0:
             run.failed = name
             said = [line for line in errors.splitlines() if line.strip() and not line.startswith("Warning")]
-            run.said = said[-1] if said else str(answer.get("error", output[-300:]))
+            run.said = said[0] if said else str(answer.get("error", output[-300:]))
             if name != "reconstruct":
                 return run
     run.lines = _lines(run.results)

@@ -166,19 +166,21 @@ class Renderer:
 def _regions(
     face: Face, depth: np.ndarray, on_face: np.ndarray, s: np.ndarray, w: np.ndarray
 ) -> list[dict[str, object]]:
-    """What is pressed by more than REGION_MM, in one piece each: depth-weighted centre on the pressed face, deepest."""
+    """What is pressed by more than REGION_MM, in one piece each: centre of the displaced volume on the pressed face."""
     pressed = (on_face & (depth > REGION_MM)).astype(np.uint8)
     count, labels = cv2.connectedComponents(pressed, connectivity=8)
+    ground = face.point(s, w)
+    (xv, xu), (yv, yu) = np.gradient(ground[..., 0]), np.gradient(ground[..., 1])
+    area = np.abs(xu * yv - xv * yu)  # of a pixel, seen along z
     regions: list[dict[str, object]] = []
     for label in range(1, count):
         here = labels == label
-        point = face.point(s[here], w[here])
-        weight = depth[here]
-        point[:, 2] += face.rest.layer_mm / face.normal_at(s[here])[:, 2] - weight
+        point = ground[here]
+        point[:, 2] += face.rest.layer_mm / face.normal_at(s[here])[:, 2] - depth[here]
         regions.append(
             {
-                "place_mm": np.average(point, axis=0, weights=weight).tolist(),
-                "deepest_mm": float(weight.max()),
+                "place_mm": np.average(point, axis=0, weights=(depth * area)[here]).tolist(),
+                "deepest_mm": float(depth[here].max()),
                 "pixels": int(here.sum()),
             }
         )

@@ -75,6 +75,7 @@ COLUMNS = (
     ("contact_coverage", "cover"),
     ("free_coverage", "free cover"),
     ("false_mm", "false mm"),
+    ("off_face_px", "off face px"),
     ("steep_mm", "steep mm"),
     ("shape_mm", "shape mm"),
     ("shape_p95_mm", "shape p95"),
