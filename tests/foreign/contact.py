@@ -88,10 +88,10 @@ class OuterSide:
         layer = face.rest.layer_mm
         middle = face.point(np.array(s_mm), np.array(w_mm), layer)
         normal = face.normal_at(np.array(s_mm))
+        half = min(int(np.ceil((reach_mm + 5.5) / GRID_MM)), 300)
+        self.grid_mm = max(GRID_MM, (reach_mm + 5.5) / half)
         # Even on the face: a step along x is shorter by the incline.
-        self.dx, self.dy = GRID_MM * max(0.2, float(normal[2])), GRID_MM
-        half = int(np.ceil((reach_mm + 5.5) / GRID_MM))
-        half = min(half, 300)
+        self.dx, self.dy = self.grid_mm * max(0.2, float(normal[2])), self.grid_mm
         self.x = middle[0] + self.dx * np.arange(-half, half + 1)
         self.y = middle[1] + self.dy * np.arange(-half, half + 1)
         every = 8
@@ -136,7 +136,8 @@ class Dent:
             # No body presses deeper than it was pushed, also where the face bends up to it.
             front = np.maximum(front, side.z - body.depth_mm)
         inside = side.z - front
-        self.depth = _bulged(_membrane(np.maximum(inside, -1.0), skin.lift_off_mm), inside, skin)
+        depth = _membrane(np.maximum(inside, -1.0), skin.lift_off_mm / side.grid_mm)
+        self.depth = _bulged(depth, inside, skin, side.grid_mm)
 
     def reaches(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """True where the skin may be moved; a layer's width inside of the grid, so that normals stay on it."""
@@ -160,8 +161,8 @@ class Dent:
         return np.maximum(thick, 0.02)
 
 
-def _membrane(inside: np.ndarray, lift_off_mm: float, rounds: int = 90) -> np.ndarray:
-    stiff = (lift_off_mm / GRID_MM) ** 2
+def _membrane(inside: np.ndarray, lift_off_cells: float, rounds: int = 90) -> np.ndarray:
+    stiff = lift_off_cells**2
     depth = np.maximum(inside, 0.0)
     rows, columns = np.indices(inside.shape)
     inner = np.zeros(inside.shape, bool)
@@ -171,7 +172,7 @@ def _membrane(inside: np.ndarray, lift_off_mm: float, rounds: int = 90) -> np.nd
     floor = inside.ravel()
     width = inside.shape[1]
     # Only near the body does anything move.
-    from_body = _grown(inside > 0, int(np.ceil(8 * lift_off_mm / GRID_MM)) + 2)
+    from_body = _grown(inside > 0, int(np.ceil(8 * lift_off_cells)) + 2)
     places = [np.flatnonzero(colour & from_body) for colour in colours]
     relax = 1.55
     for _ in range(rounds):
@@ -191,10 +192,10 @@ def _grown(mask: np.ndarray, steps: int) -> np.ndarray:
     return grown
 
 
-def _bulged(depth: np.ndarray, inside: np.ndarray, skin: Skin) -> np.ndarray:
+def _bulged(depth: np.ndarray, inside: np.ndarray, skin: Skin, grid_mm: float) -> np.ndarray:
     touching = (depth <= inside + 1e-6) & (inside > 0)
-    near = blurred(touching.astype(float), 0.35 / GRID_MM, 0.35 / GRID_MM)
-    ring = blurred(depth, skin.bulge_mm / GRID_MM, skin.bulge_mm / GRID_MM)
+    near = blurred(touching.astype(float), 0.35 / grid_mm, 0.35 / grid_mm)
+    ring = blurred(depth, skin.bulge_mm / grid_mm, skin.bulge_mm / grid_mm)
     return depth - skin.bulge * ring * (1 - np.minimum(1.0, 2 * near)) ** 2
 
 
