@@ -1,0 +1,216 @@
+"""One picture of one finger, with its truth."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from contact import Body, Dent, blurred, cubic_weights
+from dots import Dot, draw_dot
+from face import Face, Pose
+from finger import Blemish, Finger
+
+KNOTS_ALONG = 90
+REGION_MM = 0.1
+
+
+@dataclass(frozen=True)
+class Truth:
+    """NaN off the face. depth along z where the pixel's point of the view face is; z of it; mm to the face's border."""
+
+    depth_mm: np.ndarray
+    border_mm: np.ndarray
+    knots_u: np.ndarray
+    knots_v: np.ndarray
+    knot_z_mm: np.ndarray  # of the view face at every knot
+    knot_normal_z: np.ndarray
+    markers_px: np.ndarray  # (n, 2) engraved dots, upper row then lower, base to tip
+    markers_shown: np.ndarray
+    regions: list[dict[str, object]]
+
+
+class Renderer:
+    """Keeps what does not change from picture to picture."""
+
+    def __init__(self, finger: Finger):
+        self.finger = finger
+        camera = finger.camera
+        every = max(5, camera.width_px // KNOTS_ALONG)
+        self._u = _knots(camera.width_px, every)
+        self._v = _knots(camera.height_px, every)
+        self._from_u = cubic_weights(camera.width_px, self._u).astype(np.float32)
+        self._from_v = cubic_weights(camera.height_px, self._v).astype(np.float32)
+        pixels = np.stack(np.meshgrid(self._u, self._v), axis=-1).astype(float)
+        self._origins, self._lines = camera.sight_lines(pixels)
+        u = (np.arange(camera.width_px) - camera.centre_px[0]) / camera.width_px
+        v = (np.arange(camera.height_px) - camera.centre_px[1]) / camera.width_px
+        radius = u[None, :] ** 2 + v[:, None] ** 2
+        self._lens = (1 - finger.vignetting * radius / radius.max()).astype(np.float32)
+
+    def _full(self, knots: np.ndarray) -> np.ndarray:
+        return self._from_v @ (knots.astype(np.float32) @ self._from_u.T)
+
+    def light(
+        self,
+        pose: Pose,
+        lamp_gains: np.ndarray | None = None,
+        bodies: Sequence[Body] = (),
+        hidden: frozenset[int] = frozenset(),
+        with_truth: bool = False,
+    ) -> tuple[np.ndarray, Truth | None]:
+        """Grey levels before the sensor; hidden: indices of dots that something covers."""
+        finger, rest = self.finger, self.finger.rest
+        face = Face(rest, pose)
+        s_knots, w_knots = face.meet(self._origins, self._lines)
+        half = rest.width_mm / 2
+        on_face_light = finger.lamps.irradiance(
+            face, np.clip(s_knots, 0, rest.length_mm), np.clip(w_knots, -half, half), lamp_gains
+        )
+        s, w, grey = self._full(s_knots), self._full(np.clip(w_knots, -4 * half, 4 * half)), self._full(on_face_light)
+        per_px = _mm_per_px(s)
+        cover = _cover(half - np.abs(w), _mm_per_px(w)) * _cover(s, per_px) * _cover(rest.length_mm - s, per_px)
+        face_grey = grey
+        for blemish in finger.blemishes:
+            _blemish(face_grey, s, w, blemish)
+        depth = np.zeros_like(s) if with_truth else None
+        for body in bodies:
+            self._press(face, body, s, w, face_grey, depth)
+        picture = cover * face_grey + (1 - cover) * self._backdrop(grey, s, w)
+        for number, dot in enumerate(finger.dots):
+            if number not in hidden:
+                draw_dot(picture, finger.camera, face, dot)
+        truth = None
+        if depth is not None:
+            truth = self._truth(face, bodies, hidden, s, w, cover, depth, s_knots, w_knots)
+        return picture * self._lens, truth
+
+    def _backdrop(self, grey: np.ndarray, s: np.ndarray, w: np.ndarray) -> np.ndarray:
+        backdrop, rest = self.finger.backdrop, self.finger.rest
+        off = np.maximum(np.abs(w) - rest.width_mm / 2, 0)
+        uneven = 1 + backdrop.wave * np.sin(0.23 * s + 0.2 * w)
+        side = backdrop.side_share * grey * np.exp(-off / backdrop.side_fade_mm) * uneven + backdrop.floor_grey
+        base = np.clip(-s / 1.5, 0, 1)
+        tip = np.clip((s - rest.length_mm) / 0.6, 0, 1)
+        return side * (1 - base) * (1 - tip) + backdrop.base_grey * base + backdrop.tip_grey * tip
+
+    def _press(
+        self,
+        face: Face,
+        body: Body,
+        s: np.ndarray,
+        w: np.ndarray,
+        grey: np.ndarray,
+        depth: np.ndarray | None,
+    ) -> None:
+        finger, rest = self.finger, self.finger.rest
+        dent = Dent(face, finger.skin, body)
+        reach = body.reach_mm() + 3.0
+        near = (np.abs(s - body.s_mm) < reach * 1.5) & (np.abs(w - body.w_mm) < reach * 1.2)
+        near &= (np.abs(w) < rest.width_mm / 2 + 0.6) & (s > -0.6) & (s < rest.length_mm + 0.6)
+        rows, columns = np.flatnonzero(near.any(axis=1)), np.flatnonzero(near.any(axis=0))
+        if not len(rows):
+            return
+        window = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+        here = near[window]
+        point = face.point(s[window], w[window])
+        here &= dent.reaches(point[..., 0], point[..., 1])
+        thick = np.full(here.shape, rest.layer_mm)
+        thick[here] = dent.thickness_at(s[window][here], w[window][here])
+        share = finger.layer.relative(thick)
+        mm_per_px_v = float(np.median(np.abs(np.gradient(w[window], axis=0)))) if len(rows) > 1 else 0.1
+        mm_per_px_u = float(np.median(np.abs(np.gradient(s[window], axis=1)))) if len(columns) > 1 else 0.1
+        spread = finger.spread_mm
+        grey[window] *= blurred(share, spread / max(mm_per_px_v, 1e-3), spread / max(mm_per_px_u, 1e-3))
+        if depth is not None:
+            part = np.zeros(here.shape)
+            part[here] = dent.depth_at(point[here][:, 0], point[here][:, 1])
+            depth[window] += part
+
+    def _truth(
+        self,
+        face: Face,
+        bodies: Sequence[Body],
+        hidden: frozenset[int],
+        s: np.ndarray,
+        w: np.ndarray,
+        cover: np.ndarray,
+        depth: np.ndarray,
+        s_knots: np.ndarray,
+        w_knots: np.ndarray,
+    ) -> Truth:
+        finger, rest = self.finger, self.finger.rest
+        border = np.minimum(np.minimum(rest.width_mm / 2 - np.abs(w), rest.length_mm - s), s)
+        on_face = cover >= 0.5
+        off_knots = (np.abs(w_knots) > rest.width_mm / 2) | (s_knots < 0) | (s_knots > rest.length_mm)
+        knot_z = np.where(off_knots, np.nan, face.point(s_knots, w_knots)[..., 2])
+        dots = [(i, dot) for i, dot in enumerate(finger.dots) if dot.engraved]
+        dots.sort(key=lambda entry: (entry[1].side, entry[1].s_mm))
+        places = np.array([dot.pixel(finger.camera, face) for _, dot in dots]).reshape(-1, 2)
+        shown = [i not in hidden and _is_inside(finger, place) for (i, _), place in zip(dots, places)]
+        return Truth(
+            np.where(on_face, depth, np.nan).astype(np.float32),
+            np.where(on_face, border, np.nan).astype(np.float32),
+            self._u,
+            self._v,
+            knot_z,
+            face.normal_at(s_knots)[..., 2],
+            places,
+            np.array(shown, bool),
+            _regions(face, depth, on_face, s, w) if bodies else [],
+        )
+
+
+def _regions(
+    face: Face, depth: np.ndarray, on_face: np.ndarray, s: np.ndarray, w: np.ndarray
+) -> list[dict[str, object]]:
+    """What is pressed by more than REGION_MM, in one piece each: centre of the displaced volume on the pressed face."""
+    pressed = (on_face & (depth > REGION_MM)).astype(np.uint8)
+    count, labels = cv2.connectedComponents(pressed, connectivity=8)
+    ground = face.point(s, w)
+    (xv, xu), (yv, yu) = np.gradient(ground[..., 0]), np.gradient(ground[..., 1])
+    area = np.abs(xu * yv - xv * yu)  # of a pixel, seen along z
+    regions: list[dict[str, object]] = []
+    for label in range(1, count):
+        here = labels == label
+        point = ground[here]
+        point[:, 2] += face.rest.layer_mm / face.normal_at(s[here])[:, 2] - depth[here]
+        regions.append(
+            {
+                "place_mm": np.average(point, axis=0, weights=(depth * area)[here]).tolist(),
+                "deepest_mm": float(depth[here].max()),
+                "pixels": int(here.sum()),
+            }
+        )
+    return regions
+
+
+def _is_inside(finger: Finger, place: np.ndarray) -> bool:
+    return bool(2 < place[0] < finger.camera.width_px - 3 and 2 < place[1] < finger.camera.height_px - 3)
+
+
+def _knots(count: int, every: int) -> np.ndarray:
+    knots = np.arange(0, count, every)
+    return knots if knots[-1] == count - 1 else np.append(knots, count - 1)
+
+
+def _cover(inside_mm: np.ndarray, mm_per_px: np.ndarray) -> np.ndarray:
+    """Part of each pixel on the inner side of an edge, from the signed distance in mm."""
+    return np.minimum(np.maximum(inside_mm / mm_per_px + 0.5, 0), 1)
+
+
+def _mm_per_px(values: np.ndarray) -> np.ndarray:
+    down, right = np.gradient(values)
+    return np.maximum(np.sqrt(down * down + right * right), 1e-6)
+
+
+def _blemish(grey: np.ndarray, s: np.ndarray, w: np.ndarray, blemish: Blemish) -> None:
+    reach = 1.5 * max(blemish.half_length_mm, blemish.half_width_mm) + 0.2
+    near = (np.abs(s - blemish.s_mm) < reach) & (np.abs(w - blemish.w_mm) < reach)
+    cosine, sine = np.cos(blemish.turn_rad), np.sin(blemish.turn_rad)
+    along, across = s[near] - blemish.s_mm, w[near] - blemish.w_mm
+    first = (cosine * along + sine * across) / blemish.half_length_mm
+    second = (cosine * across - sine * along) / blemish.half_width_mm
+    grey[near] *= 1 + blemish.strength * np.exp(-((first**2 + second**2) ** 2))
