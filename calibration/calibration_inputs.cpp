@@ -3,6 +3,7 @@
 #include "calibration/press_yaml.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
+#include "core/printable.h"
 
 #include <algorithm>
 #include <cctype>
@@ -92,12 +93,16 @@ void read_presses(YamlSection& top, CalibrationInputs& inputs) {
                "one for each press");
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!is_plain_name(names[i]))
-      top.refuse("presses", fmt::format("'{}' is no picture's name", names[i]), "");
+      top.refuse("presses", fmt::format("'{}' is no picture's name", printable(names[i])), "");
     if (!is_checksum(checksums[i]))
-      top.refuse("checksums", fmt::format("'{}' is no checksum of 16 digits", checksums[i]), "");
+      top.refuse("checksums",
+                 fmt::format("'{}' is no checksum of 16 digits", printable(checksums[i])),
+                 "");
     for (std::size_t before = 0; before < i; ++before)
       if (names[before] == names[i])
-        top.refuse("presses", fmt::format("names '{}' twice", names[i]), "leave one of the two");
+        top.refuse("presses",
+                   fmt::format("names '{}' twice", printable(names[i])),
+                   "leave one of the two");
     inputs.presses.push_back({names[i], checksums[i]});
   }
 }
@@ -109,14 +114,15 @@ void refuse_unknown(const YamlSection& top,
                     const std::vector<KeptPress>& presses) {
   const bool known = std::any_of(
       presses.begin(), presses.end(), [&](const KeptPress& press) { return press.name == name; });
-  if (!known) top.refuse(key, fmt::format("'{}' is not among the presses", name), "remove it");
+  if (!known)
+    top.refuse(key, fmt::format("'{}' is not among the presses", printable(name)), "remove it");
 }
 
 CalibrationInputs read_inputs(YamlSection& top) {
   CalibrationInputs inputs;
   if (const std::string format = top.text("format"); format != CalibrationInputs::kFormat)
     top.refuse("format",
-               fmt::format("'{}' cannot be read by this version", format),
+               fmt::format("'{}' cannot be read by this version", printable(format)),
                fmt::format("the version of this program that wrote it, or calibrating again with "
                            "the pictures in presses/ (this version writes '{}')",
                            CalibrationInputs::kFormat));

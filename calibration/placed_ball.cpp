@@ -2,6 +2,7 @@
 
 #include "core/geometry/ball.h"
 #include "core/geometry/circle_fit.h"
+#include "core/printable.h"
 
 #include <algorithm>
 #include <charconv>
@@ -19,7 +20,7 @@ std::optional<Eigen::Vector3d> three_numbers(std::string_view text) {
   Eigen::Vector3d numbers;
   for (int i = 0; i < 3; ++i) {
     const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), numbers[i]);
-    if (failed != std::errc() || !std::isfinite(numbers[i])) return std::nullopt;
+    if (failed != std::errc() || !(std::abs(numbers[i]) <= 1e4)) return std::nullopt;
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     if (i == 2) break;
     if (text.empty() || text.front() != ',') return std::nullopt;
@@ -46,7 +47,7 @@ Result<PlacedBall> placed_ball_from(const std::string& text) {
                           ? std::nullopt
                           : three_numbers(std::string_view(text).substr(sign + 1));
   if (!centre || !(centre->z() > 0))
-    return Error{fmt::format("'{}' does not say where a ball is", text),
+    return Error{fmt::format("'{}' does not say where a ball is", printable(text)),
                  "",
                  "NAME=X,Y,Z with the ball's centre in mm before the camera, as press_3=1.5,-2,48"};
   return PlacedBall{text.substr(0, sign), *centre};

@@ -4,6 +4,7 @@
 #include "calibration/joint_fit.h"
 #include "calibration/press_residuals.h"
 #include "calibration/press_samples.h"
+#include "calibration/press_yaml.h"
 #include "core/sensing/pipeline.h"
 #include "core/sources/source.h"
 
@@ -164,7 +165,8 @@ double known_radius_mm(const Finger& finger) {
   double radius = 0;
   const std::string& text = found->second;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), radius);
-  return status == std::errc{} && end == text.data() + text.size() ? radius : 0;
+  const bool is_number = status == std::errc{} && end == text.data() + text.size();
+  return is_number && radius > 0 && radius <= kLargestBallMm ? radius : 0;
 }
 
 /// The calibration's own presses, measured as the new ones are; empty where they are not kept.

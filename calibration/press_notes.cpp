@@ -2,6 +2,7 @@
 
 #include "calibration/press_yaml.h"
 #include "core/io/atomic_file.h"
+#include "core/printable.h"
 #include "core/sources/picture_source.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ constexpr std::size_t kLargestFile = std::size_t{4} << 20;
 PressNotes read_notes(YamlSection& top) {
   PressNotes notes;
   if (const std::string format = top.text("format"); format != PressNotes::kFormat)
-    top.refuse("format", fmt::format("'{}' cannot be read by this version", format), "");
+    top.refuse("format", fmt::format("'{}' cannot be read by this version", printable(format)), "");
   if (top.has("ball_radius_mm")) notes.ball_radius_mm = read_ball_radius_mm(top);
   if (top.has("operator")) notes.operator_name = top.text("operator");
   notes.other_balls = read_other_balls(top);

@@ -1,5 +1,6 @@
 #include "calibration/press_yaml.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -15,9 +16,10 @@ void refuse_unless_paired(YamlSection& top, const char* key, std::size_t count, 
 }
 
 bool is_radius(double mm) {
-  return mm > 0 && mm <= 1000;
+  return mm > 0 && mm <= kLargestBallMm;
 }
 
+constexpr double kFarthestMm = 10000;  // of a ball from the camera
 constexpr const char* kRadiusRange = "must be above 0 and at most 1000";
 
 }  // namespace
@@ -36,7 +38,8 @@ std::vector<PlacedBall> read_placed_balls(YamlSection& top) {
   refuse_unless_paired(top, "balls_mm", centres.size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<double>& c = centres[i];
-    if (c.size() != 3 || !std::isfinite(c[0] + c[1] + c[2]) || !(c[2] > 0))
+    const auto is_near = [](double mm) { return std::abs(mm) <= kFarthestMm; };
+    if (c.size() != 3 || !std::all_of(c.begin(), c.end(), is_near) || !(c[2] > 0))
       top.refuse("balls_mm", "is not the centre of a ball before the camera", "x, y, z in mm");
     balls.push_back({names[i], {c[0], c[1], c[2]}});
   }

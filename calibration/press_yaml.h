@@ -9,6 +9,8 @@
 
 namespace alltact {
 
+inline constexpr double kLargestBallMm = 1000;  ///< radius; a larger one is a slip of the pen
+
 /// `ball_radius_mm`. Refuses what no ball has.
 [[nodiscard]] double read_ball_radius_mm(YamlSection& top);
 /// `balls` and `balls_mm`, `excluded` and `excluded_because`; nothing where the first is absent.

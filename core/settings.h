@@ -1,6 +1,7 @@
 // A named choice, declared once: its flag, its key in files, its help and its check come from here.
 #pragma once
 
+#include "core/printable.h"
 #include "core/result.h"
 
 #include <charconv>
@@ -37,7 +38,8 @@ Setting<S> number_setting(std::string name, std::string sentence, T S::*member, 
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (status != std::errc{} || end != text.data() + text.size() ||
         !(value >= low && value <= high))
-      return Error{fmt::format("'{}' is not a number from {} to {}", text, low, high), name, ""};
+      return Error{
+          fmt::format("'{}' is not a number from {} to {}", printable(text), low, high), name, ""};
     s.*member = value;
     return {};
   };
@@ -61,7 +63,7 @@ Setting<S> choice_setting(std::string name,
   setting.set = [member, words, range, name = setting.name](S& s, std::string_view text) -> Status {
     for (const auto& [word, value] : words)
       if (word == text) return s.*member = value, Status{};
-    return Error{fmt::format("'{}' is not {}", text, range), name, ""};
+    return Error{fmt::format("'{}' is not {}", printable(text), range), name, ""};
   };
   return setting;
 }

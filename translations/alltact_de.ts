@@ -1199,6 +1199,10 @@
         <translation>es beginnt nicht mit seinem Kopf</translation>
     </message>
     <message>
+        <source>a check sum is wrong</source>
+        <translation>eine Prüfsumme stimmt nicht</translation>
+    </message>
+    <message>
         <source>its parts do not join</source>
         <translation>seine Teile passen nicht zusammen</translation>
     </message>
@@ -1519,6 +1523,14 @@
         <translation>Bild %1 des Videos lässt sich nicht lesen</translation>
     </message>
     <message>
+        <source>frame %1 is older than frame %2</source>
+        <translation>Bild %1 ist älter als Bild %2</translation>
+    </message>
+    <message>
+        <source>move this file away: the video&apos;s own times count then</source>
+        <translation>schieben Sie diese Datei beiseite: dann gelten die Zeiten des Videos selbst</translation>
+    </message>
+    <message>
         <source>the video holds no frame</source>
         <translation>das Video enthält kein Bild</translation>
     </message>
@@ -1769,6 +1781,10 @@
     <message>
         <source>holds %1 positions, but there are %2 markers</source>
         <translation>enthält %1 Orte, aber es gibt %2 Marken</translation>
+    </message>
+    <message>
+        <source>gives depths up to %1 mm in a layer of %2 mm</source>
+        <translation>ergibt Tiefen bis %1 mm in einer Schicht von %2 mm</translation>
     </message>
     <message>
         <source>holds a position far outside the picture</source>

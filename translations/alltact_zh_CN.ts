@@ -1199,6 +1199,10 @@
         <translation>开头不是文件头</translation>
     </message>
     <message>
+        <source>a check sum is wrong</source>
+        <translation>校验和不对</translation>
+    </message>
+    <message>
         <source>its parts do not join</source>
         <translation>各部分接不上</translation>
     </message>
@@ -1519,6 +1523,14 @@
         <translation>无法读取视频的第 %1 帧</translation>
     </message>
     <message>
+        <source>frame %1 is older than frame %2</source>
+        <translation>第 %1 帧比第 %2 帧更早</translation>
+    </message>
+    <message>
+        <source>move this file away: the video&apos;s own times count then</source>
+        <translation>移走这个文件:之后使用视频自身的时间</translation>
+    </message>
+    <message>
         <source>the video holds no frame</source>
         <translation>视频中没有帧</translation>
     </message>
@@ -1769,6 +1781,10 @@
     <message>
         <source>holds %1 positions, but there are %2 markers</source>
         <translation>含有 %1 个位置,但有 %2 个标记点</translation>
+    </message>
+    <message>
+        <source>gives depths up to %1 mm in a layer of %2 mm</source>
+        <translation>给出的深度达 %1 mm,而层厚只有 %2 mm</translation>
     </message>
     <message>
         <source>holds a position far outside the picture</source>

@@ -2,6 +2,7 @@
 #include "app/flags.h"
 #include "calibration/calibrate_finger.h"
 #include "calibration/calibration_report.h"
+#include "core/printable.h"
 #include "widgets/report/calibration_pages.h"
 #include "widgets/report/offscreen.h"
 
@@ -72,7 +73,7 @@ std::optional<OtherBall> other_ball(const std::string& text) {
 
 std::string refuse_other_ball(const std::string& text) {
   if (other_ball(text)) return {};
-  return fmt::format("'{}' is not NAME=R, a press and its ball's radius in mm", text);
+  return fmt::format("'{}' is not NAME=R, a press and its ball's radius in mm", printable(text));
 }
 
 constexpr std::string_view kFind = "=find";

@@ -149,18 +149,24 @@ Status run_check(const Path& folder, Console& console) {
 Status run_check_numerics(Console& console) {
   Console::Json rows = Console::Json::array();
   int failed = 0;
-  // JSON has no infinity: null says that the plain formula gave no number.
+  // JSON has no infinity: null says that there was a number that was none, or a false one.
   const auto number = [](double error) {
     return std::isfinite(error) ? Console::Json(error) : Console::Json();
   };
-  console.say(
-      fmt::format("{:>9}  {:>9}  {:>9}  {:<5}  {}", "plain", "ours", "bound", "holds", "what"));
+  console.say(fmt::format("{:>9}  {:>9}  {:>9}  {:>8}  {:<5}  {}",
+                          "plain",
+                          "ours",
+                          "bound",
+                          "answered",
+                          "holds",
+                          "what"));
   for (const HardCase& one : hard_cases()) {
     failed += !one.holds();
-    console.say(fmt::format("{:>9.2g}  {:>9.2g}  {:>9.2g}  {:<5}  {} ({}; plain: {})",
-                            one.plain_error,
-                            one.our_error,
+    console.say(fmt::format("{:>9.2g}  {:>9.2g}  {:>9.2g}  {:>6.1f} %  {:<5}  {} ({}; plain: {})",
+                            one.plain_score.error,
+                            one.our_score.error,
                             one.bound,
+                            100 * one.our_score.answered,
                             one.holds() ? "yes" : "NO",
                             one.what,
                             one.unit,
@@ -168,9 +174,11 @@ Status run_check_numerics(Console& console) {
     rows.push_back({{"what", one.what},
                     {"plain", one.plain},
                     {"unit", one.unit},
-                    {"plain_error", number(one.plain_error)},
-                    {"our_error", number(one.our_error)},
+                    {"plain_error", number(one.plain_score.error)},
+                    {"our_error", number(one.our_score.error)},
                     {"bound", one.bound},
+                    {"answered", one.our_score.answered},
+                    {"must_be_answered", one.least_answered},
                     {"holds", one.holds()}});
   }
   const std::size_t all = rows.size();

@@ -145,6 +145,7 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   if (!scene) return scene.error();
   const auto plan = Plan::compile(*scene, options.seed);
   if (!plan) return plan.error();
+  if (const Status status = plan->check_grey_levels(options.scene.string()); !status) return status;
   const int count = options.frames.value_or(plan->frame_count());
   if (count > plan->frame_count()) {
     return Error{fmt::format("the scene has {} frames, not {}", plan->frame_count(), count),

@@ -7,14 +7,29 @@
 namespace alltact {
 namespace {
 
-/// Every pair of grey levels: a number that is right, or a flag.
-HardCase grey_pairs() {
-  HardCase one{"brightness differences of all 65536 pairs of grey levels: wrong ones",
-               "bytes subtracted and divided",
-               "pairs",
-               0,
-               0,
-               0};
+HardAnswer told(const Difference& difference, int v, int u) {
+  switch (difference.flags.at<std::uint8_t>(v, u)) {
+    case kMeasured:
+      return number(static_cast<double>(difference.x.at<float>(v, u)));
+    case kTooDark:
+      return refused("too dark");
+    case kSaturated:
+      return refused("saturated");
+    default:
+      return refused("off the face");
+  }
+}
+
+/// Pairs of grey levels: the right number wherever the face has 12 to 249 levels and the live
+/// picture is not clipped, or the reason why there is none. What a live pixel of
+/// less than three deviations of the noise is worth, and a face of 8 to 11 levels, is left open.
+HardRow grey_pairs() {
+  HardRow row{"brightness differences of all pairs of grey levels: wrong ones",
+              "bytes subtracted and divided",
+              "part wrong",
+              0,
+              HardMeasure::kWrong};
+  constexpr int kBlack = 8, kDark = 12, kClipped = 250, kLeastLive = 3;
   cv::Mat live(256, 256, CV_8UC1), untouched(256, 256, CV_32FC1);
   for (int i = 0; i < 256; ++i)
     for (int k = 0; k < 256; ++k)
@@ -24,29 +39,27 @@ HardCase grey_pairs() {
   reference.picture = ReferencePicture(untouched);
   const FaceShape shape = flat_sensor({256, 256}, 0.05);
   const Difference ours = difference(live, reference, shape, {.smoothing_px = 0.0});
-  for (int i = 0; i < 256; ++i)
+  for (int i = kLeastLive; i < 256; ++i)
     for (int k = 0; k < 256; ++k) {
+      if (k >= kBlack && k < kDark) continue;
       const double truth = static_cast<double>(k - i) / std::max(k, 1);
-      const auto x = static_cast<double>(ours.x.at<float>(i, k));
-      const bool measured = ours.flags.at<std::uint8_t>(i, k) == kMeasured;
-      if (measured ? !(std::abs(x - truth) < 1e-6 * (1.0 + std::abs(truth))) : std::isfinite(x))
-        ++one.our_error;
       const auto wrapped = static_cast<std::uint8_t>(k - i);
-      if (k == 0 || std::abs(static_cast<double>(wrapped) / k - truth) > 1e-6) ++one.plain_error;
+      row.ask(k < kBlack                       ? wanted_refusal({"too dark"})
+              : k >= kClipped || i >= kClipped ? wanted_refusal({"saturated"})
+                                               : wanted(truth, 1e-6 * (1.0 + std::abs(truth))),
+              number(static_cast<double>(wrapped) / k),
+              told(ours, i, k));
     }
-  return one;
+  return row;
 }
 
 /// A press that takes a fifth of the brightness, on faces from 12 to 40 grey levels bright, 1 grey
 /// level of noise in both pictures: the mean of the quotient is not the quotient of the means.
-HardCase dark_reference() {
-  HardCase one{
-      "mean difference where the untouched face has 12 to 40 grey levels, truth 0.2: error",
-      "(I_ref - I) / I_ref of each pixel",
-      "of x",
-      0,
-      0,
-      0.0015};
+HardRow dark_reference() {
+  HardRow row{"mean difference where the untouched face has 12 to 40 grey levels, truth 0.2: error",
+              "(I_ref - I) / I_ref of each pixel",
+              "of x",
+              0.0015};
   constexpr double kTruth = 0.2, kNoise = 1.0;
   constexpr int kSide = 512, kLeast = 12, kMost = 40;
   const FaceShape shape = flat_sensor({kSide, kSide}, 0.05);
@@ -63,15 +76,16 @@ HardCase dark_reference() {
         untouched.at<float>(v, u) = static_cast<float>(std::max(0.0, below));
         plain += (below - live.at<std::uint8_t>(v, u)) / below / (kSide * kSide);
       }
-    keep_worst(std::abs(plain - kTruth), one.plain_error);
     Reference reference;
     reference.picture = ReferencePicture(untouched);
     const Difference ours = difference(live, reference, shape, {});
     const cv::Mat measured = ours.flags == kMeasured;
     const bool enough = cv::countNonZero(measured) > 0.99 * kSide * kSide;
-    keep_worst(enough ? std::abs(cv::mean(ours.x, measured)[0] - kTruth) : NAN, one.our_error);
+    row.ask(wanted(kTruth, 1),
+            number(plain),
+            enough ? number(cv::mean(ours.x, measured)[0]) : refused("too dark"));
   }
-  return one;
+  return row;
 }
 
 /// Brightness that follows three modes of the pose, smoothly.
@@ -80,20 +94,18 @@ double brightness_at(const Eigen::Vector3d& pose) {
   return 100.0 + 25.0 * m[0] - 12.0 * m[1] + 8.0 * m[2] + 6.0 * m[0] * m[0] - 4.0 * m[0] * m[1];
 }
 
-HardCase reference_brightness() {
-  HardCase one{"brightness of a pose between 1650 recorded ones, against that of the nearest",
-               "nearest frame",
-               "of its error",
-               1,
-               0,
-               0.25};
+HardRow reference_brightness() {
+  HardRow row{"brightness of a pose between 1650 recorded ones",
+              "nearest frame",
+              "relative, rms",
+              0.0008,
+              HardMeasure::kRms};
   std::mt19937 random(11);
   std::uniform_real_distribution<double> place(-60.0, 60.0);
   constexpr int kRecorded = 1650, kNear = 12;
   std::vector<Eigen::Vector3d> poses;
   for (int i = 0; i < kRecorded; ++i)
     poses.emplace_back(place(random), place(random), place(random));
-  double ours = 0, nearest = 0;
   for (int i = 0; i < 300; ++i) {
     const Eigen::Vector3d query =
         0.9 * Eigen::Vector3d(place(random), place(random), place(random));
@@ -109,17 +121,14 @@ HardCase reference_brightness() {
     double mixed = 0;
     for (int k = 0; k < kNear; ++k)
       mixed += weights[k] * brightness_at(poses[static_cast<std::size_t>(k)]);
-    const double truth = brightness_at(query);
-    ours += std::abs(mixed - truth);
-    nearest += std::abs(brightness_at(poses.front()) - truth);
+    row.ask(wanted(brightness_at(query)), number(brightness_at(poses.front())), number(mixed));
   }
-  one.our_error = ours / nearest;
-  return one;
+  return row;
 }
 
 }  // namespace
 
-std::vector<HardCase> hard_brightness() {
+std::vector<HardRow> hard_brightness() {
   return {grey_pairs(), dark_reference(), reference_brightness()};
 }
 

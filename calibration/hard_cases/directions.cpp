@@ -16,8 +16,8 @@ Eigen::Vector3d random_unit(std::mt19937& random) {
 }
 
 /// The radius under which a ball is seen, from its middle and a direction that grazes it.
-HardCase angular_radius(double least, double most, const char* what) {
-  HardCase one{what, "sqrt(1 - cos^2)", "relative", 0, 0, 8 * kEps};
+HardRow angular_radius(double least, double most, const char* what) {
+  HardRow row{what, "sqrt(1 - cos^2)", "relative", 8 * kEps};
   std::mt19937 random(1);
   std::uniform_real_distribution<double> part(0.0, 1.0), length(20.0, 90.0);
   for (int i = 0; i < 300; ++i) {
@@ -27,16 +27,27 @@ HardCase angular_radius(double least, double most, const char* what) {
     const Eigen::Vector3d p = c + std::tan(alpha) * c.norm() * aside;
     const auto [sine, angle] = exact::between(p, c);
     const double cosine = p.dot(c) / (p.norm() * c.norm());
-    keep_worst(relative_error(std::sqrt(1.0 - cosine * cosine), sine), one.plain_error);
-    keep_worst(relative_error(sine_between(p, c), sine), one.our_error);
-    keep_worst(relative_error(angle_between(p, c), angle), one.our_error);
+    row.ask(wanted(sine), number(std::sqrt(1.0 - cosine * cosine)), number(sine_between(p, c)));
+    row.ask(wanted(angle), number(std::acos(cosine)), number(angle_between(p, c)));
   }
-  return one;
+  return row;
+}
+
+HardAnswer near_of(const Ray& ray, const Eigen::Vector3d& c, double radius) {
+  const auto hit = meet_ball(ray, c, radius);
+  return hit ? number(hit->near) : refused("misses the ball");
+}
+
+/// The textbook's near root; NaN where it finds none.
+double plain_near(const Ray& ray, const Eigen::Vector3d& c, double radius) {
+  const double pa = ray.direction.squaredNorm(), pb = -2.0 * ray.direction.dot(c);
+  const double pc = c.squaredNorm() - radius * radius;
+  return (-pb - std::sqrt(pb * pb - 4.0 * pa * pc)) / (2.0 * pa);
 }
 
 /// Near root of rays that pass the ball's centre at R (1 - graze).
-HardCase grazing_ray(double graze, double bound, const char* what) {
-  HardCase one{what, "b^2 - 4 a c", "relative", 0, 0, bound};
+HardRow grazing_ray(double graze, double bound, const char* what) {
+  HardRow row{what, "b^2 - 4 a c", "relative", bound};
   std::mt19937 random(2);
   std::uniform_real_distribution<double> radius(0.5, 5.0);
   for (int i = 0; i < 300; ++i) {
@@ -45,67 +56,65 @@ HardCase grazing_ray(double graze, double bound, const char* what) {
     const Eigen::Vector3d aside = axis.unitOrthogonal();
     const Ray ray{Eigen::Vector3d::Zero(), axis * (1.0 + 0.5 * radius(random))};
     const Eigen::Vector3d c = 40.0 * axis + r * (1.0 - graze) * aside;
-    const double truth = exact::near_root(ray.direction, c, r);
-    const double pa = ray.direction.squaredNorm(), pb = -2.0 * ray.direction.dot(c);
-    const double pc = c.squaredNorm() - r * r;
-    keep_worst(relative_error((-pb - std::sqrt(pb * pb - 4.0 * pa * pc)) / (2.0 * pa), truth),
-               one.plain_error);
-    const auto hit = meet_ball(ray, c, r);
-    keep_worst(hit ? relative_error(hit->near, truth) : NAN, one.our_error);
+    row.ask(wanted(exact::near_root(ray.direction, c, r)),
+            number(plain_near(ray, c, r)),
+            near_of(ray, c, r));
   }
-  return one;
+  return row;
 }
 
-/// Rays that pass a few roundings inside or outside the rim: met or missed, as in 50 digits.
-HardCase rim_decision() {
-  HardCase one{
-      "whether a ray meets a ball, 1e-13 mm from its rim", "b^2 - 4 a c", "part wrong", 0, 0, 0};
+/// Rays that pass a few roundings inside or outside the rim: met where they are met in 50 digits,
+/// to a nanometre, and missed where they are missed.
+HardRow rim_decision() {
+  HardRow row{"whether and where a ray meets a ball, 1e-13 mm from its rim",
+              "b^2 - 4 a c",
+              "part wrong",
+              0,
+              HardMeasure::kWrong};
+  constexpr double kRadius = 3.0, kNanometre = 1e-6;
   std::mt19937 random(3);
-  int wrong = 0, plain_wrong = 0, tried = 0;
   for (int i = 0; i < 2000; ++i) {
-    const double r = 3.0;
-    const Eigen::Vector3d u = random_unit(random);
-    const Eigen::Vector3d c = 40.0 * u + r * u.unitOrthogonal() * (1.0 + (i % 2 ? 4e-14 : -4e-14));
-    const double outside = exact::outside(u, c, r);
+    const Ray ray{Eigen::Vector3d::Zero(), random_unit(random)};
+    const Eigen::Vector3d c = 40.0 * ray.direction + kRadius * ray.direction.unitOrthogonal() *
+                                                         (1.0 + (i % 2 ? 4e-14 : -4e-14));
+    const double outside = exact::outside(ray.direction, c, kRadius);
     // Closer than this the centre's own rounding decides.
     if (std::abs(outside) < 4 * kEps * 43.0) continue;
-    ++tried;
-    const bool truth = outside < 0.0;
-    const double pb = u.dot(c), pc = c.squaredNorm() - r * r;
-    plain_wrong += (pb * pb - u.squaredNorm() * pc >= 0.0) != truth;
-    wrong += meet_ball({Eigen::Vector3d::Zero(), u}, c, r).has_value() != truth;
+    const double plain = plain_near(ray, c, kRadius);
+    row.ask(outside < 0 ? wanted(exact::near_root(ray.direction, c, kRadius), kNanometre)
+                        : wanted_refusal({"misses"}),
+            std::isfinite(plain) ? number(plain) : refused("misses the ball"),
+            near_of(ray, c, kRadius));
   }
-  one.plain_error = static_cast<double>(plain_wrong) / std::max(tried, 1);
-  one.our_error = tried > 0 ? static_cast<double>(wrong) / tried : 1.0;
-  return one;
+  return row;
 }
 
-/// Thickness of the layer along its normal on a face that is nearly seen from the side.
-HardCase steep_layer() {
-  HardCase one{"thickness of the layer at slopes up to 89.99999999 degrees",
-               "t / cos(atan(slope)), along z",
-               "relative",
-               0,
-               0,
-               4 * kEps};
+/// Thickness of the layer along its normal on a face that is nearly seen from the side. The
+/// textbook thickens it along z by 1 / cos(atan(slope)); along the normal that must be the same.
+HardRow steep_layer() {
+  HardRow row{"thickness of the layer at slopes up to 1e17",
+              "t / cos(atan(slope)), along z",
+              "relative",
+              4 * kEps};
+  constexpr double kLayer = 1.5;
   for (int i = 0; i < 200; ++i) {
-    const double slope = std::pow(10.0, 8.0 * i / 199.0);
-    FaceShape::Local local{};
+    const double slope = std::pow(10.0, 17.0 * i / 199.0);
     const double length = std::hypot(1.0, slope);
+    // In memory, lest the compiler makes 1 / sqrt(1 + slope^2) of it, which is not the textbook's.
+    const volatile double angle = std::atan(slope);
+    FaceShape::Local local{};
     local.view_point_mm.setZero();
     local.normal = {-slope / length, 0.0, 1.0 / length};
     local.cos_incline = 1.0 / length;
-    const double layer = 1.5;
-    const Eigen::Vector3d lifted = untouched_point_mm(local, layer, MappingAlong::kNormal);
-    keep_worst(relative_error(exact::norm(lifted), layer), one.our_error);
-    keep_worst(std::abs(layer / std::cos(std::atan(slope)) - layer) / layer, one.plain_error);
+    const Eigen::Vector3d lifted = untouched_point_mm(local, kLayer, MappingAlong::kNormal);
+    row.ask(wanted(kLayer), number(kLayer / std::cos(angle) / length), number(exact::norm(lifted)));
   }
-  return one;
+  return row;
 }
 
 }  // namespace
 
-std::vector<HardCase> hard_directions() {
+std::vector<HardRow> hard_directions() {
   return {angular_radius(0.05, 1.5, "radius of a ball in the picture, 0.05 to 1.5 rad"),
           angular_radius(1e-4, 1e-2, "radius of a small ball, 1e-4 to 1e-2 rad"),
           angular_radius(1e-12, 1e-7, "radius of a speck, 1e-12 to 1e-7 rad"),

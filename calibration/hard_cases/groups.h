@@ -1,33 +1,45 @@
-// The groups that hard_cases() is made of, a file each.
+// The groups that hard_rows() is made of, a file each, and what they share.
 #pragma once
 
 #include "calibration/hard_cases/hard_cases.h"
+#include "core/result.h"
 #include "core/sensing/face_shape.h"
-
-#include <cmath>
-#include <limits>
 
 namespace alltact {
 
-[[nodiscard]] std::vector<HardCase> hard_directions();  ///< angles, rays, slopes: in 50 digits
-[[nodiscard]] std::vector<HardCase> hard_outlines();    ///< balls and circles from their borders
-[[nodiscard]] std::vector<HardCase> hard_faces();       ///< distance from width, edges
-[[nodiscard]] std::vector<HardCase> hard_curves();      ///< least squares, mappings
-[[nodiscard]] std::vector<HardCase> hard_lenses();      ///< distortion and its inverse
-[[nodiscard]] std::vector<HardCase> hard_brightness();  ///< differences, references
-[[nodiscard]] std::vector<HardCase> hard_contacts();    ///< angle, direction, markers
+[[nodiscard]] std::vector<HardRow> hard_directions();  ///< angles, rays, slopes: in 50 digits
+[[nodiscard]] std::vector<HardRow> hard_outlines();    ///< balls and circles from their borders
+[[nodiscard]] std::vector<HardRow> hard_faces();       ///< distance from width, edges
+[[nodiscard]] std::vector<HardRow> hard_curves();      ///< least squares, mappings
+[[nodiscard]] std::vector<HardRow> hard_lenses();      ///< distortion and its inverse
+[[nodiscard]] std::vector<HardRow> hard_brightness();  ///< differences, references
+[[nodiscard]] std::vector<HardRow> hard_contacts();    ///< angle, direction, markers
 
 /// A rigid flat sensor under a telecentric lens; the whole picture is face.
 [[nodiscard]] FaceShape flat_sensor(const cv::Size& size, double mm_per_px);
 
-/// |value - truth| / |truth|.
-[[nodiscard]] inline double relative_error(double value, double truth) {
-  return std::abs((value - truth) / truth);
+[[nodiscard]] inline HardAnswer number(double value) {
+  return {{value}, ""};
+}
+[[nodiscard]] inline HardAnswer refused(std::string why) {
+  return {{}, std::move(why)};
+}
+/// What a step that gives no reasons says: a number, or `why` where it gives none.
+[[nodiscard]] inline HardAnswer number_or(const std::optional<double>& value, std::string why) {
+  return value ? number(*value) : refused(std::move(why));
 }
 
-/// The greater of an error and what was found before; infinite where the error is no number.
-inline void keep_worst(double error, double& worst) {
-  worst = std::isnan(error) ? std::numeric_limits<double>::infinity() : std::max(worst, error);
+/// A question with a number for an answer; errors are counted in `scale`.
+[[nodiscard]] inline HardQuestion wanted(double truth, double scale) {
+  return {{truth}, {}, scale};
+}
+/// The same; errors are relative to the truth.
+[[nodiscard]] inline HardQuestion wanted(double truth) {
+  return wanted(truth, std::abs(truth));
+}
+/// A question without an answer; the refusal must hold one of `reasons`.
+[[nodiscard]] inline HardQuestion wanted_refusal(std::vector<std::string> reasons) {
+  return {{}, std::move(reasons), 1};
 }
 
 }  // namespace alltact

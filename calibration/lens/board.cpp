@@ -1,6 +1,7 @@
 #include "calibration/lens/board.h"
 
 #include "calibration/lens/find_board.h"
+#include "core/printable.h"
 
 #include <charconv>
 
@@ -28,9 +29,10 @@ Status set_board_size(Board& board, std::string_view text) {
   const int rows = cross < text.size() ? side(text.substr(cross + 1)) : 0;
   for (const int count : {columns, rows})
     if (count < 3 || count > 100)
-      return Error{fmt::format("'{}' is no board; it takes two counts from 3 to 100", text),
-                   "--board",
-                   "9x6 for nine inner corners in a row and six rows"};
+      return Error{
+          fmt::format("'{}' is no board; it takes two counts from 3 to 100", printable(text)),
+          "--board",
+          "9x6 for nine inner corners in a row and six rows"};
   board.columns = columns;
   board.rows = rows;
   return {};

@@ -1,5 +1,6 @@
 #include "core/finger/camera_yaml.h"
 
+#include "core/camera/camera_range.h"
 #include "core/io/atomic_file.h"
 
 #include <yaml-cpp/exceptions.h>
@@ -128,9 +129,9 @@ Result<CameraParameters> load_camera(const std::filesystem::path& path, LensReco
       parameters = read_camera(top, lens);
     }
     if (record != nullptr) *record = std::move(lens);
-    const auto camera = Camera::create(parameters);
-    if (camera) return parameters;
-    Error error = camera.error();
+    const Status status = check_camera_range(parameters);
+    if (status) return parameters;
+    Error error = status.error();
     if (!is_wrapped) error.where = error.where.substr(error.where.find('.') + 1);
     return located(file, error);
   } catch (const Refused& refused) {
@@ -143,7 +144,7 @@ Result<CameraParameters> load_camera(const std::filesystem::path& path, LensReco
 Status save_camera(const std::filesystem::path& path,
                    const CameraParameters& parameters,
                    const LensRecord& record) {
-  if (const auto camera = Camera::create(parameters); !camera) return camera.error();
+  if (const Status status = check_camera_range(parameters); !status) return status.error();
   YamlBlock block("");
   add_camera(parameters, record, {}, block);
   return write_file_atomically(path, block.on_many_lines());

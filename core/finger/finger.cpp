@@ -1,5 +1,8 @@
 #include "core/finger/finger.h"
 
+#include "core/camera/camera_range.h"
+#include "core/printable.h"
+
 namespace alltact {
 namespace {
 
@@ -44,6 +47,26 @@ std::optional<Error> marker_problem(const MarkerRows& markers, FaceKind kind) {
                "the number of dots on one side face"};
 }
 
+/// A press goes no deeper than the layer is thick; along z, on a face inclined by 75 degrees, four
+/// times that.
+std::optional<Error> mapping_problem(const MappingParameters& parameters, double layer_mm) {
+  const auto mapping = Mapping::create(parameters);
+  if (!mapping) return mapping.error();
+  // Nothing so narrow was ever calibrated, and its powers of x soon are no numbers.
+  constexpr double kLeastDomain = 1e-3;
+  if (parameters.x_max < kLeastDomain)
+    return Error{fmt::format("must be a number from {} to {}", kLeastDomain, 1),
+                 "mapping.domain",
+                 "calibrate again"};
+  constexpr double kMostLayers = 4;
+  const double deepest_mm = mapping->depth_mm(mapping->x_max());
+  if (deepest_mm <= kMostLayers * layer_mm) return std::nullopt;
+  return Error{
+      fmt::format("gives depths up to {:.3g} mm in a layer of {:g} mm", deepest_mm, layer_mm),
+      parameters.kind == MappingKind::kMoebius ? "mapping.a_mm" : "mapping.chebyshev",
+      "calibrate again"};
+}
+
 std::optional<Error> record_problem(const MappingRecord& record) {
   for (const auto& [value, key] : {std::pair{record.residual_mm, "mapping.residual_mm"},
                                    {record.held_out_mm, "mapping.held_out_mm"},
@@ -58,7 +81,7 @@ std::optional<Error> file_problem(const std::string& name, const std::string& ke
   const bool leads_out = path.is_absolute() || *path.lexically_normal().begin() == "..";
   if (!name.empty() && !leads_out && path.has_filename() && name.find('\0') == std::string::npos)
     return std::nullopt;
-  return Error{fmt::format("'{}' is no file inside the finger's folder", name),
+  return Error{fmt::format("'{}' is no file inside the finger's folder", printable(name)),
                key,
                "copy the file into the folder and give its name only"};
 }
@@ -74,7 +97,9 @@ std::optional<Error> reference_problem(const ReferenceFiles& files) {
   return file_problem(files.markers, "reference.markers");
 }
 
-std::optional<Error> contact_problem(const ContactSettings& contact, int marker_count) {
+std::optional<Error> contact_problem(const ContactSettings& contact,
+                                     int marker_count,
+                                     const CameraParameters& camera) {
   if (!(contact.threshold_px > 0 && contact.threshold_px <= 1e6))
     return Error{"must be above 0 and at most 1000000",
                  "contact.threshold_px",
@@ -86,8 +111,10 @@ std::optional<Error> contact_problem(const ContactSettings& contact, int marker_
                              marker_count),
                  key,
                  "record the reference again"};
+  // Hidden ones are estimated, and may lie a little outside; raw pictures may be turned.
+  const double side = std::max(camera.width_px, camera.height_px);
   for (const Eigen::Vector2d& marker : contact.rest_markers)
-    if (!is_in(marker.x(), -1e5, 1e5) || !is_in(marker.y(), -1e5, 1e5))
+    if (!is_in(marker.x(), -side, 2 * side) || !is_in(marker.y(), -side, 2 * side))
       return Error{"holds a position far outside the picture", key, "record the reference again"};
   return std::nullopt;
 }
@@ -110,12 +137,12 @@ std::optional<Error> gripper_problem(const RigidTransform& gripper_from_camera) 
 Status Finger::validate() const {
   if (name.empty() || name.size() > 200)
     return Error{"must be a text of 1 to 200 letters", "name", "what is written on the finger"};
-  const auto made_camera = Camera::create(camera);
-  if (!made_camera) return made_camera.error();
-  if (auto problem = face_problem(face, made_camera->is_perspective())) return *problem;
+  if (const Status status = check_camera_range(camera); !status) return status.error();
+  const bool is_perspective = camera.model != CameraModel::kOrthographic;
+  if (auto problem = face_problem(face, is_perspective)) return *problem;
   if (auto problem = marker_problem(markers, face.kind)) return *problem;
   if (mapping)
-    if (const auto made = Mapping::create(*mapping); !made) return made.error();
+    if (auto problem = mapping_problem(*mapping, face.layer_mm)) return *problem;
   if (mapping_record) {
     if (!mapping)
       return Error{"says how a mapping was made, but there is none", "mapping", "calibrate"};
@@ -124,7 +151,7 @@ Status Finger::validate() const {
   if (reference)
     if (auto problem = reference_problem(*reference)) return *problem;
   if (contact)
-    if (auto problem = contact_problem(*contact, marker_count())) return *problem;
+    if (auto problem = contact_problem(*contact, marker_count(), camera)) return *problem;
   if (!force_model.empty())
     if (auto problem = file_problem(force_model, "force.model")) return *problem;
   if (gripper_from_camera)

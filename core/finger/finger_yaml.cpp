@@ -4,6 +4,7 @@
 #include "core/finger/yaml_reader.h"
 #include "core/finger/yaml_writer.h"
 #include "core/io/atomic_file.h"
+#include "core/printable.h"
 
 #include <yaml-cpp/exceptions.h>
 
@@ -170,7 +171,7 @@ Finger read_finger(YamlSection& top) {
   Finger finger;
   if (const std::string format = top.text("format"); format != Finger::kFormat)
     top.refuse("format",
-               fmt::format("'{}' cannot be read by this version", format),
+               fmt::format("'{}' cannot be read by this version", printable(format)),
                fmt::format("a newer version of this program, or '{}'", Finger::kFormat));
   finger.name = top.text("name");
   YamlSection camera = top.section("camera");

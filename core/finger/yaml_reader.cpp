@@ -1,5 +1,7 @@
 #include "core/finger/yaml_reader.h"
 
+#include "core/printable.h"
+
 #include <charconv>
 
 #include <yaml-cpp/yaml.h>
@@ -19,8 +21,7 @@ std::string shown(const YAML::Node& node) {
   if (node.IsSequence()) return "a list";
   if (node.IsMap()) return "a block of keys";
   if (!node.IsScalar()) return "nothing";
-  const std::string& text = node.Scalar();
-  return fmt::format("'{}'", text.size() > 60 ? text.substr(0, 57) + "..." : text);
+  return fmt::format("'{}'", printable(node.Scalar()));
 }
 
 bool is_quoted(const YAML::Node& node) {
@@ -81,8 +82,9 @@ struct YamlSection::Entry {
 
 Error YamlFile::error(std::string what, int line, std::string_view key, std::string advice) const {
   const std::string place = fmt::format("{}:{}", path.string(), line);
-  return {
-      std::move(what), key.empty() ? place : fmt::format("{}: {}", place, key), std::move(advice)};
+  return {std::move(what),
+          key.empty() ? place : fmt::format("{}: {}", place, printable(key)),
+          std::move(advice)};
 }
 
 YamlSection YamlSection::top(YamlFile& file, const std::string& content) {

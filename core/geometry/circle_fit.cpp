@@ -1,5 +1,7 @@
 #include "core/geometry/circle_fit.h"
 
+#include "core/numerics/least_squares.h"
+
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -66,18 +68,19 @@ double cost_of(const std::vector<Eigen::Vector2d>& points, const Arc& arc) {
 Arc refine(const std::vector<Eigen::Vector2d>& points, Arc arc) {
   double cost = cost_of(points, arc);
   double damping = 1e-4;
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd design(n + 3, 3);
+  Eigen::VectorXd target = Eigen::VectorXd::Zero(n + 3);
   for (int iteration = 0; iteration < 100 && damping < 1e12; ++iteration) {
-    Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d slope = Eigen::Vector3d::Zero();
-    for (const auto& p : points) {
+    for (Eigen::Index i = 0; i < n; ++i) {
       Eigen::Vector3d gradient;
-      const double distance = arc.distance(p, &gradient);
-      normal_matrix += gradient * gradient.transpose();
-      slope += distance * gradient;
+      target[i] = arc.distance(points[static_cast<std::size_t>(i)], &gradient);
+      design.row(i) = gradient.transpose();
     }
-    Eigen::Matrix3d damped = normal_matrix;
-    damped.diagonal() *= 1.0 + damping;
-    const Eigen::Vector3d step = damped.ldlt().solve(slope);
+    // Of a short arc curvature and offset are nearly one: the normal equations would square that.
+    design.bottomRows<3>() =
+        (std::sqrt(damping) * design.topRows(n).colwise().norm()).asDiagonal().toDenseMatrix();
+    const Eigen::Vector3d step = least_squares(design, target);
     if (!step.allFinite()) break;
     const Arc next{arc.curvature - step[0], arc.angle - step[1], arc.offset - step[2]};
     const double next_cost = cost_of(points, next);

@@ -1,5 +1,7 @@
 #include "core/io/picture_format.h"
 
+#include "core/io/png_check_sum.h"
+
 namespace alltact {
 namespace {
 
@@ -58,6 +60,9 @@ Result<PictureHeader> png_header(std::string_view content) {
     if (bytes.is_past_end() || content.size() - at < 12 || content.size() - at - 12 < length)
       return truncated();
     const std::string_view name = content.substr(at + 4, 4);
+    // Before the decoder sees it, which writes its own words on the terminal.
+    if (bytes.u32(at + 8 + length) != png_check_sum(content.substr(at + 4, 4 + length)))
+      return damaged("a check sum is wrong");
     if (name == "tRNS") header.has_transparency = true;
     if (name == "IEND") return header;
     at += 12 + length;

@@ -1,6 +1,6 @@
 #include "core/io/picture_note.h"
 
-#include <cstdint>
+#include "core/io/png_check_sum.h"
 
 namespace alltact {
 namespace {
@@ -12,16 +12,6 @@ constexpr std::size_t kHeaderEnd = 33;  // signature, then the chunk IHDR
 constexpr std::size_t kAround = 12;     // length, type and check sum of a chunk
 // Keyword; then neither compressed, nor in a language, nor with a translated keyword.
 constexpr std::string_view kBefore = "AllTact settings\0\0\0\0\0"sv;
-
-/// PNG's check sum (annex D): a CRC of polynomial 0xEDB88320.
-std::uint32_t check_sum(std::string_view bytes) {
-  std::uint32_t sum = 0xFFFFFFFFU;
-  for (const char byte : bytes) {
-    sum ^= static_cast<unsigned char>(byte);
-    for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1U) ^ ((sum & 1U) != 0 ? 0xEDB88320U : 0U);
-  }
-  return ~sum;
-}
 
 std::string big_endian(std::uint32_t number) {
   std::string bytes;
@@ -45,7 +35,7 @@ std::string with_note(std::string_view png, std::string_view note) {
   std::string content(png.substr(0, kHeaderEnd));
   content += big_endian(static_cast<std::uint32_t>(chunk.size() - 4));
   content += chunk;
-  content += big_endian(check_sum(chunk));
+  content += big_endian(png_check_sum(chunk));
   return content.append(png.substr(kHeaderEnd));
 }
 

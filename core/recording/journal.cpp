@@ -135,7 +135,7 @@ Status JournalWriter::finish() {
   return {};
 }
 
-std::vector<JournalEntry> read_journal(const std::filesystem::path& file) {
+Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file) {
   std::vector<JournalEntry> entries;
   const auto content = read_file(file);
   if (!content) return entries;
@@ -148,6 +148,10 @@ std::vector<JournalEntry> read_journal(const std::filesystem::path& file) {
     if (!take_number(*line, number) || number != entries.size() ||
         !take_number(*line, entry.time_ns) || !take_number(*line, entry.sequence))
       break;
+    if (!entries.empty() && entry.time_ns < entries.back().time_ns)
+      return Error{fmt::format("frame {} is older than frame {}", number, number - 1),
+                   file.string(),
+                   "move this file away: the video's own times count then"};
     if (!line->empty()) {
       // The same from frame to frame, mostly: kept once.
       std::string controls = text_of(*line);

@@ -59,7 +59,8 @@ struct JournalEntry {
 };
 
 /// The frames' lines in order, up to the first that is not whole (a crash leaves such). Nothing
-/// where there is no journal.
-[[nodiscard]] std::vector<JournalEntry> read_journal(const std::filesystem::path& file);
+/// where there is no journal. Error: a frame is older than the one before it; nothing tells which
+/// of the two times is true.
+[[nodiscard]] Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file);
 
 }  // namespace alltact

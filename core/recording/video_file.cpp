@@ -234,7 +234,9 @@ Result<VideoFile> VideoFile::open(const fs::path& file, const Job& job) {
     if (!decoder) return decoder.error();
     state->decoder = std::move(*decoder);
   }
-  state->journal = read_journal(journal_of(file));
+  auto journal = read_journal(journal_of(file));
+  if (!journal) return journal.error();
+  state->journal = std::move(*journal);
   return VideoFile(std::move(state));
 }
 

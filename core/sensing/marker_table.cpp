@@ -1,4 +1,5 @@
 #include "core/io/atomic_file.h"
+#include "core/printable.h"
 #include "core/sensing/reference_library.h"
 
 #include <charconv>
@@ -98,13 +99,14 @@ Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int mar
       std::string_view rest = text->substr(4);
       if (!take(rest, frames, true) || frames != table.frames.size() || inside != 0 ||
           !lines.at_end())
-        return wrong(
-            fmt::format("'{}' does not close a table of {} frames", *text, table.frames.size()));
+        return wrong(fmt::format(
+            "'{}' does not close a table of {} frames", printable(*text), table.frames.size()));
       break;
     }
     Line line;
     if (!parse(*text, line))
-      return wrong(fmt::format("'{}' is not '{}' with possible values", *text, kColumns));
+      return wrong(
+          fmt::format("'{}' is not '{}' with possible values", printable(*text), kColumns));
     if (line.number != static_cast<int>(inside))
       return wrong(fmt::format(
           "marker {} stands where marker {} of {} must", line.number, inside, marker_count));

@@ -1,6 +1,7 @@
 #include "core/simulation/parameters.h"
 
 #include "core/numerics/philox.h"
+#include "core/printable.h"
 
 #include <set>
 
@@ -88,7 +89,7 @@ Status Parameters::status() const {
     for (const auto& entry : visited->map) {
       const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "(not a word)";
       const Error error{
-          fmt::format("unknown key '{}'", key),
+          fmt::format("unknown key '{}'", printable(key)),
           fmt::format("{}:{}: {}",
                       shared_->origin,
                       entry.first.Mark().line + 1,
@@ -97,7 +98,7 @@ Status Parameters::status() const {
       if (std::find(visited->asked.begin(), visited->asked.end(), key) == visited->asked.end())
         return error;
       if (!seen.insert(key).second)
-        return Error{fmt::format("the key '{}' stands here twice", key),
+        return Error{fmt::format("the key '{}' stands here twice", printable(key)),
                      error.where,
                      "remove one of the two"};
     }
@@ -131,7 +132,7 @@ double Parameters::checked(const YAML::Node& node, const std::string& key, Limit
   if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value)) {
     refuse(key,
            fmt::format("'{}' is not a finite number",
-                       node.IsScalar() ? node.Scalar() : "a list or map"),
+                       printable(node.IsScalar() ? node.Scalar() : "a list or map")),
            limits_in_words(limits));
     return limits.high;
   }
@@ -212,7 +213,7 @@ std::string Parameters::word(const char* key, std::initializer_list<const char*>
   for (const char* word : allowed)
     if (value == word) return value;
   refuse(key,
-         fmt::format("'{}' is not known here", value),
+         fmt::format("'{}' is not known here", printable(value)),
          fmt::format("one of {}", fmt::join(allowed.begin(), allowed.end(), ", ")));
   return *allowed.begin();
 }

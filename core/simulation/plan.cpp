@@ -145,6 +145,12 @@ std::vector<std::string> Plan::effects() const {
   return names;
 }
 
+Status Plan::check_grey_levels(const std::string& scene_file) const {
+  if (state_->gives_bytes) return {};
+  return Error{
+      "its camera does not give whole grey levels", scene_file, "name the effect quantisation too"};
+}
+
 cv::Mat Plan::render(int frame, int threads) const {
   return send(frame, threads).grey;
 }

@@ -30,6 +30,9 @@ class Plan {
   /// How often the camera takes a picture.
   [[nodiscard]] double frames_per_s() const;
 
+  /// Error: the scene does not name `quantisation`, so that its pictures are not those of a camera.
+  [[nodiscard]] Status check_grey_levels(const std::string& scene_file) const;
+
   /// Frame number `frame` as the camera would give it, CV_8UC1 when the scene names `quantisation`.
   /// The same bytes for any number of threads and any order of frames.
   [[nodiscard]] cv::Mat render(int frame, int threads = 1) const;

@@ -1,6 +1,7 @@
 #include "core/simulation/scene.h"
 
 #include "core/io/atomic_file.h"
+#include "core/printable.h"
 #include "core/simulation/scene_content.h"
 
 #include <numbers>
@@ -73,7 +74,7 @@ void read_effects(Parameters& scene, Scene::Content& content) {
       for (const auto* k : kinds) names.push_back(k->name);
       std::sort(names.begin(), names.end());
       map.refuse("use",
-                 fmt::format("there is no effect '{}'", use),
+                 fmt::format("there is no effect '{}'", printable(use)),
                  fmt::format("one of {}", fmt::join(names, ", ")));
       return;
     }

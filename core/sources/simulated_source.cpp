@@ -1,6 +1,5 @@
 #include "core/sources/simulated_source.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace alltact {
@@ -11,11 +10,7 @@ Result<std::unique_ptr<Source>> SimulatedSource::open(const std::filesystem::pat
   if (!scene) return scene.error();
   auto plan = Plan::compile(*scene, options.seed);
   if (!plan) return plan.error();
-  const auto effects = plan->effects();
-  if (std::find(effects.begin(), effects.end(), "quantisation") == effects.end())
-    return Error{"its camera does not give whole grey levels",
-                 file.string(),
-                 "name the effect quantisation too"};
+  if (const Status status = plan->check_grey_levels(file.string()); !status) return status.error();
   return std::unique_ptr<Source>(new SimulatedSource(std::move(*plan), file.string(), options));
 }
 

@@ -206,6 +206,37 @@ TEST(BadInput, ASpoiledFingerIsNamedByKeyAndLine) {
   EXPECT_EQ(run_alltact({"check", flat.finger()}).status, 0);
 }
 
+TEST(BadInput, ASceneCutBeforeItsCameraCountsGreyLevelsIsToldBeforeAnythingIsWritten) {
+  const TemporaryFolder folder;
+  const fs::path scene =
+      fs::path(ALLTACT_SOURCE_DIR) / "resources" / "scenes" / "demo_presses.yaml";
+  std::string text = text_of(scene);
+  const std::size_t end = text.find("  - {use: quantisation}");
+  ASSERT_NE(end, std::string::npos);
+  write_text(folder / "cut.yaml", text.substr(0, end));
+  const ProgramRun run =
+      run_alltact({"simulate", (folder / "cut.yaml").string(), "-o", (folder / "out").string()});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("whole grey levels"));
+  EXPECT_THAT(run.errors, HasSubstr("quantisation"));
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(BadInput, NothingInAFileWritesOnTheTerminal) {
+  const FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
+  const std::string file = flat.file("finger/finger.yaml"), good = text_of(file);
+  std::string spoiled = good;
+  const std::size_t at = spoiled.find("orthographic");
+  ASSERT_NE(at, std::string::npos);
+  spoiled.replace(at, 12, "\"\\e[2J\\a" + std::string(4000, 'x') + "\"");
+  write_text(file, spoiled);
+  const ProgramRun run = run_alltact({"check", flat.finger()});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.errors.find_first_of("\x1b\a"), std::string::npos);
+  EXPECT_LT(run.errors.size(), 500U);
+}
+
 TEST(BadInput, AFolderWithoutAFingerIsTold) {
   const TemporaryFolder folder;
   const ProgramRun run = run_alltact({"check", folder.path().string()});

@@ -68,6 +68,7 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "remove one of them"),
     QT_TRANSLATE_NOOP("Library", "must be above 0 and at most 1000000"),
     QT_TRANSLATE_NOOP("Library", "holds %1 positions, but there are %2 markers"),
+    QT_TRANSLATE_NOOP("Library", "gives depths up to %1 mm in a layer of %2 mm"),
     QT_TRANSLATE_NOOP("Library", "holds a position far outside the picture"),
     QT_TRANSLATE_NOOP("Library", "must be a text of 1 to 200 letters"),
     QT_TRANSLATE_NOOP("Library", "what is written on the finger"),

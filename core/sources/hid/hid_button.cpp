@@ -1,5 +1,7 @@
 #include "core/sources/hid/hid_button.h"
 
+#include "core/printable.h"
+
 #include <charconv>
 #include <chrono>
 
@@ -66,7 +68,8 @@ std::string ButtonPattern::text() const {
 }
 
 Result<ButtonPattern> ButtonPattern::parse(const std::string& text) {
-  const Error wrong{fmt::format("'{}' describes no button", text), "", "learn the button again"};
+  const Error wrong{
+      fmt::format("'{}' describes no button", printable(text)), "", "learn the button again"};
   std::string_view rest = text;
   ButtonPattern pattern;
   if (!take(rest, pattern.report_bytes, 10, ' ')) return wrong;
@@ -89,7 +92,7 @@ Result<LearntButton> LearntButton::parse(const std::string& text) {
   const std::size_t before =
       last == std::string::npos || last == 0 ? std::string::npos : text.rfind(' ', last - 1);
   if (before == std::string::npos || before == 0)
-    return Error{fmt::format("'{}' names no device and its button", text),
+    return Error{fmt::format("'{}' names no device and its button", printable(text)),
                  "",
                  "'alltact devices --learn-button', which says what to write here"};
   const auto pattern = ButtonPattern::parse(text.substr(before + 1));

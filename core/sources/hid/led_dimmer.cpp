@@ -1,5 +1,7 @@
 #include "core/sources/hid/led_dimmer.h"
 
+#include "core/printable.h"
+
 #include <charconv>
 #include <sstream>
 
@@ -15,7 +17,7 @@ constexpr unsigned kChipSteps = 31;
 
 Error not_understood(const std::string& control) {
   return {
-      fmt::format("'{}' describes no dimmer", control),
+      fmt::format("'{}' describes no dimmer", printable(control)),
       "",
       "mcp2221a gp2, mcp2221a gp3, or a report such as 'output id=0 bytes=8 at=1 range=0..255'"};
 }

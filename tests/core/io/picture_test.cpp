@@ -3,6 +3,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/picture_format.h"
 #include "core/io/picture_note.h"
+#include "core/io/png_check_sum.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstring>
@@ -99,6 +100,17 @@ TEST_F(Picture, EveryTruncationIsRefused) {
   }
 }
 
+TEST_F(Picture, AnyFlippedBitOfAPngIsRefusedWithoutAWordFromTheDecoder) {
+  const std::string whole = encoded(".png", noise(CV_8UC1, 256, 24, 20));
+  testing::internal::CaptureStderr();
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+    EXPECT_NE(refusal(damaged), "accepted") << at;
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(Picture, DamageNeverCrashes) {
   std::mt19937 random(9);
   const cv::Mat grey = noise(CV_8UC1, 256, 24, 20);
@@ -144,6 +156,8 @@ TEST_F(Picture, OtherKindsOfPixelsAreRefused) {
 TEST_F(Picture, SizesAreCheckedBeforeAnythingIsAllocated) {
   std::string png = encoded(".png", noise(CV_8UC1, 256));
   png[16] = png[20] = 0x7F;  // first bytes of width and height
+  const std::uint32_t sum = png_check_sum(std::string_view(png).substr(12, 17));
+  for (unsigned i = 0; i < 4; ++i) png[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
   EXPECT_THAT(refusal(png), HasSubstr("a side must have"));
   EXPECT_NE(refusal("P5 100000 100000 255\nxxxxxxxxxxxxxxxxxxxxxxxxxx"), "accepted");
   EXPECT_NE(refusal("P5 0 10 255\n"), "accepted");

@@ -264,7 +264,7 @@ TEST(Recorder, PutsBackARecordingThatWasRemovedMeanwhile) {
   EXPECT_LT(record_until_it_ends(*recorder, {64, 48}).count(), 1);
   EXPECT_THAT(recorder->problem()->sentence(), HasSubstr("was removed while it was being made"));
   EXPECT_EQ(exact_frames(file, false), 20U);
-  EXPECT_EQ(read_journal(journal_of(file)).size(), 20U);
+  EXPECT_EQ(read_journal(journal_of(file)).value().size(), 20U);
 }
 
 /// A recording of many megabytes whose folder is removed; ready to be finished.
@@ -417,7 +417,7 @@ TEST(Recorder, KilledAtAnyMomentItLosesNoSecond) {
     const auto again = mend_recording(file, Job());
     ASSERT_TRUE(again.ok()) << again.error().sentence();
     EXPECT_FALSE(*again);
-    EXPECT_GE(read_journal(journal_of(file)).size() + 1, frames);
+    EXPECT_GE(read_journal(journal_of(file)).value().size() + 1, frames);
   }
   fmt::print("{} kills: {} frames kept, at most {} lost at once\n", kills, total, worst);
   EXPECT_GT(total, static_cast<std::uint32_t>(10 * kills));

@@ -284,7 +284,7 @@ TEST(Journal, GivesBackWhatItWasTold) {
       ASSERT_TRUE(journal->remark("frames were\nlost").ok());
     }
   }
-  auto entries = read_journal(file);
+  auto entries = read_journal(file).value();
   ASSERT_EQ(entries.size(), 4U);
   for (std::uint32_t i = 0; i < 4; ++i) {
     EXPECT_EQ(entries[i].time_ns, camera_frame(2 * i, false)->time_ns);
@@ -298,13 +298,33 @@ TEST(Journal, GivesBackWhatItWasTold) {
   const auto size = fs::file_size(file);
   for (auto bytes = size; bytes-- > 0;) {
     fs::resize_file(file, bytes);
-    const auto fewer = read_journal(file);
+    const auto fewer = read_journal(file).value();
     ASSERT_LE(fewer.size(), entries.size());
     for (std::size_t i = 0; i < fewer.size(); ++i) EXPECT_EQ(fewer[i].time_ns, entries[i].time_ns);
     entries = fewer;
   }
   EXPECT_TRUE(entries.empty());
-  EXPECT_TRUE(read_journal(folder / "none").empty());
+  EXPECT_TRUE(read_journal(folder / "none").value().empty());
+}
+
+TEST(Journal, OneWhoseTimeRunsBackwardsIsRefusedByItsFrame) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "v.mkv";
+  ASSERT_TRUE(write_video(file, VideoCodec::kMagicYuv, 3).ok());
+  const auto opened = [&](const std::vector<std::int64_t>& times_ns) {
+    auto journal = JournalWriter::create(journal_of(file), "test");
+    for (const std::int64_t time_ns : times_ns) {
+      Frame frame = *camera_frame(0, false);
+      frame.time_ns = time_ns;
+      EXPECT_TRUE(journal->add(frame).ok());
+    }
+    const auto video = VideoFile::open(file);
+    return video.ok() ? std::string("opened") : video.error().sentence();
+  };
+  EXPECT_EQ(opened({100, 100, 200}), "opened");
+  const std::string refusal = opened({100, 300, 299});
+  EXPECT_NE(refusal.find("v.frames.csv: frame 2 is older than frame 1"), std::string::npos)
+      << refusal;
 }
 
 TEST(Journal, TimesAndSequenceOfAVideoComeFromIt) {

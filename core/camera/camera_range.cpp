@@ -1,0 +1,36 @@
+#include "core/camera/camera_range.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace alltact {
+
+Status check_camera_range(const CameraParameters& p) {
+  if (const auto camera = Camera::create(p); !camera) return camera.error();
+  const int side = std::max(p.width_px, p.height_px);
+  if (p.model == CameraModel::kOrthographic) {
+    constexpr double kLeastMm = 0.1, kMostMm = 10000;
+    if (p.mm_per_px * side >= kLeastMm && p.mm_per_px * side <= kMostMm) return {};
+    return Error{fmt::format("must be a number from {:g} to {:g}", kLeastMm / side, kMostMm / side),
+                 "camera.mm_per_px",
+                 "millimetres on the object per pixel"};
+  }
+  constexpr double kWidest = 0.05, kNarrowest = 10, kSquare = 2;
+  for (const auto& [value, other, key] :
+       {std::tuple{p.fx_px, p.fy_px, "camera.fx"}, {p.fy_px, p.fx_px, "camera.fy"}}) {
+    double least = kWidest * side, most = kNarrowest * side;
+    // Where the other one is impossible itself, that is what must be said.
+    if (other >= least && other <= most) {
+      least = std::max(least, other / kSquare);
+      most = std::min(most, other * kSquare);
+    }
+    if (!(value >= least && value <= most))
+      return Error{fmt::format("must be a number from {:g} to {:g}", least, most),
+                   key,
+                   "the focal length in pixels, as 'alltact lens' finds it"};
+  }
+  return {};
+}
+
+}  // namespace alltact
