@@ -71,6 +71,7 @@ class RegionSums {
     ContactRegion region = region_;
     region.place_mm /= region.volume_mm3;
     region.place_px /= region.volume_mm3;
+    region.place_on_face_mm = shape_.place_mm(region.place_px.x(), region.place_px.y());
     find_angle(options, region);
     return region;
   }

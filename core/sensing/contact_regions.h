@@ -13,6 +13,8 @@ namespace alltact {
 struct ContactRegion {
   Eigen::Vector3d place_mm;  ///< depth-weighted centre on the pressed face, camera frame
   Eigen::Vector2d place_px;  ///< the same in the picture
+  Eigen::Vector2d place_on_face_mm = {
+      0, 0};  ///< the same along the face and across it (FaceShape::place_mm)
   Eigen::Vector3d deepest_point_mm;
   double deepest_mm = 0;  ///< greatest depth
   double area_mm2 = 0;    ///< on the face

@@ -60,7 +60,8 @@ cv::Mat depth_sd_mm(const DepthMap& depth,
   cv::Mat sd(mm.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
   for (int v = 0; v < mm.rows; ++v) {
     const float* row = mm.ptr<float>(v);
-    const std::int16_t* grey = reader.row(v);
+    const FaceRun whole{v, 0, mm.cols, 0};
+    const std::int16_t* grey = reader.row(v, {&whole, 1});
     for (int u = 0; u < mm.cols; ++u) {
       if (!std::isfinite(row[u]) || grey[u] == kNoGrey || grey[u] <= 0) continue;
       const Eigen::Vector2d place = shape.place_mm(u, v);

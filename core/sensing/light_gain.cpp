@@ -20,6 +20,7 @@ constexpr double kConstantSd = 0.5;  // what changes are to be expected
 constexpr double kShapeSd = 0.05;
 constexpr double kAlike = 2.0;  // times the shortest stretch of ratios
 constexpr int kLeastBlocks = 20;
+constexpr double kBrighter = 0.05;  // than any halo around a contact
 
 using Terms = Eigen::Matrix<double, LightGain::kTerms, 1>;
 
@@ -56,7 +57,7 @@ std::vector<Block> blocks_of(const cv::Mat& grey,
   for (int v = bounds.y + step / 2; v < bounds.br().y; v += step) {
     const auto runs = face.of_row(v);
     if (runs.empty()) continue;
-    const std::int16_t* untouched = reader.row(v);
+    const std::int16_t* untouched = reader.row(v, runs);
     const auto* live = grey.ptr<std::uint8_t>(v);
     for (const FaceRun& run : runs)
       for (int first = run.first; first + step <= run.end; first += step) {
@@ -129,15 +130,28 @@ double refit(const std::vector<Block>& blocks, double widening, double believed,
   return weights / static_cast<double>(blocks.size());
 }
 
+double brighter_part(const std::vector<Block>& blocks, const Terms& terms) {
+  double brighter = 0;
+  for (const Block& block : blocks) {
+    const double above = block.ratio * (1.0 + block.basis.dot(terms)) - 1.0;
+    if (above > kBrighter + 5.0 * block.sd) ++brighter;
+  }
+  return brighter / static_cast<double>(blocks.size());
+}
+
 }  // namespace
 
-LightGain::LightGain(const cv::Rect& face, const std::array<double, kTerms>& terms, double believed)
+LightGain::LightGain(const cv::Rect& face,
+                     const std::array<double, kTerms>& terms,
+                     double believed,
+                     double brighter)
     : terms_(terms),
       middle_u_(face.x + 0.5 * face.width),
       middle_v_(face.y + 0.5 * face.height),
       half_u_(0.5 * face.width),
       half_v_(0.5 * face.height),
-      believed_(believed) {}
+      believed_(believed),
+      brighter_(brighter) {}
 
 std::array<float, 3> LightGain::of_row(int v) const {
   const double t = (v - middle_v_) / half_v_, m = middle_u_ / half_u_;
@@ -176,7 +190,7 @@ LightGain light_gain(const cv::Mat& grey,
   if (!terms.allFinite()) return {};
   std::array<double, LightGain::kTerms> values;
   std::copy(terms.begin(), terms.end(), values.begin());
-  return {bounds, values, believed};
+  return {bounds, values, believed, brighter_part(blocks, terms)};
 }
 
 }  // namespace alltact

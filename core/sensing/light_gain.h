@@ -19,7 +19,10 @@ class LightGain {
   static constexpr int kTerms = 6;
 
   LightGain() = default;  ///< no change
-  LightGain(const cv::Rect& face, const std::array<double, kTerms>& terms, double believed);
+  LightGain(const cv::Rect& face,
+            const std::array<double, kTerms>& terms,
+            double believed,
+            double brighter = 0.0);
 
   /// Of row v, in ascending powers of the pixel's column.
   [[nodiscard]] std::array<float, 3> of_row(int v) const;
@@ -30,11 +33,14 @@ class LightGain {
   [[nodiscard]] double change() const { return 1.0 / (1.0 + terms_[0]) - 1.0; }
   /// Part of the face that looks untouched, 0 to 1; the change was read from there.
   [[nodiscard]] double believed() const { return believed_; }
+  /// Part of the face that is clearly brighter (5 %, and 5 sd) than its reference once the light is
+  /// corrected: nearly none on the finger that was recorded, since what presses darkens.
+  [[nodiscard]] double brighter() const { return brighter_; }
 
  private:
   std::array<double, kTerms> terms_{};
   double middle_u_ = 0, middle_v_ = 0, half_u_ = 1, half_v_ = 1;
-  double believed_ = 0;
+  double believed_ = 0, brighter_ = 0;
 };
 
 /// Fits q robustly to the ratio of both pictures, in blocks of some pixels. Skin that is pressed or

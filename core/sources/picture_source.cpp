@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 /// Depth maps and the like, which lie beside pictures and are none: NAME.depth.tiff, NAME.3d.png.
 bool is_measurement(const fs::path& file) {
-  static constexpr std::array kEndings{".depth", ".depth_sd", ".points", ".z", ".3d"};
+  static constexpr std::array kEndings{".depth", ".depth_sd", ".flags", ".points", ".z", ".3d"};
   return is_one_of(ending_of(file.stem()), kEndings);
 }
 
