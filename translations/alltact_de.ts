@@ -3283,6 +3283,10 @@
         <translation>%1 % der Fläche sind heller als ihre Referenz: Das ist ein anderer Finger, oder seine Haut hat sich verändert; den richtigen Finger wählen oder die Referenz neu aufnehmen</translation>
     </message>
     <message>
+        <source>few recorded frames are near this pose: its reference is %1 times less sure than usual; record the finger bending slowly through it</source>
+        <translation>bei dieser Haltung liegen wenige aufgenommene Bilder: Ihre Referenz ist %1-mal unsicherer als sonst; den Finger langsam durch sie hindurch gebogen aufnehmen</translation>
+    </message>
+    <message>
         <source>the finger is not calibrated: calibrate it with ball presses</source>
         <translation>der Finger ist nicht kalibriert: mit Kugeleindrücken kalibrieren</translation>
     </message>

@@ -3283,6 +3283,10 @@
         <translation>接触面的 %1 % 比其参考更亮:这是另一根手指,或其表皮已改变;请选择对应的手指,或重新录制参考</translation>
     </message>
     <message>
+        <source>few recorded frames are near this pose: its reference is %1 times less sure than usual; record the finger bending slowly through it</source>
+        <translation>此姿态附近录制的帧很少:其参考的不确定度是通常的 %1 倍;请录制手指缓慢弯过此姿态的情形</translation>
+    </message>
+    <message>
         <source>the finger is not calibrated: calibrate it with ball presses</source>
         <translation>手指尚未标定:请用球按压标定</translation>
     </message>

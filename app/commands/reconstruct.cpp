@@ -61,6 +61,16 @@ Status write_files(const FrameResult& result,
                       depth_sd_mm(*result.depth, *result.reference, *result.shape, *mapping));
     if (!status) return status;
   }
+  if (options.sd_causes) {
+    const auto mapping = Mapping::create(*finger.mapping);
+    if (!mapping) return mapping.error();
+    for (const auto& [cause, sd_mm] :
+         depth_sd_by_cause(*result.depth, *result.reference, *result.shape, *mapping)) {
+      const Status status =
+          write_picture(options.folder / (name + ".sd_" + cause + ".tiff"), sd_mm);
+      if (!status) return status;
+    }
+  }
   if (options.flags) {
     const Status status =
         write_picture(options.folder / (name + ".flags.png"), result.depth->flags);
@@ -292,7 +302,10 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
           "--format",
           *formats,
           "Files per frame, with commas: depth (float TIFF, mm), depth_sd (how sure each pixel is, "
-          "one standard deviation in mm), flags (8-bit PNG: 0 measured, 1 off the face, 2 too "
+          "one standard deviation in mm), sd_causes (the same by cause: NAME.sd_noise.tiff, "
+          "sd_mapping, "
+          "sd_reference, sd_light, sd_lateral), flags (8-bit PNG: 0 measured, 1 off the face, 2 "
+          "too "
           "dark, 3 "
           "saturated, 4 darker than calibrated, 5 beyond the layer, 6 not in the recording), "
           "points "
@@ -303,7 +316,8 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->check(CLI::IsMember({"depth", "depth_sd", "flags", "points", "ply", "vtp", "stl", "glb"}))
+      ->check(CLI::IsMember(
+          {"depth", "depth_sd", "sd_causes", "flags", "points", "ply", "vtp", "stl", "glb"}))
       ->excludes(live);
   command
       ->add_flag("--picture",
@@ -342,6 +356,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     };
     options->depth = wants("depth");
     options->depth_sd = wants("depth_sd");
+    options->sd_causes = wants("sd_causes");
     options->flags = wants("flags");
     options->points = wants("points");
     for (const char* kind : {"ply", "vtp", "stl", "glb"})

@@ -1,5 +1,6 @@
 #include "core/sensing/light_gain.h"
 
+#include "core/numerics/median.h"
 #include "core/sensing/grey_steps.h"
 
 #include <algorithm>
@@ -103,8 +104,12 @@ double ramp(double value, double from, double to) {
 }
 
 /// One step of the re-weighted least squares; gives the part of the blocks that is believed.
-double refit(const std::vector<Block>& blocks, double widening, double believed, Terms* terms) {
-  Eigen::Matrix<double, LightGain::kTerms, LightGain::kTerms> normal;
+double refit(const std::vector<Block>& blocks,
+             double widening,
+             double believed,
+             Terms* terms,
+             LightGain::Covariance* covariance) {
+  LightGain::Covariance normal;
   Terms pull = Terms::Zero();
   normal.setZero();
   double weights = 0;
@@ -126,8 +131,23 @@ double refit(const std::vector<Block>& blocks, double widening, double believed,
     const double sd = k < 3 ? tilt_sd : bow_sd;
     normal.diagonal()[k] += 1.0 / (sd * sd);
   }
-  *terms = normal.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
+  const auto solver = normal.selfadjointView<Eigen::Lower>().ldlt();
+  *terms = solver.solve(pull);
+  *covariance = solver.solve(LightGain::Covariance::Identity());
   return weights / static_cast<double>(blocks.size());
+}
+
+/// From the skin that is brighter than its reference, where no contact is: half of a normal
+/// distribution's magnitudes lie below 0.6745 sd.
+double noise_ratio(const std::vector<Block>& blocks, const Terms& terms) {
+  std::vector<double> above;
+  for (const Block& block : blocks) {
+    const double z = (block.ratio * (1.0 + block.basis.dot(terms)) - 1.0) / block.sd;
+    if (z > 0.0) above.push_back(z);
+  }
+  return static_cast<int>(above.size()) < kLeastBlocks
+             ? 1.0
+             : std::max(1.0, upper_median(above) / 0.6745);
 }
 
 double brighter_part(const std::vector<Block>& blocks, const Terms& terms) {
@@ -144,14 +164,18 @@ double brighter_part(const std::vector<Block>& blocks, const Terms& terms) {
 LightGain::LightGain(const cv::Rect& face,
                      const std::array<double, kTerms>& terms,
                      double believed,
-                     double brighter)
+                     double brighter,
+                     double noise_ratio,
+                     const Covariance& covariance)
     : terms_(terms),
       middle_u_(face.x + 0.5 * face.width),
       middle_v_(face.y + 0.5 * face.height),
       half_u_(0.5 * face.width),
       half_v_(0.5 * face.height),
       believed_(believed),
-      brighter_(brighter) {}
+      brighter_(brighter),
+      noise_ratio_(noise_ratio),
+      covariance_(covariance) {}
 
 std::array<float, 3> LightGain::of_row(int v) const {
   const double t = (v - middle_v_) / half_v_, m = middle_u_ / half_u_;
@@ -166,6 +190,11 @@ std::array<float, 3> LightGain::of_row(int v) const {
 double LightGain::at(double u, double v) const {
   const double s = (u - middle_u_) / half_u_, t = (v - middle_v_) / half_v_;
   return 1.0 + basis_at(s, t).dot(Eigen::Map<const Terms>(terms_.data()));
+}
+
+double LightGain::sd_at(double u, double v) const {
+  const Terms basis = basis_at((u - middle_u_) / half_u_, (v - middle_v_) / half_v_);
+  return std::sqrt(std::max(0.0, basis.dot(covariance_ * basis)));
 }
 
 LightGain light_gain(const cv::Mat& grey,
@@ -183,14 +212,21 @@ LightGain light_gain(const cv::Mat& grey,
   Terms terms = Terms::Zero();
   terms[0] = 1.0 / ratio - 1.0;
   double believed = 0.5;
+  LightGain::Covariance covariance;
   // From wide to narrow: a change that tilts over the face must not look like a contact.
   for (double widening = spread; widening > 0.5 * kFloor; widening *= 0.5)
-    believed = refit(blocks, widening, believed, &terms);
-  for (int last = 0; last < 2; ++last) believed = refit(blocks, 0.0, believed, &terms);
-  if (!terms.allFinite()) return {};
+    believed = refit(blocks, widening, believed, &terms, &covariance);
+  for (int last = 0; last < 2; ++last) believed = refit(blocks, 0.0, believed, &terms, &covariance);
+  if (!terms.allFinite() || !covariance.allFinite()) return {};
   std::array<double, LightGain::kTerms> values;
   std::copy(terms.begin(), terms.end(), values.begin());
-  return {bounds, values, believed, brighter_part(blocks, terms)};
+  const double ratio_of_noise = noise_ratio(blocks, terms);
+  return {bounds,
+          values,
+          believed,
+          brighter_part(blocks, terms),
+          ratio_of_noise,
+          ratio_of_noise * ratio_of_noise * covariance};
 }
 
 }  // namespace alltact

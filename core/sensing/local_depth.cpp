@@ -405,9 +405,10 @@ Difference difference(const cv::Mat& grey,
   result.x = pooled_picture(grey.size(), CV_32FC1);
   result.flags = pooled_picture(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size());
-  result.grey_sd = smoothed_sd(options) * std::hypot(1.0, reference.noise_gain);
   result.smoothing_px = options.smoothing_px;
   result.light = light_now(grey, reference, result.face, options);
+  result.grey_sd =
+      smoothed_sd(options) * result.light.noise_ratio() * std::hypot(1.0, reference.noise_gain);
   compare(
       grey,
       reference,
@@ -432,6 +433,7 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
   Mapper mapper(mapping, shape, difference.face, map);
   for (int row = 0; row < difference.x.rows; ++row) mapper(row, difference.x.ptr<float>(row));
   mapper.finish();
+  map.smoothing_px = difference.smoothing_px;
   return map;
 }
 
@@ -461,7 +463,8 @@ DepthMap depth_map(const cv::Mat& grey,
       [&](int) { return x.data(); },
       [&](int row) { mapper(row, x.data()); });
   mapper.finish();
-  map.live_sd = smoothed_sd(options);
+  map.smoothing_px = options.smoothing_px;
+  map.live_sd = smoothed_sd(options) * map.light.noise_ratio();
   map.noise_mm = mapping.slope_mm(0.0) * map.live_sd * std::hypot(1.0, reference.noise_gain) /
                  mean_brightness(grey, face);
   return map;

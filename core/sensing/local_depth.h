@@ -42,8 +42,9 @@ struct DepthMap {
   cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell (depth_cells.h)
   /// Standard deviation of a pixel's depth where little presses, at the face's mean brightness.
   double noise_mm = 0;
-  double live_sd = 0;  ///< noise of the picture alone after smoothing, grey levels
-  LightGain light;     ///< how the light has changed, if that was asked for
+  double live_sd = 0;       ///< noise of the picture alone after smoothing, grey levels
+  LightGain light;          ///< how the light has changed, if that was asked for
+  double smoothing_px = 0;  ///< sd of the Gaussian that the brightness went through
 };
 
 struct DifferenceOptions {

@@ -1,5 +1,6 @@
 #include "core/sensing/pipeline.h"
 
+#include "core/sensing/depth_sd.h"
 #include "core/sensing/frame_faults.h"
 
 #include <chrono>
@@ -122,6 +123,12 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
                     "record the finger bending further in this direction",
                     result.reference->distance_px));
   }
+  constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
+  if (result.reference->known_pose && result.reference->error_factor > kFarBeyond)
+    result.problems.push_back(
+        fmt::format("few recorded frames are near this pose: its reference is {:.0f} times less "
+                    "sure than usual; record the finger bending slowly through it",
+                    result.reference->error_factor));
   watch.lap(result.times_ms.reference);
 }
 
@@ -146,6 +153,8 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   options.threshold_mm = settings.contact_threshold_mm;
   options.smoothing_px = settings.smoothing_px;
   options.noise_mm = result.depth->noise_mm;
+  DepthError error(*result.depth, *result.reference, *result.shape, *mapping);
+  options.untouched = [&](int u, int v) { return error.untouched(u, v); };
   result.regions = contact_regions(*result.depth, *result.shape, finger.face, options);
   watch.lap(result.times_ms.contact);
 }

@@ -7,6 +7,7 @@
 #include "core/sensing/face_picture.h"
 #include "core/sensing/layout_search.h"
 #include "core/sensing/local_layout.h"
+#include "core/sensing/reference_error.h"
 #include "core/sensing/reference_weights.h"
 
 #include <limits>
@@ -35,6 +36,10 @@ Error wrong(std::string what, const std::filesystem::path& file) {
 }  // namespace
 
 struct ReferenceLibrary::Content {
+  /// The recorded frames nearest to a place in the modes, and their weights there.
+  [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
+                                      const std::vector<char>& without) const;
+
   cv::Size size;
   std::vector<int> frames;  // numbers in the video
   FaceGrid grid;
@@ -45,9 +50,34 @@ struct ReferenceLibrary::Content {
   std::optional<LayoutSearch> search;
   Eigen::MatrixXd modes;  // of the frames, px, a row each
   Eigen::VectorXd mode_sd;
+  ReferenceError error;
   double known_px = std::numeric_limits<double>::infinity();
   ReferencePicture single;  // empty for a recording
 };
+
+Neighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& place,
+                                                 const std::vector<char>& without) const {
+  const auto rows = nearest_rows(modes, place, kNeighbours, without);
+  Eigen::MatrixXd points(static_cast<Eigen::Index>(rows.size()), place.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = modes.row(rows[i]);
+  const double ridge_px = kMismatchPx * std::sqrt(static_cast<double>(model->marker_count()));
+  const Eigen::VectorXd w = local_linear_weights(points, place, ridge_px, kMostWeight);
+  Neighbours found;
+  found.reach_px2 = reach_px2(points, place, w);
+  double kept = 0;
+  for (Eigen::Index i = 0; i < w.size(); ++i)
+    if (std::abs(w[i]) >= kLeastWeight) kept += w[i];
+  std::vector<double> weights;
+  for (Eigen::Index i = 0; i < w.size(); ++i) {
+    if (std::abs(w[i]) < kLeastWeight) continue;
+    found.rows.push_back(rows[static_cast<std::size_t>(i)]);
+    weights.push_back(w[i] / kept);
+  }
+  found.weights =
+      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
+  return found;
+}
 
 namespace {
 
@@ -312,6 +342,12 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
                                 .cwiseProduct(content->mode_sd)
                                 .transpose();
   content->search.emplace(layouts);
+  take_out_drift(content->grid, content->modes, content->faces);
+  content->error = reference_error(content->grid, content->faces, [&](int i) {
+    std::vector<char> without(content->faces.size(), 0);
+    without[static_cast<std::size_t>(i)] = 1;
+    return content->neighbours(content->modes.row(i).transpose(), without);
+  });
   content->known_px = std::max(kKnownFloorPx, kKnownSteps * content->search->median_step_px());
   ReferenceLibrary library;
   library.content_ = std::move(content);
@@ -368,6 +404,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
     reference.frame = 0;
     return reference;
   }
+  reference.relative_sd = content.error.relative_sd;
   const Nearest found = nearest(markers, without);
   reference.frame = content.frames[static_cast<std::size_t>(found.index)];
   reference.distance_px = found.distance_px;
@@ -376,22 +413,14 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   std::vector<float> weights{1.0F};
   if (method == ReferenceMethod::kLocal) {
     const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
-    const auto rows = nearest_rows(content.modes, place, kNeighbours, without);
-    Eigen::MatrixXd points(static_cast<Eigen::Index>(rows.size()), place.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      points.row(static_cast<Eigen::Index>(i)) = content.modes.row(rows[i]);
-    const double ridge_px = kMismatchPx * std::sqrt(static_cast<double>(markers.size()));
-    const Eigen::VectorXd w = local_linear_weights(points, place, ridge_px, kMostWeight);
-    double kept = 0;
-    for (Eigen::Index i = 0; i < w.size(); ++i)
-      if (std::abs(w[i]) >= kLeastWeight) kept += w[i];
+    const Neighbours found_near = content.neighbours(place, without);
     faces.clear();
     weights.clear();
-    for (Eigen::Index i = 0; i < w.size(); ++i) {
-      if (std::abs(w[i]) < kLeastWeight) continue;
-      faces.push_back(&content.faces[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])]);
-      weights.push_back(static_cast<float>(w[i] / kept));
+    for (std::size_t i = 0; i < found_near.rows.size(); ++i) {
+      faces.push_back(&content.faces[static_cast<std::size_t>(found_near.rows[i])]);
+      weights.push_back(static_cast<float>(found_near.weights[static_cast<Eigen::Index>(i)]));
     }
+    reference.error_factor = content.error.factor(found_near.reach_px2);
   }
   double square = 0;
   for (const float w : weights) square += static_cast<double>(w) * w;

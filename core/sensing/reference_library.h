@@ -33,6 +33,10 @@ struct Reference {
   double distance_px = 0;    ///< mean distance of the seen markers to that frame's
   bool known_pose = true;    ///< false: further away than the recording's own frames are apart
   double noise_gain = 1;     ///< standard deviation of the reference's noise / that of one frame
+  /// What the recording says that references are off by (reference_error.h), over cells of its
+  /// grid; empty for a single picture.
+  cv::Mat relative_sd;
+  double error_factor = 1;  ///< by what relative_sd is to be multiplied in this pose
 };
 
 /// Marker table of a recording (reference.csv). First a line of column names, then one line a

@@ -35,6 +35,7 @@ class ReferencePicture {
 
   /// Where each of a row's pixels lies in the grid of the recording, for pixels of `columns()`.
   [[nodiscard]] const ChartWarp& warp() const { return warp_; }
+  [[nodiscard]] cv::Point origin() const { return origin_; }  ///< of the grid
   [[nodiscard]] bool is_single() const { return !single_.empty(); }
 
   /// Gives rows in any order.

@@ -139,6 +139,9 @@ constexpr const char* kAll[] = {
         "Library",
         "%1 % of the face is brighter than its reference: this is another finger, or its skin has "
         "changed; choose the finger that it is, or record the reference again"),
+    QT_TRANSLATE_NOOP("Library",
+                      "few recorded frames are near this pose: its reference is %1 times less sure "
+                      "than usual; record the finger bending slowly through it"),
     QT_TRANSLATE_NOOP("Library", "the finger is not calibrated: calibrate it with ball presses"),
     QT_TRANSLATE_NOOP("Library",
                       "how the face's edges are placed: half-way crossing to a fiftieth of a "
