@@ -19,7 +19,8 @@ constexpr double kBrightest = 250;   // levels from here on are clipped
 constexpr double kLeastLevel = 8;    // darker than this nothing can be divided by
 constexpr double kConstantSd = 0.5;  // what changes are to be expected
 constexpr double kShapeSd = 0.05;
-constexpr double kAlike = 2.0;  // times the shortest stretch of ratios
+constexpr double kAlike = 2.0;   // times the shortest stretch of ratios
+constexpr double kPatches = 30;  // of the face, over each of which references are off alike
 constexpr int kLeastBlocks = 20;
 constexpr double kBrighter = 0.05;  // than any halo around a contact
 
@@ -27,7 +28,8 @@ using Terms = Eigen::Matrix<double, LightGain::kTerms, 1>;
 
 struct Block {
   Terms basis;
-  double ratio, sd;  // live over reference, and its noise
+  double ratio, noise;  // live over reference, and its white noise
+  double sd;            // with what references are off by apart from it
 };
 
 cv::Rect bounds_of(const FaceRuns& face) {
@@ -76,7 +78,7 @@ std::vector<Block> blocks_of(const cv::Mat& grey,
         const double sd = noise_sd * std::sqrt(count * (1.0 + noise_gain * noise_gain)) / level;
         const double s = (first + 0.5 * (step - 1) - bounds.x) / half_u - 1.0;
         blocks.push_back(
-            {basis_at(s, (v - bounds.y) / half_v - 1.0), sum / level, std::hypot(sd, kFloor)});
+            {basis_at(s, (v - bounds.y) / half_v - 1.0), sum / level, sd, std::hypot(sd, kFloor)});
       }
   }
   return blocks;
@@ -138,16 +140,28 @@ double refit(const std::vector<Block>& blocks,
 }
 
 /// From the skin that is brighter than its reference, where no contact is: half of a normal
-/// distribution's magnitudes lie below 0.6745 sd.
+/// distribution's magnitudes lie below 0.6745 sd. What references are off by is taken off.
 double noise_ratio(const std::vector<Block>& blocks, const Terms& terms) {
-  std::vector<double> above;
+  std::vector<double> above, floors;
   for (const Block& block : blocks) {
-    const double z = (block.ratio * (1.0 + block.basis.dot(terms)) - 1.0) / block.sd;
-    if (z > 0.0) above.push_back(z);
+    const double z = (block.ratio * (1.0 + block.basis.dot(terms)) - 1.0) / block.noise;
+    if (!(z > 0.0)) continue;
+    above.push_back(z);
+    floors.push_back(kFloor / block.noise);
   }
-  return static_cast<int>(above.size()) < kLeastBlocks
-             ? 1.0
-             : std::max(1.0, upper_median(above) / 0.6745);
+  if (static_cast<int>(above.size()) < kLeastBlocks) return 1.0;
+  const double all = upper_median(above) / 0.6745, floor = upper_median(floors);
+  return std::sqrt(std::max(1.0, all * all - floor * floor));
+}
+
+/// By what the covariance of a fit to independent blocks falls short: what references are off by is
+/// alike over patches of the face.
+double shared_part(const std::vector<Block>& blocks, double noise_ratio) {
+  std::vector<double> noises;
+  for (const Block& block : blocks) noises.push_back(block.noise);
+  const double noise = noise_ratio * upper_median(noises);
+  const double shared = std::max(1.0, static_cast<double>(blocks.size()) / kPatches);
+  return (noise * noise + shared * kFloor * kFloor) / (noise * noise + kFloor * kFloor);
 }
 
 double brighter_part(const std::vector<Block>& blocks, const Terms& terms) {
@@ -226,7 +240,7 @@ LightGain light_gain(const cv::Mat& grey,
           believed,
           brighter_part(blocks, terms),
           ratio_of_noise,
-          ratio_of_noise * ratio_of_noise * covariance};
+          ratio_of_noise * ratio_of_noise * shared_part(blocks, ratio_of_noise) * covariance};
 }
 
 }  // namespace alltact
