@@ -118,7 +118,8 @@ class Study {
                                                const Looked& looked,
                                                ReferenceMethod method,
                                                const std::vector<char>& without) const {
-    const Reference reference = library_.reference_for(numbered_[index], method, without);
+    const Reference reference =
+        library_.reference_for(numbered_[index], looked.shape, method, without);
     // Beyond the others' poses the reference is a guess, and no frame is to be judged by it.
     if (!reference.known_pose || reference.noise_gain > 1.0) return std::nullopt;
     DifferenceOptions options;

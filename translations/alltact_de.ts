@@ -3267,6 +3267,42 @@
         <translation>diese Haltung wurde nie aufgenommen: Das nächste Referenzbild ist %1 px entfernt; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
     </message>
     <message>
+        <source>the picture is black: its brightest parts reach %1 of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
+        <translation>das Bild ist schwarz: Seine hellsten Stellen erreichen %1 von 255 Graustufen; die Kappe vom Objektiv nehmen, die Lampen einschalten oder länger belichten</translation>
+    </message>
+    <message>
+        <source>the picture is too bright: %1 % of it is saturated; expose shorter, or dim the lamps</source>
+        <translation>das Bild ist zu hell: %1 % davon sind gesättigt; kürzer belichten oder die Lampen dimmen</translation>
+    </message>
+    <message>
+        <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
+        <translation>das Bild gleicht dem vorigen bis auf die letzte Graustufe: Die Kamera steht; sie neu einstecken</translation>
+    </message>
+    <message>
+        <source>%1 % of the face is too bright to be measured; expose shorter, or dim the lamps</source>
+        <translation>%1 % der Fläche sind zu hell, um gemessen zu werden; kürzer belichten oder die Lampen dimmen</translation>
+    </message>
+    <message>
+        <source>%1 % of the face was never recorded in a pose like this; record the finger bending further in this direction</source>
+        <translation>%1 % der Fläche wurden in einer solchen Haltung nie aufgenommen; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
+    </message>
+    <message>
+        <source>the face is %1 % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
+        <translation>die Fläche ist %1 % dunkler als bei der Aufnahme ihrer Referenz; Belichtung, Verstärkung und Lampen wie damals einstellen</translation>
+    </message>
+    <message>
+        <source>the face is %1 % brighter than when its reference was recorded; set exposure, gain and lamps as they were then</source>
+        <translation>die Fläche ist %1 % heller als bei der Aufnahme ihrer Referenz; Belichtung, Verstärkung und Lampen wie damals einstellen</translation>
+    </message>
+    <message>
+        <source>%1 % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the finger that it is, or record the reference again</source>
+        <translation>%1 % der Fläche sind heller als ihre Referenz: Das ist ein anderer Finger, oder seine Haut hat sich verändert; den richtigen Finger wählen oder die Referenz neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>few recorded frames are near this pose: its reference is %1 times less sure than usual; record the finger bending slowly through it</source>
+        <translation>bei dieser Haltung liegen wenige aufgenommene Bilder: Ihre Referenz ist %1-mal unsicherer als sonst; den Finger langsam durch sie hindurch gebogen aufnehmen</translation>
+    </message>
+    <message>
         <source>the finger is not calibrated: calibrate it with ball presses</source>
         <translation>der Finger ist nicht kalibriert: mit Kugeleindrücken kalibrieren</translation>
     </message>

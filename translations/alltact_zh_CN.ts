@@ -3267,6 +3267,42 @@
         <translation>这个姿态没有录制过:最近的参考帧相距 %1 px;请录制手指向此方向弯得更多的情形</translation>
     </message>
     <message>
+        <source>the picture is black: its brightest parts reach %1 of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
+        <translation>画面全黑:最亮处只有 255 级灰度中的 %1;请取下镜头盖、打开灯或延长曝光</translation>
+    </message>
+    <message>
+        <source>the picture is too bright: %1 % of it is saturated; expose shorter, or dim the lamps</source>
+        <translation>画面过亮:%1 % 已饱和;请缩短曝光或调暗灯光</translation>
+    </message>
+    <message>
+        <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
+        <translation>画面与上一帧逐级灰度完全相同:相机已停住;请重新插拔相机</translation>
+    </message>
+    <message>
+        <source>%1 % of the face is too bright to be measured; expose shorter, or dim the lamps</source>
+        <translation>接触面的 %1 % 过亮,无法测量;请缩短曝光或调暗灯光</translation>
+    </message>
+    <message>
+        <source>%1 % of the face was never recorded in a pose like this; record the finger bending further in this direction</source>
+        <translation>接触面的 %1 % 在这样的姿态下没有录制过;请录制手指向此方向弯得更多的情形</translation>
+    </message>
+    <message>
+        <source>the face is %1 % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
+        <translation>接触面比录制参考时暗 %1 %;请把曝光、增益和灯光设回当时的值</translation>
+    </message>
+    <message>
+        <source>the face is %1 % brighter than when its reference was recorded; set exposure, gain and lamps as they were then</source>
+        <translation>接触面比录制参考时亮 %1 %;请把曝光、增益和灯光设回当时的值</translation>
+    </message>
+    <message>
+        <source>%1 % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the finger that it is, or record the reference again</source>
+        <translation>接触面的 %1 % 比其参考更亮:这是另一根手指,或其表皮已改变;请选择对应的手指,或重新录制参考</translation>
+    </message>
+    <message>
+        <source>few recorded frames are near this pose: its reference is %1 times less sure than usual; record the finger bending slowly through it</source>
+        <translation>此姿态附近录制的帧很少:其参考的不确定度是通常的 %1 倍;请录制手指缓慢弯过此姿态的情形</translation>
+    </message>
+    <message>
         <source>the finger is not calibrated: calibrate it with ball presses</source>
         <translation>手指尚未标定:请用球按压标定</translation>
     </message>

@@ -90,7 +90,7 @@ struct ReconstructOptions {
   Path finger;
   std::vector<Path> inputs;
   Path folder;
-  bool depth = true, depth_sd = false, points = true;
+  bool depth = true, depth_sd = false, sd_causes = false, flags = true, points = true;
   std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
   bool picture = false;               ///< of the face in 3D
   Standpoint standpoint = Standpoint::kTilted;

@@ -61,6 +61,21 @@ Status write_files(const FrameResult& result,
                       depth_sd_mm(*result.depth, *result.reference, *result.shape, *mapping));
     if (!status) return status;
   }
+  if (options.sd_causes) {
+    const auto mapping = Mapping::create(*finger.mapping);
+    if (!mapping) return mapping.error();
+    for (const auto& [cause, sd_mm] :
+         depth_sd_by_cause(*result.depth, *result.reference, *result.shape, *mapping)) {
+      const Status status =
+          write_picture(options.folder / (name + ".sd_" + cause + ".tiff"), sd_mm);
+      if (!status) return status;
+    }
+  }
+  if (options.flags) {
+    const Status status =
+        write_picture(options.folder / (name + ".flags.png"), result.depth->flags);
+    if (!status) return status;
+  }
   if (progress.pictures) {
     const Status status =
         write_scene(result, pipeline, options.folder / (name + ".3d.png"), *progress.pictures);
@@ -261,8 +276,8 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
 
 void add_reconstruct(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ReconstructOptions>();
-  auto formats =
-      std::make_shared<std::vector<std::string>>(std::vector<std::string>{"depth", "points"});
+  auto formats = std::make_shared<std::vector<std::string>>(
+      std::vector<std::string>{"depth", "flags", "points"});
   auto method = std::make_shared<std::string>("ours");
   CLI::App* command =
       program.add_subcommand("reconstruct", "Turns pictures into depth and 3D points");
@@ -287,13 +302,22 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
           "--format",
           *formats,
           "Files per frame, with commas: depth (float TIFF, mm), depth_sd (how sure each pixel is, "
-          "one standard deviation in mm), points (float TIFF, x y z in mm), and meshes of the face "
-          "for other programs: ply, vtp, stl, glb (default depth,points)")
+          "one standard deviation in mm), sd_causes (the same by cause: NAME.sd_noise.tiff, "
+          "sd_mapping, "
+          "sd_reference, sd_light, sd_lateral), flags (8-bit PNG: 0 measured, 1 off the face, 2 "
+          "too "
+          "dark, 3 "
+          "saturated, 4 darker than calibrated, 5 beyond the layer, 6 not in the recording), "
+          "points "
+          "(float TIFF, x y z in mm), and meshes of the face for other programs: ply, vtp, stl, "
+          "glb "
+          "(default depth,flags,points)")
       ->type_name("LIST")
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->check(CLI::IsMember({"depth", "depth_sd", "points", "ply", "vtp", "stl", "glb"}))
+      ->check(CLI::IsMember(
+          {"depth", "depth_sd", "sd_causes", "flags", "points", "ply", "vtp", "stl", "glb"}))
       ->excludes(live);
   command
       ->add_flag("--picture",
@@ -332,6 +356,8 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     };
     options->depth = wants("depth");
     options->depth_sd = wants("depth_sd");
+    options->sd_causes = wants("sd_causes");
+    options->flags = wants("flags");
     options->points = wants("points");
     for (const char* kind : {"ply", "vtp", "stl", "glb"})
       if (wants(kind)) options->surfaces.emplace_back(kind);

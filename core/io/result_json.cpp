@@ -1,5 +1,8 @@
 #include "core/io/result_json.h"
 
+#include "core/sensing/frame_faults.h"
+
+#include <array>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -68,6 +71,7 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
   for (const ContactRegion& region : regions) {
     Json entry = Json::object();
     put_vector(entry, "place_mm", region.place_mm, 4);
+    put_vector(entry, "place_on_face_mm", region.place_on_face_mm, 3);
     put(entry, "deepest_mm", region.deepest_mm, 4);
     put(entry, "area_mm2", region.area_mm2, 3);
     put(entry, "volume_mm3", region.volume_mm3, 4);
@@ -76,6 +80,22 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
     array.push_back(std::move(entry));
   }
   return array;
+}
+
+/// Parts of the face by what their depth is worth; those that there are none of are left out.
+Json validity_json(const cv::Mat& flags) {
+  static constexpr std::array<const char*, kPixelFlags> kNames{"measured",
+                                                               "off_face",
+                                                               "too_dark",
+                                                               "saturated",
+                                                               "extrapolated",
+                                                               "beyond_layer",
+                                                               "no_reference"};
+  const FlagShares shares = flag_shares(flags);
+  Json entry = Json::object();
+  for (std::size_t k = 0; k < kNames.size(); ++k)
+    if (shares.of[k] > 0) put(entry, kNames[k], shares.of[k], 5);
+  return entry;
 }
 
 /// Only the steps that ran: a step that did not has no time.
@@ -105,6 +125,8 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   if (result.reference)
     line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);
   if (result.touch) line["contact"] = touch_json(*result.touch);
+  if (result.depth && !result.depth->flags.empty())
+    line["validity"] = validity_json(result.depth->flags);
   if (result.depth) line["regions"] = regions_json(result.regions);
   line["times_ms"] = times_json(result);
   if (!result.problems.empty()) line["problems"] = result.problems;

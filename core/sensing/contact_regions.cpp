@@ -12,6 +12,40 @@ namespace {
 
 constexpr int kCell = kDepthCellPx;  // regions are connected in cells
 constexpr double kLargestAngleSdDeg = 15.0;
+constexpr double kLeastSds = 4.0;  // from untouched, of what counts
+
+/// Pixels that share their noise.
+double correlated_pixels(const RegionOptions& options) {
+  return std::max(1.0, 4.0 * M_PI * options.smoothing_px * options.smoothing_px);
+}
+
+UntouchedSd untouched_at(const RegionOptions& options, const Eigen::Vector2d& pixel) {
+  if (!options.untouched) return {options.noise_mm, 0.0};
+  return options.untouched(static_cast<int>(std::lround(pixel.x())),
+                           static_cast<int>(std::lround(pixel.y())));
+}
+
+double sd_of_mean(const UntouchedSd& sd, double pixels, const RegionOptions& options) {
+  const double independent = std::max(1.0, pixels / correlated_pixels(options));
+  return std::hypot(sd.noise / std::sqrt(independent), sd.systematic);
+}
+
+/// Cells above the threshold that untouched skin would hardly ever reach.
+cv::Mat touched_cells(const DepthMap& depth, double threshold_mm, const RegionOptions& options) {
+  cv::Mat touched = depth.cells_mm > threshold_mm;
+  if (!options.untouched) return touched;
+  const double last_u = depth.depth_mm.cols - 1.0, last_v = depth.depth_mm.rows - 1.0;
+  for (int y = 0; y < touched.rows; ++y)
+    for (int x = 0; x < touched.cols; ++x) {
+      std::uint8_t& is_touched = touched.at<std::uint8_t>(y, x);
+      if (is_touched == 0) continue;
+      const Eigen::Vector2d middle(std::min(last_u, (x + 0.5) * kCell),
+                                   std::min(last_v, (y + 0.5) * kCell));
+      const double sd = sd_of_mean(untouched_at(options, middle), kCell * kCell, options);
+      if (depth.cells_mm.at<float>(y, x) < kLeastSds * sd) is_touched = 0;
+    }
+  return touched;
+}
 
 /// Pressed pixels of one cell, all taken to lie at their depth-weighted middle.
 struct CellSums {
@@ -29,8 +63,12 @@ class RegionSums {
     region_.place_px.setZero();
   }
 
-  void add(const CellSums& cell) {
+  void add(const CellSums& cell, const RegionOptions& options) {
     const Eigen::Vector2d middle(cell.depth_u / cell.depth, cell.depth_v / cell.depth);
+    depth_ += cell.depth;
+    const UntouchedSd sd = untouched_at(options, middle);
+    noise_ += cell.pixels * sd.noise;
+    systematic_ += cell.pixels * sd.systematic;
     const auto local = shape_.at(middle.x(), middle.y());
     if (!local) return;
     const double weighted_depth = cell.depth_square / cell.depth;
@@ -67,10 +105,17 @@ class RegionSums {
   }
 
   [[nodiscard]] bool empty() const { return region_.pixels == 0; }
+  /// Whether untouched skin would hardly ever look like this.
+  [[nodiscard]] bool is_significant(const RegionOptions& options) const {
+    const double pixels = region_.pixels;
+    const double sd = sd_of_mean({noise_ / pixels, systematic_ / pixels}, pixels, options);
+    return depth_ / pixels >= kLeastSds * sd;
+  }
   [[nodiscard]] ContactRegion region(const RegionOptions& options) const {
     ContactRegion region = region_;
     region.place_mm /= region.volume_mm3;
     region.place_px /= region.volume_mm3;
+    region.place_on_face_mm = shape_.place_mm(region.place_px.x(), region.place_px.y());
     find_angle(options, region);
     return region;
   }
@@ -84,8 +129,7 @@ class RegionSums {
     const double xx = covariance(0, 0), xy = covariance(0, 1), yy = covariance(1, 1);
     const double difference = std::hypot(xx - yy, 2.0 * xy);  // l1 - l2
     const double product = std::max(0.0, xx * yy - xy * xy);  // l1 l2
-    const double correlated =
-        std::max(1.0, 4.0 * M_PI * options.smoothing_px * options.smoothing_px);
+    const double correlated = correlated_pixels(options);
     const double independent = std::max(1.0, region.pixels / correlated);
     if (!(difference > 0.0)) return;
     constexpr double kDegPerRad = 180.0 / M_PI;
@@ -120,7 +164,7 @@ class RegionSums {
   ContactRegion region_;                                   // places not yet divided by the volume
   Eigen::Vector2d origin_mm_ = Eigen::Vector2d::Zero(), first_ = Eigen::Vector2d::Zero();
   Eigen::Matrix2d second_ = Eigen::Matrix2d::Zero();
-  double weight_ = 0;
+  double weight_ = 0, depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
 };
 
 /// A cell's pressed pixels, and the deepest of them.
@@ -158,7 +202,8 @@ RegionSums sums_of(const DepthMap& depth,
                    const cv::Point& origin,
                    const FaceShape& shape,
                    const Face& face,
-                   double threshold_mm) {
+                   double threshold_mm,
+                   const RegionOptions& options) {
   RegionSums sums(shape, face, threshold_mm);
   const cv::Rect picture({0, 0}, depth.depth_mm.size());
   for (int y = cells.y; y < cells.y + cells.height; ++y) {
@@ -170,7 +215,7 @@ RegionSums sums_of(const DepthMap& depth,
       const PressedCell pressed =
           pressed_in(depth.depth_mm, cell, static_cast<float>(threshold_mm));
       if (pressed.sums.pixels == 0) continue;
-      sums.add(pressed.sums);
+      sums.add(pressed.sums, options);
       sums.look_at(pressed.deepest_u, pressed.deepest_row, static_cast<double>(pressed.deepest));
     }
   }
@@ -184,7 +229,7 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                            const Face& face,
                                            const RegionOptions& options) {
   const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
-  const cv::Mat everywhere = depth.cells_mm > threshold;
+  const cv::Mat everywhere = touched_cells(depth, threshold, options);
   // Labels are given within the box that holds all that is touched, and a cell around it.
   const cv::Rect tight = cv::boundingRect(everywhere);
   if (tight.empty()) return {};
@@ -208,8 +253,9 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                     statistics.at<int>(label, cv::CC_STAT_WIDTH) + 2,
                                     statistics.at<int>(label, cv::CC_STAT_HEIGHT) + 2) &
                            cv::Rect(0, 0, labels.cols, labels.rows);
-    const RegionSums sums = sums_of(depth, wide, label, cells, box.tl(), shape, face, threshold);
-    if (sums.empty()) continue;
+    const RegionSums sums =
+        sums_of(depth, wide, label, cells, box.tl(), shape, face, threshold, options);
+    if (sums.empty() || !sums.is_significant(options)) continue;
     const ContactRegion region = sums.region(options);
     if (region.area_mm2 >= options.minimum_area_mm2) regions.push_back(region);
   }

@@ -1,8 +1,10 @@
 // What presses where: connected regions of the depth map, in millimetres.
 #pragma once
 
+#include "core/sensing/depth_sd.h"
 #include "core/sensing/local_depth.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -13,6 +15,8 @@ namespace alltact {
 struct ContactRegion {
   Eigen::Vector3d place_mm;  ///< depth-weighted centre on the pressed face, camera frame
   Eigen::Vector2d place_px;  ///< the same in the picture
+  Eigen::Vector2d place_on_face_mm = {
+      0, 0};  ///< the same along the face and across it (FaceShape::place_mm)
   Eigen::Vector3d deepest_point_mm;
   double deepest_mm = 0;  ///< greatest depth
   double area_mm2 = 0;    ///< on the face
@@ -28,10 +32,16 @@ struct RegionOptions {
   double threshold_mm = 0.1;  ///< depth that counts as touched
   double noise_mm = 0.0;      ///< sd of a pixel's depth; the threshold is at least 4 of it
   double minimum_area_mm2 = 0.25;
-  double smoothing_px = 1.0;  ///< correlation length of the depth map, for the angle's sd
+  double smoothing_px = 1.0;  ///< correlation length of the depth map
+  /// How far off untouched skin may be told at a pixel (u, v), as DepthError::untouched; empty: by
+  /// noise_mm everywhere.
+  std::function<UntouchedSd(int, int)> untouched;
 };
 
-/// Regions ordered by volume, largest first.
+/// Regions ordered by volume, largest first. A cell is touched where its mean depth is above the
+/// threshold and at least 4 times what noise and reference can make of untouched skin there:
+/// sd^2 = noise^2 / n + systematic^2, n its independent pixels (one in 4 pi smoothing^2). A
+/// region's mean depth must be that, too, with n its own.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                                          const FaceShape& shape,
                                                          const Face& face,

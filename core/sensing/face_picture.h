@@ -1,6 +1,7 @@
-// The face of one recorded frame, row by row, and nothing else of the picture.
+// The skin that one recorded frame shows, laid over that of all others.
 #pragma once
 
+#include "core/sensing/face_chart.h"
 #include "core/sensing/face_runs.h"
 
 #include <cstdint>
@@ -10,17 +11,28 @@
 
 namespace alltact {
 
-struct FacePicture {
-  FaceRuns face;
-  std::vector<std::uint8_t> grey;  ///< the runs' pixels one after the other
-
-  [[nodiscard]] std::size_t bytes() const {
-    return grey.size() + face.runs.size() * sizeof(FaceRun) +
-           face.row_begin.size() * sizeof(std::uint32_t);
-  }
+/// The picture that all frames of a recording are laid into: the face as the recording's rest frame
+/// shows it, continued a little beyond its ends. Its pixel (0, 0) is the rest frame's `origin`.
+struct FaceGrid {
+  FaceChart chart;  ///< in the rest frame's pixels
+  cv::Point origin;
+  cv::Size size;
+  FaceRuns runs;  ///< of this picture, 2 px wider than the face on both sides
 };
 
-/// Keeps the pixels at least `margin_px` inside the fitted edges of valid columns.
-[[nodiscard]] FacePicture keep_face(const cv::Mat& grey, const FaceShape& shape, double margin_px);
+/// `part`: of the rest frame's face that the grid reaches beyond each end.
+[[nodiscard]] FaceGrid face_grid(const FaceChart& rest, double part);
+
+struct FacePicture {
+  int first = 0, end = 0;          ///< columns of the grid that the frame shows
+  std::vector<std::uint8_t> grey;  ///< the grid's runs one after the other; 0 off those columns
+
+  [[nodiscard]] std::size_t bytes() const { return grey.size(); }
+};
+
+/// Samples a frame (CV_8UC1) at the skin of each of the grid's pixels, bicubic.
+[[nodiscard]] FacePicture keep_face(const cv::Mat& grey,
+                                    const FaceChart& chart,
+                                    const FaceGrid& grid);
 
 }  // namespace alltact

@@ -1,5 +1,6 @@
 #include "core/sensing/light_gain.h"
 
+#include "core/numerics/median.h"
 #include "core/sensing/grey_steps.h"
 
 #include <algorithm>
@@ -18,14 +19,17 @@ constexpr double kBrightest = 250;   // levels from here on are clipped
 constexpr double kLeastLevel = 8;    // darker than this nothing can be divided by
 constexpr double kConstantSd = 0.5;  // what changes are to be expected
 constexpr double kShapeSd = 0.05;
-constexpr double kAlike = 2.0;  // times the shortest stretch of ratios
+constexpr double kAlike = 2.0;   // times the shortest stretch of ratios
+constexpr double kPatches = 30;  // of the face, over each of which references are off alike
 constexpr int kLeastBlocks = 20;
+constexpr double kBrighter = 0.05;  // than any halo around a contact
 
 using Terms = Eigen::Matrix<double, LightGain::kTerms, 1>;
 
 struct Block {
   Terms basis;
-  double ratio, sd;  // live over reference, and its noise
+  double ratio, noise;  // live over reference, and its white noise
+  double sd;            // with what references are off by apart from it
 };
 
 cv::Rect bounds_of(const FaceRuns& face) {
@@ -56,7 +60,7 @@ std::vector<Block> blocks_of(const cv::Mat& grey,
   for (int v = bounds.y + step / 2; v < bounds.br().y; v += step) {
     const auto runs = face.of_row(v);
     if (runs.empty()) continue;
-    const std::int16_t* untouched = reader.row(v);
+    const std::int16_t* untouched = reader.row(v, runs);
     const auto* live = grey.ptr<std::uint8_t>(v);
     for (const FaceRun& run : runs)
       for (int first = run.first; first + step <= run.end; first += step) {
@@ -74,7 +78,7 @@ std::vector<Block> blocks_of(const cv::Mat& grey,
         const double sd = noise_sd * std::sqrt(count * (1.0 + noise_gain * noise_gain)) / level;
         const double s = (first + 0.5 * (step - 1) - bounds.x) / half_u - 1.0;
         blocks.push_back(
-            {basis_at(s, (v - bounds.y) / half_v - 1.0), sum / level, std::hypot(sd, kFloor)});
+            {basis_at(s, (v - bounds.y) / half_v - 1.0), sum / level, sd, std::hypot(sd, kFloor)});
       }
   }
   return blocks;
@@ -102,8 +106,12 @@ double ramp(double value, double from, double to) {
 }
 
 /// One step of the re-weighted least squares; gives the part of the blocks that is believed.
-double refit(const std::vector<Block>& blocks, double widening, double believed, Terms* terms) {
-  Eigen::Matrix<double, LightGain::kTerms, LightGain::kTerms> normal;
+double refit(const std::vector<Block>& blocks,
+             double widening,
+             double believed,
+             Terms* terms,
+             LightGain::Covariance* covariance) {
+  LightGain::Covariance normal;
   Terms pull = Terms::Zero();
   normal.setZero();
   double weights = 0;
@@ -125,19 +133,63 @@ double refit(const std::vector<Block>& blocks, double widening, double believed,
     const double sd = k < 3 ? tilt_sd : bow_sd;
     normal.diagonal()[k] += 1.0 / (sd * sd);
   }
-  *terms = normal.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
+  const auto solver = normal.selfadjointView<Eigen::Lower>().ldlt();
+  *terms = solver.solve(pull);
+  *covariance = solver.solve(LightGain::Covariance::Identity());
   return weights / static_cast<double>(blocks.size());
+}
+
+/// From the skin that is brighter than its reference, where no contact is: half of a normal
+/// distribution's magnitudes lie below 0.6745 sd. What references are off by is taken off.
+double noise_ratio(const std::vector<Block>& blocks, const Terms& terms) {
+  std::vector<double> above, floors;
+  for (const Block& block : blocks) {
+    const double z = (block.ratio * (1.0 + block.basis.dot(terms)) - 1.0) / block.noise;
+    if (!(z > 0.0)) continue;
+    above.push_back(z);
+    floors.push_back(kFloor / block.noise);
+  }
+  if (static_cast<int>(above.size()) < kLeastBlocks) return 1.0;
+  const double all = upper_median(above) / 0.6745, floor = upper_median(floors);
+  return std::sqrt(std::max(1.0, all * all - floor * floor));
+}
+
+/// By what the covariance of a fit to independent blocks falls short: what references are off by is
+/// alike over patches of the face.
+double shared_part(const std::vector<Block>& blocks, double noise_ratio) {
+  std::vector<double> noises;
+  for (const Block& block : blocks) noises.push_back(block.noise);
+  const double noise = noise_ratio * upper_median(noises);
+  const double shared = std::max(1.0, static_cast<double>(blocks.size()) / kPatches);
+  return (noise * noise + shared * kFloor * kFloor) / (noise * noise + kFloor * kFloor);
+}
+
+double brighter_part(const std::vector<Block>& blocks, const Terms& terms) {
+  double brighter = 0;
+  for (const Block& block : blocks) {
+    const double above = block.ratio * (1.0 + block.basis.dot(terms)) - 1.0;
+    if (above > kBrighter + 5.0 * block.sd) ++brighter;
+  }
+  return brighter / static_cast<double>(blocks.size());
 }
 
 }  // namespace
 
-LightGain::LightGain(const cv::Rect& face, const std::array<double, kTerms>& terms, double believed)
+LightGain::LightGain(const cv::Rect& face,
+                     const std::array<double, kTerms>& terms,
+                     double believed,
+                     double brighter,
+                     double noise_ratio,
+                     const Covariance& covariance)
     : terms_(terms),
       middle_u_(face.x + 0.5 * face.width),
       middle_v_(face.y + 0.5 * face.height),
       half_u_(0.5 * face.width),
       half_v_(0.5 * face.height),
-      believed_(believed) {}
+      believed_(believed),
+      brighter_(brighter),
+      noise_ratio_(noise_ratio),
+      covariance_(covariance) {}
 
 std::array<float, 3> LightGain::of_row(int v) const {
   const double t = (v - middle_v_) / half_v_, m = middle_u_ / half_u_;
@@ -152,6 +204,11 @@ std::array<float, 3> LightGain::of_row(int v) const {
 double LightGain::at(double u, double v) const {
   const double s = (u - middle_u_) / half_u_, t = (v - middle_v_) / half_v_;
   return 1.0 + basis_at(s, t).dot(Eigen::Map<const Terms>(terms_.data()));
+}
+
+double LightGain::sd_at(double u, double v) const {
+  const Terms basis = basis_at((u - middle_u_) / half_u_, (v - middle_v_) / half_v_);
+  return std::sqrt(std::max(0.0, basis.dot(covariance_ * basis)));
 }
 
 LightGain light_gain(const cv::Mat& grey,
@@ -169,14 +226,21 @@ LightGain light_gain(const cv::Mat& grey,
   Terms terms = Terms::Zero();
   terms[0] = 1.0 / ratio - 1.0;
   double believed = 0.5;
+  LightGain::Covariance covariance;
   // From wide to narrow: a change that tilts over the face must not look like a contact.
   for (double widening = spread; widening > 0.5 * kFloor; widening *= 0.5)
-    believed = refit(blocks, widening, believed, &terms);
-  for (int last = 0; last < 2; ++last) believed = refit(blocks, 0.0, believed, &terms);
-  if (!terms.allFinite()) return {};
+    believed = refit(blocks, widening, believed, &terms, &covariance);
+  for (int last = 0; last < 2; ++last) believed = refit(blocks, 0.0, believed, &terms, &covariance);
+  if (!terms.allFinite() || !covariance.allFinite()) return {};
   std::array<double, LightGain::kTerms> values;
   std::copy(terms.begin(), terms.end(), values.begin());
-  return {bounds, values, believed};
+  const double ratio_of_noise = noise_ratio(blocks, terms);
+  return {bounds,
+          values,
+          believed,
+          brighter_part(blocks, terms),
+          ratio_of_noise,
+          ratio_of_noise * ratio_of_noise * shared_part(blocks, ratio_of_noise) * covariance};
 }
 
 }  // namespace alltact

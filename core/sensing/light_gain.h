@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include <Eigen/Core>
 #include <opencv2/core.hpp>
 
 namespace alltact {
@@ -18,8 +19,15 @@ class LightGain {
  public:
   static constexpr int kTerms = 6;
 
+  using Covariance = Eigen::Matrix<double, kTerms, kTerms>;
+
   LightGain() = default;  ///< no change
-  LightGain(const cv::Rect& face, const std::array<double, kTerms>& terms, double believed);
+  LightGain(const cv::Rect& face,
+            const std::array<double, kTerms>& terms,
+            double believed,
+            double brighter = 0.0,
+            double noise_ratio = 1.0,
+            const Covariance& covariance = Covariance::Zero());
 
   /// Of row v, in ascending powers of the pixel's column.
   [[nodiscard]] std::array<float, 3> of_row(int v) const;
@@ -30,11 +38,21 @@ class LightGain {
   [[nodiscard]] double change() const { return 1.0 / (1.0 + terms_[0]) - 1.0; }
   /// Part of the face that looks untouched, 0 to 1; the change was read from there.
   [[nodiscard]] double believed() const { return believed_; }
+  /// Part of the face that is clearly brighter (5 %, and 5 sd) than its reference once the light is
+  /// corrected: nearly none on the finger that was recorded, since what presses darkens.
+  [[nodiscard]] double brighter() const { return brighter_; }
+  /// How noisy untouched skin is against its reference, times what the picture's own second
+  /// differences promise; at least 1. Compression hides noise from those but leaves it in the means
+  /// over some pixels, which this is told from.
+  [[nodiscard]] double noise_ratio() const { return noise_ratio_; }
+  /// Standard deviation of q at a pixel, by how well the untouched skin tells it.
+  [[nodiscard]] double sd_at(double u, double v) const;
 
  private:
   std::array<double, kTerms> terms_{};
   double middle_u_ = 0, middle_v_ = 0, half_u_ = 1, half_v_ = 1;
-  double believed_ = 0;
+  double believed_ = 0, brighter_ = 0, noise_ratio_ = 1;
+  Covariance covariance_ = Covariance::Zero();
 };
 
 /// Fits q robustly to the ratio of both pictures, in blocks of some pixels. Skin that is pressed or

@@ -56,7 +56,7 @@ ALLTACT_WIDE void mark_row(std::int16_t darkest,
                            std::int16_t* __restrict live,
                            std::int16_t* __restrict reference,
                            std::uint8_t* __restrict flags) {
-  constexpr std::int16_t measured = kMeasured, off_face = kOffFace, dark = kTooDark,
+  constexpr std::int16_t measured = kMeasured, unknown = kNoReference, dark = kTooDark,
                          clipped = kSaturated;
   for (int u = 0; u < count; ++u) {
     const std::int16_t ref = reference[u];
@@ -64,7 +64,7 @@ ALLTACT_WIDE void mark_row(std::int16_t darkest,
     std::int16_t flag = live[u] >= kCeiling ? clipped : measured;
     flag = ref >= kCeiling ? clipped : flag;
     flag = ref < darkest ? dark : flag;
-    flag = ref == kNoGrey ? off_face : flag;
+    flag = ref == kNoGrey ? unknown : flag;
     flags[u] = static_cast<std::uint8_t>(flag);
     live[u] = flag == measured ? live[u] : std::int16_t{0};
     reference[u] = flag == measured ? ref : std::int16_t{0};
@@ -228,6 +228,35 @@ ALLTACT_WIDE void flag_row(const float* __restrict x,
       });
 }
 
+/// A layer cannot be pressed in further than it is thick.
+ALLTACT_WIDE void bound_row(const float* __restrict most_mm,
+                            int count,
+                            float* __restrict depth_mm,
+                            std::uint8_t* __restrict flags) {
+  constexpr float beyond = kBeyondLayer;
+  in_blocks(
+      count, [=](int first, auto size) __attribute__((always_inline)) {
+        for (int u = first; u < first + size; ++u) {
+          const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+          const float depth = depth_mm[u], most = most_mm[u];
+          flags[u] =
+              static_cast<std::uint8_t>(static_cast<std::int32_t>(depth > most ? beyond : flag));
+          depth_mm[u] = depth > most ? most : depth;
+        }
+      });
+}
+
+/// How far the layer can be pressed in at most, by column, in the direction of the mapping's depth.
+std::vector<float> layer_by_column(const MappingParameters& mapping, const FaceShape& shape) {
+  constexpr float kMostPerNormal = 3.8637033F;  // 1 / cos of 75 degrees
+  const auto layer_mm = static_cast<float>(shape.face().layer_mm);
+  const auto width = static_cast<std::size_t>(shape.width_px());
+  if (mapping.along == MappingAlong::kNormal) return std::vector<float>(width, layer_mm);
+  std::vector<float> most_mm = shape.along_z_per_normal();
+  for (float& most : most_mm) most = layer_mm * std::min(most, kMostPerNormal);
+  return most_mm;
+}
+
 /// What of a row lies outside the face's runs has no measurement.
 template <class Value, class Clear>
 void clear_outside(std::span<const FaceRun> runs, int width, Value* values, Clear clear) {
@@ -252,6 +281,7 @@ class Mapper {
         face_(face),
         map_(map),
         scale_(mapping.parameters(), shape),
+        most_mm_(layer_by_column(mapping.parameters(), shape)),
         cells_(map.depth_mm.size()) {}
 
   /// Rows in turn; completes the row's flags.
@@ -264,6 +294,7 @@ class Mapper {
       mapping_.depths_mm(x + run.first, depth + run.first, run.size());
       flag_row(x + run.first, x_max, run.size(), flags + run.first);
       if (!scale_.is_one()) scale_.scale(row, run.first, run.size(), depth + run.first);
+      bound_row(most_mm_.data() + run.first, run.size(), depth + run.first, flags + run.first);
     }
     clear_outside(runs, map_.depth_mm.cols, depth, fill_nan);
     cells_.add_row(row, runs, depth);
@@ -282,6 +313,7 @@ class Mapper {
   const FaceRuns& face_;
   DepthMap& map_;
   DepthScale scale_;
+  std::vector<float> most_mm_;  // by column
   DepthCells cells_;
 };
 
@@ -310,7 +342,7 @@ void compare(const cv::Mat& grey,
     std::int16_t* live_row = live.fresh_row(row, runs);
     std::int16_t* untouched_row = untouched.fresh_row(row, runs);
     if (runs.empty()) return;
-    const std::int16_t* reference_row = reader.row(row);
+    const std::int16_t* reference_row = reader.row(row, runs);
     for (const FaceRun& run : runs) {
       std::int16_t* live_run = live_row + run.first;
       std::int16_t* untouched_run = untouched_row + run.first;
@@ -373,9 +405,10 @@ Difference difference(const cv::Mat& grey,
   result.x = pooled_picture(grey.size(), CV_32FC1);
   result.flags = pooled_picture(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size());
-  result.grey_sd = smoothed_sd(options) * std::hypot(1.0, reference.noise_gain);
   result.smoothing_px = options.smoothing_px;
   result.light = light_now(grey, reference, result.face, options);
+  result.grey_sd =
+      smoothed_sd(options) * result.light.noise_ratio() * std::hypot(1.0, reference.noise_gain);
   compare(
       grey,
       reference,
@@ -400,6 +433,7 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
   Mapper mapper(mapping, shape, difference.face, map);
   for (int row = 0; row < difference.x.rows; ++row) mapper(row, difference.x.ptr<float>(row));
   mapper.finish();
+  map.smoothing_px = difference.smoothing_px;
   return map;
 }
 
@@ -429,7 +463,8 @@ DepthMap depth_map(const cv::Mat& grey,
       [&](int) { return x.data(); },
       [&](int row) { mapper(row, x.data()); });
   mapper.finish();
-  map.live_sd = smoothed_sd(options);
+  map.smoothing_px = options.smoothing_px;
+  map.live_sd = smoothed_sd(options) * map.light.noise_ratio();
   map.noise_mm = mapping.slope_mm(0.0) * map.live_sd * std::hypot(1.0, reference.noise_gain) /
                  mean_brightness(grey, face);
   return map;

@@ -14,11 +14,14 @@ namespace alltact {
 /// Why a pixel has no depth, or a doubtful one. 0: measured.
 enum PixelFlag : std::uint8_t {
   kMeasured = 0,
-  kOffFace = 1,       ///< no face here, now or in the reference: NaN
+  kOffFace = 1,       ///< no face here: NaN
   kTooDark = 2,       ///< the reference is too dark to divide by: NaN
   kSaturated = 3,     ///< live or reference picture at its ceiling: NaN
   kExtrapolated = 4,  ///< darker than anything calibrated: depth goes on with the end slope
+  kBeyondLayer = 5,   ///< deeper than the layer is thick: depth is set to that
+  kNoReference = 6,   ///< the recording does not show this part of the face in this pose: NaN
 };
+constexpr std::size_t kPixelFlags = 7;  ///< how many there are
 
 /// x = (I_ref - q I) / I_ref after smoothing, q the correction for the light's change if asked for,
 /// CV_32FC1, NaN where there is no measurement; and why.
@@ -39,8 +42,9 @@ struct DepthMap {
   cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell (depth_cells.h)
   /// Standard deviation of a pixel's depth where little presses, at the face's mean brightness.
   double noise_mm = 0;
-  double live_sd = 0;  ///< noise of the picture alone after smoothing, grey levels
-  LightGain light;     ///< how the light has changed, if that was asked for
+  double live_sd = 0;       ///< noise of the picture alone after smoothing, grey levels
+  LightGain light;          ///< how the light has changed, if that was asked for
+  double smoothing_px = 0;  ///< sd of the Gaussian that the brightness went through
 };
 
 struct DifferenceOptions {
@@ -56,7 +60,8 @@ struct DifferenceOptions {
                                     const FaceShape& shape,
                                     const DifferenceOptions& options);
 
-/// Applies the mapping: depth 0 where x <= 0 (bulge), flags beyond the calibrated domain. With a
+/// Applies the mapping: depth 0 where x <= 0 (bulge), flags beyond the calibrated domain, and never
+/// more than the layer is thick (along z: layer / cos(incline), incline at most 75 degrees). With a
 /// mapping along the normal the depth is turned into that along z (depth_along_z.h).
 [[nodiscard]] DepthMap depth_map(const Difference& difference,
                                  const Mapping& mapping,

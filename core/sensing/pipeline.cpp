@@ -1,5 +1,8 @@
 #include "core/sensing/pipeline.h"
 
+#include "core/sensing/depth_sd.h"
+#include "core/sensing/frame_faults.h"
+
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -38,7 +41,9 @@ struct Pipeline::State {
   std::optional<FaceShape> plane;        // flat sensors: known beforehand
   std::optional<MarkerTracker> tracker;  // fingers with markers
   double plane_noise_sd = 1.0;
+  cv::Mat last = {};  // picture of a continuous source
 
+  void look_at_picture(FrameResult& result);
   void find_shape(FrameResult& result, StopWatch& watch) const;
   void find_reference(FrameResult& result, StopWatch& watch);
   void find_depth(FrameResult& result, StopWatch& watch) const;
@@ -57,6 +62,7 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
                            "a picture at the size that the finger was calibrated with");
   if (!grey) return grey.error();
   result.grey = std::move(grey).value();
+  state.look_at_picture(result);
   watch.lap(result.times_ms.prepare);
   state.find_shape(result, watch);
   if (result.shape) state.find_reference(result, watch);
@@ -64,6 +70,16 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   if (result.depth) state.find_contact(result, watch);
   watch.total(result.times_ms.total);
   return result;
+}
+
+void Pipeline::State::look_at_picture(FrameResult& result) {
+  if (auto fault = picture_fault(result.grey)) result.problems.push_back(std::move(*fault));
+  // The same memory is the same frame, looked at again.
+  if (last.data != result.grey.data && is_same_picture(last, result.grey))
+    result.problems.emplace_back(
+        "the picture is the same as the one before to the last grey level: the camera stands "
+        "still; plug it in again");
+  last = result.grey;
 }
 
 void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
@@ -99,14 +115,20 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
     if (finger.contact)
       result.touch = touch(*result.markers, *finger.contact, result.shape->base_at_low_u());
   }
-  result.reference =
-      library.reference_for(result.markers ? *result.markers : Markers{}, settings.reference);
+  result.reference = library.reference_for(
+      result.markers ? *result.markers : Markers{}, *result.shape, settings.reference);
   if (!result.reference->known_pose) {
     result.problems.push_back(
         fmt::format("this pose was never recorded: the nearest reference frame is {:.1f} px away; "
                     "record the finger bending further in this direction",
                     result.reference->distance_px));
   }
+  constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
+  if (result.reference->known_pose && result.reference->error_factor > kFarBeyond)
+    result.problems.push_back(
+        fmt::format("few recorded frames are near this pose: its reference is {:.0f} times less "
+                    "sure than usual; record the finger bending slowly through it",
+                    result.reference->error_factor));
   watch.lap(result.times_ms.reference);
 }
 
@@ -117,6 +139,8 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   options.noise_sd = result.edges ? result.edges->noise_sd : plane_noise_sd;
   if (mapping) {
     result.depth = depth_map(result.grey, *result.reference, *result.shape, options, *mapping);
+    for (std::string& fault : face_faults(flag_shares(result.depth->flags), result.depth->light))
+      result.problems.push_back(std::move(fault));
   } else {
     result.difference = difference(result.grey, *result.reference, *result.shape, options);
     result.problems.emplace_back("the finger is not calibrated: calibrate it with ball presses");
@@ -129,6 +153,8 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   options.threshold_mm = settings.contact_threshold_mm;
   options.smoothing_px = settings.smoothing_px;
   options.noise_mm = result.depth->noise_mm;
+  DepthError error(*result.depth, *result.reference, *result.shape, *mapping);
+  options.untouched = [&](int u, int v) { return error.untouched(u, v); };
   result.regions = contact_regions(*result.depth, *result.shape, finger.face, options);
   watch.lap(result.times_ms.contact);
 }
@@ -177,6 +203,7 @@ Pipeline::~Pipeline() = default;
 
 void Pipeline::forget() {
   if (state_->tracker) state_->tracker->forget();
+  state_->last.release();
 }
 const Finger& Pipeline::finger() const {
   return state_->finger;

@@ -7,16 +7,18 @@
 #include "core/sensing/face_picture.h"
 #include "core/sensing/layout_search.h"
 #include "core/sensing/local_layout.h"
+#include "core/sensing/reference_error.h"
 #include "core/sensing/reference_weights.h"
 
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
 
-constexpr double kFaceMarginPx = 1.0;  // inside the fitted edges
+constexpr double kBeyondRest = 0.15;  // of the rest frame's face: how much more others may show
 constexpr int kProfileDegree = 7;
 constexpr int kNeighbours = 8;  // of the local regression: more gain little and cost their share
 constexpr double kMismatchPx = 0.2;    // of every marker, that is worth no more noise to avoid
@@ -34,17 +36,48 @@ Error wrong(std::string what, const std::filesystem::path& file) {
 }  // namespace
 
 struct ReferenceLibrary::Content {
+  /// The recorded frames nearest to a place in the modes, and their weights there.
+  [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
+                                      const std::vector<char>& without) const;
+
   cv::Size size;
   std::vector<int> frames;  // numbers in the video
-  std::vector<FacePicture> faces;
+  FaceGrid grid;
+  SkinPlaces places;
+  std::vector<FacePicture> faces;  // on the grid
   std::size_t bytes = 0;
   std::optional<MarkerModel> model;
   std::optional<LayoutSearch> search;
   Eigen::MatrixXd modes;  // of the frames, px, a row each
   Eigen::VectorXd mode_sd;
+  ReferenceError error;
   double known_px = std::numeric_limits<double>::infinity();
   ReferencePicture single;  // empty for a recording
 };
+
+Neighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& place,
+                                                 const std::vector<char>& without) const {
+  const auto rows = nearest_rows(modes, place, kNeighbours, without);
+  Eigen::MatrixXd points(static_cast<Eigen::Index>(rows.size()), place.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = modes.row(rows[i]);
+  const double ridge_px = kMismatchPx * std::sqrt(static_cast<double>(model->marker_count()));
+  const Eigen::VectorXd w = local_linear_weights(points, place, ridge_px, kMostWeight);
+  Neighbours found;
+  found.reach_px2 = reach_px2(points, place, w);
+  double kept = 0;
+  for (Eigen::Index i = 0; i < w.size(); ++i)
+    if (std::abs(w[i]) >= kLeastWeight) kept += w[i];
+  std::vector<double> weights;
+  for (Eigen::Index i = 0; i < w.size(); ++i) {
+    if (std::abs(w[i]) < kLeastWeight) continue;
+    found.rows.push_back(rows[static_cast<std::size_t>(i)]);
+    weights.push_back(w[i] / kept);
+  }
+  found.weights =
+      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
+  return found;
+}
 
 namespace {
 
@@ -95,21 +128,28 @@ class Keeper {
   std::vector<int> rank_;
 };
 
-Status read_faces(const FrameOfRecording& frame,
-                  std::size_t frame_count,
-                  const std::filesystem::path& video,
-                  const MarkerTable& table,
-                  const Finger& finger,
-                  const Camera& camera,
-                  const Job& job,
-                  Keeper& keeper) {
-  const FaceEdgeFinder finder;
-  for (std::size_t row = 0; row < table.frames.size(); ++row) {
-    if (job.stop_requested())
-      return Error{"stopped before the reference was read", video.string(), ""};
-    if (row % 16 == 0)
-      job.report(static_cast<double>(row) / static_cast<double>(table.frames.size()),
-                 fmt::format("reading reference frame {} of {}", row + 1, table.frames.size()));
+Markers as_markers(const Eigen::MatrixXd& layouts,
+                   Eigen::Index row,
+                   const std::vector<char>& seen) {
+  Markers markers(static_cast<std::size_t>(layouts.cols() / 2));
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const auto k = static_cast<Eigen::Index>(2 * m);
+    markers[m] = {layouts(row, k), layouts(row, k + 1), seen[m] != 0, 0};
+  }
+  return markers;
+}
+
+/// The frames of a recording as they are read for the library.
+struct Reading {
+  const FrameOfRecording& frame;
+  std::size_t frame_count;
+  const std::filesystem::path& video;
+  const MarkerTable& table;
+  const Finger& finger;
+  const Camera& camera;
+  FaceEdgeFinder finder = {};
+
+  [[nodiscard]] Result<cv::Mat> picture(std::size_t row) const {
     const auto number = static_cast<std::size_t>(table.frames[row]);
     if (number >= frame_count)
       return wrong(
@@ -117,12 +157,74 @@ Status read_faces(const FrameOfRecording& frame,
                       number,
                       frame_count),
           video);
-    const auto grey = frame(number);
+    auto grey = frame(number);
     if (!grey) return wrong(grey.error().what, video);
-    const auto edges = finder(*grey);
-    if (!edges) continue;
+    return grey;
+  }
+  struct Looked {
+    FaceShape shape;
+    FaceChart chart;
+  };
+  [[nodiscard]] std::optional<Looked> look_at(const cv::Mat& grey) const {
+    const auto edges = finder(grey);
+    if (!edges) return std::nullopt;
     const auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
-    if (shape) keeper.add(row, keep_face(*grey, *shape, kFaceMarginPx));
+    if (!shape) return std::nullopt;
+    auto chart = chart_of(*shape);
+    if (!chart) return std::nullopt;
+    return Looked{*shape, std::move(*chart)};
+  }
+  [[nodiscard]] Markers markers(std::size_t row) const {
+    return as_markers(table.layouts, static_cast<Eigen::Index>(row), table.seen[row]);
+  }
+};
+
+/// The frame nearest to the middle of all poses in which the face is found, and its chart.
+struct Rest {
+  FaceChart chart;
+  SkinPlaces places;
+};
+Result<Rest> find_rest(const Reading& reading) {
+  constexpr std::size_t kTries = 16;
+  const Eigen::MatrixXd& layouts = reading.table.layouts;
+  const Eigen::VectorXd off =
+      (layouts.rowwise() - layouts.colwise().mean()).rowwise().squaredNorm();
+  std::vector<std::size_t> rows(static_cast<std::size_t>(layouts.rows()));
+  std::iota(rows.begin(), rows.end(), 0);
+  std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+    return off[static_cast<Eigen::Index>(a)] < off[static_cast<Eigen::Index>(b)];
+  });
+  rows.resize(std::min(rows.size(), kTries));
+  for (const std::size_t row : rows) {
+    const auto grey = reading.picture(row);
+    if (!grey) return grey.error();
+    if (const auto looked = reading.look_at(*grey))
+      return Rest{looked->chart, skin_places(looked->chart, looked->shape, reading.markers(row))};
+  }
+  return wrong(fmt::format("the face was found in {} of {} recorded pictures; 2 are needed",
+                           0,
+                           reading.table.frames.size()),
+               reading.video);
+}
+
+Status read_faces(const Reading& reading,
+                  const FaceGrid& grid,
+                  const SkinPlaces& places,
+                  const Job& job,
+                  Keeper& keeper) {
+  const std::size_t count = reading.table.frames.size();
+  for (std::size_t row = 0; row < count; ++row) {
+    if (job.stop_requested())
+      return Error{"stopped before the reference was read", reading.video.string(), ""};
+    if (row % 16 == 0)
+      job.report(static_cast<double>(row) / static_cast<double>(count),
+                 fmt::format("reading reference frame {} of {}", row + 1, count));
+    const auto grey = reading.picture(row);
+    if (!grey) return grey.error();
+    auto looked = reading.look_at(*grey);
+    if (!looked || looked->chart.base_at_low_u != grid.chart.base_at_low_u) continue;
+    lay_on(places, looked->shape, reading.markers(row), &looked->chart);
+    keeper.add(row, keep_face(*grey, looked->chart, grid));
   }
   return {};
 }
@@ -135,15 +237,6 @@ Eigen::MatrixXd seen_layouts(const MarkerTable& table) {
         layouts.block<1, 2>(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(2 * m))
             .setConstant(std::numeric_limits<double>::quiet_NaN());
   return layouts;
-}
-
-Markers as_markers(const Eigen::MatrixXd& layouts, Eigen::Index row) {
-  Markers markers(static_cast<std::size_t>(layouts.cols() / 2));
-  for (std::size_t m = 0; m < markers.size(); ++m) {
-    const auto k = static_cast<Eigen::Index>(2 * m);
-    markers[m] = {layouts(row, k), layouts(row, k + 1), true, 0};
-  }
-  return markers;
 }
 
 /// The untouched picture that a flat sensor's finger names.
@@ -215,8 +308,12 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
   auto content = std::make_shared<Content>();
   Keeper keeper(table, memory_limit_bytes);
   try {
-    const Status read =
-        read_faces(frame, frame_count, video_file, table, finger, camera, job, keeper);
+    const Reading reading{frame, frame_count, video_file, table, finger, camera};
+    const auto rest = find_rest(reading);
+    if (!rest) return rest.error();
+    content->grid = face_grid(rest->chart, kBeyondRest);
+    content->places = rest->places;
+    const Status read = read_faces(reading, content->grid, content->places, job, keeper);
     if (!read) return read.error();
   } catch (const std::exception& problem) {
     return wrong(fmt::format("the recording cannot be read ({})", problem.what()), video_file);
@@ -239,10 +336,18 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
   content->model = std::move(*model);
   content->mode_sd = content->model->mode_sd_px();
   content->modes.resize(layouts.rows(), content->mode_sd.size());
+  const std::vector<char> all_seen(static_cast<std::size_t>(layouts.cols() / 2), 1);
   for (Eigen::Index i = 0; i < layouts.rows(); ++i)
-    content->modes.row(i) =
-        content->model->modes(as_markers(layouts, i)).cwiseProduct(content->mode_sd).transpose();
+    content->modes.row(i) = content->model->modes(as_markers(layouts, i, all_seen))
+                                .cwiseProduct(content->mode_sd)
+                                .transpose();
   content->search.emplace(layouts);
+  take_out_drift(content->grid, content->modes, content->faces);
+  content->error = reference_error(content->grid, content->faces, [&](int i) {
+    std::vector<char> without(content->faces.size(), 0);
+    without[static_cast<std::size_t>(i)] = 1;
+    return content->neighbours(content->modes.row(i).transpose(), without);
+  });
   content->known_px = std::max(kKnownFloorPx, kKnownSteps * content->search->median_step_px());
   ReferenceLibrary library;
   library.content_ = std::move(content);
@@ -289,6 +394,7 @@ ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers,
 }
 
 Reference ReferenceLibrary::reference_for(const Markers& markers,
+                                          const FaceShape& shape,
                                           ReferenceMethod method,
                                           const std::vector<char>& without) const {
   Reference reference;
@@ -298,6 +404,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
     reference.frame = 0;
     return reference;
   }
+  reference.relative_sd = content.error.relative_sd;
   const Nearest found = nearest(markers, without);
   reference.frame = content.frames[static_cast<std::size_t>(found.index)];
   reference.distance_px = found.distance_px;
@@ -306,27 +413,24 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   std::vector<float> weights{1.0F};
   if (method == ReferenceMethod::kLocal) {
     const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
-    const auto rows = nearest_rows(content.modes, place, kNeighbours, without);
-    Eigen::MatrixXd points(static_cast<Eigen::Index>(rows.size()), place.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      points.row(static_cast<Eigen::Index>(i)) = content.modes.row(rows[i]);
-    const double ridge_px = kMismatchPx * std::sqrt(static_cast<double>(markers.size()));
-    const Eigen::VectorXd w = local_linear_weights(points, place, ridge_px, kMostWeight);
-    double kept = 0;
-    for (Eigen::Index i = 0; i < w.size(); ++i)
-      if (std::abs(w[i]) >= kLeastWeight) kept += w[i];
+    const Neighbours found_near = content.neighbours(place, without);
     faces.clear();
     weights.clear();
-    for (Eigen::Index i = 0; i < w.size(); ++i) {
-      if (std::abs(w[i]) < kLeastWeight) continue;
-      faces.push_back(&content.faces[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])]);
-      weights.push_back(static_cast<float>(w[i] / kept));
+    for (std::size_t i = 0; i < found_near.rows.size(); ++i) {
+      faces.push_back(&content.faces[static_cast<std::size_t>(found_near.rows[i])]);
+      weights.push_back(static_cast<float>(found_near.weights[static_cast<Eigen::Index>(i)]));
     }
+    reference.error_factor = content.error.factor(found_near.reach_px2);
   }
   double square = 0;
   for (const float w : weights) square += static_cast<double>(w) * w;
   reference.noise_gain = std::sqrt(square);
-  reference.picture = ReferencePicture(content_, std::move(faces), weights, content.size);
+  auto now = chart_of(shape);
+  if (now && now->base_at_low_u == content.grid.chart.base_at_low_u)
+    lay_on(content.places, shape, markers, &*now);
+  else
+    now = FaceChart{};
+  reference.picture = ReferencePicture(content.grid, faces, weights, *now, content.size);
   return reference;
 }
 

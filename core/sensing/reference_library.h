@@ -33,6 +33,10 @@ struct Reference {
   double distance_px = 0;    ///< mean distance of the seen markers to that frame's
   bool known_pose = true;    ///< false: further away than the recording's own frames are apart
   double noise_gain = 1;     ///< standard deviation of the reference's noise / that of one frame
+  /// What the recording says that references are off by (reference_error.h), over cells of its
+  /// grid; empty for a single picture.
+  cv::Mat relative_sd;
+  double error_factor = 1;  ///< by what relative_sd is to be multiplied in this pose
 };
 
 /// Marker table of a recording (reference.csv). First a line of column names, then one line a
@@ -56,9 +60,11 @@ using FrameOfRecording = std::function<Result<cv::Mat>(std::size_t number)>;
 
 class ReferenceLibrary {
  public:
-  /// Reads the recording a finger names. Only the face is kept of every frame, row by row, and when
-  /// that would pass `memory_limit_bytes` only a covering subset of the frames (farthest-point
-  /// sampling in marker space). Errors: files missing or unreadable, table and video disagree.
+  /// Reads the recording a finger names. Only the face is kept of every frame, laid over the rest
+  /// frame's (the one in the middle of all poses) so that each point of the skin stays at its
+  /// place; when that would pass `memory_limit_bytes` only a covering subset of the frames
+  /// (farthest-point sampling in marker space). Errors: files missing or unreadable, table and
+  /// video disagree.
   static Result<ReferenceLibrary> load(const std::filesystem::path& finger_folder,
                                        const Finger& finger,
                                        const Camera& camera,
@@ -105,13 +111,15 @@ class ReferenceLibrary {
   /// The number in the video of each frame, ascending; by index.
   [[nodiscard]] const std::vector<int>& frame_numbers() const;
 
-  /// The reference for a pose. `markers` is ignored by a single picture. `without` marks frames (by
-  /// index) that take no part, as if they had not been recorded; empty: all do. At least two must.
+  /// The reference for a pose, laid over the skin as `shape` and `markers` say that it lies
+  /// (face_chart.h). Both are ignored by a single picture. `without` marks frames (by index) that
+  /// take no part, as if they had not been recorded; empty: all do. At least two must.
   ///
   /// kLocal: local linear regression over the 8 frames nearest in the finger's modes of motion.
   /// known_pose: distance_px is at most three times the median distance of the recording's frames
   /// to their nearest other, and at least 1.5 px is always allowed.
   [[nodiscard]] Reference reference_for(const Markers& markers,
+                                        const FaceShape& shape,
                                         ReferenceMethod method,
                                         const std::vector<char>& without = {}) const;
 

@@ -45,6 +45,46 @@ ALLTACT_WIDE void mix_rows(const std::uint8_t* const* rows,
       });
 }
 
+/// Each number with the one after it.
+ALLTACT_WIDE void pair_up(const std::int16_t* __restrict values,
+                          int count,
+                          std::int32_t* __restrict pairs) {
+  for (int i = 0; i < count; ++i)
+    pairs[i] = static_cast<std::int32_t>(static_cast<std::uint16_t>(values[i])) |
+               static_cast<std::int32_t>(values[i + 1]) * 65536;
+}
+
+/// Bilinear, to 1/128 of a pixel.
+ALLTACT_WIDE void look_up(const std::int32_t* __restrict pairs,
+                          const cv::Size& size,
+                          const cv::Point& origin,
+                          const float* __restrict u,
+                          const float* __restrict v,
+                          int count,
+                          std::int16_t* __restrict out) {
+  constexpr int kBits = 7;
+  const int stride = size.width, last_u = (size.width - 1) << kBits,
+            last_v = ((size.height - 1) << kBits) - 1;
+  const auto from_u = static_cast<float>(origin.x), from_v = static_cast<float>(origin.y);
+  for (int i = 0; i < count; ++i) {
+    // Never outside, whatever the shape of the face came to.
+    int fixed_u = static_cast<int>((u[i] - from_u) * (1 << kBits) + 0.5F);
+    int fixed_v = static_cast<int>((v[i] - from_v) * (1 << kBits) + 0.5F);
+    fixed_u = fixed_u > 0 ? fixed_u : 0;
+    fixed_u = fixed_u < last_u ? fixed_u : last_u;
+    fixed_v = fixed_v > 0 ? fixed_v : 0;
+    fixed_v = fixed_v < last_v ? fixed_v : last_v;
+    const int part_u = fixed_u & ((1 << kBits) - 1), part_v = fixed_v & ((1 << kBits) - 1);
+    const int place = (fixed_v >> kBits) * stride + (fixed_u >> kBits);
+    const std::int32_t top = pairs[place], bottom = pairs[place + stride];
+    const int a = static_cast<std::int16_t>(top), b = top >> 16;
+    const int c = static_cast<std::int16_t>(bottom), d = bottom >> 16;
+    const int above = (a << kBits) + (b - a) * part_u, below = (c << kBits) + (d - c) * part_u;
+    const int sum = (above << kBits) + (below - above) * part_v;
+    out[i] = static_cast<std::int16_t>((sum + (1 << (2 * kBits - 1))) >> (2 * kBits));
+  }
+}
+
 // Rounded so that they still sum to 1: what is left over goes to the largest.
 std::vector<std::int16_t> whole_weights(const std::vector<float>& weights) {
   constexpr double kOne = 1 << kWeightBits;
@@ -72,86 +112,96 @@ ReferencePicture::ReferencePicture(const cv::Mat& grey)
         grey.ptr<float>(v), grey.ptr<float>(v) + grey.cols, single_.ptr<std::int16_t>(v), to_steps);
 }
 
-ReferencePicture::ReferencePicture(std::shared_ptr<const void> owner,
-                                   std::vector<const FacePicture*> faces,
+ReferencePicture::ReferencePicture(const FaceGrid& grid,
+                                   const std::vector<const FacePicture*>& faces,
                                    const std::vector<float>& weights,
+                                   const FaceChart& now,
                                    const cv::Size& size)
-    : owner_(std::move(owner)),
-      faces_(std::move(faces)),
-      weights_(whole_weights(weights)),
-      size_(size) {
-  CV_Assert(!faces_.empty() && faces_.size() == weights.size());
+    : origin_(grid.origin), warp_(now, grid.chart), size_(size) {
+  CV_Assert(!faces.empty() && faces.size() == weights.size());
+  mix(grid, faces, weights);
+  // The part of the warp that stays within the columns that all faces show.
+  int shown_first = 0, shown_end = grid.size.width;
+  for (const FacePicture* face : faces) {
+    shown_first = std::max(shown_first, face->first);
+    shown_end = std::min(shown_end, face->end);
+  }
+  const auto is_shown = [&](int u) {
+    const auto [low, high] = warp_.reach(u);
+    return low >= shown_first + grid.origin.x && high <= shown_end - 1 + grid.origin.x;
+  };
+  first_ = std::max(0, warp_.first());
+  end_ = std::min(size.width, warp_.end());
+  while (first_ < end_ && !is_shown(first_)) ++first_;
+  while (first_ < end_ && !is_shown(end_ - 1)) --end_;
+}
+
+void ReferencePicture::mix(const FaceGrid& grid,
+                           const std::vector<const FacePicture*>& faces,
+                           const std::vector<float>& weights) {
+  const std::vector<std::int16_t> whole = whole_weights(weights);
+  pairs_ = pooled_picture(grid.size, CV_32SC1);
+  std::vector<const std::uint8_t*> rows(faces.size());
+  std::vector<std::int16_t> sum(static_cast<std::size_t>(grid.size.width) + 1);
+  for (const FaceRun& run : grid.runs.runs) {
+    for (std::size_t k = 0; k < faces.size(); ++k) rows[k] = faces[k]->grey.data() + run.before;
+    mix_rows(rows.data(), whole.data(), static_cast<int>(rows.size()), run.size(), sum.data());
+    sum[static_cast<std::size_t>(run.size())] = sum[static_cast<std::size_t>(run.size()) - 1];
+    auto* pairs = pairs_.ptr<std::int32_t>(run.row);
+    pair_up(sum.data(), run.size(), pairs + run.first);
+    // Where the face's edge is steep, what is looked up may lie a little beside the run.
+    constexpr int kBeside = 3;
+    std::fill(pairs + std::max(0, run.first - kBeside), pairs + run.first, pairs[run.first]);
+    std::fill(
+        pairs + run.end, pairs + std::min(grid.size.width, run.end + kBeside), pairs[run.end - 1]);
+  }
 }
 
 cv::Mat ReferencePicture::grey() const {
   if (size_.empty()) return {};
   cv::Mat grey = pooled_picture(size_, CV_32FC1);
+  fill_nan(grey.ptr<float>(0), static_cast<int>(grey.total()));
   Reader reader(*this);
   const auto level = [](std::int16_t steps) {
     return steps == kNoGrey ? std::numeric_limits<float>::quiet_NaN()
                             : static_cast<float>(steps) / static_cast<float>(kGreySteps);
   };
   for (int v = 0; v < size_.height; ++v) {
-    const std::int16_t* row = reader.row(v);
-    std::transform(row, row + size_.width, grey.ptr<float>(v), level);
+    std::vector<FaceRun> runs;
+    if (is_single()) runs.push_back({v, 0, size_.width, 0});
+    for (int u = first_; u < end_ && !is_single(); ++u)
+      if (const double t = warp_.across(u, v); t >= 0.0 && t <= 1.0)
+        runs.push_back({v, u, u + 1, 0});
+    const std::int16_t* row = reader.row(v, runs);
+    for (const FaceRun& run : runs)
+      std::transform(row + run.first, row + run.end, grey.ptr<float>(v) + run.first, level);
   }
   return grey;
 }
 
 ReferencePicture::Reader::Reader(const ReferencePicture& picture)
     : picture_(picture),
-      cursors_(picture.faces_.size()),
-      rows_(picture.weights_.size()),
-      buffer_(static_cast<std::size_t>(picture.size_.width)) {}
+      u_(static_cast<std::size_t>(picture.size_.width)),
+      v_(u_.size()),
+      buffer_(u_.size(), kNoGrey) {}
 
-void ReferencePicture::Reader::fetch_ahead(int count) {
-  // Eight faces come from eight places, a page or less at a time: too many and too short for the
-  // processor to see them coming. What a row needs is asked for while the one before is mixed.
-  constexpr int kLine = 64;
-  for (std::size_t k = 0; k < cursors_.size(); ++k) {
-    const std::vector<std::uint8_t>& grey = picture_.faces_[k]->grey;
-    const std::uint8_t* end = grey.data() + grey.size();
-    const std::uint8_t* next = rows_[k] + count;
-    for (int i = 0; i < count && next + i < end; i += kLine) __builtin_prefetch(next + i);
+const std::int16_t* ReferencePicture::Reader::row(int v, std::span<const FaceRun> runs) {
+  if (picture_.is_single()) return picture_.single_.ptr<std::int16_t>(v);
+  for (const FaceRun& run : runs) {
+    const int first = std::clamp(picture_.first_, run.first, run.end);
+    const int end = std::clamp(picture_.end_, first, run.end);
+    std::fill(buffer_.data() + run.first, buffer_.data() + first, kNoGrey);
+    std::fill(buffer_.data() + end, buffer_.data() + run.end, kNoGrey);
+    if (first == end) continue;
+    picture_.warp_.places(v, first, end - first, u_.data(), v_.data());
+    look_up(picture_.pairs_.ptr<std::int32_t>(0),
+            picture_.pairs_.size(),
+            picture_.origin_,
+            u_.data(),
+            v_.data(),
+            end - first,
+            buffer_.data() + first);
   }
-}
-
-void ReferencePicture::Reader::mix(int first, int end) {
-  for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k] = cursors_[k].at(first);
-  fetch_ahead(end - first);
-  mix_rows(rows_.data(),
-           picture_.weights_.data(),
-           static_cast<int>(rows_.size()),
-           end - first,
-           buffer_.data() + first);
-}
-
-const std::int16_t* ReferencePicture::Reader::row(int v) {
-  if (!picture_.single_.empty()) return picture_.single_.ptr<std::int16_t>(v);
-  for (std::size_t k = 0; k < cursors_.size(); ++k) {
-    const FacePicture& face = *picture_.faces_[k];
-    const auto runs = face.face.of_row(v);
-    cursors_[k] = {runs.data(), runs.data() + runs.size(), face.grey.data()};
-  }
-  // Stretches that every face shows, one after the other.
-  int written = 0;
-  for (bool more = true; more;) {
-    int first = 0, end = std::numeric_limits<int>::max();
-    std::size_t ends_first = 0;
-    for (std::size_t k = 0; k < cursors_.size() && more; ++k) {
-      more = cursors_[k].run != cursors_[k].end;
-      if (!more) break;
-      first = std::max(first, cursors_[k].run->first);
-      if (cursors_[k].run->end < end) end = cursors_[k].run->end, ends_first = k;
-    }
-    if (more && first < end) {
-      std::fill_n(buffer_.data() + written, first - written, kNoGrey);
-      mix(first, end);
-      written = end;
-    }
-    if (more) ++cursors_[ends_first].run;
-  }
-  std::fill_n(buffer_.data() + written, picture_.size_.width - written, kNoGrey);
   return buffer_.data();
 }
 

@@ -10,7 +10,17 @@ namespace fs = std::filesystem;
 
 /// Depth maps and the like, which lie beside pictures and are none: NAME.depth.tiff, NAME.3d.png.
 bool is_measurement(const fs::path& file) {
-  static constexpr std::array kEndings{".depth", ".depth_sd", ".points", ".z", ".3d"};
+  static constexpr std::array kEndings{".depth",
+                                       ".depth_sd",
+                                       ".flags",
+                                       ".points",
+                                       ".z",
+                                       ".3d",
+                                       ".sd_noise",
+                                       ".sd_mapping",
+                                       ".sd_reference",
+                                       ".sd_light",
+                                       ".sd_lateral"};
   return is_one_of(ending_of(file.stem()), kEndings);
 }
 

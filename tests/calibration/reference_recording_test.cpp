@@ -124,8 +124,9 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
       cv::absdiff(grey, truth, difference);
       return cv::mean(difference, inner)[0];
     };
-    const Reference nearest = library->reference_for(markers, ReferenceMethod::kNearest);
-    const Reference local = library->reference_for(markers, ReferenceMethod::kLocal);
+    const Reference nearest =
+        library->reference_for(markers, f.shape(bend), ReferenceMethod::kNearest);
+    const Reference local = library->reference_for(markers, f.shape(bend), ReferenceMethod::kLocal);
     EXPECT_TRUE(local.known_pose);
     EXPECT_GT(local.noise_gain, 0.2);
     nearest_error += error(nearest);
@@ -139,8 +140,9 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
       gain);
   EXPECT_LT(local_error, nearest_error);
   Markers far;
-  for (const auto& d : f.discs(Bend{1.2, 0, 30, 0})) far.push_back({d.u, d.v, true, 0.02});
-  EXPECT_FALSE(library->reference_for(far, ReferenceMethod::kLocal).known_pose);
+  const Bend beyond{1.2, 0, 30, 0};
+  for (const auto& d : f.discs(beyond)) far.push_back({d.u, d.v, true, 0.02});
+  EXPECT_FALSE(library->reference_for(far, f.shape(beyond), ReferenceMethod::kLocal).known_pose);
 
   // Half the memory: a covering subset, within the limit.
   const std::size_t limit = library->memory_bytes() / 2;

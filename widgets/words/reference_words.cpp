@@ -114,6 +114,34 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library",
                       "this pose was never recorded: the nearest reference frame is %1 px away; "
                       "record the finger bending further in this direction"),
+    QT_TRANSLATE_NOOP("Library",
+                      "the picture is black: its brightest parts reach %1 of 255 grey levels; take "
+                      "the cap off the lens, switch the lamps on, or expose longer"),
+    QT_TRANSLATE_NOOP(
+        "Library",
+        "the picture is too bright: %1 % of it is saturated; expose shorter, or dim the lamps"),
+    QT_TRANSLATE_NOOP("Library",
+                      "the picture is the same as the one before to the last grey level: the "
+                      "camera stands still; plug it in again"),
+    QT_TRANSLATE_NOOP(
+        "Library",
+        "%1 % of the face is too bright to be measured; expose shorter, or dim the lamps"),
+    QT_TRANSLATE_NOOP("Library",
+                      "%1 % of the face was never recorded in a pose like this; record the finger "
+                      "bending further in this direction"),
+    QT_TRANSLATE_NOOP("Library",
+                      "the face is %1 % darker than when its reference was recorded; set exposure, "
+                      "gain and lamps as they were then"),
+    QT_TRANSLATE_NOOP("Library",
+                      "the face is %1 % brighter than when its reference was recorded; set "
+                      "exposure, gain and lamps as they were then"),
+    QT_TRANSLATE_NOOP(
+        "Library",
+        "%1 % of the face is brighter than its reference: this is another finger, or its skin has "
+        "changed; choose the finger that it is, or record the reference again"),
+    QT_TRANSLATE_NOOP("Library",
+                      "few recorded frames are near this pose: its reference is %1 times less sure "
+                      "than usual; record the finger bending slowly through it"),
     QT_TRANSLATE_NOOP("Library", "the finger is not calibrated: calibrate it with ball presses"),
     QT_TRANSLATE_NOOP("Library",
                       "how the face's edges are placed: half-way crossing to a fiftieth of a "

@@ -54,9 +54,11 @@ TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
   result.touch->sd_deg = 1.2;
   result.touch->face = TouchedFace::kContact;
   result.depth.emplace();
+  result.depth->flags = (cv::Mat_<std::uint8_t>(1, 4) << kMeasured, kSaturated, kOffFace, kOffFace);
   ContactRegion region = region_at_origin();
   region.place_mm = {3.1, -0.2, 48.0};
   region.deepest_mm = 0.83;
+  region.place_on_face_mm = {31.5, -0.2};
   region.area_mm2 = 11.9;
   region.volume_mm3 = 4.1;
   result.regions = {region};
@@ -69,8 +71,10 @@ TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
                 R"({"method": "nearest", "frame": 117, "distance_px": 1.8, "known_pose": true})"));
   EXPECT_EQ(json.at("contact"), Json::parse(R"({"touched": true, "offset_px": [12.1, 0.4],
       "direction": [0.999, 0.03, 0.0], "sd_deg": 1.2, "face": "contact"})"));
-  EXPECT_EQ(json.at("regions"), Json::parse(R"([{"place_mm": [3.1, -0.2, 48.0], "deepest_mm": 0.83,
-      "area_mm2": 11.9, "volume_mm3": 4.1}])"))
+  EXPECT_EQ(json.at("validity"), Json::parse(R"({"measured": 0.5, "saturated": 0.5})"));
+  EXPECT_EQ(json.at("regions"), Json::parse(R"([{"place_mm": [3.1, -0.2, 48.0],
+      "place_on_face_mm": [31.5, -0.2], "deepest_mm": 0.83, "area_mm2": 11.9,
+      "volume_mm3": 4.1}])"))
       << "a round contact has no angle";
   EXPECT_FALSE(json.contains("problems"));
 }
@@ -78,6 +82,7 @@ TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
 TEST(ResultLine, NumbersThatAreNoneAreLeftOut) {
   FrameResult result = empty_result();
   result.depth.emplace();
+  result.depth->flags = (cv::Mat_<std::uint8_t>(1, 4) << kMeasured, kSaturated, kOffFace, kOffFace);
   ContactRegion region = region_at_origin();
   region.place_mm = {0, 0, std::numeric_limits<double>::quiet_NaN()};
   region.deepest_mm = std::numeric_limits<double>::infinity();

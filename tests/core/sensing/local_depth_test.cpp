@@ -56,7 +56,7 @@ TEST(LocalDepth, EveryPairOfGreyLevelsIsFiniteOrFlagged) {
       for (int k = 0; k < 256; ++k) {
         const auto flag = map.flags.at<std::uint8_t>(i, k);
         const float d = map.depth_mm.at<float>(i, k);
-        const bool measured = flag == kMeasured || flag == kExtrapolated;
+        const bool measured = flag == kMeasured || flag == kExtrapolated || flag == kBeyondLayer;
         ASSERT_EQ(std::isfinite(d), measured) << i << ' ' << k;
         if (measured) {
           ASSERT_GE(d, 0.0F);
@@ -70,7 +70,9 @@ TEST(LocalDepth, EveryPairOfGreyLevelsIsFiniteOrFlagged) {
         if (measured && smoothing == 0.0) {
           const double x = static_cast<double>(k - i) / k;  // in double, of the whole numbers
           ASSERT_NEAR(static_cast<double>(diff.x.at<float>(i, k)), x, 2e-7 * (1.0 + std::abs(x)));
-          ASSERT_EQ(flag == kExtrapolated, static_cast<float>(x) > 0.5F) << i << ' ' << k;
+          ASSERT_EQ(flag == kExtrapolated || flag == kBeyondLayer, static_cast<float>(x) > 0.5F)
+              << i << ' ' << k;
+          ASSERT_LE(static_cast<double>(d), shape.face().layer_mm + 1e-6);
         }
       }
     }
@@ -137,7 +139,7 @@ TEST(LocalDepth, ReferenceDecidesWhereThereIsAFace) {
   const FaceShape shape = flat_shape(80, 60);
   const DepthMap map = depth_map(difference(live, reference, shape, {}), straight(5.0), shape);
   for (int u = 0; u < 80; ++u) {
-    EXPECT_EQ(map.flags.at<std::uint8_t>(30, u), u < 20 ? kOffFace : kMeasured);
+    EXPECT_EQ(map.flags.at<std::uint8_t>(30, u), u < 20 ? kNoReference : kMeasured);
     if (u < 20) {
       EXPECT_TRUE(std::isnan(map.depth_mm.at<float>(30, u)));
     } else {

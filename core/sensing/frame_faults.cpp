@@ -1,0 +1,106 @@
+#include "core/sensing/frame_faults.h"
+
+#include "core/numerics/dispatch.h"
+
+#include <cstring>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr int kEvery = 8;
+constexpr int kSaturatedFrom = 250, kBlackBelow = 16;
+constexpr double kBrightest = 0.001;  // part of the picture that may be brighter
+constexpr double kSaturatedPicture = 1.0 / 3;
+constexpr double kWorthTelling = 0.02;  // part of the face
+constexpr double kMuchDarker = 0.5, kMuchBrighter = 1.0 / 3;
+constexpr double kForeign = 0.1;  // part of the face brighter than its reference
+
+ALLTACT_WIDE int count_of(const std::uint8_t* flags, int count, std::uint8_t flag) {
+  int found = 0;
+  for (int u = 0; u < count; ++u) found += flags[u] == flag ? 1 : 0;
+  return found;
+}
+
+}  // namespace
+
+std::optional<std::string> picture_fault(const cv::Mat& grey) {
+  CV_Assert(grey.type() == CV_8UC1);
+  std::array<int, 256> histogram{};
+  int all = 0;
+  for (int v = kEvery / 2; v < grey.rows; v += kEvery) {
+    const auto* row = grey.ptr<std::uint8_t>(v);
+    for (int u = kEvery / 2; u < grey.cols; u += kEvery) ++histogram[row[u]], ++all;
+  }
+  if (all == 0) return std::nullopt;
+  int level = 255;
+  for (int above = histogram[255]; level > 0 && above <= kBrightest * all;)
+    above += histogram[static_cast<std::size_t>(--level)];
+  if (level < kBlackBelow)
+    return fmt::format(
+        "the picture is black: its brightest parts reach {} of 255 grey levels; take the cap off "
+        "the lens, switch the lamps on, or expose longer",
+        level);
+  int saturated = 0;
+  for (std::size_t i = kSaturatedFrom; i < histogram.size(); ++i) saturated += histogram[i];
+  if (saturated <= kSaturatedPicture * all) return std::nullopt;
+  return fmt::format(
+      "the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps",
+      100.0 * saturated / all);
+}
+
+bool is_same_picture(const cv::Mat& a, const cv::Mat& b) {
+  if (a.size() != b.size() || a.type() != b.type() || a.empty()) return false;
+  const std::size_t bytes = static_cast<std::size_t>(a.cols) * a.elemSize();
+  for (int v = 0; v < a.rows; ++v)
+    if (std::memcmp(a.ptr(v), b.ptr(v), bytes) != 0) return false;
+  return true;
+}
+
+FlagShares flag_shares(const cv::Mat& flags) {
+  CV_Assert(flags.type() == CV_8UC1);
+  std::array<double, kPixelFlags> counts{};
+  for (int v = 0; v < flags.rows; ++v)
+    for (std::size_t k = 0; k < counts.size(); ++k)
+      counts[k] += count_of(flags.ptr<std::uint8_t>(v), flags.cols, static_cast<std::uint8_t>(k));
+  counts[kOffFace] = 0;
+  double face = 0;
+  for (const double count : counts) face += count;
+  FlagShares shares{};
+  if (face > 0)
+    for (std::size_t k = 0; k < counts.size(); ++k) shares.of[k] = counts[k] / face;
+  return shares;
+}
+
+std::vector<std::string> face_faults(const FlagShares& shares, const LightGain& light) {
+  std::vector<std::string> faults;
+  if (shares.of[kSaturated] > kWorthTelling)
+    faults.push_back(
+        fmt::format("{:.0f} % of the face is too bright to be measured; expose shorter, or dim the "
+                    "lamps",
+                    100.0 * shares.of[kSaturated]));
+  if (shares.of[kNoReference] > kWorthTelling)
+    faults.push_back(fmt::format(
+        "{:.0f} % of the face was never recorded in a pose like this; record the finger bending "
+        "further in this direction",
+        100.0 * shares.of[kNoReference]));
+  if (light.change() < -kMuchDarker)
+    faults.push_back(fmt::format(
+        "the face is {:.0f} % darker than when its reference was recorded; set exposure, gain and "
+        "lamps as they were then",
+        -100.0 * light.change()));
+  if (light.change() > kMuchBrighter)
+    faults.push_back(fmt::format(
+        "the face is {:.0f} % brighter than when its reference was recorded; set exposure, gain "
+        "and lamps as they were then",
+        100.0 * light.change()));
+  if (light.brighter() > kForeign)
+    faults.push_back(fmt::format(
+        "{:.0f} % of the face is brighter than its reference: this is another finger, or its skin "
+        "has changed; choose the finger that it is, or record the reference again",
+        100.0 * light.brighter()));
+  return faults;
+}
+
+}  // namespace alltact

@@ -1,0 +1,35 @@
+// What is wrong with a frame as a whole, as sentences for a person.
+#pragma once
+
+#include "core/sensing/local_depth.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+/// Of a picture in which nothing was found yet: black (its brightest thousandth below 16 grey
+/// levels), or saturated (250 and above) over more than a third. Looks at every eighth pixel of
+/// every eighth row. grey: CV_8UC1.
+[[nodiscard]] std::optional<std::string> picture_fault(const cv::Mat& grey);
+
+/// True when both pictures are the same to the last grey level, which no two exposures are.
+[[nodiscard]] bool is_same_picture(const cv::Mat& a, const cv::Mat& b);
+
+/// Parts of the face by what their depth is worth: those of the pixels that are not kOffFace. All 0
+/// where there is no face.
+struct FlagShares {
+  std::array<double, kPixelFlags> of;  ///< by PixelFlag
+};
+[[nodiscard]] FlagShares flag_shares(const cv::Mat& flags);
+
+/// What a measured face tells: saturated or unknown to its reference over more than a fiftieth of
+/// it, far brighter or darker than when that was recorded (by half, or a third), or so much of it
+/// brighter than its reference (a tenth) that it is another finger's. Contacts only darken.
+[[nodiscard]] std::vector<std::string> face_faults(const FlagShares& shares,
+                                                   const LightGain& light);
+
+}  // namespace alltact

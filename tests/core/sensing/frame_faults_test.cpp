@@ -1,0 +1,67 @@
+#include "core/sensing/frame_faults.h"
+
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+TEST(PictureFault, NamesABlackAndASaturatedPictureAndNoOther) {
+  cv::Mat picture(300, 480, CV_8UC1, cv::Scalar(3));
+  EXPECT_NE(picture_fault(picture).value().find("black"), std::string::npos);
+  picture(cv::Rect(100, 100, 120, 80)).setTo(120);  // a face with nothing around it
+  EXPECT_FALSE(picture_fault(picture));
+  picture(cv::Rect(0, 0, 480, 90)).setTo(255);  // a third but for a little
+  EXPECT_FALSE(picture_fault(picture));
+  picture(cv::Rect(0, 0, 480, 120)).setTo(255);
+  EXPECT_NE(picture_fault(picture).value().find("% of it is saturated"), std::string::npos);
+}
+
+TEST(IsSamePicture, SeesOneGreyLevelOfOnePixel) {
+  cv::Mat picture(40, 60, CV_8UC1);
+  cv::randu(picture, 0, 256);
+  cv::Mat other = picture.clone();
+  EXPECT_TRUE(is_same_picture(picture, other));
+  other.at<std::uint8_t>(39, 59) ^= 1;
+  EXPECT_FALSE(is_same_picture(picture, other));
+  EXPECT_FALSE(is_same_picture(picture, picture.rowRange(0, 39)));
+  EXPECT_FALSE(is_same_picture({}, {}));
+}
+
+TEST(FlagShares, AreOfTheFaceAlone) {
+  cv::Mat flags(10, 10, CV_8UC1, cv::Scalar(kOffFace));
+  flags.rowRange(0, 4).setTo(kMeasured);
+  flags.row(4).setTo(kSaturated);
+  const FlagShares shares = flag_shares(flags);
+  EXPECT_DOUBLE_EQ(shares.of[kMeasured], 0.8);
+  EXPECT_DOUBLE_EQ(shares.of[kSaturated], 0.2);
+  EXPECT_EQ(shares.of[kOffFace], 0.0);
+  EXPECT_EQ(flag_shares(cv::Mat(3, 3, CV_8UC1, cv::Scalar(kOffFace))).of[kMeasured], 0.0);
+}
+
+TEST(FaceFaults, TellsEachFaultByItsName) {
+  FlagShares good{};
+  good.of[kMeasured] = 0.99;
+  good.of[kSaturated] = 0.01;
+  const cv::Rect face(0, 0, 100, 100);
+  const auto told = [&](const FlagShares& shares, double q, double brighter) {
+    std::string all;
+    for (const std::string& fault :
+         face_faults(shares, LightGain(face, {q - 1.0, 0, 0, 0, 0, 0}, 0.9, brighter)))
+      all += fault + "\n";
+    return all;
+  };
+  EXPECT_EQ(told(good, 1.0, 0.05), "");
+  EXPECT_EQ(told(good, 1.0 / 1.3, 0.0), "");
+  EXPECT_NE(told(good, 1.0 / 1.6, 0.0).find("60 % brighter"), std::string::npos);
+  EXPECT_NE(told(good, 1.0 / 0.4, 0.0).find("60 % darker"), std::string::npos);
+  EXPECT_NE(told(good, 1.0, 0.3).find("another finger"), std::string::npos);
+  FlagShares bright{};
+  bright.of[kSaturated] = 0.64;
+  EXPECT_NE(told(bright, 1.0, 0.0).find("64 % of the face is too bright"), std::string::npos);
+  FlagShares unknown{};
+  unknown.of[kNoReference] = 0.1;
+  EXPECT_NE(told(unknown, 1.0, 0.0).find("10 % of the face was never"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace alltact
