@@ -58,10 +58,10 @@ bool is_same_picture(const cv::Mat& a, const cv::Mat& b) {
   return true;
 }
 
-FlagShares flag_shares(const cv::Mat& flags) {
+FlagShares flag_shares(const cv::Mat& flags, int every_row) {
   CV_Assert(flags.type() == CV_8UC1);
   std::array<double, kPixelFlags> counts{};
-  for (int v = 0; v < flags.rows; ++v)
+  for (int v = every_row / 2; v < flags.rows; v += every_row)
     for (std::size_t k = 0; k < counts.size(); ++k)
       counts[k] += count_of(flags.ptr<std::uint8_t>(v), flags.cols, static_cast<std::uint8_t>(k));
   counts[kOffFace] = 0;

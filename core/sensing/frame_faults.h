@@ -19,12 +19,12 @@ namespace alltact {
 /// True when both pictures are the same to the last grey level, which no two exposures are.
 [[nodiscard]] bool is_same_picture(const cv::Mat& a, const cv::Mat& b);
 
-/// Parts of the face by what their depth is worth: those of the pixels that are not kOffFace. All 0
-/// where there is no face.
+/// Parts of the face by what their depth is worth: those of the pixels that are not kOffFace, told
+/// from one in `every_row` rows. All 0 where there is no face.
 struct FlagShares {
   std::array<double, kPixelFlags> of;  ///< by PixelFlag
 };
-[[nodiscard]] FlagShares flag_shares(const cv::Mat& flags);
+[[nodiscard]] FlagShares flag_shares(const cv::Mat& flags, int every_row = 1);
 
 /// What a measured face tells: saturated or unknown to its reference over more than a fiftieth of
 /// it, far brighter or darker than when that was recorded (by half, or a third), or so much of it

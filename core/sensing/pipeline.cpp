@@ -12,6 +12,8 @@
 namespace alltact {
 namespace {
 
+constexpr int kFaultRows = 8;  // one in so many tells how much of the face is measured
+
 /// Writes the time since the last lap into a field of StepTimes.
 class StopWatch {
  public:
@@ -139,7 +141,8 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   options.noise_sd = result.edges ? result.edges->noise_sd : plane_noise_sd;
   if (mapping) {
     result.depth = depth_map(result.grey, *result.reference, *result.shape, options, *mapping);
-    for (std::string& fault : face_faults(flag_shares(result.depth->flags), result.depth->light))
+    for (std::string& fault :
+         face_faults(flag_shares(result.depth->flags, kFaultRows), result.depth->light))
       result.problems.push_back(std::move(fault));
   } else {
     result.difference = difference(result.grey, *result.reference, *result.shape, options);
