@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kFaceMarginPx = 1.0;  // inside the fitted edges
 constexpr int kProfileDegree = 7;
+constexpr std::size_t kMostPoses = 160;  // that the finger's twist is learnt from
 constexpr int kNeighbours = 8;  // of the local regression: more gain little and cost their share
 constexpr double kMismatchPx = 0.2;    // of every marker, that is worth no more noise to avoid
 constexpr double kMostWeight = 2.9;    // sum of |w|: noise and model error grow with it
@@ -39,6 +40,7 @@ struct ReferenceLibrary::Content {
   std::vector<FacePicture> faces;
   std::size_t bytes = 0;
   std::optional<MarkerModel> model;
+  std::optional<TwistModel> twist;
   std::optional<LayoutSearch> search;
   Eigen::MatrixXd modes;  // of the frames, px, a row each
   Eigen::VectorXd mode_sd;
@@ -95,6 +97,18 @@ class Keeper {
   std::vector<int> rank_;
 };
 
+/// The markers of a row; those that were estimated are not seen.
+Markers seen_markers(const MarkerTable& table, Eigen::Index row) {
+  constexpr double kSdPx = 0.1;
+  Markers markers(static_cast<std::size_t>(table.layouts.cols() / 2));
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const auto k = static_cast<Eigen::Index>(2 * m);
+    const bool seen = table.seen.empty() || table.seen[static_cast<std::size_t>(row)][m];
+    markers[m] = {table.layouts(row, k), table.layouts(row, k + 1), seen, kSdPx};
+  }
+  return markers;
+}
+
 Status read_faces(const FrameOfRecording& frame,
                   std::size_t frame_count,
                   const std::filesystem::path& video,
@@ -102,8 +116,10 @@ Status read_faces(const FrameOfRecording& frame,
                   const Finger& finger,
                   const Camera& camera,
                   const Job& job,
-                  Keeper& keeper) {
+                  Keeper& keeper,
+                  std::vector<TwistModel::Pose>& poses) {
   const FaceEdgeFinder finder;
+  const std::size_t every = table.frames.size() / kMostPoses + 1;
   for (std::size_t row = 0; row < table.frames.size(); ++row) {
     if (job.stop_requested())
       return Error{"stopped before the reference was read", video.string(), ""};
@@ -122,7 +138,10 @@ Status read_faces(const FrameOfRecording& frame,
     const auto edges = finder(*grey);
     if (!edges) continue;
     const auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
-    if (shape) keeper.add(row, keep_face(*grey, *shape, kFaceMarginPx));
+    if (!shape) continue;
+    keeper.add(row, keep_face(*grey, *shape, kFaceMarginPx));
+    if (row % every == 0)
+      poses.push_back({seen_markers(table, static_cast<Eigen::Index>(row)), *shape});
   }
   return {};
 }
@@ -214,9 +233,10 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
   if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
   auto content = std::make_shared<Content>();
   Keeper keeper(table, memory_limit_bytes);
+  std::vector<TwistModel::Pose> poses;
   try {
     const Status read =
-        read_faces(frame, frame_count, video_file, table, finger, camera, job, keeper);
+        read_faces(frame, frame_count, video_file, table, finger, camera, job, keeper, poses);
     if (!read) return read.error();
   } catch (const std::exception& problem) {
     return wrong(fmt::format("the recording cannot be read ({})", problem.what()), video_file);
@@ -236,6 +256,7 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
     content->frames.push_back(table.frames[rows[i]]);
     content->faces.push_back(keeper.take(rows[i]));
   }
+  content->twist = TwistModel::learn(poses);
   content->model = std::move(*model);
   content->mode_sd = content->model->mode_sd_px();
   content->modes.resize(layouts.rows(), content->mode_sd.size());
@@ -274,6 +295,10 @@ std::size_t ReferenceLibrary::memory_bytes() const {
 
 const MarkerModel* ReferenceLibrary::marker_model() const {
   return content_->model ? &*content_->model : nullptr;
+}
+
+const TwistModel* ReferenceLibrary::twist_model() const {
+  return content_->twist ? &*content_->twist : nullptr;
 }
 
 const std::vector<int>& ReferenceLibrary::frame_numbers() const {
