@@ -1,5 +1,6 @@
 #include "core/sensing/face_edges.h"
 
+#include "core/numerics/median.h"
 #include "core/numerics/picture_noise.h"
 #include "core/sensing/rough_edges.h"
 
@@ -16,17 +17,24 @@ namespace {
 constexpr int kWide = 19;     // rows searched on each side of the rough path
 constexpr int kSeedStep = 6;  // of the samples, these may be where following an edge begins
 constexpr int kTight = 7;     // and of where the edge goes on
-constexpr int kNear = 3;      // rows of a transition on each side of its middle
-constexpr int kFar = 8;       // the levels are read from kNear to kFar rows away
+// Rows of a transition on each side of its middle; the levels are read from there to the far ones.
+constexpr int kNear = 3, kFar = 8;
+constexpr int kNearBlurred = 6, kFarBlurred = 11;
+constexpr double kBlurred = 3.2;  // contrast over slope, rows, of a transition that is wider
+// Noise of the crossing's height, of one row's: that of two rows between which it lies, and of
+// half the sum of two lines through kFar - kNear + 1 rows that are continued to the step.
+constexpr double kCrossingNoise = 1.2;
 
-constexpr int kReach = kWide + kFar + 1;  // rows of the band on each side of its middle
+constexpr int kBeside =
+    kNearBlurred + kFarBlurred + 1;      // rows that a step found takes in on each side
+constexpr int kReach = kWide + kBeside;  // rows of the band on each side of its middle
 
 using Profile = std::array<float, 2 * kReach + 1>;
 
 /// The part of a profile that a search within `reach` rows of its middle looks at.
 struct Band {
   int first, last;
-  explicit Band(int reach) : first(kReach - reach - kFar - 1), last(kReach + reach + kFar + 1) {}
+  explicit Band(int reach) : first(kReach - reach - kBeside), last(kReach + reach + kBeside) {}
 };
 
 /// Mean of `columns` columns along the edge's slope, bilinear across it, within the band; false off
@@ -74,7 +82,9 @@ bool read_profile(const cv::Mat& grey,
 struct Crossing {
   double offset;  // rows from the band's middle
   double sd;
-  double contrast;  // grey levels
+  double contrast;     // grey levels
+  double outside = 0;  // brightness beside the face, grey levels
+  double slope = 0;    // grey levels a row
 };
 
 /// Row before the step that is the face's edge: of all steps of the right sign that are steep
@@ -98,35 +108,74 @@ std::optional<int> innermost_step(const Profile& profile, float sign, bool face_
   return std::nullopt;
 }
 
+/// Brightness on one side of a step, a line.
+struct Level {
+  float mean, slope, middle;  // slope: of a row; middle: row of the mean
+  [[nodiscard]] float at(int i) const { return mean + slope * (static_cast<float>(i) - middle); }
+};
+
+Level level_of(const Profile& profile, int from, int to) {
+  float sum = 0, moment = 0, square = 0;
+  const float middle = 0.5F * static_cast<float>(from + to);
+  for (int i = from; i <= to; ++i) {
+    const float x = static_cast<float>(i) - middle, y = profile[static_cast<std::size_t>(i)];
+    sum += y, moment += x * y, square += x * x;
+  }
+  return {sum / static_cast<float>(to - from + 1), moment / square, middle};
+}
+
+/// The crossing nearest to half of the row `twice_middle`, half-way between the levels on both
+/// sides of that. Brightness changes along both sides of the step, so that the levels are lines,
+/// continued to it: constants would draw the crossing towards the side that changes more.
+std::optional<Crossing> crossing_between_levels(const Profile& profile,
+                                                float sign,
+                                                bool face_below,
+                                                int twice_middle,
+                                                bool blurred,
+                                                double noise) {
+  const int near = blurred ? kNearBlurred : kNear, far = blurred ? kFarBlurred : kFar;
+  const int inner = (twice_middle + 2 * near) / 2;  // first row of the far side
+  const int outer = (twice_middle + 2 * far - 1) / 2;
+  const Level before = level_of(profile, twice_middle - outer, twice_middle - inner);
+  const Level after = level_of(profile, inner, outer);
+  const float contrast = sign * (after.mean - before.mean);
+  if (contrast < std::max(3.0, 8.0 * noise)) return std::nullopt;
+  const auto above = [&](int i) {
+    return sign * (profile[static_cast<std::size_t>(i)] - 0.5F * (before.at(i) + after.at(i)));
+  };
+  const int middle = twice_middle / 2;
+  for (int away = 0; away < near; ++away)
+    for (const int i : {middle - away, middle + away}) {
+      const float a = above(i), b = above(i + 1);
+      if (a > 0.0F || b <= 0.0F) continue;
+      const double slope = static_cast<double>(b - a);
+      return Crossing{i + static_cast<double>(-a) / slope - kReach,
+                      std::hypot(kCrossingNoise * noise / slope, 0.02),
+                      static_cast<double>(contrast),
+                      static_cast<double>(face_below ? before.mean : after.mean),
+                      slope};
+    }
+  return std::nullopt;
+}
+
 /// sign: +1 when brightness rises with v; face_below: the face lies at larger v.
 std::optional<Crossing> half_way_crossing(
     const Profile& profile, float sign, bool face_below, int reach, double noise_sd, int columns) {
   const auto step = innermost_step(profile, sign, face_below, reach);
   if (!step) return std::nullopt;
-  const int steepest = *step;
-  // the transition lies between `steepest` and the next row
-  const auto level = [&](int from, int to) {
-    float sum = 0;
-    for (int i = from; i <= to; ++i) sum += profile[static_cast<std::size_t>(i)];
-    return sum / static_cast<float>(to - from + 1);
-  };
-  const float before = level(steepest - kFar + 1, steepest - kNear + 1);
-  const float after = level(steepest + kNear, steepest + kFar);
-  const float contrast = sign * (after - before);
   const double noise = noise_sd / std::sqrt(static_cast<double>(columns));
-  if (contrast < std::max(3.0, 8.0 * noise)) return std::nullopt;
-  const float half = 0.5F * (before + after);
-  for (int i = steepest - kNear + 1; i < steepest + kNear; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const float a = sign * (profile[k] - half), b = sign * (profile[k + 1] - half);
-    if (a <= 0.0F && b > 0.0F) {
-      const double slope = static_cast<double>(b - a);
-      return Crossing{i + static_cast<double>(-a) / slope - kReach,
-                      std::hypot(noise / slope, 0.02),
-                      static_cast<double>(contrast)};
-    }
+  std::optional<Crossing> crossing;
+  int twice_middle = 2 * *step + 1;  // the step lies between this row and the next
+  // Blur reaches to the rows that the levels are read from. It takes as much from one as it gives
+  // the other only where both are as far from the crossing, so that is looked for again.
+  bool blurred = false;
+  for (int round = 0; round < 2; ++round) {
+    crossing = crossing_between_levels(profile, sign, face_below, twice_middle, blurred, noise);
+    if (!crossing) return std::nullopt;
+    blurred = crossing->contrast > kBlurred * crossing->slope;
+    twice_middle = static_cast<int>(std::lround(2.0 * (crossing->offset + kReach)));
   }
-  return std::nullopt;
+  return crossing;
 }
 
 /// The steepest whole-pixel step of one column.
@@ -207,6 +256,47 @@ Edge unseen(std::size_t samples) {
           std::vector<char>(samples, 0)};
 }
 
+/// A dot near the edge changes the brightness beside the face and with it half of the height: where
+/// that differs from its surroundings', nothing is read.
+void leave_dots_out(const std::vector<double>& outside,
+                    const std::vector<double>& contrast,
+                    Edge& edge) {
+  constexpr int kReachSamples = 5;
+  constexpr double kPart = 0.08, kLeast = 2.0;  // of the contrast; grey levels
+  const std::vector<char> seen = edge.valid;
+  const auto count = static_cast<int>(seen.size());
+  std::vector<double> around;
+  for (int i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!seen[k]) continue;
+    around.clear();
+    const int first = std::max(0, i - kReachSamples), last = std::min(count - 1, i + kReachSamples);
+    for (int j = first; j <= last; ++j)
+      if (seen[static_cast<std::size_t>(j)]) around.push_back(outside[static_cast<std::size_t>(j)]);
+    const double off = std::abs(outside[k] - upper_median(around));
+    if (off > std::max(kLeast, kPart * contrast[k])) edge.valid[k] = 0;
+  }
+}
+
+/// A few samples beyond a gap are something else that lies where the edge would go on.
+void leave_strays_out(Edge& edge) {
+  constexpr std::size_t kGap = 4, kFew = 3;
+  const std::size_t count = edge.valid.size();
+  for (const bool from_end : {false, true}) {
+    const auto valid = [&](std::size_t n) -> char& {
+      return edge.valid[from_end ? count - 1 - n : n];
+    };
+    std::size_t seen = 0, gap = 0;
+    for (std::size_t n = 0; n < count && seen <= kFew; ++n) {
+      gap = valid(n) ? 0 : gap + 1;
+      seen += valid(n) != 0;
+      if (seen == 0 || gap < kGap) continue;
+      for (std::size_t stray = 0; stray < n; ++stray) valid(stray) = 0;
+      seen = 0;
+    }
+  }
+}
+
 /// Follows the edge from a seed to both sides, each time looking only where it goes on. The number
 /// of samples where it was seen.
 int follow(const EdgeReader& reader,
@@ -215,6 +305,7 @@ int follow(const EdgeReader& reader,
            Edge& edge) {
   const auto count = static_cast<int>(columns.size());
   edge = unseen(columns.size());
+  std::vector<double> outside(columns.size()), contrast(columns.size());
   int seen = 0;
   for (const int direction : {-1, 1}) {
     Ahead ahead;
@@ -229,10 +320,13 @@ int follow(const EdgeReader& reader,
       edge.v[k] = v + crossing->offset;
       edge.sd[k] = crossing->sd;
       edge.valid[k] = 1;
+      outside[k] = crossing->outside, contrast[k] = crossing->contrast;
       ++seen;
       if (i != seed.sample) ahead.add(columns[k], edge.v[k]);
     }
   }
+  leave_dots_out(outside, contrast, edge);
+  leave_strays_out(edge);
   return seen;
 }
 
@@ -270,6 +364,17 @@ void find_edge(const EdgeReader& reader,
   }
 }
 
+/// Takes back what was read where the face has ended.
+void forget_beyond(const FaceEnds& ends, double half_step, FaceEdges& edges) {
+  for (Edge* edge : {&edges.upper, &edges.lower})
+    for (std::size_t i = 0; i < edges.u.size(); ++i) {
+      const double v = edge->v[i];
+      const bool before = ends.first && edges.u[i] - half_step < ends.first->at(v);
+      const bool after = ends.last && edges.u[i] + half_step > ends.last->at(v);
+      if (before || after) edge->valid[i] = 0;
+    }
+}
+
 }  // namespace
 
 Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
@@ -298,6 +403,8 @@ Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
             rough->lower,
             edges.u,
             edges.lower);
+  edges.ends = find_face_ends(grey, edges);
+  forget_beyond(edges.ends, 0.25 * step, edges);
 
   std::size_t both = 0;
   for (std::size_t i = 0; i < edges.u.size(); ++i)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/result.h"
+#include "core/sensing/face_ends.h"
 
 #include <vector>
 
@@ -22,6 +23,7 @@ struct FaceEdges {
   std::vector<double> u;      ///< centre column of each sample, ascending
   Edge upper;                 ///< at small v
   Edge lower;                 ///< at large v
+  FaceEnds ends;              ///< across; no sample beyond them is valid
   double noise_sd = 0;        ///< standard deviation of the picture's noise, grey levels
   bool bright_inside = true;  ///< the face is brighter than what lies beside it
 };

@@ -13,12 +13,37 @@ namespace alltact {
 namespace {
 
 constexpr double kMinimumWidthPx = 8.0;  // below, 1/width is biased by percents
+constexpr double kWidthBiasPx = 0.03;    // of an edge that is not quite a blurred step
 constexpr int kLensDegrees = 4;
 constexpr int kMostWindowSteps = 60;  // each brings z nearer by a factor of 5 or more
 
-/// Where a ray lies at depth z, over z: as a camera without a window would see the point.
-Eigen::Vector2d seen_at(const Ray& ray, double inverse_z) {
-  return ray.direction.head<2>() + inverse_z * ray.origin_mm.head<2>();
+/// The column where an end reaches furthest out, at one of the face's corners.
+double outermost(const FaceEnd& end, double upper_v, double lower_v, int outwards) {
+  const double a = end.at(upper_v), b = end.at(lower_v);
+  return outwards > 0 ? std::max(a, b) : std::min(a, b);
+}
+
+/// Grows as the column does.
+ArcParameter even_arc(int columns) {
+  return {std::vector<double>(static_cast<std::size_t>(columns), 1.0), 0.0, columns - 1.0};
+}
+
+/// Grows as the face's length does, from its width where both edges were seen.
+ArcParameter arc_of(const FaceEdges& edges, int columns) {
+  constexpr int kWidthDegree = 4;
+  std::vector<double> width, sd;
+  std::vector<char> valid;
+  for (std::size_t i = 0; i < edges.u.size(); ++i) {
+    width.push_back(edges.lower.v[i] - edges.upper.v[i]);
+    sd.push_back(std::hypot(edges.upper.sd[i], edges.lower.sd[i]));
+    valid.push_back(edges.upper.valid[i] && edges.lower.valid[i] && width[i] > 0.0);
+  }
+  const auto smooth = fit_robust_polynomial(edges.u, width, sd, valid, kWidthDegree);
+  if (!smooth) return even_arc(columns);
+  std::vector<double> widths = smooth->values(columns);
+  for (double& value : widths) value = std::max(value, 0.5 * kMinimumWidthPx);
+  constexpr double kBeyondPx = 12;  // to the ends, which lie beyond the last samples
+  return {widths, smooth->first - kBeyondPx, smooth->last + kBeyondPx};
 }
 
 Error no_shape(std::string what) {
@@ -42,39 +67,56 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
 
   // What the lens bends needs a few coefficients more.
   const int edge_degree = camera.is_linear() ? degree : degree + kLensDegrees;
+  // A lens that bends moves columns beyond the picture's, where there are no widths to go by.
+  const ArcParameter arc = camera.is_linear() ? arc_of(edges, width) : even_arc(width);
+  std::vector<double> along;
+  for (const double u : edges.u) along.push_back(arc.at(u));
   const auto upper =
-      fit_robust_polynomial(edges.u, edges.upper.v, edges.upper.sd, edges.upper.valid, edge_degree);
+      fit_robust_polynomial(along, edges.upper.v, edges.upper.sd, edges.upper.valid, edge_degree);
   const auto lower =
-      fit_robust_polynomial(edges.u, edges.lower.v, edges.lower.sd, edges.lower.valid, edge_degree);
+      fit_robust_polynomial(along, edges.lower.v, edges.lower.sd, edges.lower.valid, edge_degree);
   if (!upper || !lower) {
     return no_shape(fmt::format("the {} edge of the face was seen in too few columns",
                                 !upper ? "upper" : "lower"));
   }
-  // Nothing is invented beyond the columns where both edges were trusted; up to the picture's own
-  // border the last sample's half width counts as seen.
+  // Nothing is invented beyond the face's ends or, where they were not seen, beyond the columns
+  // where both edges were trusted; up to the picture's own border the last sample's half width
+  // counts as seen.
   const double step = edges.u.size() > 1 ? edges.u[1] - edges.u[0] : 1.0;
-  double first = std::max(upper->first, lower->first);
-  double last = std::min(upper->last, lower->last);
+  const auto column_of = [&](double t) {
+    return edges.u[static_cast<std::size_t>(std::lower_bound(along.begin(), along.end(), t) -
+                                            along.begin())];
+  };
+  double first = column_of(std::max(upper->first, lower->first));
+  double last = column_of(std::min(upper->last, lower->last));
   if (first <= edges.u.front()) first = std::max(0.0, first - step);
   if (last >= edges.u.back()) last = std::min(width - 1.0, last + step);
+  const auto corner = [&](const FaceEnd& end, int outwards) {
+    const double t = arc.at(end.u_px);
+    return outermost(end, upper->value(t), lower->value(t), outwards);
+  };
+  if (edges.ends.first) first = std::max(0.0, corner(*edges.ends.first, -1));
+  if (edges.ends.last) last = std::min(width - 1.0, corner(*edges.ends.last, 1));
   if (!(last - first >= 4.0 * step)) return no_shape("the two edges were never seen together");
 
   FaceShape shape(camera, face);
+  shape.ends_ = edges.ends;
   shape.columns_.resize(static_cast<std::size_t>(width));
-  const std::vector<double> upper_v = upper->values(width), lower_v = lower->values(width);
   for (int u = 0; u < width; ++u) {
     FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
-    column.upper_v = upper_v[static_cast<std::size_t>(u)];
-    column.lower_v = lower_v[static_cast<std::size_t>(u)];
+    const double t = arc.at(u);
+    column.upper_v = upper->value(t);
+    column.lower_v = lower->value(t);
     column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
   }
+  shape.arc_ = arc;
   if (!shape.fit_inverse_depth(first, last, edge_degree))
     return no_shape("no smooth shape fits them");
 
   constexpr int kSdStep = 8;  // the error changes slowly along the face
   std::vector<double> width_sd;
   for (int u = kSdStep / 2; u < width + kSdStep; u += kSdStep)
-    width_sd.push_back(std::hypot(upper->sd(u), lower->sd(u)));
+    width_sd.push_back(std::hypot(upper->sd(arc.at(u)), lower->sd(arc.at(u)), kWidthBiasPx));
   int valid = 0;
   for (int u = 0; u < width; ++u) {
     FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
@@ -129,74 +171,95 @@ bool FaceShape::fit_to_rays(const std::vector<Ray>& uppers,
   Eigen::VectorXd upper_x(used), upper_y(used), lower_x(used), lower_y(used);
   for (Eigen::Index i = 0; i < used; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Eigen::Vector2d a = seen_at(uppers[k], inverse_z_of(uppers[k])),
-                          b = seen_at(lowers[k], inverse_z_of(lowers[k]));
+    const Eigen::Vector2d a = seen_from(uppers[k], inverse_z_of(uppers[k])),
+                          b = seen_from(lowers[k], inverse_z_of(lowers[k]));
     upper_x[i] = a.x(), upper_y[i] = a.y();
     lower_x[i] = b.x(), lower_y[i] = b.y();
   }
-  const double low = std::max(upper_x.minCoeff(), lower_x.minCoeff());
-  const double high = std::min(upper_x.maxCoeff(), lower_x.maxCoeff());
-  if (!(high > low)) return false;
-  x_mid_ = 0.5 * (low + high);
-  x_half_ = 0.5 * (high - low);
-
   const auto curve = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& y) -> Eigen::VectorXd {
     Eigen::MatrixXd design(used, n);
     for (Eigen::Index i = 0; i < used; ++i)
-      design.row(i) = chebyshev_row((x[i] - x_mid_) / x_half_, n);
+      design.row(i) = chebyshev_row(arc_.at(column_of(x[i])), n);
     return least_squares(design, y);
   };
-  inverse_z_ = (curve(lower_x, lower_y) - curve(upper_x, upper_y)) / face_.width_mm;
+  upper_y_ = curve(upper_x, upper_y);
+  lower_y_ = curve(lower_x, lower_y);
+  inverse_z_ = (lower_y_ - upper_y_) / face_.width_mm;
   return inverse_z_.allFinite();
 }
 
 // 0 before there is a fit: then the ray is taken where it lies far away.
 double FaceShape::inverse_z_of(const Ray& ray) const {
   if (inverse_z_.size() == 0) return 0.0;
-  double inverse_z = inverse_z_at(ray.direction.x());
+  double inverse_z = inverse_z_at(ray.direction.head<2>());
   if (camera_.is_central()) return inverse_z;
   for (int step = 0; step < kMostWindowSteps; ++step) {
     const double before = inverse_z;
-    inverse_z = inverse_z_at(seen_at(ray, inverse_z).x());
+    inverse_z = inverse_z_at(seen_from(ray, inverse_z));
     if (std::abs(inverse_z - before) <= 1e-15) break;
   }
   return inverse_z;
 }
 
 void FaceShape::know_across() {
-  inverse_z_slope_ = chebyshev_derivative(inverse_z_) / x_half_;
+  inverse_z_slope_ = chebyshev_derivative(inverse_z_);
+  if (twist_) {
+    inverse_z_by_y_slope_ = chebyshev_derivative(inverse_z_by_y_);
+    inverse_z_by_y2_slope_ = chebyshev_derivative(inverse_z_by_y2_);
+  }
+  across_.clear();
+  by_column_.clear();
   if (!camera_.is_linear() || !camera_.is_perspective()) return;
-  across_.assign(columns_.size(), Across{0.0, 0.0, 0.0, 0.0, 0.0});
-  // x is linear in u.
+  if (twist_)
+    by_column_.resize(columns_.size());
+  else
+    across_.resize(columns_.size());
   const CameraParameters& lens = camera_.parameters();
-  const double x_first = -lens.cx_px / lens.fx_px, x_step = 1.0 / lens.fx_px;
-  const double t_first = (x_first - x_mid_) / x_half_, t_step = x_step / x_half_;
-  const auto n = static_cast<int>(columns_.size());
-  std::vector<double> q(columns_.size()), q_slope(columns_.size());
-  chebyshev_values(inverse_z_, t_first, t_step, n, q.data());
-  chebyshev_values(inverse_z_slope_, t_first, t_step, n, q_slope.data());
   for (std::size_t u = 0; u < columns_.size(); ++u) {
-    const double x = x_first + static_cast<double>(u) * x_step;
     if (!columns_[u].valid) continue;
-    if (const auto here = across_from(x, q[u], q_slope[u])) across_[u] = *here;
+    const double x = (static_cast<double>(u) - lens.cx_px) / lens.fx_px;
+    const InverseDepth inverse = inverse_depth_at(x);
+    if (twist_)
+      by_column_[u] = inverse;
+    else if (const auto here = across_from(x, 0.0, inverse))
+      across_[u] = *here;
   }
 }
 
 double FaceShape::z_of_column(int u) const {
   const auto k = static_cast<std::size_t>(u);
-  if (!across_.empty()) return across_[k].z_mm;
+  if (!across_.empty()) return across_[k].z_mm;  // the same in all of the column
   const double middle = 0.5 * (columns_[k].upper_v + columns_[k].lower_v);
   const auto ray = camera_.unproject({static_cast<double>(u), middle});
   const double inverse_z = ray ? inverse_z_of(*ray) : 0.0;
   return inverse_z > 0.0 ? 1.0 / inverse_z : 0.0;
 }
 
-double FaceShape::inverse_z_at(double x) const {
-  return chebyshev_value(inverse_z_, (x - x_mid_) / x_half_);
+double FaceShape::column_of(double x) const {
+  const CameraParameters& lens = camera_.parameters();
+  return lens.cx_px + lens.fx_px * x;
 }
 
-double FaceShape::inverse_z_slope_at(double x) const {
-  return chebyshev_value(inverse_z_slope_, (x - x_mid_) / x_half_);
+FaceShape::InverseDepth FaceShape::inverse_depth_at(double x) const {
+  const double u = column_of(x), t = arc_.at(u);
+  const double per_x = camera_.parameters().fx_px * arc_.slope_at(u);
+  InverseDepth inverse;
+  inverse.a = chebyshev_value(inverse_z_, t);
+  inverse.a_slope = per_x * chebyshev_value(inverse_z_slope_, t);
+  if (!twist_) return inverse;
+  inverse.b = chebyshev_value(inverse_z_by_y_, t);
+  inverse.d = chebyshev_value(inverse_z_by_y2_, t);
+  inverse.b_slope = per_x * chebyshev_value(inverse_z_by_y_slope_, t);
+  inverse.d_slope = per_x * chebyshev_value(inverse_z_by_y2_slope_, t);
+  return inverse;
+}
+
+double FaceShape::inverse_z_at(const Eigen::Vector2d& direction) const {
+  const double t = arc_.at(column_of(direction.x())), y = direction.y();
+  const double inverse_z = chebyshev_value(inverse_z_, t);
+  if (!twist_) return inverse_z;
+  return inverse_z +
+         y * (chebyshev_value(inverse_z_by_y_, t) + y * chebyshev_value(inverse_z_by_y2_, t));
 }
 
 FaceShape FaceShape::plane(const Camera& camera, const Face& face) {
@@ -241,16 +304,6 @@ void FaceShape::finish() {
   }
 }
 
-FaceShape::Rows FaceShape::rows(int u, double margin_px) const {
-  const FaceColumn& column = columns_[static_cast<std::size_t>(u)];
-  if (!column.valid) return {0, -1};
-  if (whole_picture_) return {0, camera_.size().height - 1};
-  // A pixel is on the face when all of it is: its centre half a pixel inside, and the margin.
-  const int first = static_cast<int>(std::ceil(column.upper_v + 0.5 + margin_px));
-  const int last = static_cast<int>(std::floor(column.lower_v - 0.5 - margin_px));
-  return {std::max(first, 0), std::min(last, camera_.size().height - 1)};
-}
-
 std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
   const auto nearest = static_cast<long>(std::lround(u));
   if (nearest < 0 || nearest >= width_px() || !columns_[static_cast<std::size_t>(nearest)].valid)
@@ -267,16 +320,15 @@ std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
     local.area_mm2 = local.flat_area_mm2 = lens.mm_per_px * lens.mm_per_px;
     return local;
   }
-  // Whole columns of a lens without distortion are known already.
-  const auto column = static_cast<std::size_t>(nearest);
-  const auto found = !across_.empty() && u == static_cast<double>(nearest)
-                         ? std::optional<Across>(across_[column])
-                         : across_of(*ray);
+  const auto found =
+      across_of(*ray,
+                u == static_cast<double>(nearest) ? std::optional(static_cast<std::size_t>(nearest))
+                                                  : std::nullopt);
   if (!found || !(found->z_mm > 0.0)) return std::nullopt;
   const double z = found->z_mm;
   local.view_point_mm = ray->point_at(z);
-  local.normal = {found->normal_x, 0.0, found->normal_z};
-  local.cos_incline = found->normal_z;
+  local.normal = found->normal;
+  local.cos_incline = found->normal.z();
   const double pixel = ray_area(*ray, u, v, 1.0 / z) * z * z * z;
   local.area_mm2 = pixel * found->length;
   local.flat_area_mm2 = pixel * found->along;
@@ -293,20 +345,29 @@ std::vector<float> FaceShape::along_z_per_normal() const {
   return factors;
 }
 
-// With q = 1/z a function of x: p = (x, y, 1) / q, so dp/dx is along (q - x q', -y q', -q') and the
-// normal across y is along (q', 0, q - x q'): no division by a slope, no cosine.
-std::optional<FaceShape::Across> FaceShape::across_from(double x, double q, double q_slope) {
+// With q = 1/z a function of x and y the plane that touches the face is q_x X + q_y Y + c Z = 1,
+// c = q - x q_x - y q_y: its normal needs no division by a slope and no cosine.
+std::optional<FaceShape::Across> FaceShape::across_from(double x,
+                                                        double y,
+                                                        const InverseDepth& inverse) {
+  const double q = inverse.at(y);
   if (!(q > 0.0)) return std::nullopt;
-  const double along = q - x * q_slope;
-  const double length = std::hypot(q_slope, along);
+  const double q_x = inverse.a_slope + y * (inverse.b_slope + y * inverse.d_slope);
+  const double q_y = inverse.b + 2.0 * y * inverse.d;
+  const double along = q - x * q_x - y * q_y;
+  const double length = std::hypot(q_x, q_y, along);
   if (!(length > 0.0) || !(along > 0.0)) return std::nullopt;
-  return Across{1.0 / q, along, length, q_slope / length, along / length};
+  return Across{1.0 / q, along, length, Eigen::Vector3d(q_x, q_y, along) / length};
 }
 
-std::optional<FaceShape::Across> FaceShape::across_of(const Ray& ray) const {
-  const double inverse_z = inverse_z_of(ray);
-  const double x = seen_at(ray, inverse_z).x();
-  return across_from(x, inverse_z, inverse_z_slope_at(x));
+// Whole columns of a lens without distortion are known already.
+std::optional<FaceShape::Across> FaceShape::across_of(const Ray& ray,
+                                                      std::optional<std::size_t> column) const {
+  if (column && !across_.empty()) return across_[*column];
+  if (column && !by_column_.empty())
+    return across_from(ray.direction.x(), ray.direction.y(), by_column_[*column]);
+  const Eigen::Vector2d seen = seen_from(ray, inverse_z_of(ray));
+  return across_from(seen.x(), seen.y(), inverse_depth_at(seen.x()));
 }
 
 double FaceShape::ray_area(const Ray& ray, double u, double v, double inverse_z) const {
@@ -316,27 +377,10 @@ double FaceShape::ray_area(const Ray& ray, double u, double v, double inverse_z)
   const auto right = camera_.unproject({u + kStep, v});
   const auto below = camera_.unproject({u, v + kStep});
   if (!right || !below) return 1.0 / (lens.fx_px * lens.fy_px);
-  const Eigen::Vector2d here = seen_at(ray, inverse_z);
-  const Eigen::Vector2d du = seen_at(*right, inverse_z) - here;
-  const Eigen::Vector2d dv = seen_at(*below, inverse_z) - here;
+  const Eigen::Vector2d here = seen_from(ray, inverse_z);
+  const Eigen::Vector2d du = seen_from(*right, inverse_z) - here;
+  const Eigen::Vector2d dv = seen_from(*below, inverse_z) - here;
   return std::abs(du.x() * dv.y() - du.y() * dv.x()) / (kStep * kStep);
-}
-
-double FaceShape::length_at(double u) const {
-  const double clamped = std::clamp(u, 0.0, static_cast<double>(columns_.size() - 1));
-  const auto left = static_cast<std::size_t>(clamped);
-  const std::size_t right = std::min(left + 1, columns_.size() - 1);
-  const double part = clamped - static_cast<double>(left);
-  return length_mm_[left] + part * (length_mm_[right] - length_mm_[left]);
-}
-
-Eigen::Vector2d FaceShape::place_mm(double u, double v) const {
-  const auto nearest = std::clamp<long>(std::lround(u), 0, width_px() - 1);
-  const FaceColumn& column = columns_[static_cast<std::size_t>(nearest)];
-  const double across = column.valid ? (v - 0.5 * (column.upper_v + column.lower_v)) *
-                                           camera_.mm_per_px_at(column.z_mm)
-                                     : 0.0;
-  return {length_at(u), across};
 }
 
 Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local,

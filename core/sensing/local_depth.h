@@ -49,7 +49,7 @@ struct DepthMap {
 
 struct DifferenceOptions {
   double smoothing_px = 1.0;    ///< sd of the Gaussian over x; 0: none
-  double edge_margin_px = 2.0;  ///< pixels this near the face's edges are off the face
+  double edge_margin_px = 1.0;  ///< pixels this near the face's edges are off the face
   double noise_sd = 1.0;        ///< grey levels, from the picture
   bool correct_light = false;   ///< take out what the light has changed (light_gain.h)
 };

@@ -114,6 +114,9 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
       result.problems.push_back(problem);
       return;
     }
+    if (const TwistModel* model = library.twist_model())
+      if (auto turned = model->twisted(*result.markers, *result.shape))
+        result.shape = std::move(*turned);
     if (finger.contact)
       result.touch = touch(*result.markers, *finger.contact, result.shape->base_at_low_u());
   }

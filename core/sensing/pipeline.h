@@ -33,7 +33,7 @@ struct FrameResult {
   FramePtr frame;
   cv::Mat grey;  ///< the oriented picture
   std::optional<FaceEdges> edges;
-  std::optional<FaceShape> shape;
+  std::optional<FaceShape> shape;  ///< turned by the twist that the markers tell
   std::optional<Markers> markers;
   std::optional<Reference> reference;
   std::optional<Difference> difference;  ///< of a finger without a mapping

@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kBeyondRest = 0.15;  // of the rest frame's face: how much more others may show
 constexpr int kProfileDegree = 7;
+constexpr std::size_t kMostPoses = 160;  // that the finger's twist is learnt from
+constexpr double kMarkerSdPx = 0.1;      // of recorded markers, as measured
 constexpr int kNeighbours = 8;  // of the local regression: more gain little and cost their share
 constexpr double kMismatchPx = 0.2;    // of every marker, that is worth no more noise to avoid
 constexpr double kMostWeight = 2.9;    // sum of |w|: noise and model error grow with it
@@ -47,6 +49,7 @@ struct ReferenceLibrary::Content {
   std::vector<FacePicture> faces;  // on the grid
   std::size_t bytes = 0;
   std::optional<MarkerModel> model;
+  std::optional<TwistModel> twist;
   std::optional<LayoutSearch> search;
   Eigen::MatrixXd modes;  // of the frames, px, a row each
   Eigen::VectorXd mode_sd;
@@ -134,7 +137,7 @@ Markers as_markers(const Eigen::MatrixXd& layouts,
   Markers markers(static_cast<std::size_t>(layouts.cols() / 2));
   for (std::size_t m = 0; m < markers.size(); ++m) {
     const auto k = static_cast<Eigen::Index>(2 * m);
-    markers[m] = {layouts(row, k), layouts(row, k + 1), seen[m] != 0, 0};
+    markers[m] = {layouts(row, k), layouts(row, k + 1), seen[m] != 0, kMarkerSdPx};
   }
   return markers;
 }
@@ -211,8 +214,10 @@ Status read_faces(const Reading& reading,
                   const FaceGrid& grid,
                   const SkinPlaces& places,
                   const Job& job,
-                  Keeper& keeper) {
+                  Keeper& keeper,
+                  std::vector<TwistModel::Pose>& poses) {
   const std::size_t count = reading.table.frames.size();
+  const std::size_t every = count / kMostPoses + 1;
   for (std::size_t row = 0; row < count; ++row) {
     if (job.stop_requested())
       return Error{"stopped before the reference was read", reading.video.string(), ""};
@@ -225,6 +230,7 @@ Status read_faces(const Reading& reading,
     if (!looked || looked->chart.base_at_low_u != grid.chart.base_at_low_u) continue;
     lay_on(places, looked->shape, reading.markers(row), &looked->chart);
     keeper.add(row, keep_face(*grey, looked->chart, grid));
+    if (row % every == 0) poses.push_back({reading.markers(row), std::move(looked->shape)});
   }
   return {};
 }
@@ -307,13 +313,14 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
   if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
   auto content = std::make_shared<Content>();
   Keeper keeper(table, memory_limit_bytes);
+  std::vector<TwistModel::Pose> poses;
   try {
     const Reading reading{frame, frame_count, video_file, table, finger, camera};
     const auto rest = find_rest(reading);
     if (!rest) return rest.error();
     content->grid = face_grid(rest->chart, kBeyondRest);
     content->places = rest->places;
-    const Status read = read_faces(reading, content->grid, content->places, job, keeper);
+    const Status read = read_faces(reading, content->grid, content->places, job, keeper, poses);
     if (!read) return read.error();
   } catch (const std::exception& problem) {
     return wrong(fmt::format("the recording cannot be read ({})", problem.what()), video_file);
@@ -333,6 +340,7 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
     content->frames.push_back(table.frames[rows[i]]);
     content->faces.push_back(keeper.take(rows[i]));
   }
+  content->twist = TwistModel::learn(poses);
   content->model = std::move(*model);
   content->mode_sd = content->model->mode_sd_px();
   content->modes.resize(layouts.rows(), content->mode_sd.size());
@@ -379,6 +387,10 @@ std::size_t ReferenceLibrary::memory_bytes() const {
 
 const MarkerModel* ReferenceLibrary::marker_model() const {
   return content_->model ? &*content_->model : nullptr;
+}
+
+const TwistModel* ReferenceLibrary::twist_model() const {
+  return content_->twist ? &*content_->twist : nullptr;
 }
 
 const std::vector<int>& ReferenceLibrary::frame_numbers() const {

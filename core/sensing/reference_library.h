@@ -7,6 +7,7 @@
 #include "core/sensing/face_shape.h"
 #include "core/sensing/markers.h"
 #include "core/sensing/reference_picture.h"
+#include "core/sensing/twist_model.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -98,6 +99,8 @@ class ReferenceLibrary {
   [[nodiscard]] std::size_t memory_bytes() const;
   /// nullptr for a single picture.
   [[nodiscard]] const MarkerModel* marker_model() const;
+  /// nullptr for a single picture, and where the recording does not tell of one.
+  [[nodiscard]] const TwistModel* twist_model() const;
 
   /// Index into the library (not the video) of the frame with the least mean distance over the
   /// markers that are seen, by brute force; and that distance.

@@ -76,6 +76,58 @@ TEST(FaceEdges, AreFoundToAFewHundredthsOfAPixel) {
   }
 }
 
+// A hundredth of a pixel of bias is as much in z as a tenth of a pixel of noise along 100 samples.
+TEST(FaceEdges, NeitherBlurNorLightThatFallsAcrossTheFaceMovesThem) {
+  const double upper = 120.3, lean = 0.21, lower = 415.6;
+  for (const double blur : {0.6, 0.8, 1.2, 1.6, 2.2}) {
+    for (const double fall : {0.0, 0.25}) {  // of the brightness, over 100 rows
+      cv::Mat picture(540, 960, CV_8UC1);
+      std::mt19937 engine(51);
+      std::normal_distribution<double> noise(0.0, 1.0);
+      for (int v = 0; v < picture.rows; ++v)
+        for (int u = 0; u < picture.cols; ++u) {
+          const double top = v - upper - lean * (u - 480) * 0.3, bottom = lower - v;
+          const double within =
+              0.5 * (std::erf(top / (M_SQRT2 * blur)) + std::erf(bottom / (M_SQRT2 * blur)));
+          const double level = 150.0 * (1.0 - fall * (v - 270) / 100.0);
+          picture.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
+              std::lround(25.0 + (level - 25.0) * within + noise(engine)));
+        }
+      const auto edges = FaceEdgeFinder()(picture);
+      ASSERT_TRUE(edges.ok()) << edges.error().sentence();
+      const Errors above =
+          errors(*edges, edges->upper, [&](double u) { return upper + lean * (u - 480) * 0.3; });
+      const Errors below = errors(*edges, edges->lower, [&](double) { return lower; });
+      for (const Errors& e : {above, below}) {
+        EXPECT_GT(e.valid, 0.95 * e.count) << "blur " << blur << " fall " << fall;
+        EXPECT_LT(std::abs(e.bias), 0.025) << "blur " << blur << " fall " << fall;
+      }
+    }
+  }
+}
+
+// At the very end of an edge a dot would have the most leverage.
+TEST(FaceEdges, DotsThatTouchThemAreLeftOut) {
+  std::mt19937 engine(52);
+  for (unsigned run = 0; run < 4; ++run) {
+    const SyntheticFace face = random_face(engine);
+    cv::Mat picture = face.draw(run);
+    for (int dot = 0; dot < 7; ++dot) {
+      const int u = (2 * dot + 1) * face.width / 14;
+      for (const double v : {face.upper(u) - 6.0, face.lower(u) + 6.0})
+        cv::circle(picture, {u, static_cast<int>(std::lround(v))}, 5, cv::Scalar(110), -1);
+    }
+    const auto edges = FaceEdgeFinder()(picture);
+    ASSERT_TRUE(edges.ok());
+    for (const auto& [edge, truth] :
+         {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {
+      const Errors e = errors(*edges, *edge, *truth);
+      EXPECT_GT(e.valid, 0.7 * e.count) << "run " << run;
+      EXPECT_LT(e.rms, 0.1) << "run " << run;
+    }
+  }
+}
+
 TEST(FaceEdges, IntegerStepIsThePapersFloor) {
   std::mt19937 engine(6);
   const SyntheticFace face = random_face(engine);

@@ -60,11 +60,56 @@ TEST(FaceShape, APlaneComesBackExactly) {
     if (!local) continue;
     ++seen;
     const double x = (u - 479.5) / 523.9;
-    EXPECT_NEAR(local->view_point_mm.z() / plane.z(x), 1.0, 1e-9);
+    EXPECT_NEAR(local->view_point_mm.z() / plane.z(x), 1.0, 1e-5);  // 1 um
     const Eigen::Vector3d normal = Eigen::Vector3d(-plane.m, 0.0, 1.0).normalized();
-    EXPECT_LT((local->normal - normal).norm(), 1e-7);
+    EXPECT_LT((local->normal - normal).norm(), 1e-3);
   }
   EXPECT_GT(seen, 700);
+}
+
+/// A face along a circle: the edges are steep where it is far.
+TEST(FaceShape, ABentFaceComesBackToItsEnds) {
+  const Camera camera = Camera::create(pinhole()).value();
+  for (const double bend : {-0.5, 0.0, 0.3}) {  // radians more at the tip
+    constexpr int kSteps = 4000;
+    constexpr double kLength = 80.0;
+    std::vector<Eigen::Vector3d> points;  // u, half width in px, z
+    double x = -22.0, z = 36.0;
+    for (int i = 0; i <= kSteps; ++i) {
+      points.emplace_back(479.5 + 523.9 * x / z, 523.9 * 12.0 / z, z);
+      const double angle = 0.55 + bend * i / kSteps;
+      x += std::cos(angle) * kLength / kSteps, z += std::sin(angle) * kLength / kSteps;
+    }
+    const auto at = [&](double u) {
+      const auto right = std::find_if(
+          points.begin() + 1, points.end() - 1, [&](const auto& p) { return p.x() > u; });
+      const Eigen::Vector3d a = *(right - 1), b = *right;
+      return Eigen::Vector3d(a + (b - a) * (u - a.x()) / (b.x() - a.x()));
+    };
+    FaceEdges edges;
+    for (double u = 3.5; u < 960; u += 8.0) {
+      const double half = at(u).y();
+      const bool seen = u > points.front().x() + 4 && u < points.back().x() - 4;
+      edges.u.push_back(u);
+      for (Edge* edge : {&edges.upper, &edges.lower}) {
+        edge->v.push_back(269.5 + (edge == &edges.upper ? -half : half));
+        edge->sd.push_back(0.03);
+        edge->valid.push_back(seen);
+      }
+    }
+    edges.ends.first = FaceEnd{points.front().x(), 269.5, 0.0, 0.05};
+    edges.ends.last = FaceEnd{points.back().x(), 269.5, 0.0, 0.05};
+    const auto shape = FaceShape::fit(edges, camera, fin_ray(), 7);
+    ASSERT_TRUE(shape.ok()) << shape.error().sentence();
+    for (int u = static_cast<int>(points.front().x()) + 1; u < points.back().x(); ++u) {
+      const FaceColumn& column = shape->columns()[static_cast<std::size_t>(u)];
+      ASSERT_TRUE(column.valid) << "bend " << bend << " column " << u;
+      // Nearest to the tip a column is up to 0.4 mm of z, and beyond the last sample.
+      const double to_tip_px = points.back().x() - u;
+      const double bound_mm = to_tip_px > 60 ? 0.05 : to_tip_px > 12 ? 0.2 : 0.5;
+      EXPECT_NEAR(column.z_mm, at(u).z(), bound_mm) << "bend " << bend << " column " << u;
+    }
+  }
 }
 
 TEST(FaceShape, DistortedLensesGiveTheSameFace) {
@@ -84,7 +129,7 @@ TEST(FaceShape, DistortedLensesGiveTheSameFace) {
         if (!local) continue;
         ++seen;
         const Eigen::Vector3d& q = local->view_point_mm;
-        EXPECT_NEAR(q.z(), plane.z0 + plane.m * q.x(), 0.02) << u << ' ' << v;
+        EXPECT_NEAR(q.z(), plane.z0 + plane.m * q.x(), 0.03) << u << ' ' << v;
       }
     }
     EXPECT_GT(seen, 150);

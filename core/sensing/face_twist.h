@@ -1,0 +1,28 @@
+// How a face's cross-sections are turned about the finger's length, from base to tip.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// The tangent of the twist over the arc's parameter t (arc_parameter.h): c0 + c1 t + c2 (2 t^2 -
+/// 1). Positive: the side at large v is turned away from the camera.
+struct FaceTwist {
+  static constexpr int kTerms = 3;
+
+  Eigen::Vector3d coefficients = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  /// How far the cross-sections turn along where the middle line sways, per its slope dy/ds: 1 as
+  /// in a beam, 0 where they slide past each other.
+  double yaw_per_slope = 0;
+
+  [[nodiscard]] static Eigen::RowVector3d terms_at(double arc) {
+    return {1.0, arc, 2.0 * arc * arc - 1.0};
+  }
+  [[nodiscard]] double at(double arc) const { return terms_at(arc) * coefficients; }
+  [[nodiscard]] double variance_at(double arc) const {
+    return terms_at(arc) * covariance * terms_at(arc).transpose();
+  }
+};
+
+}  // namespace alltact
