@@ -1,5 +1,7 @@
 #include "core/sensing/pipeline.h"
 
+#include "core/sensing/pose_places.h"
+
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -40,6 +42,7 @@ struct Pipeline::State {
   double plane_noise_sd = 1.0;
 
   void find_shape(FrameResult& result, StopWatch& watch) const;
+  bool find_markers(FrameResult& result);
   void find_reference(FrameResult& result, StopWatch& watch);
   void find_depth(FrameResult& result, StopWatch& watch) const;
   void find_contact(FrameResult& result, StopWatch& watch) const;
@@ -87,15 +90,27 @@ void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
   result.shape = std::move(shape).value();
 }
 
-void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
+// False: they are needed and could not be had.
+bool Pipeline::State::find_markers(FrameResult& result) {
+  std::string problem;
   if (tracker) {
-    std::string problem;
     result.markers = (*tracker)(result.grey, *result.shape, &problem);
-    watch.lap(result.times_ms.markers);
-    if (!result.markers) {
-      result.problems.push_back(problem);
-      return;
-    }
+  } else if (const MarkerModel* model = library.marker_model()) {
+    result.markers =
+        model->complete(markers_at(*finger.reference->places, edge_curves(*result.shape)));
+    problem = "too little of the face is seen to tell the pose by its shape";
+  } else {
+    return true;
+  }
+  if (!result.markers) result.problems.push_back(problem);
+  return result.markers.has_value();
+}
+
+void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
+  const bool found = find_markers(result);
+  watch.lap(result.times_ms.markers);
+  if (!found) return;
+  if (result.markers) {
     if (finger.contact)
       result.touch = touch(*result.markers, *finger.contact, result.shape->base_at_low_u());
   }
@@ -165,7 +180,8 @@ Result<Pipeline> Pipeline::create(const Finger& finger,
                                     std::nullopt,
                                     std::nullopt});
   if (finger.face.kind == FaceKind::kFlat) state->plane = FaceShape::plane(*camera, finger.face);
-  if (const MarkerModel* model = state->library.marker_model())
+  const bool by_shape = finger.reference && finger.reference->places;
+  if (const MarkerModel* model = state->library.marker_model(); model && !by_shape)
     state->tracker.emplace(finger.markers, *model);
   return Pipeline(std::move(state));
 }
