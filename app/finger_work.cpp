@@ -49,10 +49,10 @@ Result<ReferenceReport> install_recording(const fs::path& folder,
                                           Finger& finger,
                                           const std::vector<fs::path>& inputs,
                                           const Job& job,
-                                          const MotionNeed& need) {
+                                          const ReferenceChoices& choices) {
   auto source = open_source(inputs);
   if (!source) return source.error();
-  auto report = install_reference(**source, folder, finger, job, need);
+  auto report = install_reference(**source, folder, finger, job, choices);
   if (!report) return report.error();
   finger.provenance["reference_date"] = utc_now();
   if (const Status status = finger.save(folder); !status) return status.error();

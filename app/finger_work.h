@@ -24,7 +24,7 @@ namespace alltact {
     Finger& finger,
     const std::vector<std::filesystem::path>& inputs,
     const Job& job,
-    const MotionNeed& need = {});
+    const ReferenceChoices& choices = {});
 
 /// The command line that belongs to this program: beside it, or in the folder above while
 /// developing. Empty: it is in neither.

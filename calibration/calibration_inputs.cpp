@@ -263,6 +263,7 @@ std::string finger_checksum(const Finger& finger) {
   bare.markers = finger.markers;
   // What the reference recording told of the dots belongs to the reference.
   bare.markers.polarity = Polarity::kAuto;
+  bare.markers.missing.clear();
   const auto yaml = bare.to_yaml();
   Checksum checksum;
   if (yaml) checksum.add(yaml->data(), yaml->size());

@@ -53,10 +53,14 @@ CheckItem check_markers(const Finger& finger) {
             CheckState::kMissing,
             "no layout at rest, so touch cannot be told; run alltact reference again"};
   }
+  if (finger.reference && finger.reference->places)
+    return {"markers",
+            CheckState::kWeak,
+            "none; poses are told by the shape of the face, which cannot tell twist"};
   return {"markers",
           CheckState::kFine,
           fmt::format("{} markers; touch is told from {:.1f} px of summed offset",
-                      finger.marker_count(),
+                      finger.marker_count() - static_cast<int>(finger.markers.missing.size()),
                       finger.contact->threshold_px)};
 }
 

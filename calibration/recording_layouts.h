@@ -4,7 +4,9 @@
 #include "core/finger/finger.h"
 #include "core/result.h"
 #include "core/sensing/markers.h"
+#include "core/sensing/pose_places.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace alltact {
 /// What was found in one frame, in either polarity.
 struct FrameDots {
   std::vector<Dot> bright, dark;
-  bool base_at_low_u = true;
+  EdgeCurves curves;    ///< of the face the dots lie beside
   std::string problem;  ///< why there is nothing; empty when the frame was read and has a face
 };
 
@@ -22,12 +24,16 @@ struct NumberedRecording {
   std::vector<std::optional<Markers>> markers;  ///< by frame
   std::vector<std::string> problems;            ///< by frame, where there are no markers
   std::vector<Dot> typical;
+  std::vector<int> missing;          ///< numbers that no dot has, ascending
+  std::optional<PosePlaces> places;  ///< the markers are these places of the face, not dots
+  std::string no_markers;            ///< with places: why there are no markers, empty: none wanted
   double marker_noise_px = 0;  ///< how far a marker typically lies from what the others tell of it
 };
 
-/// Numbers first the frames whose two rows are plain (exactly per_row even dots on each side),
-/// learns how they move together, and then numbers every frame by that. Error: fewer than 2 such
-/// frames; says how many dots were found on each side.
+/// Follows the dots through the recording (dot_tracks.h), finds the two rows among those that are
+/// there again and again (row_law.h), learns how they move together, and then numbers every frame
+/// by that. Where less than a third of the markers can be found, or rows.per_row is 0, places on
+/// the edges of the face stand in for them. Error: fewer than 2 frames show the face.
 [[nodiscard]] Result<NumberedRecording> number_recording(const std::vector<FrameDots>& frames,
                                                          const MarkerRows& rows);
 

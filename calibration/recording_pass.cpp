@@ -52,7 +52,8 @@ FrameDots look_at(const cv::Mat& grey, const Camera& camera, const Finger& finge
     found.problem = shape.error().what;
     return found;
   }
-  found.base_at_low_u = shape->base_at_low_u();
+  found.curves = edge_curves(*shape);
+  if (finger.markers.per_row == 0) return found;
   for (const Polarity polarity : {Polarity::kBright, Polarity::kDark}) {
     if (finger.markers.polarity != Polarity::kAuto && finger.markers.polarity != polarity) continue;
     auto& dots = polarity == Polarity::kBright ? found.bright : found.dark;
@@ -82,7 +83,7 @@ Result<RecordingPass> read_recording(Source& source,
       job.report(static_cast<double>(number) / static_cast<double>(*total),
                  fmt::format("reading frame {} of {}", number + 1, *total));
     if (!frame) {
-      pass.frames.push_back({{}, {}, true, frame.error().what});
+      pass.frames.push_back({{}, {}, {}, frame.error().what});
       pass.in_video.push_back(-1);
       // A source that fails for ever must not keep us here.
       if (total && pass.frames.size() > *total) return frame.error();

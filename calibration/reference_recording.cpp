@@ -2,7 +2,9 @@
 
 #include "calibration/recording_layouts.h"
 #include "calibration/recording_pass.h"
+#include "calibration/recording_problem.h"
 #include "calibration/recording_study.h"
+#include "calibration/rest_pose.h"
 #include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
@@ -19,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kVideo = "reference.mkv";
 constexpr const char* kTable = "reference.csv";
+constexpr const char* kProblem = "reference.problem.png";
 constexpr double kTouchSigmas = 5.0;
 constexpr double kRepeatSigmas = 2.0;    // of marker noise: poses nearer than that are the same
 constexpr std::size_t kFewFrames = 100;  // so few that even repetitions help against noise
@@ -57,7 +60,18 @@ struct Installed {
   NumberedRecording numbered;
   SettingsSeen settings;
   ReferenceReport report;
+  std::size_t rest = 0;  // frame of the recording
+  cv::Mat problem;       // a picture of what was found; empty: there is no problem
 };
+
+// What the recording is installed as, while it is studied.
+Finger with_markers(const Finger& finger, const NumberedRecording& numbered) {
+  Finger described = finger;
+  described.markers.missing = numbered.missing;
+  if (!numbered.places) described.markers.polarity = numbered.polarity;
+  described.reference = ReferenceFiles{kVideo, kTable, "", numbered.places};
+  return described;
+}
 
 // The frames of the video just written that may be kept, by their number in the recording.
 std::vector<std::size_t> numbered_frames(const RecordingPass& pass, Installed& installed) {
@@ -89,8 +103,11 @@ double mm_per_part(const Finger& finger) {
   return finger.face.layer_mm * (1.0 + 0.6 * finger.face.layer_mm);
 }
 
-// Told by the pair of dots nearest to the tip between which the face is seen in nearly all frames.
-void add_motion(const std::vector<const StudiedFrame*>& frames, MotionCoverage& coverage) {
+// Told by the pair of dots nearest to the tip between which the face is seen in nearly all frames,
+// against the frame that counts as rest.
+void add_motion(const std::vector<const StudiedFrame*>& frames,
+                const StudiedFrame* rest,
+                MotionCoverage& coverage) {
   constexpr double kNearlyAll = 0.8;
   const std::size_t pairs = frames.empty() ? 0 : frames.front()->pairs.size();
   for (std::size_t pair = pairs; pair-- > 0;) {
@@ -98,9 +115,35 @@ void add_motion(const std::vector<const StudiedFrame*>& frames, MotionCoverage& 
     for (const StudiedFrame* frame : frames)
       if (pair < frame->pairs.size() && frame->pairs[pair]) places.push_back(*frame->pairs[pair]);
     if (places.size() < kNearlyAll * static_cast<double>(frames.size()) || places.empty()) continue;
-    for (const TipPlace& place : places) coverage.add(motion_between(places.front(), place));
+    const TipPlace& from = rest && pair < rest->pairs.size() && rest->pairs[pair]
+                               ? *rest->pairs[pair]
+                               : places.front();
+    for (const TipPlace& place : places) coverage.add(motion_between(from, place));
     return;
   }
+}
+
+// The frame asked for, or the middle one of those kept.
+Status choose_rest(const std::optional<int>& wanted,
+                   const std::vector<std::size_t>& kept,
+                   Installed& installed) {
+  installed.rest =
+      kept[static_cast<std::size_t>(middle_pose(table_of(installed.numbered, kept).layouts))];
+  if (wanted) {
+    const auto number = static_cast<std::size_t>(*wanted);
+    const auto& markers = installed.numbered.markers;
+    if (*wanted < 0 || number >= markers.size() || !markers[number])
+      return Error{fmt::format("frame {} cannot be the finger's rest: {}",
+                               *wanted,
+                               *wanted < 0 || number >= markers.size()
+                                   ? "the recording has no such frame"
+                                   : installed.numbered.problems[number]),
+                   "recording",
+                   "another frame in which the finger rests"};
+    installed.rest = number;
+  }
+  installed.report.rest_frame = static_cast<int>(installed.rest);
+  return {};
 }
 
 // Compares the frames with each other; takes out those that are touched and says what the rest is
@@ -110,6 +153,7 @@ Status study(const fs::path& video,
              const Camera& camera,
              const Finger& finger,
              const Job& job,
+             const std::optional<int>& wanted_rest,
              std::vector<std::size_t>& kept,
              Installed& installed) {
   MarkerTable table = table_of(installed.numbered, kept);
@@ -152,7 +196,13 @@ Status study(const fs::path& video,
     kept.push_back(of_library[row]);
     untouched.push_back(&studied->frames[row]);
   }
-  add_motion(untouched, report.coverage);
+  if (kept.size() < 2) return {};
+  const Status rested = choose_rest(wanted_rest, kept, installed);
+  if (!rested) return rested;
+  const auto rest = std::find(kept.begin(), kept.end(), installed.rest) - kept.begin();
+  add_motion(untouched,
+             rest < std::ssize(kept) ? untouched[static_cast<std::size_t>(rest)] : nullptr,
+             report.coverage);
   report.error_median = studied->error_median;
   report.error_p95 = studied->error_p95;
   report.nearest_error_median = studied->nearest_error_median;
@@ -184,11 +234,31 @@ void thin(std::vector<std::size_t>& kept, Installed& installed) {
   kept = std::move(spread);
 }
 
+// Says what the finger lacks.
+void tell_missing(Installed& installed) {
+  const NumberedRecording& numbered = installed.numbered;
+  ReferenceReport& report = installed.report;
+  report.by_shape = numbered.places.has_value();
+  report.missing = numbered.missing;
+  if (!numbered.no_markers.empty())
+    report.warnings.push_back(fmt::format(
+        "No markers can be used: {}. Poses are told by the shape of the face alone, "
+        "which cannot tell twist; if the finger has dots, light both side faces so that "
+        "they stand out, and focus",
+        numbered.no_markers));
+  if (!numbered.missing.empty())
+    report.remarks.push_back(
+        fmt::format("Markers {} were not found anywhere; the finger works with the other {}",
+                    fmt::join(numbered.missing, ", "),
+                    numbered.typical.size() - numbered.missing.size()));
+}
+
 // Fills `temporary` with the video, and gives what goes with it.
 Status make_reference(Source& source,
                       const Camera& camera,
                       const Finger& finger,
                       const Job& job,
+                      const std::optional<int>& wanted_rest,
                       const fs::path& temporary,
                       Installed& installed) {
   const auto pass = read_recording(source, camera, finger, Job(job, 0.0, 0.5), temporary);
@@ -203,15 +273,31 @@ Status make_reference(Source& source,
                  "recording",
                  "record the finger while it bends slowly in every direction, untouched"};
   job.report(0.5, "numbering the markers");
+  const auto draw = [&](const std::string& sentence) {
+    return recording_problem(*pass, installed.numbered, installed.rest, finger.name, sentence);
+  };
+  const auto refuse = [&](const Error& error) -> Status {
+    installed.problem = draw(error.sentence());
+    return error;
+  };
   auto result = number_recording(pass->frames, finger.markers);
-  if (!result) return result.error();
+  if (!result) return refuse(result.error());
   installed.numbered = std::move(*result);
+  tell_missing(installed);
   std::vector<std::size_t> kept = numbered_frames(*pass, installed);
-  if (kept.size() < 2) return too_few(report, kept.size());
-  const Status studied =
-      study(temporary, *pass, camera, finger, Job(job, 0.5, 0.9), kept, installed);
+  if (kept.size() < 2) return refuse(too_few(report, kept.size()));
+  const Status studied = study(temporary,
+                               *pass,
+                               camera,
+                               with_markers(finger, installed.numbered),
+                               Job(job, 0.5, 0.9),
+                               wanted_rest,
+                               kept,
+                               installed);
   if (!studied) return studied;
-  if (kept.size() < 2) return too_few(report, kept.size());
+  if (kept.size() < 2) return refuse(too_few(report, kept.size()));
+  for (const auto* sentences : {&report.warnings, &report.remarks})
+    if (!sentences->empty()) installed.problem = draw(sentences->front() + ".");
   thin(kept, installed);
   if (static_cast<int>(kept.size()) < pass->written) {
     std::vector<char> keep(static_cast<std::size_t>(pass->written), 0);
@@ -228,7 +314,8 @@ Status make_reference(Source& source,
 void remark(const MarkerTable& table, ReferenceReport& report) {
   std::size_t estimated = 0;
   for (const auto& row : table.seen)
-    estimated += static_cast<std::size_t>(std::count(row.begin(), row.end(), 0));
+    estimated +=
+        static_cast<std::size_t>(std::count(row.begin(), row.end(), 0)) - report.missing.size();
   if (estimated > 0)
     report.remarks.push_back(
         fmt::format("{} marker positions in {} frames are estimates, because the markers were "
@@ -244,25 +331,34 @@ void remark(const MarkerTable& table, ReferenceReport& report) {
     report.remarks.push_back("Not yet seen: " + missing);
 }
 
+// True: the picture lies in the folder. One of an earlier recording goes.
+bool leave_problem(const fs::path& folder, const cv::Mat& problem) {
+  std::error_code ignored;
+  if (!problem.empty() && write_picture(folder / kProblem, problem)) return true;
+  fs::remove(folder / kProblem, ignored);
+  return false;
+}
+
 }  // namespace
 
 Result<ReferenceReport> install_reference(Source& source,
                                           const fs::path& folder,
                                           Finger& finger,
                                           const Job& job,
-                                          const MotionNeed& need) {
-  if (finger.face.kind != FaceKind::kFinRay || finger.markers.per_row < 2)
+                                          const ReferenceChoices& choices) {
+  if (finger.face.kind != FaceKind::kFinRay)
     return Error{"this finger has no markers to record a reference with",
                  folder.string(),
-                 "a flat sensor takes one untouched picture; for a Fin Ray set markers.per_row"};
+                 "a flat sensor takes one untouched picture"};
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
   Installed installed;
-  installed.report.coverage = MotionCoverage(need);
+  installed.report.coverage = MotionCoverage(choices.need);
   const Status written =
       write_file_atomically(folder / kVideo, [&](const fs::path& temporary) -> Status {
         try {
-          const Status made = make_reference(source, *camera, finger, job, temporary, installed);
+          const Status made = make_reference(
+              source, *camera, finger, job, choices.rest_frame, temporary, installed);
           // The table first: should the disk fill up here, the old video still stands beside the
           // old table.
           return made ? installed.table.save(folder / kTable) : made;
@@ -272,18 +368,29 @@ Result<ReferenceReport> install_reference(Source& source,
                        ""};
         }
       });
-  if (!written) return written.error();
+  const bool is_drawn = leave_problem(folder, installed.problem);
+  if (!written) {
+    Error error = written.error();
+    if (is_drawn)
+      error.advice += fmt::format("; {} shows what was found", (folder / kProblem).string());
+    return error;
+  }
   const MarkerTable& table = installed.table;
   ReferenceReport& report = installed.report;
-  finger.reference = ReferenceFiles{kVideo, kTable, ""};
-  finger.markers.polarity = installed.numbered.polarity;
+  Finger described = with_markers(finger, installed.numbered);
+  finger.reference = described.reference;
+  finger.markers = described.markers;
   ContactSettings contact;
-  for (Eigen::Index k = 0; k < table.layouts.cols(); k += 2)
-    contact.rest_markers.emplace_back(table.layouts(0, k), table.layouts(0, k + 1));
+  for (const Marker& marker : *installed.numbered.markers[installed.rest])
+    contact.rest_markers.emplace_back(marker.u, marker.v);
   contact.threshold_px =
       touch_threshold_px(installed.numbered.marker_noise_px, contact.rest_markers.size());
   finger.contact = std::move(contact);
-  report.warnings = record_settings(installed.settings, RecordingKind::kReference, finger);
+  for (std::string& warning :
+       record_settings(installed.settings, RecordingKind::kReference, finger))
+    report.warnings.push_back(std::move(warning));
+  if (is_drawn)
+    report.remarks.push_back(fmt::format("{} shows what was found", (folder / kProblem).string()));
   remark(table, report);
   job.report(1.0, "reference installed");
   return std::move(report);

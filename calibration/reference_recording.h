@@ -8,6 +8,7 @@
 #include "core/sources/source.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,21 +30,36 @@ struct ReferenceReport {
   bool by_own_mapping = false;
   double nearest_error_median = 0;  ///< the same for the nearest frame alone
   MotionCoverage coverage{MotionNeed{}};
+  std::vector<int> missing;  ///< numbers of markers that the finger does not have, ascending
+  bool by_shape = false;     ///< poses are told by places of the face, because it has no markers
+  int rest_frame = 0;        ///< number in the recording of the frame that counts as rest
 };
 
-/// Tracks the markers through the recording (numbering them from the frames where all are seen),
-/// rejects frames that cannot be used or in which something presses on the contact face (see
-/// recording_study.h), thins those that repeat a pose, and installs what is left in the folder:
-/// reference.mkv (lossless, grey, as the source gave it), reference.csv, and in `finger` the file
-/// names, the marker polarity, the rest layout (first frame), the touch threshold (from the
-/// recording's own marker noise) and what the camera was set to. The files are written whole or not
-/// at all; `finger` is changed only on success and not saved. Errors: fewer than 2 frames, wrong
-/// size, no face, markers never all seen (with the counts).
+/// What a recording is installed with.
+struct ReferenceChoices {
+  MotionNeed need;
+  /// Number in the recording of the frame that shows the finger at rest; absent: the one nearest to
+  /// the middle of all poses.
+  std::optional<int> rest_frame;
+};
+
+/// Tracks the markers through the recording (see recording_layouts.h), rejects frames that cannot
+/// be used or in which something presses on the contact face (see recording_study.h), thins those
+/// that repeat a pose, and installs what is left in the folder: reference.mkv (lossless, grey, as
+/// the source gave it), reference.csv, and in `finger` the file names, the markers' polarity and
+/// the numbers of those it lacks, the layout at rest, the touch threshold (from the recording's own
+/// marker noise) and what the camera was set to. Where there are no markers to be found, places of
+/// the face stand in for them, and a warning says so. The files are written whole or not at all;
+/// `finger` is changed only on success and not saved.
+///
+/// Where markers are missing or the recording is refused, reference.problem.png in the folder shows
+/// what was found (problem_picture.h); it is removed by a recording without such a problem.
+/// Errors: fewer than 2 frames, wrong size, no face, a frame at rest that cannot be used.
 [[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
                                                         const std::filesystem::path& folder,
                                                         Finger& finger,
                                                         const Job& job,
-                                                        const MotionNeed& need = {});
+                                                        const ReferenceChoices& choices = {});
 
 /// A flat sensor's one untouched picture: copied into the folder as reference.png. Gives warnings
 /// as above.

@@ -1747,14 +1747,6 @@
         <translation>den Block &apos;markers&apos; entfernen</translation>
     </message>
     <message>
-        <source>must be a whole number from 2 to 64</source>
-        <translation>muss eine ganze Zahl von 2 bis 64 sein</translation>
-    </message>
-    <message>
-        <source>the number of dots on one side face</source>
-        <translation>die Zahl der Punkte auf einer Seitenfläche</translation>
-    </message>
-    <message>
         <source>calibrate again</source>
         <translation>neu kalibrieren</translation>
     </message>
@@ -3003,30 +2995,6 @@
         <translation>eine Aufnahme, auf der beide langen Kanten der hellen Fläche zu sehen sind</translation>
     </message>
     <message>
-        <source>on both sides</source>
-        <translation>auf beiden Seiten</translation>
-    </message>
-    <message>
-        <source>on the upper side</source>
-        <translation>auf der oberen Seite</translation>
-    </message>
-    <message>
-        <source>on the lower side</source>
-        <translation>auf der unteren Seite</translation>
-    </message>
-    <message>
-        <source>that lie evenly</source>
-        <translation>die gleichmäßig liegen</translation>
-    </message>
-    <message>
-        <source>the markers were never all seen: a frame shows %1 dots on the upper and %2 on the lower side face (median of %3 frames), %4 are needed in each row, so dots are missing %5</source>
-        <translation>nie waren alle Marken zu sehen: Ein Bild zeigt %1 Punkte auf der oberen und %2 auf der unteren Seitenfläche (Median von %3 Bildern), in jeder Reihe sind %4 nötig, also fehlen Punkte %5</translation>
-    </message>
-    <message>
-        <source>check markers.per_row, light both side faces so that the dots stand out from them, focus, and keep every dot inside the picture and uncovered in at least two different poses</source>
-        <translation>markers.per_row prüfen, beide Seitenflächen so beleuchten, dass sich die Punkte abheben, scharf stellen, und jeden Punkt in mindestens zwei verschiedenen Haltungen im Bild und unverdeckt halten</translation>
-    </message>
-    <message>
         <source>%1 dots were found but they fit no pose of the %2 markers</source>
         <translation>%1 Punkte wurden gefunden, aber sie passen zu keiner Haltung der %2 Marken</translation>
     </message>
@@ -3121,10 +3089,6 @@
     <message>
         <source>this finger has no markers to record a reference with</source>
         <translation>dieser Finger hat keine Marken, um eine Referenz aufzunehmen</translation>
-    </message>
-    <message>
-        <source>a flat sensor takes one untouched picture; for a Fin Ray set markers.per_row</source>
-        <translation>ein flacher Sensor nimmt ein unberührtes Bild; für einen Fin Ray markers.per_row setzen</translation>
     </message>
     <message>
         <source>the recording could not be processed (%1)</source>
@@ -3913,6 +3877,110 @@
     <message>
         <source>plugging in the disk it lies on, or opening another one</source>
         <translation>den Datenträger anstecken, auf dem sie liegt, oder eine andere öffnen</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to 64</source>
+        <translation>muss eine ganze Zahl von 0 bis 64 sein</translation>
+    </message>
+    <message>
+        <source>the number of dots on one side face, 0 for a finger without</source>
+        <translation>die Zahl der Punkte auf einer Seitenfläche, 0 bei einem Finger ohne Punkte</translation>
+    </message>
+    <message>
+        <source>must be numbers from 0 to %1, ascending</source>
+        <translation>müssen aufsteigende Nummern von 0 bis %1 sein</translation>
+    </message>
+    <message>
+        <source>must be a list of whole numbers</source>
+        <translation>muss eine Liste ganzer Zahlen sein</translation>
+    </message>
+    <message>
+        <source>must be a column of the picture and a step of 0.001 to 500 mm</source>
+        <translation>muss eine Spalte des Bildes und ein Schritt von 0.001 bis 500 mm sein</translation>
+    </message>
+    <message>
+        <source>must be two numbers: a column in px, a step in mm</source>
+        <translation>müssen zwei Zahlen sein: eine Spalte in px, ein Schritt in mm</translation>
+    </message>
+    <message>
+        <source>too little of the face is seen to tell the pose by its shape</source>
+        <translation>von der Fläche ist zu wenig zu sehen, um die Haltung aus ihrer Form zu lesen</translation>
+    </message>
+    <message>
+        <source>a frame shows %1 dots on the upper and %2 on the lower side face (median of %3 frames), but no two rows of up to %4 that keep their places on the finger</source>
+        <translation>ein Bild zeigt %1 Punkte auf der oberen und %2 auf der unteren Seitenfläche (Median von %3 Bildern), aber keine zwei Reihen von bis zu %4, die ihren Platz auf dem Finger behalten</translation>
+    </message>
+    <message>
+        <source>No markers can be used: %1. Poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
+        <translation>Keine Marken sind brauchbar: %1. Haltungen werden allein aus der Form der Fläche gelesen, die keine Verdrehung zeigt; hat der Finger Punkte, beide Seitenflächen so beleuchten, dass sie sich abheben, und scharf stellen</translation>
+    </message>
+    <message>
+        <source>Markers %1 were not found anywhere; the finger works with the other %2</source>
+        <translation>Die Marken %1 wurden nirgends gefunden; der Finger arbeitet mit den anderen %2</translation>
+    </message>
+    <message>
+        <source>%1 shows what was found</source>
+        <translation>%1 zeigt, was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>frame %1 cannot be the finger's rest: %2</source>
+        <translation>Bild %1 kann nicht die Ruhelage des Fingers sein: %2</translation>
+    </message>
+    <message>
+        <source>the recording has no such frame</source>
+        <translation>die Aufnahme hat kein solches Bild</translation>
+    </message>
+    <message>
+        <source>another frame in which the finger rests</source>
+        <translation>ein anderes Bild, in dem der Finger ruht</translation>
+    </message>
+    <message>
+        <source>a flat sensor takes one untouched picture</source>
+        <translation>ein flacher Sensor bekommt ein unberührtes Bild</translation>
+    </message>
+    <message>
+        <source>the finger has no reference recording, so no rest can be set</source>
+        <translation>der Finger hat keine Referenzaufnahme, also lässt sich keine Ruhelage setzen</translation>
+    </message>
+    <message>
+        <source>record the bending, untouched finger first</source>
+        <translation>zuerst den sich biegenden, unberührten Finger aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1 markers were found, but the finger has %2</source>
+        <translation>%1 Marken wurden gefunden, aber der Finger hat %2</translation>
+    </message>
+    <message>
+        <source>a marker has no place in the picture</source>
+        <translation>eine Marke hat keinen Platz im Bild</translation>
+    </message>
+    <message>
+        <source>a picture in which the markers are found</source>
+        <translation>ein Bild, in dem die Marken gefunden werden</translation>
+    </message>
+    <message>
+        <source>lines: edges of the face</source>
+        <translation>Linien: Kanten der Fläche</translation>
+    </message>
+    <message>
+        <source>circle: a marker, with its number</source>
+        <translation>Kreis: eine Marke mit ihrer Nummer</translation>
+    </message>
+    <message>
+        <source>cross: looks like a dot, but is none of the rows</source>
+        <translation>Kreuz: sieht aus wie ein Punkt, gehört aber zu keiner Reihe</translation>
+    </message>
+    <message>
+        <source>broken circle: a marker should be here</source>
+        <translation>unterbrochener Kreis: hier sollte eine Marke sein</translation>
+    </message>
+    <message>
+        <source>%1, frame %2 of %3:</source>
+        <translation>%1, Bild %2 von %3:</translation>
+    </message>
+    <message>
+        <source>none; poses are told by the shape of the face, which cannot tell twist</source>
+        <translation>keine; Haltungen werden aus der Form der Fläche gelesen, die keine Verdrehung zeigt</translation>
     </message>
 </context>
 <context>

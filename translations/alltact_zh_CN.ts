@@ -1747,14 +1747,6 @@
         <translation>删除 &apos;markers&apos; 段</translation>
     </message>
     <message>
-        <source>must be a whole number from 2 to 64</source>
-        <translation>必须是 2 到 64 的整数</translation>
-    </message>
-    <message>
-        <source>the number of dots on one side face</source>
-        <translation>一个侧面上的标记点数</translation>
-    </message>
-    <message>
         <source>calibrate again</source>
         <translation>重新标定</translation>
     </message>
@@ -3003,30 +2995,6 @@
         <translation>能看见明亮面两条长边的录像</translation>
     </message>
     <message>
-        <source>on both sides</source>
-        <translation>在两侧</translation>
-    </message>
-    <message>
-        <source>on the upper side</source>
-        <translation>在上侧</translation>
-    </message>
-    <message>
-        <source>on the lower side</source>
-        <translation>在下侧</translation>
-    </message>
-    <message>
-        <source>that lie evenly</source>
-        <translation>均匀排列的</translation>
-    </message>
-    <message>
-        <source>the markers were never all seen: a frame shows %1 dots on the upper and %2 on the lower side face (median of %3 frames), %4 are needed in each row, so dots are missing %5</source>
-        <translation>标记点从未全部可见:一帧中上侧面有 %1 个、下侧面有 %2 个(%3 帧的中位数),每排需要 %4 个,因此缺少标记点:%5</translation>
-    </message>
-    <message>
-        <source>check markers.per_row, light both side faces so that the dots stand out from them, focus, and keep every dot inside the picture and uncovered in at least two different poses</source>
-        <translation>检查 markers.per_row,照亮两个侧面使标记点突出,对好焦,并使每个标记点在至少两种姿态下都在画面内且不被遮挡</translation>
-    </message>
-    <message>
         <source>%1 dots were found but they fit no pose of the %2 markers</source>
         <translation>找到 %1 个点,但与 %2 个标记点的任何姿态都不符</translation>
     </message>
@@ -3121,10 +3089,6 @@
     <message>
         <source>this finger has no markers to record a reference with</source>
         <translation>此手指没有标记点,无法录制参考</translation>
-    </message>
-    <message>
-        <source>a flat sensor takes one untouched picture; for a Fin Ray set markers.per_row</source>
-        <translation>平面传感器用一张未触碰的图片;Fin Ray 请设置 markers.per_row</translation>
     </message>
     <message>
         <source>the recording could not be processed (%1)</source>
@@ -3913,6 +3877,110 @@
     <message>
         <source>plugging in the disk it lies on, or opening another one</source>
         <translation>插上存放它的磁盘，或打开另一段录像</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to 64</source>
+        <translation>必须是 0 到 64 的整数</translation>
+    </message>
+    <message>
+        <source>the number of dots on one side face, 0 for a finger without</source>
+        <translation>一个侧面上标记点的个数,没有标记点则为 0</translation>
+    </message>
+    <message>
+        <source>must be numbers from 0 to %1, ascending</source>
+        <translation>必须是 0 到 %1 的编号,按升序排列</translation>
+    </message>
+    <message>
+        <source>must be a list of whole numbers</source>
+        <translation>必须是整数列表</translation>
+    </message>
+    <message>
+        <source>must be a column of the picture and a step of 0.001 to 500 mm</source>
+        <translation>必须是图像的一列和 0.001 到 500 mm 的步长</translation>
+    </message>
+    <message>
+        <source>must be two numbers: a column in px, a step in mm</source>
+        <translation>必须是两个数:以 px 计的列和以 mm 计的步长</translation>
+    </message>
+    <message>
+        <source>too little of the face is seen to tell the pose by its shape</source>
+        <translation>可见的面太少,无法由其形状判断姿态</translation>
+    </message>
+    <message>
+        <source>a frame shows %1 dots on the upper and %2 on the lower side face (median of %3 frames), but no two rows of up to %4 that keep their places on the finger</source>
+        <translation>一帧中上侧面有 %1 个点、下侧面有 %2 个点(%3 帧的中位数),但没有两排各至多 %4 个在手指上位置不变的点</translation>
+    </message>
+    <message>
+        <source>No markers can be used: %1. Poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
+        <translation>没有可用的标记点:%1。姿态仅由面的形状判断,无法判断扭转;若手指有标记点,请照亮两个侧面使其突出,并对好焦</translation>
+    </message>
+    <message>
+        <source>Markers %1 were not found anywhere; the finger works with the other %2</source>
+        <translation>未找到标记点 %1;手指使用其余 %2 个</translation>
+    </message>
+    <message>
+        <source>%1 shows what was found</source>
+        <translation>%1 显示找到的内容</translation>
+    </message>
+    <message>
+        <source>frame %1 cannot be the finger's rest: %2</source>
+        <translation>第 %1 帧不能作为手指的静止姿态:%2</translation>
+    </message>
+    <message>
+        <source>the recording has no such frame</source>
+        <translation>录像中没有这一帧</translation>
+    </message>
+    <message>
+        <source>another frame in which the finger rests</source>
+        <translation>另一帧手指静止的画面</translation>
+    </message>
+    <message>
+        <source>a flat sensor takes one untouched picture</source>
+        <translation>平面传感器使用一张未接触的图像</translation>
+    </message>
+    <message>
+        <source>the finger has no reference recording, so no rest can be set</source>
+        <translation>手指没有参考录像,无法设定静止姿态</translation>
+    </message>
+    <message>
+        <source>record the bending, untouched finger first</source>
+        <translation>先录制弯曲而未接触的手指</translation>
+    </message>
+    <message>
+        <source>%1 markers were found, but the finger has %2</source>
+        <translation>找到 %1 个标记点,但手指有 %2 个</translation>
+    </message>
+    <message>
+        <source>a marker has no place in the picture</source>
+        <translation>有标记点在图像中没有位置</translation>
+    </message>
+    <message>
+        <source>a picture in which the markers are found</source>
+        <translation>一张能找到标记点的图像</translation>
+    </message>
+    <message>
+        <source>lines: edges of the face</source>
+        <translation>线:面的边缘</translation>
+    </message>
+    <message>
+        <source>circle: a marker, with its number</source>
+        <translation>圆圈:标记点及其编号</translation>
+    </message>
+    <message>
+        <source>cross: looks like a dot, but is none of the rows</source>
+        <translation>叉:像标记点,但不属于任何一排</translation>
+    </message>
+    <message>
+        <source>broken circle: a marker should be here</source>
+        <translation>虚线圆:此处应有标记点</translation>
+    </message>
+    <message>
+        <source>%1, frame %2 of %3:</source>
+        <translation>%1,第 %2 帧(共 %3 帧):</translation>
+    </message>
+    <message>
+        <source>none; poses are told by the shape of the face, which cannot tell twist</source>
+        <translation>没有;姿态由面的形状判断,无法判断扭转</translation>
     </message>
 </context>
 <context>

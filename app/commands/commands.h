@@ -61,7 +61,7 @@ Status run_lens(const LensOptions& options, Console& console);
 struct ReferenceOptions {
   Path finger;
   std::vector<Path> inputs;
-  MotionNeed need;  ///< how far the finger is to have been bent
+  ReferenceChoices choices;
 };
 /// Installs a reference recording in a finger.
 Status run_reference(const ReferenceOptions& options, Console& console);

@@ -55,9 +55,13 @@ void add_new(CLI::App& program, Chosen& chosen) {
           ->type_name("W")
           ->check(CLI::PositiveNumber);
   CLI::Option* per_row =
-      command->add_option("--per-row", options->per_row, "Engraved dots on each side face")
+      command
+          ->add_option(
+              "--per-row",
+              options->per_row,
+              "Engraved dots on each side face; 0: none, poses are told by the face's shape")
           ->type_name("N")
-          ->check(CLI::Range(2, 64));
+          ->check(CLI::Range(0, 64));
   const std::map<std::string, Polarity> polarities{
       {"auto", Polarity::kAuto}, {"bright", Polarity::kBright}, {"dark", Polarity::kDark}};
   command

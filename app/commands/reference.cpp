@@ -66,6 +66,9 @@ void tell(const ReferenceReport& report, Console& console) {
   answer["median_step_px"] = report.median_step_px;
   answer["rejected"] = report.rejected;
   answer["repeated"] = report.repeated;
+  answer["missing_markers"] = report.missing;
+  answer["by_shape"] = report.by_shape;
+  answer["rest_frame"] = report.rest_frame;
   answer["error_median"] = report.error_median;
   answer["error_p95"] = report.error_p95;
   answer["nearest_error_median"] = report.nearest_error_median;
@@ -89,7 +92,7 @@ Status run_reference(const ReferenceOptions& options, Console& console) {
   if (!finger) return finger.error();
   if (finger->face.kind == FaceKind::kFlat) return run_flat(options, *finger, console);
   const auto report =
-      install_recording(options.finger, *finger, options.inputs, console.job(), options.need);
+      install_recording(options.finger, *finger, options.inputs, console.job(), options.choices);
   if (!report) return report.error();
   tell(*report, console);
   return {};
@@ -106,10 +109,19 @@ void add_reference(CLI::App& program, Chosen& chosen) {
     command->add_option(flag, value, help)->check(CLI::Range(0.1, 100.0))->capture_default_str();
   };
   need("--bend-mm",
-       options->need.bend_mm,
+       options->choices.need.bend_mm,
        "How far grasping bends the tip, to and from the camera, mm; what is missing is told");
-  need("--sway-mm", options->need.sway_mm, "How far it pushes the tip aside, each way, mm");
-  need("--twist-deg", options->need.twist_deg, "How far it turns the tip, each way, degrees");
+  need("--sway-mm", options->choices.need.sway_mm, "How far it pushes the tip aside, each way, mm");
+  need("--twist-deg",
+       options->choices.need.twist_deg,
+       "How far it turns the tip, each way, degrees");
+  command
+      ->add_option("--rest-frame",
+                   options->choices.rest_frame,
+                   "Frame of the recording that shows the finger at rest, counted from 0 (default: "
+                   "the one in the middle of all poses)")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
   command->callback([=, &chosen] {
     chosen = [=](Console& console) { return run_reference(*options, console); };
   });

@@ -105,6 +105,7 @@ Result<std::string> calibration_json(const Finger& finger) {
   face["layer_mm"] = finger.face.layer_mm;
   json["face"] = std::move(face);
   if (!flat) json["markers"]["per_row"] = finger.markers.per_row;
+  if (!finger.markers.missing.empty()) json["markers"]["missing"] = finger.markers.missing;
   if (finger.mapping) {
     const auto mapping = Mapping::create(*finger.mapping);
     if (!mapping) return mapping.error();

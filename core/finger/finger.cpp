@@ -41,10 +41,19 @@ std::optional<Error> marker_problem(const MarkerRows& markers, FaceKind kind) {
     if (markers.per_row == 0) return std::nullopt;
     return Error{"a flat sensor has no markers", "markers.per_row", "remove the block 'markers'"};
   }
-  if (markers.per_row >= 2 && markers.per_row <= 64) return std::nullopt;
-  return Error{"must be a whole number from 2 to 64",
-               "markers.per_row",
-               "the number of dots on one side face"};
+  if (!(markers.per_row >= 0 && markers.per_row <= 64))
+    return Error{"must be a whole number from 0 to 64",
+                 "markers.per_row",
+                 "the number of dots on one side face, 0 for a finger without"};
+  int least = 0;
+  for (const int number : markers.missing) {
+    if (number < least || number >= 2 * markers.per_row)
+      return Error{fmt::format("must be numbers from 0 to {}, ascending", 2 * markers.per_row - 1),
+                   "markers.missing",
+                   "record the reference again"};
+    least = number + 1;
+  }
+  return std::nullopt;
 }
 
 /// A press goes no deeper than the layer is thick; along z, on a face inclined by 75 degrees, four
@@ -89,6 +98,11 @@ std::optional<Error> file_problem(const std::string& name, const std::string& ke
 std::optional<Error> reference_problem(const ReferenceFiles& files) {
   if (files.video.empty() && files.markers.empty())
     return file_problem(files.image, "reference.image");
+  if (const auto& places = files.places;
+      places && !(is_in(places->from_u_px, -1e5, 1e5) && is_in(places->step_mm, 1e-3, 500)))
+    return Error{"must be a column of the picture and a step of 0.001 to 500 mm",
+                 "reference.places",
+                 "record the reference again"};
   if (!files.image.empty())
     return Error{"there is either a video with its markers or one picture, not both",
                  "reference.image",

@@ -28,9 +28,21 @@ struct Face {
 };
 
 struct MarkerRows {
-  int per_row = 0;  ///< dots on each side face, 2..64; 0: none (flat sensors)
+  int per_row = 0;  ///< dots on the longer of both rows, 0..64; 0: none
   Polarity polarity =
       Polarity::kAuto;  ///< against their surroundings; auto until a recording tells
+  /// Numbers that no dot has, ascending: never engraved, lost, or of a shorter row. The others keep
+  /// their numbers.
+  std::vector<int> missing = {};
+};
+
+/// Places on both edges of the face that stand in for markers where a finger has none that could be
+/// used: kPerEdge on each edge, numbered like markers, `step_mm` apart along the face and counted
+/// from where it crosses the column `from_u_px`.
+struct PosePlaces {
+  static constexpr int kPerEdge = 8;
+  double from_u_px = 0;
+  double step_mm = 0;  ///< (0, 500]
 };
 
 /// How a calibration came about; written beside the mapping for people and for `check`.
@@ -47,6 +59,8 @@ struct ReferenceFiles {
   std::string video;    ///< relative path of the recording; empty for a flat sensor
   std::string markers;  ///< relative path of its marker table (CSV)
   std::string image;    ///< flat: relative path of the one untouched picture
+  /// The table holds these places instead of markers: poses are told by the shape of the face.
+  std::optional<PosePlaces> places = {};
 };
 
 struct ContactSettings {
@@ -100,12 +114,15 @@ class Finger {
   [[nodiscard]] Result<std::string> to_yaml() const;
 
   /// What load() checks of values, for a finger that was put together in memory. The error's
-  /// `where` is the key ("face.width_mm"). A fin_ray needs a perspective camera and markers; a flat
-  /// sensor has no markers, and its plane lies in front of a perspective camera. rest_markers are
-  /// as many as there are markers. Named files lie inside the folder.
+  /// `where` is the key ("face.width_mm"). A fin_ray needs a perspective camera; a flat sensor has
+  /// no markers, and its plane lies in front of a perspective camera. rest_markers are as many as
+  /// marker_count(). Named files lie inside the folder.
   [[nodiscard]] Status validate() const;
 
-  [[nodiscard]] int marker_count() const { return 2 * markers.per_row; }
+  /// Of the numbers, missing ones too; of the places that stand in for markers where these do.
+  [[nodiscard]] int marker_count() const {
+    return 2 * (reference && reference->places ? PosePlaces::kPerEdge : markers.per_row);
+  }
 
  private:
   struct Unknown;  // keys of the file that this version does not know

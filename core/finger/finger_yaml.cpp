@@ -6,6 +6,8 @@
 #include "core/io/atomic_file.h"
 #include "core/printable.h"
 
+#include <cmath>
+
 #include <yaml-cpp/exceptions.h>
 
 namespace alltact {
@@ -44,6 +46,12 @@ MarkerRows read_markers(YamlSection section) {
   markers.per_row = section.whole_number("per_row", "the dots on one side face");
   if (section.has("polarity"))
     markers.polarity = read_word<Polarity>(section, "polarity", kPolarities);
+  if (section.has("missing"))
+    for (const double number : section.numbers("missing")) {
+      if (number != std::floor(number) || std::abs(number) > 1000)
+        section.refuse("missing", "must be a list of whole numbers", "[3, 9]");
+      markers.missing.push_back(static_cast<int>(number));
+    }
   section.keep_the_rest();
   return markers;
 }
@@ -137,6 +145,12 @@ ReferenceFiles read_reference(YamlSection section, FaceKind kind) {
   } else {
     files.video = section.text("video");
     files.markers = section.text("markers");
+    if (section.has("places")) {
+      const std::vector<double> places = section.numbers("places");
+      if (places.size() != 2)
+        section.refuse("places", "must be two numbers: a column in px, a step in mm", "");
+      files.places = PosePlaces{places[0], places[1]};
+    }
   }
   section.keep_the_rest();
   return files;
@@ -219,6 +233,11 @@ std::string markers_text(const MarkerRows& markers, const UnknownKeys& unknown) 
   YamlBlock block("markers");
   block.add("per_row", fmt::format("{}", markers.per_row));
   block.add("polarity", word_of(kPolarities, markers.polarity));
+  if (!markers.missing.empty()) {
+    std::vector<std::string> numbers;
+    for (const int number : markers.missing) numbers.push_back(fmt::format("{}", number));
+    block.add("missing", yaml_list(numbers));
+  }
   block.add_unknown(unknown);
   return block.on_one_line();
 }
@@ -273,6 +292,8 @@ std::string reference_text(const ReferenceFiles& files, const UnknownKeys& unkno
   if (files.image.empty()) {
     block.add("video", yaml_text(files.video));
     block.add("markers", yaml_text(files.markers));
+    if (files.places)
+      block.add("places", yaml_numbers({files.places->from_u_px, files.places->step_mm}));
   } else {
     block.add("image", yaml_text(files.image));
   }
@@ -313,7 +334,7 @@ std::string text_of(const Finger& finger, const UnknownKeys& unknown) {
   camera.add_unknown(unknown);
   text += camera.on_many_lines();
   text += face_text(finger.face, unknown);
-  if (finger.markers.per_row > 0) text += markers_text(finger.markers, unknown);
+  if (finger.face.kind == FaceKind::kFinRay) text += markers_text(finger.markers, unknown);
   if (finger.mapping) text += mapping_text(*finger.mapping, finger.mapping_record, unknown);
   if (finger.reference) text += reference_text(*finger.reference, unknown);
   if (finger.contact) text += contact_text(*finger.contact, unknown);

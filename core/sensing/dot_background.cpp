@@ -29,7 +29,7 @@ class Ring {
 
   // The values are whole grey levels, of either sign.
   [[nodiscard]] float median() const {
-    constexpr int kMost = 255;
+    constexpr int kMost = static_cast<int>(kMostLevel);
     std::array<std::int32_t, 2 * kMost + 1> histogram{};
     for (int k = 0; k < count; ++k)
       ++histogram[static_cast<std::size_t>(kMost +

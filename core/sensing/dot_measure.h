@@ -11,7 +11,8 @@
 
 namespace alltact {
 
-/// Pixels this near the view face's edges take part in no dot: the edge's own blur reaches there.
+/// Pixels this near the view face's edges take part in no dot unless the light that the edge
+/// spreads there is known (see dot_window.h).
 inline constexpr double kFaceMarginPx = 2.0;
 
 /// Where to look for a dot: its rough centre and half extents at half its height.

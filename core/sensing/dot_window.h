@@ -3,12 +3,15 @@
 
 #include "core/sensing/dot_measure.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace alltact::dots {
 
-constexpr int kMaxSide = 128;  // of a window, px
+constexpr int kMaxSide = 128;         // of a window, px
+constexpr float kMostLevel = 255.0F;  // values lie between this and its negative
 
 /// The part of the picture around a seed, polarity turned so that the dot is bright.
 struct Window {
@@ -22,7 +25,9 @@ struct Window {
   }
 };
 
-/// Fills the window around a seed, `scale` times the seed's size to each side.
+/// Fills the window around a seed, `scale` times the seed's size to each side. Beside the view face
+/// the light that its edge spreads there, read from the columns on both sides of the seed at the
+/// same distance from the edge, is taken out, so that a dot near the edge stands alone.
 void load(
     const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed, double scale, Window& w);
 

@@ -56,7 +56,7 @@ Small shrink(const cv::Mat& grey, const SideEdges& edges) {
 
 // What stands above the picture's opening by a rectangle wider than any dot: brightness that
 // changes slowly, steps and the view face itself leave nothing.
-cv::Mat spots(const Small& small, bool bright, int per_row) {
+cv::Mat spots(const Small& small, bool bright) {
   cv::Mat turned;
   if (bright)
     turned = small.grey.clone();
@@ -68,7 +68,7 @@ cv::Mat spots(const Small& small, bool bright, int per_row) {
     for (int x = 0; x < turned.cols; ++x)
       row[x] = static_cast<std::uint8_t>(row[x] | -((y > upper[x]) & (y < lower[x])));
   }
-  const int wide = std::clamp(turned.cols / (2 * per_row), 9, 31) | 1;
+  constexpr int wide = 31;
   cv::Mat opened;
   const cv::Mat kernel = cv::getStructuringElement(cv::MORPH_RECT, cv::Size(wide, wide));
   cv::morphologyEx(turned, opened, cv::MORPH_OPEN, kernel);
@@ -103,7 +103,8 @@ bool is_summit(const cv::Mat& r, int x, int y) {
   return true;
 }
 
-// Half the rows of a side face hold no dot, so the median of the response is that of bare skin.
+// Half the rows of a side face hold no dot, so the median of the response is that of bare skin, and
+// what lies below it tells the noise.
 int threshold_of(const cv::Mat& response, const Small& small) {
   std::array<int, 256> histogram{};
   int total = 0;
@@ -114,11 +115,16 @@ int threshold_of(const cv::Mat& response, const Small& small) {
           y >= small.lower_begin[static_cast<std::size_t>(x)])
         ++histogram[row[x]], ++total;
   }
-  int median = 0;
-  for (int below = 0;
-       median < 255 && (below += histogram[static_cast<std::size_t>(median)]) * 2 < total;)
-    ++median;
-  return std::max(4, 3 * median + 2);
+  const auto level_above = [&](double part) {
+    int level = 0;
+    for (int below = 0;
+         level < 255 && (below += histogram[static_cast<std::size_t>(level)]) < part * total;)
+      ++level;
+    return level;
+  };
+  const int median = level_above(0.5);
+  const double sd = (median - level_above(0.16)) + 0.5;  // 0.5: whole grey levels
+  return median + std::max(4, static_cast<int>(4.0 * sd));
 }
 
 std::vector<Candidate> candidates(const cv::Mat& response, const Small& small, std::size_t most) {
@@ -163,7 +169,7 @@ bool is_known(const std::vector<Dot>& dots, const Dot& dot) {
 
 std::vector<Dot> detect(
     const cv::Mat& grey, const SideEdges& edges, const Small& small, bool bright, int per_row) {
-  const cv::Mat response = spots(small, bright, per_row);
+  const cv::Mat response = spots(small, bright);
   const auto most = static_cast<std::size_t>(16 * per_row + 32);
   std::vector<Dot> dots;
   const double f = small.factor;

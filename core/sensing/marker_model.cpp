@@ -1,4 +1,5 @@
 #include "core/numerics/farthest_points.h"
+#include "core/sensing/layout_gaps.h"
 #include "core/sensing/local_layout.h"
 #include "core/sensing/markers.h"
 
@@ -20,18 +21,13 @@ Eigen::Vector2d place_of(const Eigen::VectorXd& layout, int marker) {
   return layout.segment<2>(2 * marker);
 }
 
-// Rows without a hole.
-Eigen::MatrixXd complete_rows(const Eigen::MatrixXd& layouts) {
-  Eigen::MatrixXd kept(layouts.rows(), layouts.cols());
-  Eigen::Index n = 0;
-  for (Eigen::Index i = 0; i < layouts.rows(); ++i)
-    if (layouts.row(i).allFinite()) kept.row(n++) = layouts.row(i);
-  kept.conservativeResize(n, Eigen::NoChange);
-  return kept;
-}
-
+// Of neighbours in a row; with one dot a row, a part of the distance between the rows.
 double least_spacing(const Eigen::MatrixXd& layouts) {
   const Eigen::Index per_row = layouts.cols() / 4;
+  if (per_row == 1) {
+    const Eigen::MatrixXd across = layouts.rightCols(2) - layouts.leftCols(2);
+    return std::max(1.0, 0.25 * across.rowwise().norm().minCoeff());
+  }
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < layouts.rows(); ++i)
     for (Eigen::Index m = 0; m + 1 < 2 * per_row; ++m) {
@@ -58,11 +54,14 @@ Markers taken_from(const std::vector<Dot>& dots, const std::vector<int>& dot_of)
 }
 
 // Takes dots that lie where a marker is estimated; true when there was one.
-bool add_unused(const std::vector<Dot>& dots, double gate, Markers& markers) {
+bool add_unused(const std::vector<Dot>& dots,
+                double gate,
+                const std::vector<char>& missing,
+                Markers& markers) {
   bool added = false;
   for (std::size_t m = 0; m < markers.size(); ++m) {
     Marker& marker = markers[m];
-    if (marker.seen) continue;
+    if (marker.seen || missing[m]) continue;
     for (const Dot& dot : dots) {
       const bool same_side = dot.upper == (2 * m < markers.size());
       const auto is_this = [&](const Marker& other) {
@@ -88,11 +87,12 @@ struct MarkerModel::Pose {
 };
 
 Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
-                                       const std::vector<Dot>& typical_dots) {
+                                       const std::vector<Dot>& typical_dots,
+                                       const std::vector<int>& missing) {
   MarkerModel model;
-  model.layouts_ = complete_rows(layouts);
+  model.layouts_ = without_gaps(layouts);
   const Eigen::Index n = model.layouts_.rows(), size = layouts.cols();
-  if (n < 2 || size < 8 || size % 4 != 0)
+  if (n < 2 || size < 4 || size % 4 != 0)
     return Error{
         fmt::format("only {} recorded pictures show every marker; at least 2 are needed", n),
         "marker model",
@@ -103,6 +103,9 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
         "marker model",
         "record the reference again"};
   model.typical_ = typical_dots;
+  model.missing_.assign(typical_dots.size(), 0);
+  for (const int marker : missing) model.missing_[static_cast<std::size_t>(marker)] = 1;
+  model.present_ = static_cast<int>(std::count(model.missing_.begin(), model.missing_.end(), 0));
   model.mean_ = model.layouts_.colwise().mean().transpose();
   const Eigen::MatrixXd centred = model.layouts_.rowwise() - model.mean_.transpose();
   const Eigen::MatrixXd covariance = centred.transpose() * centred / static_cast<double>(n - 1);
@@ -111,10 +114,15 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
     return Error{"the markers' positions are not finite numbers",
                  "marker model",
                  "record the reference again"};
-  // Half of all eigenvalues are noise where there are enough layouts to tell.
   const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(0.0);
-  const double noise = n > size / 2 ? values[size / 2] : 0.0;
-  const int most = static_cast<int>(std::min<Eigen::Index>({kMostModes, n - 1, size - 4}));
+  // What the dots that exist can tell, less a little that tells whether they fit.
+  const auto told =
+      std::max<Eigen::Index>(std::min(3, 2 * model.present_ - 1), 2 * model.present_ - 4);
+  // Half of all eigenvalues are noise where there are enough layouts to tell; of few markers, those
+  // that cannot be modes.
+  const Eigen::Index quiet = std::min(size / 2, std::max<Eigen::Index>(0, size - 1 - told));
+  const double noise = n > size / 2 ? values[size > 2 * kMostModes ? size / 2 : quiet] : 0.0;
+  const int most = static_cast<int>(std::min<Eigen::Index>({kMostModes, n - 1, told}));
   int modes = 1;
   while (modes < most && values[size - 1 - modes] > 4 * noise + kFloorPx * kFloorPx) ++modes;
   model.basis_.resize(size, modes);
@@ -186,6 +194,7 @@ std::vector<int> MarkerModel::likeliest_layouts(const std::vector<Dot>& dots) co
   for (const int row : covering_) {
     double score = 0;
     for (int m = 0; m < marker_count(); ++m) {
+      if (is_missing(m)) continue;
       const double u = layouts_(row, 2 * m), v = layouts_(row, 2 * m + 1);
       double nearest = gate * gate;
       for (const Dot& dot : dots) {
@@ -219,7 +228,7 @@ MarkerModel::Pose MarkerModel::explain(const std::vector<Dot>& dots, Eigen::Vect
                             last_gate}) {
     std::vector<Pair> pairs;
     for (int m = 0; m < marker_count(); ++m)
-      for (std::size_t d = 0; d < dots.size(); ++d) {
+      for (std::size_t d = 0; d < dots.size() && !is_missing(m); ++d) {
         if (dots[d].upper != (2 * m < marker_count())) continue;
         const double distance =
             (Eigen::Vector2d(dots[d].u, dots[d].v) - place_of(layout, m)).norm();
@@ -262,7 +271,7 @@ std::optional<Markers> MarkerModel::number(const std::vector<Dot>& dots) const {
     if (!best || worth > best_worth) best = markers, best_worth = worth;
   }
   if (!best) return std::nullopt;
-  return add_unused(dots, std::max(1.0, 5 * noise_px_), *best) ? complete(*best) : best;
+  return add_unused(dots, std::max(1.0, 5 * noise_px_), missing_, *best) ? complete(*best) : best;
 }
 
 LocalLayout MarkerModel::local_layout(const Markers& markers) const {
@@ -272,8 +281,10 @@ LocalLayout MarkerModel::local_layout(const Markers& markers) const {
 
 std::optional<Markers> MarkerModel::complete(Markers markers) const {
   if (static_cast<int>(markers.size()) != marker_count()) return std::nullopt;
-  for (Marker& m : markers) m.seen = m.seen && std::isfinite(m.u) && std::isfinite(m.v);
-  const int most_refused = marker_count() / 3;
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    markers[m].seen = markers[m].seen && !missing_[m] && std::isfinite(markers[m].u) &&
+                      std::isfinite(markers[m].v);
+  const int most_refused = present_ / 3;
   for (int refused = 0;; ++refused) {
     if (seen_count(markers) < minimum_seen()) return std::nullopt;
     const LocalLayout local = local_layout(markers);

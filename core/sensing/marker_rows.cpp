@@ -24,31 +24,7 @@ double bend(const Dot& p, const Dot& q, const Dot& r) {
   return a > 0 && b > 0 ? (b - a) * (b - a) / (a * b) : kNone;
 }
 
-// Length along the face in a column, going on evenly beyond its trusted columns.
-double along_mm(const FaceShape& shape, double u) {
-  const auto& columns = shape.columns();
-  const auto valid = [](const FaceColumn& c) { return c.valid; };
-  const auto first = std::find_if(columns.begin(), columns.end(), valid) - columns.begin();
-  const auto last = columns.rend() - std::find_if(columns.rbegin(), columns.rend(), valid) - 1;
-  const double inside = std::clamp(u, static_cast<double>(first), static_cast<double>(last));
-  if (inside == u) return shape.length_at(u);
-  const double step = std::min(20.0, 0.5 * static_cast<double>(last - first));
-  const double towards = inside + (u < inside ? step : -step);
-  return shape.length_at(inside) +
-         (u - inside) * (shape.length_at(inside) - shape.length_at(towards)) / (inside - towards);
-}
-
 }  // namespace
-
-void place_on_finger(std::vector<Dot>& dots, const FaceShape& shape, const SideEdges& edges) {
-  for (Dot& dot : dots) {
-    const auto u = static_cast<std::size_t>(
-        std::clamp(std::lround(dot.u), 0L, static_cast<long>(shape.width_px()) - 1));
-    dot.along_mm = along_mm(shape, dot.u);
-    dot.face_px = std::max(1.0F, edges.lower[u] - edges.upper[u]);
-    dot.off_face = (dot.upper ? edges.upper[u] - dot.v : dot.v - edges.lower[u]) / dot.face_px;
-  }
-}
 
 std::optional<DotRow> choose_row(const std::vector<Dot>& dots,
                                  bool upper,

@@ -18,8 +18,9 @@ struct DotRow {
 /// A row above this unevenness is not one: a dot left out or a false one taken in costs more.
 inline constexpr double kMaxUnevenness = 0.25;
 
-/// Says of each dot where it lies on the finger (along_mm, face_px, off_face), as far as the face
-/// beside it tells.
+/// Says of each dot where it lies on the finger (along_mm, face_px, off_face): the side faces are
+/// taken for what lies before the face's edges in the direction of y, so that a dot's ray meets its
+/// side face in one point, and its foot on the face is the point nearest to that.
 void place_on_finger(std::vector<Dot>& dots, const FaceShape& shape, const SideEdges& edges);
 
 /// The most even choice, judged in millimetres along the finger rather than in pixels, of `per_row`

@@ -24,6 +24,7 @@ std::optional<Markers> MarkerTracker::follow(const cv::Mat& grey, const FaceShap
   // Less than half the way to the next marker, so that none is taken for its neighbour.
   const double search = 0.35 * model_.spacing_px();
   for (std::size_t m = 0; m < markers.size(); ++m) {
+    if (model_.is_missing(static_cast<int>(m))) continue;
     const auto dot = near_dot(grey, edges, {markers[m].u, markers[m].v}, search, looks_[m]);
     markers[m].seen = dot.has_value();
     if (!dot) continue;
@@ -60,7 +61,7 @@ std::optional<Markers> MarkerTracker::operator()(const cv::Mat& grey,
         "of "
         "the reference recording",
         found.dots.size(),
-        model_.marker_count());
+        model_.present_count());
   return last_;
 }
 

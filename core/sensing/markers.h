@@ -1,6 +1,7 @@
 // Engraved dots on the two side faces: finding, numbering, following them.
 //
-// Numbers: 0..n-1 along the upper row (small v) from base to tip, n..2n-1 along the lower row.
+// Numbers: 0..n-1 along the upper row (small v) from base to tip, n..2n-1 along the lower row. Dots
+// that a finger does not have (MarkerRows::missing) keep their numbers and are never seen.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -34,10 +35,10 @@ struct Dot {
   double radius_px = 0;  ///< of the disc of the same area
   double contrast = 0;   ///< grey levels against the surroundings; sign is the polarity
   double sd_px = 0;
-  bool upper = false;                   ///< on the side face at small v
-  double along_mm = 0;                  ///< length of the face from its base to the dot's column
-  double face_px = 0;                   ///< width of the face in that column
-  double off_face = 0;                  ///< distance from the face's edge, in parts of face_px
+  bool upper = false;   ///< on the side face at small v
+  double along_mm = 0;  ///< length of the face from its base to the dot's foot on it
+  double face_px = 0;   ///< width of the face at the dot's distance
+  double off_face = 0;  ///< distance from the face, in parts of its width
   double half_u_px = 0, half_v_px = 0;  ///< half extents at half height; 0: not known
 };
 
@@ -64,16 +65,20 @@ class MarkerDetector {
 /// hidden markers.
 class MarkerModel {
  public:
-  /// layouts: one row a frame, 2n markers as (u0, v0, u1, v1, ...), px; NaN where not seen.
-  /// sizes: mean radius and contrast of each marker. Error: fewer than 2 usable layouts.
+  /// layouts: one row a frame, 2n markers as (u0, v0, u1, v1, ...), px; NaN where not seen. Those
+  /// of `missing` markers (by number) are where a dot would be, in every row.
+  /// typical_dots: mean radius and contrast of each marker. Where too few layouts show every
+  /// marker, the gaps of those that show at least half are filled from how the seen ones move
+  /// together (core/sensing/layout_gaps.h). Error: fewer than 2 usable layouts.
   static Result<MarkerModel> learn(const Eigen::MatrixXd& layouts,
-                                   const std::vector<Dot>& typical_dots);
+                                   const std::vector<Dot>& typical_dots,
+                                   const std::vector<int>& missing = {});
 
   [[nodiscard]] int marker_count() const { return static_cast<int>(mean_.size() / 2); }
 
   /// Numbers dots: starts from the recorded layout that explains most of them, then assigns and
   /// fits the modes in turn within a shrinking gate. Every marker comes back, seen or estimated.
-  /// nullopt when fewer than `minimum_seen` (a third of all) dots fit any pose.
+  /// nullopt when fewer than `minimum_seen` (a third of those that exist) dots fit any pose.
   [[nodiscard]] std::optional<Markers> number(const std::vector<Dot>& dots) const;
 
   /// Fills the markers that are not seen from those that are, and turns those that contradict the
@@ -86,6 +91,11 @@ class MarkerModel {
   /// Root mean square distance in px of the seen markers to the nearest layout the modes can make.
   [[nodiscard]] double residual_px(const Markers& markers) const;
 
+  /// No dot has this number.
+  [[nodiscard]] bool is_missing(int marker) const {
+    return missing_[static_cast<std::size_t>(marker)] != 0;
+  }
+  [[nodiscard]] int present_count() const { return present_; }
   [[nodiscard]] const std::vector<Dot>& typical_dots() const { return typical_; }
   /// Standard deviation of each mode in the recording, px: times modes() it is a distance.
   [[nodiscard]] const Eigen::VectorXd& mode_sd_px() const { return mode_sd_; }
@@ -100,7 +110,7 @@ class MarkerModel {
   [[nodiscard]] Pose explain(const std::vector<Dot>& dots, Eigen::VectorXd layout) const;
   [[nodiscard]] std::vector<int> likeliest_layouts(const std::vector<Dot>& dots) const;
   [[nodiscard]] LocalLayout local_layout(const Markers& markers) const;
-  [[nodiscard]] int minimum_seen() const { return std::max(2, (marker_count() + 2) / 3); }
+  [[nodiscard]] int minimum_seen() const { return std::max(2, (present_ + 2) / 3); }
   void learn_noise();
 
   Eigen::MatrixXd layouts_;  // complete ones, a row each
@@ -112,6 +122,8 @@ class MarkerModel {
   double noise_px_ = 0.1;
   double spacing_px_ = 10;  // least distance of neighbouring markers in a row
   std::vector<Dot> typical_;
+  std::vector<char> missing_;
+  int present_ = 0;
 };
 
 /// Follows the markers from frame to frame: looks near where each was, and detects anew only when

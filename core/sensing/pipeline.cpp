@@ -2,6 +2,7 @@
 
 #include "core/sensing/depth_sd.h"
 #include "core/sensing/frame_faults.h"
+#include "core/sensing/pose_places.h"
 
 #include <chrono>
 #include <cmath>
@@ -47,6 +48,7 @@ struct Pipeline::State {
 
   void look_at_picture(FrameResult& result);
   void find_shape(FrameResult& result, StopWatch& watch) const;
+  bool find_markers(FrameResult& result);
   void find_reference(FrameResult& result, StopWatch& watch);
   void find_depth(FrameResult& result, StopWatch& watch) const;
   void find_contact(FrameResult& result, StopWatch& watch) const;
@@ -105,21 +107,33 @@ void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
   result.shape = std::move(shape).value();
 }
 
-void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
+// False: they are needed and could not be had.
+bool Pipeline::State::find_markers(FrameResult& result) {
+  std::string problem;
   if (tracker) {
-    std::string problem;
     result.markers = (*tracker)(result.grey, *result.shape, &problem);
-    watch.lap(result.times_ms.markers);
-    if (!result.markers) {
-      result.problems.push_back(problem);
-      return;
-    }
+  } else if (const MarkerModel* model = library.marker_model()) {
+    result.markers =
+        model->complete(markers_at(*finger.reference->places, edge_curves(*result.shape)));
+    problem = "too little of the face is seen to tell the pose by its shape";
+  } else {
+    return true;
+  }
+  if (!result.markers) result.problems.push_back(problem);
+  return result.markers.has_value();
+}
+
+void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
+  const bool found = find_markers(result);
+  watch.lap(result.times_ms.markers);
+  if (!found) return;
+  if (tracker) {
     if (const TwistModel* model = library.twist_model())
       if (auto turned = model->twisted(*result.markers, *result.shape))
         result.shape = std::move(*turned);
-    if (finger.contact)
-      result.touch = touch(*result.markers, *finger.contact, result.shape->base_at_low_u());
   }
+  if (result.markers && finger.contact)
+    result.touch = touch(*result.markers, *finger.contact, result.shape->base_at_low_u());
   result.reference = library.reference_for(
       result.markers ? *result.markers : Markers{}, *result.shape, settings.reference);
   if (!result.reference->known_pose) {
@@ -197,7 +211,8 @@ Result<Pipeline> Pipeline::create(const Finger& finger,
                                     std::nullopt,
                                     std::nullopt});
   if (finger.face.kind == FaceKind::kFlat) state->plane = FaceShape::plane(*camera, finger.face);
-  if (const MarkerModel* model = state->library.marker_model())
+  const bool by_shape = finger.reference && finger.reference->places;
+  if (const MarkerModel* model = state->library.marker_model(); model && !by_shape)
     state->tracker.emplace(finger.markers, *model);
   return Pipeline(std::move(state));
 }

@@ -57,7 +57,7 @@ Polarity PlainRows::polarity() {
 
 PlainRows::Seen PlainRows::operator()(const cv::Mat& grey, const FaceShape& shape) {
   Seen seen;
-  if (grey.cols != shape.width_px() || rows_.per_row < 2) return seen;
+  if (grey.cols != shape.width_px() || rows_.per_row < 1) return seen;
   auto markers = follow(grey, shape);
   if (!markers) {
     auto found = MarkerDetector({rows_.per_row, polarity()})(grey, shape);

@@ -235,11 +235,14 @@ Status read_faces(const Reading& reading,
   return {};
 }
 
-Eigen::MatrixXd seen_layouts(const MarkerTable& table) {
+Eigen::MatrixXd seen_layouts(const MarkerTable& table, const std::vector<int>& missing) {
   Eigen::MatrixXd layouts = table.layouts;
+  const auto is_missing = [&](std::size_t m) {
+    return std::binary_search(missing.begin(), missing.end(), static_cast<int>(m));
+  };
   for (std::size_t i = 0; i < table.seen.size(); ++i)
     for (std::size_t m = 0; m < table.seen[i].size(); ++m)
-      if (!table.seen[i][m])
+      if (!table.seen[i][m] && !is_missing(m))
         layouts.block<1, 2>(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(2 * m))
             .setConstant(std::numeric_limits<double>::quiet_NaN());
   return layouts;
@@ -309,7 +312,9 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
                                                        const Camera& camera,
                                                        const Job& job,
                                                        std::size_t memory_limit_bytes) {
-  auto model = MarkerModel::learn(seen_layouts(table), table.typical);
+  std::vector<int> missing;
+  if (!finger.reference || !finger.reference->places) missing = finger.markers.missing;
+  auto model = MarkerModel::learn(seen_layouts(table, missing), table.typical, missing);
   if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
   auto content = std::make_shared<Content>();
   Keeper keeper(table, memory_limit_bytes);
@@ -340,7 +345,8 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
     content->frames.push_back(table.frames[rows[i]]);
     content->faces.push_back(keeper.take(rows[i]));
   }
-  content->twist = TwistModel::learn(poses);
+  const bool has_dots = !finger.reference || !finger.reference->places;
+  if (has_dots) content->twist = TwistModel::learn(poses);
   content->model = std::move(*model);
   content->mode_sd = content->model->mode_sd_px();
   content->modes.resize(layouts.rows(), content->mode_sd.size());

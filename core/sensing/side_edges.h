@@ -27,6 +27,12 @@ struct SideEdges {
       return {0, std::min(height - 1, static_cast<int>(std::floor(upper[column] - margin_px)))};
     return {std::max(0, static_cast<int>(std::ceil(lower[column] + margin_px))), height - 1};
   }
+  /// How far a row lies off the view face on one side, px; negative on the face.
+  [[nodiscard]] double off_px(int u, double v, bool upper_side) const {
+    const auto column = static_cast<std::size_t>(u);
+    return upper_side ? static_cast<double>(upper[column]) - v
+                      : v - static_cast<double>(lower[column]);
+  }
   [[nodiscard]] float middle(int u) const {
     const auto column = static_cast<std::size_t>(u);
     return 0.5F * (upper[column] + lower[column]);

@@ -1,5 +1,7 @@
 #include "calibration/reference_recording.h"
 
+#include "calibration/rest_pose.h"
+#include "core/sensing/pipeline.h"
 #include "core/sensing/reference_library.h"
 #include "tests/support/marked_recording.h"
 
@@ -9,6 +11,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 namespace alltact {
@@ -187,7 +190,8 @@ TEST(InstallReference, RecordingsThatCannotBeOneAreToldApart) {
     const auto report = install_reference(source, folder, finger, Job{});
     EXPECT_FALSE(report.ok());
     EXPECT_FALSE(finger.reference || finger.contact);
-    EXPECT_TRUE(fs::is_empty(folder));
+    for (const auto& file : fs::directory_iterator(folder))
+      EXPECT_EQ(file.path().filename(), "reference.problem.png");
     return report.ok() ? std::string{} : report.error().sentence();
   };
   const cv::Mat good = f.with_noise(f.clean(Bend{}), random);
@@ -195,12 +199,140 @@ TEST(InstallReference, RecordingsThatCannotBeOneAreToldApart) {
   EXPECT_NE(install({good}).find("1 frame;"), std::string::npos);
   EXPECT_NE(install({good, cv::Mat(100, 100, CV_8UC1, cv::Scalar(9))}).find("100 x 100"),
             std::string::npos);
-  const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
-  const cv::Mat bare = f.with_noise(f.clean(Bend{}, all), random);
-  const std::string no_markers = install({bare, bare, bare});
-  EXPECT_NE(no_markers.find("6 are needed in each row"), std::string::npos) << no_markers;
   const cv::Mat black(f.height, f.width, CV_8UC1, cv::Scalar(2));
-  EXPECT_NE(install({black, black}).find("no frame shows the face"), std::string::npos);
+  const std::string dark = install({black, black});
+  EXPECT_NE(dark.find("no frame shows the face"), std::string::npos);
+  EXPECT_NE(dark.find("reference.problem.png shows what was found"), std::string::npos);
+  EXPECT_FALSE(cv::imread((folder / "reference.problem.png").string()).empty());
+}
+
+// What the finger says after being written and read.
+Finger read_again(const Finger& finger) {
+  const auto yaml = finger.to_yaml();
+  EXPECT_TRUE(yaml.ok());
+  const auto again = Finger::parse(*yaml, "finger.yaml");
+  EXPECT_TRUE(again.ok()) << again.error().sentence();
+  return *again;
+}
+
+std::shared_ptr<Frame> as_frame(const cv::Mat& grey) {
+  auto frame = std::make_shared<Frame>();
+  frame->grey = grey;
+  return frame;
+}
+
+TEST(InstallReference, AMarkerThatWasNeverEngravedIsSaidToBeMissingAndTheOthersWork) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(21);
+  MemorySource source;
+  constexpr int kFrames = 40;
+  for (int i = 0; i < kFrames; ++i)
+    source.pictures.push_back(f.with_noise(f.clean(pose(i, kFrames), {2, 9}), random));
+  Finger finger = described(f);
+  const fs::path folder = scratch_folder("missing");
+  const auto report = install_reference(source, folder, finger, Job{});
+  ASSERT_TRUE(report.ok()) << report.error().sentence();
+  EXPECT_EQ(report->missing, (std::vector<int>{2, 9}));
+  EXPECT_FALSE(report->by_shape);
+  EXPECT_FALSE(cv::imread((folder / "reference.problem.png").string()).empty());
+  const Finger again = read_again(finger);
+  EXPECT_EQ(again.markers.missing, report->missing);
+  EXPECT_EQ(again.contact->rest_markers.size(), 12U);
+  auto pipeline = Pipeline::create(folder, again, PipelineSettings{}, Job{});
+  ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
+  for (int i = 0; i < kFrames; i += 5) {
+    const Bend bend = pose(i, kFrames);
+    const auto result = (*pipeline)(as_frame(f.with_noise(f.clean(bend, {2, 9}), random)));
+    ASSERT_TRUE(result.ok() && result->markers && result->reference) << i;
+    const Eigen::VectorXd truth = f.layout(bend);
+    for (std::size_t m = 0; m < 12; ++m) {
+      const Marker& marker = (*result->markers)[m];
+      EXPECT_EQ(marker.seen && (m == 2 || m == 9), false);
+      if (marker.seen) {
+        EXPECT_NEAR(marker.u, truth[2 * static_cast<Eigen::Index>(m)], 0.6) << m;
+      }
+    }
+  }
+}
+
+TEST(InstallReference, WithoutMarkersTheShapeOfTheFaceTellsThePose) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(22);
+  const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  constexpr int kFrames = 60;
+  std::vector<cv::Mat> pictures;
+  for (int i = 0; i < kFrames; ++i)
+    pictures.push_back(f.with_noise(f.clean(pose(i, kFrames), all), random));
+  for (const int per_row : {0, 6}) {
+    MemorySource source;
+    source.pictures = pictures;
+    Finger finger = described(f);
+    finger.markers.per_row = per_row;
+    const fs::path folder = scratch_folder("by_shape");
+    const auto report = install_reference(source, folder, finger, Job{});
+    ASSERT_TRUE(report.ok()) << report.error().sentence();
+    EXPECT_TRUE(report->by_shape);
+    // Only who said that there are markers is told that there are none.
+    EXPECT_EQ(report->warnings.size(), per_row == 0 ? 0U : 1U);
+    const Finger again = read_again(finger);
+    ASSERT_TRUE(again.reference && again.reference->places);
+    auto pipeline = Pipeline::create(folder, again, PipelineSettings{}, Job{});
+    ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
+    double steps = 0;
+    int looked = 0;
+    for (double at = 2.5; at < kFrames; at += 9, ++looked) {
+      const double t = 2 * M_PI * at / kFrames;
+      const Bend bend{0.35 * std::sin(t),
+                      0.2 * std::sin(2 * t + 1),
+                      6 * std::cos(3 * t),
+                      0.03 * std::sin(5 * t)};
+      const auto result = (*pipeline)(as_frame(f.with_noise(f.clean(bend, all), random)));
+      ASSERT_TRUE(result.ok() && result->reference) << at;
+      EXPECT_TRUE(result->reference->known_pose) << at;
+      steps += std::min(std::abs(result->reference->frame - at), 60.0);
+    }
+    std::printf("[ figures  ] by shape: nearest frame %.1f frames away on average\n",
+                steps / looked);
+    EXPECT_LT(steps / looked, 4.0);
+  }
+}
+
+TEST(InstallReference, RestIsTheMiddleOfTheRecordingOrTheFrameAskedFor) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(23);
+  std::vector<cv::Mat> pictures;
+  // It starts at one end of its motion and stays there for a while.
+  const auto curl = [](int i) { return i < 8 ? 0.3 : 0.3 * std::cos(2 * M_PI * (i - 8) / 32); };
+  for (int i = 0; i < 40; ++i)
+    pictures.push_back(f.with_noise(f.clean(Bend{curl(i), 0, 0, 0}), random));
+  const auto install = [&](std::optional<int> rest, Finger& finger) {
+    MemorySource source;
+    source.pictures = pictures;
+    ReferenceChoices choices;
+    choices.rest_frame = rest;
+    return install_reference(source, scratch_folder("rest"), finger, Job{}, choices);
+  };
+  Finger finger = described(f);
+  const auto middle = install(std::nullopt, finger);
+  ASSERT_TRUE(middle.ok()) << middle.error().sentence();
+  EXPECT_LT(std::abs(curl(middle->rest_frame)), 0.12) << middle->rest_frame;
+  const auto asked = install(3, finger);
+  ASSERT_TRUE(asked.ok()) << asked.error().sentence();
+  EXPECT_EQ(asked->rest_frame, 3);
+  const Eigen::VectorXd truth = f.layout(Bend{curl(3), 0, 0, 0});
+  for (std::size_t m = 0; m < 6; ++m)
+    EXPECT_NEAR(finger.contact->rest_markers[m].x(), truth[2 * static_cast<Eigen::Index>(m)], 1.0);
+  const auto beyond = install(40, finger);
+  ASSERT_FALSE(beyond.ok());
+  EXPECT_NE(beyond.error().what.find("frame 40 cannot be"), std::string::npos);
+
+  Markers now;
+  for (const Eigen::Vector2d& at : finger.contact->rest_markers)
+    now.push_back({at.x() + 1, at.y(), true, 0.02});
+  ASSERT_TRUE(set_rest_pose(now, finger));
+  EXPECT_EQ(finger.contact->rest_markers[0].x(), now[0].u);
+  now.pop_back();
+  EXPECT_FALSE(set_rest_pose(now, finger));
 }
 
 }  // namespace

@@ -32,7 +32,10 @@ struct MarkedFinger {
   int per_row = 6;
   double dot_mm = 0.55, dot_aspect = 1.0;  ///< radius along the row; across it divided by aspect
   double off_face_mm = 9;                  ///< of the dots, towards the camera
-  bool mirrored = false;                   ///< base at high u
+  /// Where each row's dots lie, in shares of the length, and how large they are in parts of dot_mm;
+  /// empty: per_row dots evenly spaced, all of the same size.
+  std::vector<double> upper_shares, lower_shares, sizes;
+  bool mirrored = false;  ///< base at high u
   double face_level = 150, side_level = 40, dark_level = 10, dot_contrast = 60;
   double noise = 1.0, blur = 0.7;
 
@@ -74,14 +77,34 @@ struct MarkedFinger {
   [[nodiscard]] std::vector<Disc> discs(const Bend& bend) const {
     const auto points = arc(bend);
     std::vector<Disc> result;
-    for (const double side : {-1.0, 1.0})
-      for (int i = 0; i < per_row; ++i) {
-        const Point p = at(points, 0.06 + 0.86 * i / (per_row - 1), off_face_mm);
-        const Eigen::Vector2d q = project(p.x, side * half_width_mm + p.y, p.z);
-        const double r = dot_mm * focal / p.z;
-        result.push_back({q.x(), q.y(), r, r / dot_aspect});
-      }
+    for (const double side : {-1.0, 1.0}) {
+      const auto shares = shares_of(side);
+      for (std::size_t i = 0; i < shares.size(); ++i)
+        result.push_back(disc(
+            points, side, shares[i], off_face_mm, dot_mm * (i < sizes.size() ? sizes[i] : 1.0)));
+    }
     return result;
+  }
+
+  [[nodiscard]] std::vector<double> shares_of(double side) const {
+    const auto& given = side < 0 ? upper_shares : lower_shares;
+    if (!given.empty()) return given;
+    std::vector<double> even;
+    for (int i = 0; i < per_row; ++i)
+      even.push_back(per_row > 1 ? 0.06 + 0.86 * i / (per_row - 1) : 0.5);
+    return even;
+  }
+
+  /// Anything round on a side face, fixed to the finger.
+  [[nodiscard]] Disc disc(const std::vector<Point>& points,
+                          double side,
+                          double share,
+                          double off_mm,
+                          double radius_mm) const {
+    const Point p = at(points, share, off_mm);
+    const Eigen::Vector2d q = project(p.x, side * half_width_mm + p.y, p.z);
+    const double r = radius_mm * focal / p.z;
+    return {q.x(), q.y(), r, r / dot_aspect};
   }
 
   [[nodiscard]] Eigen::VectorXd layout(const Bend& bend) const {

@@ -41,7 +41,7 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
   layer_->setRange(0.01, 50);
   layer_->setValue(1.5);
   plane_->setRange(0, 10000);
-  per_row_->setRange(2, 64);
+  per_row_->setRange(0, 64);
   per_row_->setValue(6);
   form_->addRow(new QLabel, folder_row_);
   form_->addRow(new QLabel, camera_row_);

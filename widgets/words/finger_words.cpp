@@ -58,8 +58,6 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "the distance of the face from the camera in mm"),
     QT_TRANSLATE_NOOP("Library", "a flat sensor has no markers"),
     QT_TRANSLATE_NOOP("Library", "remove the block 'markers'"),
-    QT_TRANSLATE_NOOP("Library", "must be a whole number from 2 to 64"),
-    QT_TRANSLATE_NOOP("Library", "the number of dots on one side face"),
     QT_TRANSLATE_NOOP("Library", "calibrate again"),
     QT_TRANSLATE_NOOP("Library", "'%1' is no file inside the finger's folder"),
     QT_TRANSLATE_NOOP("Library", "copy the file into the folder and give its name only"),
@@ -142,6 +140,12 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "[1.0, 0.0, 0.0, 0.0] for a camera that is not turned"),
     QT_TRANSLATE_NOOP("Library", "must be three numbers: x, y, z in mm"),
     QT_TRANSLATE_NOOP("Library", "must be four numbers: w, x, y, z of a unit quaternion"),
+    QT_TRANSLATE_NOOP("Library", "must be a whole number from 0 to 64"),
+    QT_TRANSLATE_NOOP("Library", "the number of dots on one side face, 0 for a finger without"),
+    QT_TRANSLATE_NOOP("Library", "must be numbers from 0 to %1, ascending"),
+    QT_TRANSLATE_NOOP("Library", "must be a list of whole numbers"),
+    QT_TRANSLATE_NOOP("Library", "must be a column of the picture and a step of 0.001 to 500 mm"),
+    QT_TRANSLATE_NOOP("Library", "must be two numbers: a column in px, a step in mm"),
 };
 
 }  // namespace

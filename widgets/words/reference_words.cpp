@@ -20,18 +20,6 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "no frame shows the face"),
     QT_TRANSLATE_NOOP("Library",
                       "a recording in which both long edges of the bright face are visible"),
-    QT_TRANSLATE_NOOP("Library", "on both sides"),
-    QT_TRANSLATE_NOOP("Library", "on the upper side"),
-    QT_TRANSLATE_NOOP("Library", "on the lower side"),
-    QT_TRANSLATE_NOOP("Library", "that lie evenly"),
-    QT_TRANSLATE_NOOP(
-        "Library",
-        "the markers were never all seen: a frame shows %1 dots on the upper and %2 on the lower "
-        "side face (median of %3 frames), %4 are needed in each row, so dots are missing %5"),
-    QT_TRANSLATE_NOOP(
-        "Library",
-        "check markers.per_row, light both side faces so that the dots stand out from them, focus, "
-        "and keep every dot inside the picture and uncovered in at least two different poses"),
     QT_TRANSLATE_NOOP("Library", "%1 dots were found but they fit no pose of the %2 markers"),
     QT_TRANSLATE_NOOP("Library", "the markers lie %1 px from where they can be"),
     QT_TRANSLATE_NOOP("Library", "stopped before the recording was read"),
@@ -66,8 +54,6 @@ constexpr const char* kAll[] = {
                       "%1 frames are few: a recording of a minute (about 1500 frames) over all "
                       "directions of bending gives closer references"),
     QT_TRANSLATE_NOOP("Library", "this finger has no markers to record a reference with"),
-    QT_TRANSLATE_NOOP(
-        "Library", "a flat sensor takes one untouched picture; for a Fin Ray set markers.per_row"),
     QT_TRANSLATE_NOOP("Library", "the recording could not be processed (%1)"),
     QT_TRANSLATE_NOOP("Library", "reference installed"),
     QT_TRANSLATE_NOOP("Library", "only a flat sensor takes one untouched picture as its reference"),
@@ -172,6 +158,34 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "the face was found in %1 of %2 recorded pictures; 2 are needed"),
     QT_TRANSLATE_NOOP("Library", "the reference picture is not an 8-bit grey picture"),
     QT_TRANSLATE_NOOP("Library", "save it as such"),
+    QT_TRANSLATE_NOOP("Library", "too little of the face is seen to tell the pose by its shape"),
+    QT_TRANSLATE_NOOP(
+        "Library",
+        "a frame shows %1 dots on the upper and %2 on the lower side face (median of %3 frames), "
+        "but no two rows of up to %4 that keep their places on the finger"),
+    QT_TRANSLATE_NOOP("Library",
+                      "No markers can be used: %1. Poses are told by the shape of the face alone, "
+                      "which cannot tell twist; if the finger has dots, light both side faces so "
+                      "that they stand out, and focus"),
+    QT_TRANSLATE_NOOP("Library",
+                      "Markers %1 were not found anywhere; the finger works with the other %2"),
+    QT_TRANSLATE_NOOP("Library", "%1 shows what was found"),
+    QT_TRANSLATE_NOOP("Library", "frame %1 cannot be the finger's rest: %2"),
+    QT_TRANSLATE_NOOP("Library", "the recording has no such frame"),
+    QT_TRANSLATE_NOOP("Library", "another frame in which the finger rests"),
+    QT_TRANSLATE_NOOP("Library", "a flat sensor takes one untouched picture"),
+    QT_TRANSLATE_NOOP("Library", "the finger has no reference recording, so no rest can be set"),
+    QT_TRANSLATE_NOOP("Library", "record the bending, untouched finger first"),
+    QT_TRANSLATE_NOOP("Library", "%1 markers were found, but the finger has %2"),
+    QT_TRANSLATE_NOOP("Library", "a marker has no place in the picture"),
+    QT_TRANSLATE_NOOP("Library", "a picture in which the markers are found"),
+    QT_TRANSLATE_NOOP("Library", "lines: edges of the face"),
+    QT_TRANSLATE_NOOP("Library", "circle: a marker, with its number"),
+    QT_TRANSLATE_NOOP("Library", "cross: looks like a dot, but is none of the rows"),
+    QT_TRANSLATE_NOOP("Library", "broken circle: a marker should be here"),
+    QT_TRANSLATE_NOOP("Library", "%1, frame %2 of %3:"),
+    QT_TRANSLATE_NOOP("Library",
+                      "none; poses are told by the shape of the face, which cannot tell twist"),
 };
 
 }  // namespace

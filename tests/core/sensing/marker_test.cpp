@@ -287,13 +287,65 @@ TEST(MarkerTracker, SaysWhyNothingCouldBeFound) {
   EXPECT_NE(problem.find("12 markers"), std::string::npos) << problem;
 }
 
+// In no recorded frame all markers are seen.
+TEST(MarkerModel, LearnsFromLayoutsWithGaps) {
+  std::mt19937 random(15);
+  std::normal_distribution<double> noise(0.0, 0.05);
+  const MarkedFinger finger;
+  Eigen::MatrixXd layouts(200, 24);
+  for (int i = 0; i < 200; ++i) {
+    layouts.row(i) = finger.layout(random_bend(random)).transpose();
+    for (Eigen::Index k = 0; k < 24; ++k) layouts(i, k) += noise(random);
+    for (const int m : random_markers(1 + i % 4, 12, random))
+      layouts.row(i).segment<2>(2 * m).setConstant(std::nan(""));
+  }
+  const auto model = MarkerModel::learn(layouts, finger.typical(Bend{}));
+  ASSERT_TRUE(model.ok());
+  Errors hidden_errors;
+  int slips = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::VectorXd truth = finger.layout(random_bend(random, 0.8));
+    const auto hidden = random_markers(3, 12, random);
+    const auto markers = model->number(shuffled_dots(finger, truth, hidden, 2, random));
+    ASSERT_TRUE(markers.has_value());
+    for (std::size_t m = 0; m < markers->size(); ++m) {
+      slips += (*markers)[m].seen && off((*markers)[m], truth, m) > 3;
+      if (hidden.contains(static_cast<int>(m))) hidden_errors.add(off((*markers)[m], truth, m));
+    }
+  }
+  hidden_errors.print("learnt with gaps, hidden");
+  EXPECT_EQ(slips, 0);
+  EXPECT_LT(hidden_errors.quantile(0.95), 1.0);
+}
+
+TEST(MarkerModel, NeverSeesAMarkerThatTheFingerDoesNotHave) {
+  std::mt19937 random(16);
+  const MarkedFinger finger;
+  const std::vector<int> missing{3, 9};
+  Eigen::MatrixXd layouts(200, 24);
+  for (int i = 0; i < 200; ++i) layouts.row(i) = finger.layout(random_bend(random)).transpose();
+  const auto model = MarkerModel::learn(layouts, finger.typical(Bend{}), missing);
+  ASSERT_TRUE(model.ok());
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::VectorXd truth = finger.layout(random_bend(random, 0.8));
+    // A bubble just where marker 3 would be.
+    const auto markers = model->number(shuffled_dots(finger, truth, {9}, 0, random));
+    ASSERT_TRUE(markers.has_value());
+    EXPECT_FALSE((*markers)[3].seen);
+    EXPECT_FALSE((*markers)[9].seen);
+    EXPECT_LT(off((*markers)[9], truth, 9), 2.0);
+    for (std::size_t m : {0, 1, 2, 4, 5, 6, 7, 8, 10, 11}) EXPECT_TRUE((*markers)[m].seen) << m;
+  }
+}
+
 TEST(MarkerModel, RefusesRecordingsThatTeachNothing) {
   const MarkedFinger finger;
   Eigen::MatrixXd layouts(3, 24);
   for (int i = 0; i < 3; ++i) layouts.row(i) = finger.layout(Bend{0.1 * i, 0, 0, 0}).transpose();
   EXPECT_TRUE(MarkerModel::learn(layouts, finger.typical(Bend{})).ok());
-  layouts(1, 5) = layouts(2, 7) = std::nan("");
-  EXPECT_FALSE(MarkerModel::learn(layouts, finger.typical(Bend{})).ok());
+  layouts.block(1, 0, 2, 14).setConstant(std::nan(""));
+  EXPECT_FALSE(MarkerModel::learn(layouts, finger.typical(Bend{})).ok())
+      << "less than half is seen";
   EXPECT_FALSE(MarkerModel::learn(Eigen::MatrixXd(), {}).ok());
 }
 
