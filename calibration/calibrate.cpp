@@ -142,6 +142,26 @@ std::vector<BallFit> balls_of(const std::vector<Found>& found,
   return balls;
 }
 
+/// Why no mapping fits: what lies deeper than the layer is thick cannot be told by its darkness.
+Error no_mapping(const std::vector<Found>& found, const Face& face) {
+  constexpr double kTooDeep = 0.8;  // of the layer
+  const Found* deepest = nullptr;
+  double depth_mm = 0;
+  for (const Found& f : found) {
+    const double here_mm = deepest_mm(f, f.guess.centre_mm);
+    if (here_mm > depth_mm) depth_mm = here_mm, deepest = &f;
+  }
+  if (deepest != nullptr && depth_mm > kTooDeep * face.layer_mm)
+    return {
+        fmt::format("the ball lies {:.1f} mm deep in a layer of {:g} mm", depth_mm, face.layer_mm),
+        deepest->press->name,
+        "pressing less deep, and checking the ball's radius and the camera's scale in mm per px"};
+  return {"no increasing mapping fits the presses",
+          "",
+          "leaving out presses with the largest residual, a lower degree, or checking the ball's "
+          "radius"};
+}
+
 double face_length_mm(const std::vector<Found>& found) {
   double length = 0;
   for (const Found& f : found) {
@@ -154,6 +174,19 @@ double face_length_mm(const std::vector<Found>& found) {
 double mean_of(const std::vector<BallFit>& balls, double BallFit::*member) {
   double mean = 0;
   for (const BallFit& ball : balls) mean += ball.*member / static_cast<double>(balls.size());
+  return mean;
+}
+
+/// Mean absolute error of depth over the domain, of a curve whose numbers are as uncertain.
+double mean_error_mm(const MappingCurve& curve, const Eigen::MatrixXd& covariance) {
+  constexpr int kPlaces = 12;
+  constexpr double kMeanOfSd = 0.798;  // sqrt(2 / pi): mean size of a normal error
+  Eigen::VectorXd gradient(curve.values().size());
+  double mean = 0;
+  for (int i = 1; i <= kPlaces; ++i) {
+    (void)curve.depth_mm(curve.x_max() * i / kPlaces, gradient.data());
+    mean += kMeanOfSd * std::sqrt(std::max(0.0, gradient.dot(covariance * gradient))) / kPlaces;
+  }
   return mean;
 }
 
@@ -200,6 +233,7 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
 }
 
 Result<Calibration> solve_jointly(std::vector<Found> found,
+                                  const Face& face,
                                   const CalibrationSettings& settings,
                                   const Job& job,
                                   Calibration calibration) {
@@ -217,11 +251,7 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   }
   auto choice = choose_model(coarse, settings, job);
   if (!choice && job.stop_requested()) return stopped();
-  if (!choice)
-    return Error{"no increasing mapping fits the presses",
-                 "",
-                 "leaving out presses with the largest residual, a lower degree, or checking the "
-                 "ball's radius"};
+  if (!choice) return no_mapping(found, face);
   job.report(0.9, "solving all presses together");
   choice->options.settled_mm = JointOptions{}.settled_mm;
   JointFit fit = fit_finely(found, *choice, job);
@@ -230,7 +260,7 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
       !increases(fit.curve, choice->options.along)) {
     // A polynomial that just increased on some of the samples may not on all of them.
     CalibrationSettings simple = settings;
-    simple.family = FamilyChoice::kMoebius;
+    simple.family = FamilyChoice::kLayer;
     if (auto safe = choose_model(coarse, simple, job)) {
       safe->sentence = fmt::format("{}, because the {} does not increase on all samples",
                                    safe->fit.curve.family().name(),
@@ -244,14 +274,18 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
 
   calibration.mapping = mapping_parameters(fit.curve, choice->options.along, part);
   const Eigen::Index n = fit.curve.values().size();
-  if (covariance.covariance.size() > 0)
-    calibration.mapping.covariance = covariance.covariance.topLeftCorner(n, n);
+  if (covariance.covariance.size() > 0) {
+    const Eigen::MatrixXd by_values = stored_form(fit.curve).by_values;
+    const Eigen::MatrixXd stored =
+        by_values * covariance.covariance.topLeftCorner(n, n) * by_values.transpose();
+    calibration.mapping.covariance = 0.5 * (stored + stored.transpose());
+  }
   if (const auto mapping = Mapping::create(calibration.mapping); !mapping)
     return Error{"the solution is no mapping: " + mapping.error().what,
                  "",
                  "more presses of different depth, or a lower degree"};
   if (covariance.covariance.size() > 0)
-    calibration.weakness = weakest_direction(fit.curve, calibration.mapping.covariance);
+    calibration.weakness = weakest_direction(fit.curve, covariance.covariance.topLeftCorner(n, n));
   if (!job.stop_requested())
     calibration.radius_sense = sense_radius(coarse.presses, fit, choice->options, job);
   if (!job.stop_requested())
@@ -261,6 +295,10 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
   calibration.condition = covariance.condition;
   calibration.spread_mm = choice->spread_mm;
+  const Eigen::MatrixXd chance = chance_covariance_of(fine, fit, choice->options).covariance;
+  if (chance.size() > 0 && found.size() > 1)
+    calibration.spread_mm =
+        std::max(calibration.spread_mm, mean_error_mm(fit.curve, chance.topLeftCorner(n, n)));
   calibration.degree_choice = choice->sentence;
   calibration.remarks.insert(
       calibration.remarks.end(), choice->remarks.begin(), choice->remarks.end());
@@ -295,7 +333,8 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
           &S::family,
           {{"auto", FamilyChoice::kAuto},
            {"polynomial", FamilyChoice::kPolynomial},
-           {"moebius", FamilyChoice::kMoebius}}),
+           {"moebius", FamilyChoice::kMoebius},
+           {"kubelka-munk", FamilyChoice::kLayer}}),
       number_setting<S>(
           "degree", "degree of the polynomial; 0: chosen by leaving presses out", &S::degree, 0, 8),
       choice_setting<S, AlongChoice>(
@@ -342,7 +381,7 @@ Result<Calibration> calibrate(const std::vector<Press>& presses,
       return job.stop_requested() ? stopped() : no_press(presses, calibration.left_out);
     Result<Calibration> result = [&]() -> Result<Calibration> {
       if (settings.method == CalibrationMethod::kJoint)
-        return solve_jointly(found, settings, job, std::move(calibration));
+        return solve_jointly(found, face, settings, job, std::move(calibration));
       std::vector<OutlinePress> outlines;
       for (const Found& f : found) outlines.push_back({f.press, f.guess});
       return calibrate_by_outline(

@@ -23,7 +23,7 @@ enum class CalibrationMethod {
   kCircle,  ///< a circle where ball and face part
   kCone,    ///< the cone that touches the ball's outline
 };
-enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius };
+enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius, kLayer };
 /// Whether the mapping may vary over the face.
 enum class OverFaceChoice { kAuto = 1, kEven };
 enum class AlongChoice { kAuto = 1, kZ, kNormal, kProjected };
@@ -58,9 +58,10 @@ struct Calibration {
   std::vector<BallFit> balls;
   double residual_mm = 0;
   double held_out_mm = 0;  ///< 0 when there was only one press
-  /// How far depth is off as a whole, mean absolute over the domain, by what the mapping changes
-  /// when presses are left out (jackknife): the balls take this up, so that held_out_mm cannot see
-  /// it. 0 with one press and with methods other than the joint one.
+  /// How far depth is off as a whole, mean absolute over the domain: the larger of what the mapping
+  /// changes when presses are left out (jackknife) and what chance leaves open. The balls take
+  /// this up, so that held_out_mm cannot see it. 0 with one press and with methods other than the
+  /// joint one.
   double spread_mm = 0;
   double condition = 0;               ///< of the scaled problem
   std::string degree_choice;          ///< why this family and degree, a sentence

@@ -2,6 +2,7 @@
 
 #include "core/geometry/ball.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -27,20 +28,26 @@ bool PressCost::Evaluate(double const* const* parameters,
   std::array<double, 16> by_values{};
   for (std::size_t i = 0; i < weighted_.samples.size(); ++i) {
     const Sample& sample = *weighted_.samples[i];
-    const double weight = weighted_.root_weight[i];
+    const double weight = weighted_.root_weight[i] * weighted_.slope_mm[i];
     Eigen::Vector3d by_centre;
     const double depth =
         ball_depth_mm(sample, options_.along, centre, weighted_.ball_radius_mm, &by_centre);
-    const double read = curve_.evaluate(parameters[1], sample.x, sample.place, by_values.data());
-    if (!std::isfinite(depth) || !std::isfinite(read)) return false;
-    residuals[i] = weight * (read - depth - weighted_.blur_mm[i]);
+    if (!std::isfinite(depth)) return false;
+    const bool wants_values = jacobians != nullptr && jacobians[1] != nullptr;
+    const auto [x, slope_mm] = curve_.inverse(parameters[1],
+                                              depth + weighted_.blur_mm[i],
+                                              sample.place,
+                                              sample.x,
+                                              wants_values ? by_values.data() : nullptr);
+    if (!std::isfinite(x)) return false;
+    residuals[i] = weight * (sample.x - x);
     if (jacobians == nullptr) continue;
     if (jacobians[0] != nullptr)
-      Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = -weight * by_centre;
-    if (jacobians[1] != nullptr)
+      Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = -weight / slope_mm * by_centre;
+    if (wants_values)
       for (int k = 0; k < n; ++k)
         jacobians[1][static_cast<std::size_t>(n) * i + static_cast<std::size_t>(k)] =
-            weight * by_values[static_cast<std::size_t>(k)];
+            -weight * by_values[static_cast<std::size_t>(k)];
   }
   return true;
 }
@@ -64,6 +71,30 @@ bool OutlineCost::Evaluate(double const* const* parameters,
     if (jacobians != nullptr && jacobians[0] != nullptr)
       Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = weight * by_centre;
   }
+  const auto n = static_cast<Eigen::Index>(weighted_.outline.size());
+  weighted_.take_out_apart(Eigen::Map<Eigen::VectorXd>(residuals, n));
+  if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> rows(jacobians[0], n, 3);
+  for (int k = 0; k < 3; ++k) {
+    Eigen::VectorXd column = rows.col(k);
+    weighted_.take_out_apart(column);
+    rows.col(k) = column;
+  }
+  return true;
+}
+
+AbsorptionCost::AbsorptionCost(const MappingCurve& curve) : numbers_(curve.family().numbers()) {
+  set_num_residuals(1);
+  mutable_parameter_block_sizes()->push_back(numbers_);
+}
+
+bool AbsorptionCost::Evaluate(double const* const* parameters,
+                              double* residuals,
+                              double** jacobians) const {
+  residuals[0] = kRootWeight * (parameters[0][2] - kMean) / kSd;
+  if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+  std::fill_n(jacobians[0], numbers_, 0.0);
+  jacobians[0][2] = kRootWeight / kSd;
   return true;
 }
 

@@ -17,13 +17,28 @@ struct Weighted {
   double ball_radius_mm = 0;
   std::vector<const Sample*> samples;
   std::vector<double> blur_mm;      ///< see blur_mm(), of the round before
+  std::vector<double> slope_mm;     ///< dM/dx at the ball's depth, of the round before
   std::vector<double> root_weight;  ///< 1 / sigma with the robust and the zone's weight, 1/mm
   /// By what the robust loss bends less than a square of the same weight, in (0, 1]: its second
   /// derivative over the weight.
   std::vector<double> bend;
   std::vector<const OutlinePoint*> outline;
   std::vector<double> outline_root_weight;  ///< 1 / sigma with the robust weight, 1/rad
+  /// The direction in which the weighted outline moves when ball and face move apart along z, unit,
+  /// and the part of it that is left: the outline tells where the ball is before the camera, and
+  /// brightness where it is in the face, whose own distance is known no better than kFaceSdMm.
+  Eigen::VectorXd outline_apart;
+  double outline_left = 1.0;
+
+  /// Takes that out of the outline's weighted residuals, or out of a column of their derivatives.
+  void take_out_apart(Eigen::Ref<Eigen::VectorXd> values) const {
+    if (outline_apart.size() == values.size())
+      values -= (1.0 - outline_left) * outline_apart.dot(values) * outline_apart;
+  }
 };
+
+/// Standard deviation of the face's distance as its edges tell it, of one press.
+constexpr double kFaceSdMm = 0.05;
 
 /// The samples in the zone around a ball, robustly weighted by their residuals, and the outline.
 [[nodiscard]] Weighted weigh(const PressSamples& press,
@@ -31,8 +46,8 @@ struct Weighted {
                              const Eigen::Vector3d& centre,
                              const JointOptions& options);
 
-/// Brightness: w (M(x) - d(c) - blur), one residual a sample. Parameter blocks: the ball's centre,
-/// the mapping's numbers. Keeps references to what it is made from.
+/// Brightness: w slope (x - g(d(c) + blur)), one residual a sample. Parameter blocks: the ball's
+/// centre, the mapping's numbers. Keeps references to what it is made from.
 class PressCost final : public ceres::CostFunction {
  public:
   PressCost(const Weighted& weighted, const MappingCurve& curve, const JointOptions& options);
@@ -57,6 +72,24 @@ class OutlineCost final : public ceres::CostFunction {
 
  private:
   const Weighted& weighted_;
+};
+
+/// What is known beforehand of a layer's absorption over its scattering: clear silicone with white
+/// pigment absorbs little (NUMERICS of the layer: 0 to 0.2). Presses that tell it overrule this;
+/// the others must not take a straight line for its opposite. Parameter block: the mapping's
+/// numbers.
+class AbsorptionCost final : public ceres::CostFunction {
+ public:
+  explicit AbsorptionCost(const MappingCurve& curve);
+  bool Evaluate(double const* const* parameters,
+                double* residuals,
+                double** jacobians) const override;
+  static constexpr double kMean = 0.05, kSd = 0.1;
+  /// Residuals of samples count as if each were by itself, and some of them share their noise.
+  static constexpr double kRootWeight = 1.7;
+
+ private:
+  int numbers_;
 };
 
 /// The angle by which a ray passes outside the ball (negative: meets it), and its derivative by the

@@ -44,9 +44,14 @@ Linear linearised(const PressSamples& press,
     const double depth =
         ball_depth_mm(sample, options.along, centre, press.ball_radius_mm, &by_centre);
     const double weight = linear.weight[k];
-    linear.residual[k] = weight * (fit.curve.depth_mm(sample.x, sample.place, by_values.data()) -
-                                   depth - weighted.blur_mm[static_cast<std::size_t>(k)]);
-    linear.rows.row(k).head(n_map) = weight * by_values.transpose();
+    // Of the difference, as depth: what the curve gives a sample's depth by is by that of x there.
+    const double slope_mm = weighted.slope_mm[static_cast<std::size_t>(k)];
+    const double at = depth + weighted.blur_mm[static_cast<std::size_t>(k)];
+    const double x =
+        fit.curve.inverse(fit.curve.values().data(), at, sample.place, sample.x, by_values.data())
+            .x;
+    linear.residual[k] = weight * slope_mm * (sample.x - x);
+    linear.rows.row(k).head(n_map) = -weight * slope_mm * by_values.transpose();
     linear.rows.row(k).tail<3>() = -weight * by_centre.transpose();
     linear.patch.push_back(disc.place_of(sample).patch);
     linear.place.emplace_back(std::lround(std::floor(sample.pixel.x() / press.block_px)),
@@ -64,6 +69,8 @@ Linear linearised(const PressSamples& press,
         outline_angle_rad(weighted.outline[i]->direction, centre, press.ball_radius_mm, &by_centre);
     linear.outline_rows.row(k) = weight * by_centre.transpose();
   }
+  weighted.take_out_apart(linear.outline_residual);
+  for (int k = 0; k < 3; ++k) weighted.take_out_apart(linear.outline_rows.col(k));
   return linear;
 }
 
@@ -200,7 +207,8 @@ double ring_error_mm(const std::vector<const PressSamples*>& presses,
                      const JointOptions& options) {
   const FitQuality quality = quality_of(presses, fit, options);
   const double shown_mm2 = std::pow(quality.ring_mm, 2) - std::pow(quality.scatter_mm, 2);
-  return shown_mm2 > 2.0 * kFloorMm * kFloorMm ? std::sqrt(shown_mm2) : kFloorMm;
+  const double ring_mm = shown_mm2 > 2.0 * kFloorMm * kFloorMm ? std::sqrt(shown_mm2) : kFloorMm;
+  return options.zone > kSureZone ? std::hypot(ring_mm, quality.scatter_mm) : ring_mm;
 }
 
 JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
@@ -264,6 +272,12 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
     spread.block<3, 3>(corner, corner) += outline_pull * outline_pull.transpose();
   }
   spread += ring_pull * ring_pull.transpose();
+  if (fit.curve.family().absorbs()) {
+    // What is known of the absorption beforehand, and is off by as much as it claims.
+    const double weight = std::pow(AbsorptionCost::kRootWeight / AbsorptionCost::kSd, 2);
+    hessian(2, 2) += weight;
+    spread(2, 2) += std::pow(weight * AbsorptionCost::kSd, 2);
+  }
   Eigen::MatrixXd inverse;
   if (!invert(hessian.bottomRightCorner(unknowns, unknowns), &inverse, &result.condition))
     return result;

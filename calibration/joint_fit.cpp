@@ -47,6 +47,19 @@ void weigh_outline(const PressSamples& press, const Eigen::Vector3d& centre, Wei
     weighted->outline_root_weight.push_back(
         each / (point.sd_rad * std::pow(1.0 + z * z / (kRobustAt * kRobustAt), 0.25)));
   }
+  const auto count = static_cast<Eigen::Index>(weighted->outline.size());
+  Eigen::VectorXd apart(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    Eigen::Vector3d by_centre;
+    (void)outline_angle_rad(
+        weighted->outline[i]->direction, centre, press.ball_radius_mm, &by_centre);
+    apart[k] = weighted->outline_root_weight[i] * by_centre.z();
+  }
+  const double length = apart.norm();
+  if (!(length > 0.0)) return;
+  weighted->outline_apart = apart / length;
+  weighted->outline_left = 1.0 / std::hypot(1.0, length / each * kFaceSdMm);
 }
 
 class StopWithJob final : public ceres::IterationCallback {
@@ -78,7 +91,10 @@ bool solve(const std::vector<Weighted>& weighted,
     if (!weighted[i].outline.empty())
       problem.AddResidualBlock(new OutlineCost(weighted[i]), nullptr, fit->centres_mm[i].data());
   }
-  if (options.fix_mapping) problem.SetParameterBlockConstant(fit->curve.values().data());
+  if (options.fix_mapping)
+    problem.SetParameterBlockConstant(fit->curve.values().data());
+  else if (family.family().absorbs())
+    problem.AddResidualBlock(new AbsorptionCost(family), nullptr, fit->curve.values().data());
   ceres::Solver::Options solver = solver_settings();
   StopWithJob stop(job);
   solver.callbacks.push_back(&stop);
@@ -110,24 +126,21 @@ Weighted weigh(const PressSamples& press,
   const ContactDisc disc(press, options.along, centre);
   Weighted weighted;
   weighted.ball_radius_mm = press.ball_radius_mm;
-  std::vector<double> normed;
-  std::vector<double> taper;
-  std::vector<double> sigma;
+  std::vector<double> normed, taper, sigma;
   for (const Sample& sample : press.samples) {
     const double inside = (options.zone + kTaper - disc.place_of(sample).radius) / (2.0 * kTaper);
     if (!(inside > 0.0)) continue;
-    const double depth = ball_depth_mm(sample, options.along, centre, press.ball_radius_mm);
-    const double read = curve.depth_mm(sample.x, sample.place);
-    if (!std::isfinite(depth) || !std::isfinite(read)) continue;
     const double facing = facing_of(sample, options.along, centre, press.ball_radius_mm);
     if (!(facing > kGrazing)) continue;
-    const double blur = blur_mm(sample, press, curve, options.along, centre);
-    const double sd = std::hypot(curve.slope_mm(sample.x) * press.x_sd, kFloorMm);
+    const Misfit misfit = misfit_of(sample, press, curve, options.along, centre);
+    if (!std::isfinite(misfit.mm)) continue;
+    const double sd = std::hypot(misfit.slope_mm * press.x_sd, kFloorMm);
     weighted.samples.push_back(&sample);
-    weighted.blur_mm.push_back(blur);
+    weighted.blur_mm.push_back(misfit.blur_mm);
+    weighted.slope_mm.push_back(misfit.slope_mm);
     taper.push_back(std::min(1.0, inside));
     sigma.push_back(sd);
-    normed.push_back((read - depth - blur) / sd);
+    normed.push_back(misfit.mm / sd);
   }
   std::vector<double> sizes;
   sizes.reserve(normed.size());
@@ -181,10 +194,22 @@ double blur_mm(const Sample& sample,
     laplacian += before + after - 2 * depth;
     slope2 += std::pow(0.5 * (after - before), 2);
   }
-  const double h = 0.01 * curve.x_max(), slope = curve.slope_mm(sample.x);
-  const double bend = (curve.slope_mm(sample.x + h) - curve.slope_mm(sample.x - h)) / (2 * h);
+  const double x = curve.inverse(depth, sample.place, sample.x).x;
+  const double h = 0.01 * curve.x_max(), slope = curve.slope_mm(x);
+  const double bend = (curve.slope_mm(x + h) - curve.slope_mm(x - h)) / (2 * h);
   const double blur = 0.5 * press.blur_px2 * (laplacian - bend / (slope * slope) * slope2);
   return std::isfinite(blur) ? blur : 0.0;
+}
+
+Misfit misfit_of(const Sample& sample,
+                 const PressSamples& press,
+                 const MappingCurve& curve,
+                 MappingAlong along,
+                 const Eigen::Vector3d& centre_mm) {
+  const double depth = ball_depth_mm(sample, along, centre_mm, press.ball_radius_mm);
+  const double blur = blur_mm(sample, press, curve, along, centre_mm);
+  const auto [x, slope_mm] = curve.inverse(depth + blur, sample.place, sample.x);
+  return {slope_mm * (sample.x - x), slope_mm, blur};
 }
 
 ContactDisc::ContactDisc(const PressSamples& press,
@@ -264,9 +289,7 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
       const ContactDisc::Place place = disc.place_of(sample);
       if (!(place.radius <= options.zone)) continue;
       const double residual =
-          fit.curve.depth_mm(sample.x, sample.place) -
-          ball_depth_mm(sample, options.along, fit.centres_mm[i], presses[i]->ball_radius_mm) -
-          blur_mm(sample, *presses[i], fit.curve, options.along, fit.centres_mm[i]);
+          misfit_of(sample, *presses[i], fit.curve, options.along, fit.centres_mm[i]).mm;
       if (!std::isfinite(residual)) continue;
       absolute += std::abs(residual);
       ++count;

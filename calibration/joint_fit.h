@@ -1,8 +1,11 @@
 // All ball centres and the mapping in one robust weighted least-squares problem.
 //
-// A ball of radius R, its press's own, at c gives every sample inside its contact a depth d(c); the
-// mapping says M(x). Both must agree: minimise sum ((M(x_i) - d_i(c)) / sigma_i)^2, robustly, over
-// the part of every contact where skin and ball certainly touch (the zone). Where part of the
+// A ball of radius R, its press's own, at c gives every sample inside its contact a depth d(c), and
+// the mapping, turned round, the difference g(d) that belongs to it. The noise is in the picture:
+// minimise sum ((x_i - g(d_i(c))) / sigma_i)^2, robustly, over the part of every contact where skin
+// and ball certainly touch (the zone). Residuals of depth, M(x_i) - d_i, would make all depths too
+// small, as a straight line through points comes out too flat that are uncertain along it: by 2 to
+// 12 % at ordinary noise. Where part of the
 // ball's outline is seen (tangent_arc.h), the angles of its rays to the centre, less asin(R / |c|),
 // join the sum.
 #pragma once
@@ -38,6 +41,19 @@ namespace alltact {
                              MappingAlong along,
                              const Eigen::Vector3d& centre_mm);
 
+/// What a sample differs by from the ball: slope (x - g(d)), the noise of x as depth, mm. NaN where
+/// the ball or the curve gives none.
+struct Misfit {
+  double mm = 0;
+  double slope_mm = 0;  ///< dM/dx where M gives the ball's depth
+  double blur_mm = 0;   ///< see blur_mm()
+};
+[[nodiscard]] Misfit misfit_of(const Sample& sample,
+                               const PressSamples& press,
+                               const MappingCurve& curve,
+                               MappingAlong along,
+                               const Eigen::Vector3d& centre_mm);
+
 /// Where in the contact the samples lie: 0 at its middle, 1 at the rim of the ball's cap, where
 /// face and ball part if the skin followed the ball to the end.
 class ContactDisc {
@@ -63,13 +79,15 @@ class ContactDisc {
   double rim2_ = 1;  ///< squared radius of the cap's rim
 };
 
+/// Part of the rim's radius within which skin and ball touch on any material (Hertz: 0.71).
+constexpr double kSureZone = 0.65;
 constexpr double kFloorMm = 0.003;  ///< no sample is believed better than this, across the ball
 
 struct JointFit;
 
 struct JointOptions {
   MappingAlong along = MappingAlong::kZ;
-  double zone = 0.65;        ///< contacts are read up to this part of the rim's radius
+  double zone = kSureZone;   ///< contacts are read up to this part of the rim's radius
   double settled_mm = 1e-8;  ///< the reweighting ends when no unknown changes by more
   bool fix_mapping = false;  ///< only the balls are free
   /// Told after every round how much the unknowns still moved, mm, and where to; may be null.
@@ -108,7 +126,8 @@ struct JointCovariance {
 /// Spread of the solution as the residuals themselves show it. Neighbouring samples share their
 /// noise, by as much as their residuals do; each patch of a contact may be off as a whole, by what
 /// the patches scatter beyond that; and each ring, in all presses alike, by what the rings' mean
-/// residuals are and at least by 0.003 mm, which no press would show.
+/// residuals are and at least by 0.003 mm, which no press would show. Rings outside the sure zone
+/// may hide as much again as the mean of a ring scatters: noise must not make a rim look certain.
 [[nodiscard]] JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
                                             const JointFit& fit,
                                             const JointOptions& options);

@@ -10,14 +10,17 @@
 
 namespace alltact {
 
-/// A kind of curve and how many numbers it has.
+/// A kind of curve and how many numbers it has. A Moebius curve with a third number is that of a
+/// Kubelka-Munk layer which absorbs besides scattering: (a, b, k), k = absorption / scattering;
+/// with k = 0 it is the Moebius curve d = a x / (1 + b x).
 struct CurveFamily {
   MappingKind kind = MappingKind::kMoebius;
-  int coefficients = 2;  ///< 2 for Moebius
+  int coefficients = 2;  ///< 2 or 3 for Moebius
   bool varies = false;   ///< over the face (FaceVariation): two numbers more
 
   [[nodiscard]] int numbers() const { return coefficients + (varies ? 2 : 0); }
-  [[nodiscard]] std::string name() const;  ///< "Moebius", "polynomial of degree 3"
+  [[nodiscard]] bool absorbs() const { return kind == MappingKind::kMoebius && coefficients == 3; }
+  [[nodiscard]] std::string name() const;  ///< "Moebius curve", "polynomial of degree 3"
   bool operator==(const CurveFamily&) const = default;
 };
 
@@ -31,7 +34,7 @@ class MappingCurve {
 
   [[nodiscard]] const CurveFamily& family() const { return family_; }
   [[nodiscard]] double x_max() const { return x_max_; }
-  /// (a, b), or the Chebyshev coefficients; and then part, if the family varies.
+  /// (a, b), (a, b, k) or the Chebyshev coefficients; and then part, if the family varies.
   [[nodiscard]] Eigen::VectorXd& values() { return values_; }
   [[nodiscard]] const Eigen::VectorXd& values() const { return values_; }
 
@@ -52,7 +55,7 @@ class MappingCurve {
     return evaluate(values_.data(), x, place, gradient);
   }
   /// In the middle of the face.
-  [[nodiscard]] double slope_mm(double x) const;
+  [[nodiscard]] double slope_mm(double x) const { return slope(values_.data(), x); }
 
   /// The same for numbers that stand elsewhere (a solver's).
   [[nodiscard]] double evaluate(const double* values,
@@ -60,13 +63,38 @@ class MappingCurve {
                                 const Eigen::Vector2d& place,
                                 double* gradient) const;
 
+  /// The difference x at which the mapping gives a depth, and how it moves.
+  struct Inverse {
+    double x = 0;         ///< NaN where no x gives the depth
+    double slope_mm = 0;  ///< dM/dx there
+  };
+  /// `near`: where to look first. `gradient` (dx by the values, may be null) has numbers() entries.
+  [[nodiscard]] Inverse inverse(const double* values,
+                                double depth_mm,
+                                const Eigen::Vector2d& place,
+                                double near,
+                                double* gradient = nullptr) const;
+  [[nodiscard]] Inverse inverse(double depth_mm, const Eigen::Vector2d& place, double near) const {
+    return inverse(values_.data(), depth_mm, place, near);
+  }
+
  private:
   double curve(const double* values, double x, double* gradient) const;
+  [[nodiscard]] double slope(const double* values, double x) const;
+  [[nodiscard]] double polynomial_inverse(const double* values, double depth, double near) const;
 
   CurveFamily family_;
   double x_max_;
   Eigen::VectorXd values_;
 };
+
+/// A curve as finger files know it: itself, or, of a layer that absorbs, the polynomial that runs
+/// within 0.0006 mm of it, and what its coefficients change by those of the curve.
+struct StoredCurve {
+  MappingCurve curve;
+  Eigen::MatrixXd by_values;
+};
+[[nodiscard]] StoredCurve stored_form(const MappingCurve& curve);
 
 /// The curve of a stored mapping, with its variation over the face.
 [[nodiscard]] MappingCurve curve_of(const MappingParameters& parameters);

@@ -10,7 +10,6 @@ namespace alltact {
 namespace {
 
 constexpr int kDomainPlaces = 12;       // of the curve, where curves are compared
-constexpr double kInnerZone = 0.65;     // skin and ball touch here on any material (Hertz: 0.71)
 constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is never held against it
 constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
 constexpr double kCertainPart = 0.01;   // of the depth: what chance leaves open is little enough
@@ -25,6 +24,7 @@ constexpr double kTiePart = 0.1;     // or than this part of the better one
 constexpr double kSettledMm = 1e-5;  // enough to choose by
 
 constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};
+constexpr CurveFamily kLayerFamily{MappingKind::kMoebius, 3};
 
 /// The largest difference at which the contacts' inner parts are seen: the end of the domain.
 double domain_of(const ChoiceInput& input, MappingAlong along) {
@@ -33,7 +33,7 @@ double domain_of(const ChoiceInput& input, MappingAlong along) {
     const ContactDisc disc(*input.presses[i], along, input.centres_mm[i]);
     std::vector<double> x;
     for (const Sample& sample : input.presses[i]->samples)
-      if (disc.place_of(sample).radius < kInnerZone) x.push_back(sample.x);
+      if (disc.place_of(sample).radius < kSureZone) x.push_back(sample.x);
     if (x.empty()) continue;
     const auto at = x.begin() + static_cast<std::ptrdiff_t>(0.995 * (x.size() - 1));
     std::nth_element(x.begin(), at, x.end());
@@ -49,7 +49,7 @@ JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_m
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
     const ContactDisc disc(*input.presses[i], along, input.centres_mm[i]);
     for (const Sample& sample : input.presses[i]->samples) {
-      if (disc.place_of(sample).radius > kInnerZone) continue;
+      if (disc.place_of(sample).radius > kSureZone) continue;
       const double depth =
           ball_depth_mm(sample, along, input.centres_mm[i], input.presses[i]->ball_radius_mm);
       if (!std::isfinite(depth)) continue;
@@ -65,6 +65,10 @@ JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_m
 JointFit as_family(const JointFit& fit, CurveFamily family) {
   if (fit.curve.family() == family) return fit;
   MappingCurve curve(family, fit.curve.x_max());
+  if (fit.curve.family() == kMoebiusFamily && family == kLayerFamily) {
+    curve.values().head<2>() = fit.curve.values();
+    return {curve, fit.centres_mm, false};
+  }
   if (fit.curve.family().kind == family.kind &&
       fit.curve.values().size() <= curve.values().size() &&
       fit.curve.family().coefficients == family.coefficients) {
@@ -75,9 +79,8 @@ JointFit as_family(const JointFit& fit, CurveFamily family) {
   return {curve, fit.centres_mm, false};
 }
 
-/// What chance alone leaves uncertain of the depth at the end of the domain, as a part of it.
-double uncertain_part(const ChoiceInput& input, const JointFit& fit, const JointOptions& options) {
-  const Eigen::MatrixXd all = chance_covariance_of(input.presses, fit, options).covariance;
+/// What a covariance leaves uncertain of the depth at the end of the domain, as a part of it.
+double uncertain_part(const JointFit& fit, const Eigen::MatrixXd& all) {
   if (all.size() == 0) return std::numeric_limits<double>::infinity();
   Eigen::VectorXd gradient(fit.curve.values().size());
   const double depth = fit.curve.depth_mm(fit.curve.x_max(), gradient.data());
@@ -93,11 +96,12 @@ JointFit grow_zone(const ChoiceInput& input,
                    JointOptions* options,
                    std::string* remark,
                    const Job& job) {
-  options->zone = kInnerZone;
-  fit = fit_jointly(input.presses, as_family(fit, kMoebiusFamily), *options, job);
+  options->zone = kSureZone;
+  fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
   const auto inner = [&] { return 100.0 * options->zone; };
   for (const double zone : {0.75, 0.85, 0.93, 1.0}) {
-    if (fit.converged && uncertain_part(input, fit, *options) < kCertainPart) {
+    const auto chance = chance_covariance_of(input.presses, fit, *options);
+    if (fit.converged && uncertain_part(fit, chance.covariance) < kCertainPart) {
       *remark = fmt::format(
           "the inner {:.0f} % of each contact's radius was used, where the skin surely touches the "
           "ball: that is enough to tell the mapping",
@@ -116,6 +120,10 @@ JointFit grow_zone(const ChoiceInput& input,
           inner());
       break;
     }
+    // A rim that leaves less to chance and more to what its noise may hide is no gain.
+    if (uncertain_part(next, covariance_of(input.presses, next, wider).covariance) >=
+        uncertain_part(fit, covariance_of(input.presses, fit, *options).covariance))
+      break;
     *options = wider;
     fit = next;
   }
@@ -149,7 +157,7 @@ HeldOut hold_out(const ChoiceInput& input,
     const std::vector<const PressSamples*> one{input.presses[left]};
     const JointFit ball = fit_jointly(one, {fit.curve, {all.centres_mm[left]}, false}, alone, job);
     JointOptions inner = options;
-    inner.zone = kInnerZone;
+    inner.zone = kSureZone;
     const bool is_good = fit.converged && ball.converged && increases(fit.curve, options.along);
     result.errors_mm.push_back(is_good ? quality_of(one, ball, inner).residual_mm.front()
                                        : std::numeric_limits<double>::infinity());
@@ -206,6 +214,7 @@ std::vector<CurveFamily> families_for(const CalibrationSettings& settings, std::
   std::vector<CurveFamily> families;
   const auto polynomial = [&](int n) { families.push_back({MappingKind::kPolynomial, n}); };
   if (settings.family == FamilyChoice::kMoebius) return {kMoebiusFamily};
+  if (settings.family == FamilyChoice::kLayer) return {kLayerFamily};
   if (settings.degree > 0) {
     // A degree was asked for: that polynomial.
     polynomial(settings.degree);
@@ -216,10 +225,11 @@ std::vector<CurveFamily> families_for(const CalibrationSettings& settings, std::
     for (int n = 1; n <= kMostCoefficients; ++n) polynomial(n);
     return families;
   }
-  if (alone) return {kMoebiusFamily, {MappingKind::kPolynomial, 1}};
-  // What a layer of scattering stuff does comes first. A straight line is one of its curves; as a
-  // family of its own it would win ties and let the ball centres take up its error in scale.
-  families.push_back(kMoebiusFamily);
+  if (alone) return {kLayerFamily, {MappingKind::kPolynomial, 1}};
+  // What a layer of scattering stuff does comes first. A straight line and the Moebius curve are
+  // among its curves; as families of their own they would win ties and let the ball centres take up
+  // their error in scale.
+  families.push_back(kLayerFamily);
   for (int n = 2; n <= kMostCoefficients; ++n) polynomial(n);
   return families;
 }
@@ -240,6 +250,7 @@ double beyond_family_mm(const ChoiceInput& input,
                         const JointOptions& options,
                         const Job& job) {
   CurveFamily richer = fit.curve.family();
+  if (richer.absorbs()) return 0;  // its third number is uncertain in the covariance
   richer.kind = MappingKind::kPolynomial;
   if (++richer.coefficients > kMostCoefficients) return 0;
   const JointFit other = fit_jointly(input.presses, as_family(fit, richer), options, job);
@@ -315,7 +326,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
                                          const Job& job) {
   ModelChoice choice{{along}, straight_start(input, along, domain_of(input, along)), {}, 0, {}, {}};
   if (!(choice.fit.curve.x_max() > 0.0)) return std::nullopt;
-  choice.options.zone = kInnerZone;
+  choice.options.zone = kSureZone;
   choice.options.settled_mm = kSettledMm;
   JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
   std::string zone_remark;
@@ -347,18 +358,19 @@ MappingParameters mapping_parameters(const MappingCurve& curve,
                                      MappingAlong along,
                                      const PressedPart& part) {
   MappingParameters parameters;
-  parameters.kind = curve.family().kind;
+  const MappingCurve stored = stored_form(curve).curve;
+  parameters.kind = stored.family().kind;
   parameters.along = along;
-  parameters.x_max = curve.x_max();
-  if (curve.family().kind == MappingKind::kMoebius) {
-    parameters.a_mm = curve.values()[0];
-    parameters.b = curve.values()[1];
+  parameters.x_max = stored.x_max();
+  if (stored.family().kind == MappingKind::kMoebius) {
+    parameters.a_mm = stored.values()[0];
+    parameters.b = stored.values()[1];
   } else {
-    const auto numbers = curve.values().head(curve.family().coefficients);
+    const auto numbers = stored.values().head(stored.family().coefficients);
     parameters.chebyshev.assign(numbers.begin(), numbers.end());
   }
-  if (curve.family().varies)
-    parameters.variation = {curve.values().tail<2>(), part.middle_mm, part.half_mm};
+  if (stored.family().varies)
+    parameters.variation = {stored.values().tail<2>(), part.middle_mm, part.half_mm};
   return parameters;
 }
 

@@ -2,6 +2,7 @@
 
 #include "calibration/calibration_inputs.h"
 #include "calibration/joint_fit.h"
+#include "calibration/measuring_settings.h"
 #include "calibration/press_residuals.h"
 #include "calibration/press_samples.h"
 #include "calibration/press_yaml.h"
@@ -279,9 +280,7 @@ Result<PressCheck> check_with_presses(const PressCheckInput& input,
                  "--ball-radius-mm with the radius of the ball that was pressed"};
   Finger blank = finger;  // up to the brightness difference
   blank.mapping.reset();
-  PipelineSettings settings;
-  if (const auto inputs = CalibrationInputs::load(input.folder)) settings = inputs->pipeline;
-  auto pipeline = Pipeline::create(input.folder, blank, settings, job);
+  auto pipeline = Pipeline::create(input.folder, blank, measuring_settings(input.folder), job);
   if (!pipeline) return pipeline.error();
   job.report(0.3, "measuring the presses");
   auto measured = measure_all(

@@ -1,5 +1,6 @@
 #include "calibration/untouched_check.h"
 
+#include "calibration/measuring_settings.h"
 #include "core/sensing/depth_cells.h"
 #include "core/sensing/pipeline.h"
 #include "core/sources/source.h"
@@ -64,7 +65,7 @@ Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
         "the finger is not calibrated yet", folder.string(), "calibrate with ball presses"};
   const auto mapping = Mapping::create(*finger.mapping);
   if (!mapping) return mapping.error();
-  auto pipeline = Pipeline::create(folder, finger, {}, Job(job, 0.0, 0.6));
+  auto pipeline = Pipeline::create(folder, finger, measuring_settings(folder), Job(job, 0.0, 0.6));
   if (!pipeline) return pipeline.error();
   auto source = open_source(pictures);
   if (!source) return source.error();

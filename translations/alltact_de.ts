@@ -255,6 +255,14 @@
         <translation>keine steigende Abbildung passt zu den Eindrücken</translation>
     </message>
     <message>
+        <source>the ball lies %1 mm deep in a layer of %2 mm</source>
+        <translation>die Kugel liegt %1 mm tief in einer Schicht von %2 mm</translation>
+    </message>
+    <message>
+        <source>pressing less deep, and checking the ball&apos;s radius and the camera&apos;s scale in mm per px</source>
+        <translation>weniger tief drücken und den Radius der Kugel und den Maßstab der Kamera in mm je px prüfen</translation>
+    </message>
+    <message>
         <source>leaving out presses with the largest residual, a lower degree, or checking the ball&apos;s radius</source>
         <translation>Eindrücke mit dem größten Restfehler weglassen, ein kleinerer Grad, oder den Radius der Kugel prüfen</translation>
     </message>

@@ -255,6 +255,14 @@
         <translation>没有递增的映射与按压相符</translation>
     </message>
     <message>
+        <source>the ball lies %1 mm deep in a layer of %2 mm</source>
+        <translation>球压入 %1 mm,而该层只有 %2 mm 厚</translation>
+    </message>
+    <message>
+        <source>pressing less deep, and checking the ball&apos;s radius and the camera&apos;s scale in mm per px</source>
+        <translation>压得浅一些,并检查球的半径和相机的比例(mm/px)</translation>
+    </message>
+    <message>
         <source>leaving out presses with the largest residual, a lower degree, or checking the ball&apos;s radius</source>
         <translation>舍弃残差最大的按压、降低次数,或检查球的半径</translation>
     </message>

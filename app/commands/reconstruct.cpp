@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/flags.h"
+#include "calibration/measuring_settings.h"
 #include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
@@ -214,6 +215,18 @@ Status reconstruct_live(std::unique_ptr<Source> source,
   return {};
 }
 
+/// A mapping holds for the settings that its presses were read with.
+void warn_of_other_settings(const PipelineSettings& kept,
+                            const PipelineSettings& asked,
+                            Console& console) {
+  for (const auto& setting : pipeline_settings())
+    if (setting.name != "contact-threshold-mm" && setting.get(kept) != setting.get(asked))
+      console.warn(fmt::format("Warning: --{} is {}, and the finger was calibrated with {}.",
+                               setting.name,
+                               setting.get(asked),
+                               setting.get(kept)));
+}
+
 }  // namespace
 
 Status run_reconstruct(const ReconstructOptions& options, Console& console) {
@@ -361,9 +374,13 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     options->points = wants("points");
     for (const char* kind : {"ply", "vtp", "stl", "glb"})
       if (wants(kind)) options->surfaces.emplace_back(kind);
-    options->pipeline =
-        pipeline.applied_to(*method == "paper" ? paper_settings() : PipelineSettings{});
-    chosen = [=](Console& console) { return run_reconstruct(*options, console); };
+    const bool is_paper = *method == "paper";
+    const PipelineSettings kept = is_paper ? paper_settings() : measuring_settings(options->finger);
+    options->pipeline = pipeline.applied_to(kept);
+    chosen = [=](Console& console) {
+      if (!is_paper) warn_of_other_settings(kept, options->pipeline, console);
+      return run_reconstruct(*options, console);
+    };
   });
 }
 

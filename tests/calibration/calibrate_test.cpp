@@ -315,6 +315,7 @@ TEST(JointFit, DerivativesAgreeWithDifferences) {
     }
     for (const CurveFamily family : {CurveFamily{MappingKind::kMoebius, 2},
                                      CurveFamily{MappingKind::kPolynomial, 5},
+                                     CurveFamily{MappingKind::kMoebius, 3},
                                      CurveFamily{MappingKind::kMoebius, 2, true},
                                      CurveFamily{MappingKind::kPolynomial, 3, true}}) {
       MappingCurve curve(family, 0.6);

@@ -216,6 +216,7 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
       sample.x = 0.3 + 0.29 * uniform(random);
       weighted.samples.push_back(&sample);
       weighted.blur_mm.push_back(0.01 * uniform(random));
+      weighted.slope_mm.push_back(1.0 + 0.5 * uniform(random));
       weighted.root_weight.push_back(1.0 + std::abs(uniform(random)));
     }
     for (OutlinePoint& point : outline) {
@@ -227,10 +228,12 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
     weighted.ball_radius_mm = 4.0;
     const OutlineCost outlines(weighted);
     for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kNormal})
-      for (const CurveFamily family :
-           {CurveFamily{MappingKind::kMoebius, 2}, CurveFamily{MappingKind::kPolynomial, 4}}) {
+      for (const CurveFamily family : {CurveFamily{MappingKind::kMoebius, 2},
+                                       CurveFamily{MappingKind::kMoebius, 3},
+                                       CurveFamily{MappingKind::kPolynomial, 4}}) {
         MappingCurve curve(family, 0.6);
-        for (double& value : curve.values()) value = 1.0 + 0.4 * uniform(random);
+        for (double& value : curve.values()) value = 0.3 + 0.1 * uniform(random);
+        curve.values()[0] += 2.7;  // so that it rises as far as the ball is deep
         JointOptions options;
         options.along = along;
         const PressCost brightness(weighted, curve, options);

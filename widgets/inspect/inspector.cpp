@@ -1,5 +1,6 @@
 #include "widgets/inspect/inspector.h"
 
+#include "calibration/measuring_settings.h"
 #include "core/sensing/depth_sd.h"
 
 #include <limits>
@@ -27,7 +28,7 @@ Status Inspector::load_finger(const std::filesystem::path& folder, const Job& jo
     return Error{"no finger is open, so the recording cannot be measured", "", "opening a finger"};
   auto finger = Finger::load(folder);
   if (!finger) return finger.error();
-  auto pipeline = Pipeline::create(folder, *finger, {}, job);
+  auto pipeline = Pipeline::create(folder, *finger, measuring_settings(folder), job);
   if (!pipeline) return pipeline.error();
   finger_ = std::move(*finger);
   first_ = std::move(*pipeline);

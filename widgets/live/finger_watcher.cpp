@@ -1,5 +1,6 @@
 #include "widgets/live/finger_watcher.h"
 
+#include "calibration/measuring_settings.h"
 #include "core/simulation/plan.h"
 
 #include <chrono>
@@ -74,7 +75,7 @@ void FingerWatcher::load(const std::filesystem::path& folder, const std::filesys
     std::unique_ptr<FingerWatch> ready = std::make_unique<FingerWatch>();
     if (finger) {
       status.finger = *finger;
-      auto watch = FingerWatch::create(folder, *finger, {}, loading->job);
+      auto watch = FingerWatch::create(folder, *finger, measuring_settings(folder), loading->job);
       if (watch) ready = std::make_unique<FingerWatch>(std::move(*watch));
       if (!watch) status.problem = watch.error();
       status.has_reference = ready->has_reference();

@@ -10,6 +10,11 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "stopped before there was a solution"),
     QT_TRANSLATE_NOOP("Library", "solving: round %1, unknowns move by %2 mm"),
     QT_TRANSLATE_NOOP("Library", "no increasing mapping fits the presses"),
+    QT_TRANSLATE_NOOP("Library", "the ball lies %1 mm deep in a layer of %2 mm"),
+    QT_TRANSLATE_NOOP(
+        "Library",
+        "pressing less deep, and checking the ball's radius and the camera's scale in "
+        "mm per px"),
     QT_TRANSLATE_NOOP("Library",
                       "leaving out presses with the largest residual, a lower degree, or checking "
                       "the ball's radius"),
