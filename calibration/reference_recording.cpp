@@ -12,6 +12,8 @@
 #include "core/sensing/layout_search.h"
 #include "core/sensing/reference_library.h"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 namespace alltact {
@@ -21,7 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kVideo = "reference.mkv";
 constexpr const char* kTable = "reference.csv";
-constexpr const char* kProblem = "reference.problem.png";
 constexpr double kTouchSigmas = 5.0;
 constexpr double kRepeatSigmas = 2.0;    // of marker noise: poses nearer than that are the same
 constexpr std::size_t kFewFrames = 100;  // so few that even repetitions help against noise
@@ -123,13 +124,34 @@ void add_motion(const std::vector<const StudiedFrame*>& frames,
   }
 }
 
-// The frame asked for, or the middle one of those kept.
-Status choose_rest(const std::optional<int>& wanted,
+// Index of the frame that shows the pose, as nearly as any; nullopt where none shows its dots.
+std::optional<std::size_t> frame_nearest_to(const RestPose& pose,
+                                            const std::vector<const StudiedFrame*>& frames,
+                                            const MotionNeed& need) {
+  std::optional<std::size_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto& pairs = frames[i]->pairs;
+    if (pose.pair >= pairs.size() || !pairs[pose.pair]) continue;
+    const Motion off = motion_between(pose.place, *pairs[pose.pair]);
+    const double apart = std::hypot(
+        off.bend_mm / need.bend_mm, off.sway_mm / need.sway_mm, off.twist_deg / need.twist_deg);
+    if (apart < least) least = apart, nearest = i;
+  }
+  return nearest;
+}
+
+// The frame asked for, the one nearest to the pose asked for, or the middle one of those kept.
+Status choose_rest(const ReferenceChoices& choices,
                    const std::vector<std::size_t>& kept,
+                   const std::vector<const StudiedFrame*>& frames,
                    Installed& installed) {
-  installed.rest =
-      kept[static_cast<std::size_t>(middle_pose(table_of(installed.numbered, kept).layouts))];
-  if (wanted) {
+  std::optional<std::size_t> nearest;
+  if (choices.rest_pose) nearest = frame_nearest_to(*choices.rest_pose, frames, choices.need);
+  if (!nearest)
+    nearest = static_cast<std::size_t>(middle_pose(table_of(installed.numbered, kept).layouts));
+  installed.rest = kept[*nearest];
+  if (const auto& wanted = choices.rest_frame) {
     const auto number = static_cast<std::size_t>(*wanted);
     const auto& markers = installed.numbered.markers;
     if (*wanted < 0 || number >= markers.size() || !markers[number])
@@ -153,7 +175,7 @@ Status study(const fs::path& video,
              const Camera& camera,
              const Finger& finger,
              const Job& job,
-             const std::optional<int>& wanted_rest,
+             const ReferenceChoices& choices,
              std::vector<std::size_t>& kept,
              Installed& installed) {
   MarkerTable table = table_of(installed.numbered, kept);
@@ -197,7 +219,7 @@ Status study(const fs::path& video,
     untouched.push_back(&studied->frames[row]);
   }
   if (kept.size() < 2) return {};
-  const Status rested = choose_rest(wanted_rest, kept, installed);
+  const Status rested = choose_rest(choices, kept, untouched, installed);
   if (!rested) return rested;
   const auto rest = std::find(kept.begin(), kept.end(), installed.rest) - kept.begin();
   add_motion(untouched,
@@ -258,7 +280,7 @@ Status make_reference(Source& source,
                       const Camera& camera,
                       const Finger& finger,
                       const Job& job,
-                      const std::optional<int>& wanted_rest,
+                      const ReferenceChoices& choices,
                       const fs::path& temporary,
                       Installed& installed) {
   const auto pass = read_recording(source, camera, finger, Job(job, 0.0, 0.5), temporary);
@@ -291,7 +313,7 @@ Status make_reference(Source& source,
                                camera,
                                with_markers(finger, installed.numbered),
                                Job(job, 0.5, 0.9),
-                               wanted_rest,
+                               choices,
                                kept,
                                installed);
   if (!studied) return studied;
@@ -334,8 +356,8 @@ void remark(const MarkerTable& table, ReferenceReport& report) {
 // True: the picture lies in the folder. One of an earlier recording goes.
 bool leave_problem(const fs::path& folder, const cv::Mat& problem) {
   std::error_code ignored;
-  if (!problem.empty() && write_picture(folder / kProblem, problem)) return true;
-  fs::remove(folder / kProblem, ignored);
+  if (!problem.empty() && write_picture(folder / kReferenceProblem, problem)) return true;
+  fs::remove(folder / kReferenceProblem, ignored);
   return false;
 }
 
@@ -357,8 +379,8 @@ Result<ReferenceReport> install_reference(Source& source,
   const Status written =
       write_file_atomically(folder / kVideo, [&](const fs::path& temporary) -> Status {
         try {
-          const Status made = make_reference(
-              source, *camera, finger, job, choices.rest_frame, temporary, installed);
+          const Status made =
+              make_reference(source, *camera, finger, job, choices, temporary, installed);
           // The table first: should the disk fill up here, the old video still stands beside the
           // old table.
           return made ? installed.table.save(folder / kTable) : made;
@@ -372,7 +394,8 @@ Result<ReferenceReport> install_reference(Source& source,
   if (!written) {
     Error error = written.error();
     if (is_drawn)
-      error.advice += fmt::format("; {} shows what was found", (folder / kProblem).string());
+      error.advice +=
+          fmt::format("; {} shows what was found", (folder / kReferenceProblem).string());
     return error;
   }
   const MarkerTable& table = installed.table;
@@ -390,7 +413,8 @@ Result<ReferenceReport> install_reference(Source& source,
        record_settings(installed.settings, RecordingKind::kReference, finger))
     report.warnings.push_back(std::move(warning));
   if (is_drawn)
-    report.remarks.push_back(fmt::format("{} shows what was found", (folder / kProblem).string()));
+    report.remarks.push_back(
+        fmt::format("{} shows what was found", (folder / kReferenceProblem).string()));
   remark(table, report);
   job.report(1.0, "reference installed");
   return std::move(report);

@@ -35,13 +35,23 @@ struct ReferenceReport {
   int rest_frame = 0;        ///< number in the recording of the frame that counts as rest
 };
 
+/// Of a finger that somebody saw at rest: where a pair of its dots was then.
+struct RestPose {
+  std::size_t pair = 0;  ///< 0 at the base
+  TipPlace place;
+};
+
 /// What a recording is installed with.
 struct ReferenceChoices {
   MotionNeed need;
-  /// Number in the recording of the frame that shows the finger at rest; absent: the one nearest to
-  /// the middle of all poses.
+  /// Number in the recording of the frame that shows the finger at rest; absent: the frame nearest
+  /// to `rest_pose`, and without that the one nearest to the middle of all poses.
   std::optional<int> rest_frame;
+  std::optional<RestPose> rest_pose;
 };
+
+/// Name of the picture that a refused recording leaves in the finger's folder.
+inline constexpr const char* kReferenceProblem = "reference.problem.png";
 
 /// Tracks the markers through the recording (see recording_layouts.h), rejects frames that cannot
 /// be used or in which something presses on the contact face (see recording_study.h), thins those

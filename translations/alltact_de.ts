@@ -6570,6 +6570,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Es fehlen noch: %1.</translation>
     </message>
     <message>
+        <source>What was found in the recording</source>
+        <translation>Was in der Aufnahme gefunden wurde</translation>
+    </message>
+    <message>
+        <source>A picture shows what was found in the recording, and what was not.</source>
+        <translation>Ein Bild zeigt, was in der Aufnahme gefunden wurde und was nicht.</translation>
+    </message>
+    <message>
+        <source>Show the picture</source>
+        <translation>Bild zeigen</translation>
+    </message>
+    <message>
         <source>Set res&amp;t pose</source>
         <translation>Ruhelage se&amp;tzen</translation>
     </message>

@@ -6561,6 +6561,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>还缺少:%1。</translation>
     </message>
     <message>
+        <source>What was found in the recording</source>
+        <translation>录像中找到的内容</translation>
+    </message>
+    <message>
+        <source>A picture shows what was found in the recording, and what was not.</source>
+        <translation>一张图片显示录像中找到了什么、没找到什么。</translation>
+    </message>
+    <message>
+        <source>Show the picture</source>
+        <translation>显示图片</translation>
+    </message>
+    <message>
         <source>Set res&amp;t pose</source>
         <translation>设定静止姿态(&amp;T)</translation>
     </message>

@@ -20,10 +20,11 @@ constexpr int kRailIcon = 28;
 
 Result<ReferenceReport> install(const std::filesystem::path& folder,
                                 const std::filesystem::path& video,
+                                const ReferenceChoices& choices,
                                 const Job& job) {
   auto finger = Finger::load(folder);
   if (!finger) return finger.error();
-  return install_recording(folder, *finger, {video}, job);
+  return install_recording(folder, *finger, {video}, job, choices);
 }
 
 Result<std::string> measure(const LensWanted& wanted, const Job& job) {

@@ -115,9 +115,10 @@ HardRow round_contact() {
     map.cells_mm = depth_cells(map.depth_mm);
     const Eigen::Matrix2d spread = second / sum - first / sum * (first / sum).transpose();
     const double plain = 0.5 * std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1));
-    row.ask(is_round ? wanted_refusal({"no angle"}) : wanted(angle, 5),
-            number(plain * 180 / M_PI),
-            angle_of(contact_regions(map, shape, shape.face(), {.noise_mm = kNoise})));
+    row.ask(
+        is_round ? wanted_refusal({"no angle"}) : wanted(angle, 5),
+        number(plain * 180 / M_PI),
+        angle_of(contact_regions(map, shape, shape.face(), {.noise_mm = kNoise, .untouched = {}})));
   }
   return row;
 }

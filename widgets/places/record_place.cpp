@@ -1,6 +1,7 @@
 #include "widgets/places/record_place.h"
 
 #include "widgets/places/side_panel.h"
+#include "widgets/shell/picture_dialog.h"
 #include "widgets/words/library_words.h"
 
 #include <QDateTime>
@@ -242,16 +243,28 @@ void RecordPlace::install() {
   const auto folder = session_.status().finger.folder;
   const auto video = recorded_;
   report_.reset();
-  install_work_.start([this, folder, video, installer = installer_](const Job& job) {
-    auto report = std::make_shared<Result<ReferenceReport>>(installer(folder, video, job));
-    return std::function<void()>([this, report, video] {
+  ReferenceChoices choices;
+  choices.rest_pose = rest_pose_;
+  problem_picture_ = {};
+  install_work_.start([this, folder, video, choices, installer = installer_](const Job& job) {
+    auto report = std::make_shared<Result<ReferenceReport>>(installer(folder, video, choices, job));
+    const QImage picture(QString::fromStdString((folder / kReferenceProblem).string()));
+    return std::function<void()>([this, report, video, picture] {
       installed_ = video;
       report_ = *report;
+      problem_picture_ = picture;
       list_rejected();
       if (*report) Q_EMIT installed();
     });
   });
   show_status();
+}
+
+void RecordPlace::show_problem_picture() {
+  auto* dialog = new PictureDialog(problem_picture_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("What was found in the recording"));
+  dialog->show();
 }
 
 void RecordPlace::list_rejected() {
@@ -278,6 +291,7 @@ void RecordPlace::show_status() {
   if (was_recording_ && state == RecordingState::kDone) {
     if (status.recording.counts.recorded > 0) {
       recorded_ = status.recording.file;
+      rest_pose_ = coverage_.set_rest_pose();
       propose_file();
     }
     was_recording_ = false;

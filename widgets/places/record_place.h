@@ -10,6 +10,7 @@
 #include "widgets/translated.h"
 
 #include <QGroupBox>
+#include <QImage>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QProgressBar>
@@ -18,8 +19,11 @@
 namespace alltact {
 
 /// Installs a recording in a finger's folder; runs on a thread of its own.
-using ReferenceInstaller = std::function<Result<ReferenceReport>(
-    const std::filesystem::path& folder, const std::filesystem::path& video, const Job& job)>;
+using ReferenceInstaller =
+    std::function<Result<ReferenceReport>(const std::filesystem::path& folder,
+                                          const std::filesystem::path& video,
+                                          const ReferenceChoices& choices,
+                                          const Job& job)>;
 
 class RecordPlace : public Translated<QWidget> {
   Q_OBJECT
@@ -63,6 +67,7 @@ class RecordPlace : public Translated<QWidget> {
   void show_installing();
   void show_coverage();
   void show_problems(const LiveStatus& status);
+  void show_problem_picture();
   void add_touch_notes(const LiveStatus& status, std::vector<Problem>& problems) const;
   [[nodiscard]] QString why_not(const LiveStatus& status) const;
   [[nodiscard]] QString why_not_install(const LiveStatus& status) const;
@@ -98,6 +103,8 @@ class RecordPlace : public Translated<QWidget> {
   std::optional<double> free_gb_;
   std::optional<Result<ReferenceReport>> report_;
   std::filesystem::path recorded_, installed_;
+  std::optional<RestPose> rest_pose_;  // of the recording
+  QImage problem_picture_;             // what the installation found, where that was not enough
   QElapsedTimer since_space_;
 };
 

@@ -165,6 +165,12 @@ void RecordPlace::show_problems(const LiveStatus& status) {
   if (report_ && report_->ok())
     for (const std::string& warning : report_->value().warnings)
       problems.push_back(Problem::of(Error{warning, "", ""}, Meaning::kDoubtful));
+  if (!problem_picture_.isNull())
+    problems.push_back({Meaning::kDoubtful,
+                        tr("A picture shows what was found in the recording, and what was not."),
+                        {},
+                        tr("Show the picture"),
+                        [this] { show_problem_picture(); }});
   problems_->set_problems(std::move(problems));
 }
 

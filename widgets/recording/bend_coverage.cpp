@@ -72,6 +72,11 @@ bool BendCoverage::set_rest() {
   return true;
 }
 
+std::optional<RestPose> BendCoverage::set_rest_pose() const {
+  if (!is_set_ || !pair_) return std::nullopt;
+  return RestPose{*pair_, *rest_};
+}
+
 // The pose nearest to the median of all, each motion in parts of what is needed of it.
 void BendCoverage::choose_rest() {
   std::array<std::vector<double>, 3> parts;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calibration/motion_coverage.h"
+#include "calibration/reference_recording.h"
 
 #include <array>
 #include <cstdint>
@@ -45,6 +46,8 @@ class BendCoverage {
   /// The pose now is rest, for the poses before as well. False: there is no pose now.
   bool set_rest();
   [[nodiscard]] bool rest_is_set() const { return is_set_; }
+  /// The rest that somebody set.
+  [[nodiscard]] std::optional<RestPose> set_rest_pose() const;
   [[nodiscard]] const BendPicture& picture() const { return picture_; }
 
  private:
