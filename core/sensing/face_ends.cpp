@@ -14,7 +14,7 @@ constexpr int kStrips = 9;
 constexpr int kMostSteps = 3;       // of one strip, the ones of most contrast
 constexpr int kNear = 3, kFar = 9;  // the levels are read from kNear to kFar columns away
 constexpr int kInside = 20;         // columns searched inwards of the edges' last sample
-constexpr int kBeyond = 64;         // and outwards
+constexpr int kBeyond = 120;        // and outwards
 constexpr double kMostSlope = 0.7;
 constexpr double kOnLinePx = 1.2;
 constexpr int kLeastStrips = 4;
