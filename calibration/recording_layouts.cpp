@@ -21,6 +21,7 @@ const std::vector<Dot>& dots_of(const FrameDots& frame, Polarity polarity) {
 }
 
 constexpr std::size_t kMostTracked = 300;  // frames that the rows are learnt from
+constexpr int kFewestMarkers = 4;          // fewer tell no pose once one of them is hidden
 constexpr double kLeastSupport = 0.2;      // part of the frames a marker must be found in
 
 // The rows, and where their dots lie in the frames that were followed.
@@ -221,6 +222,10 @@ bool number_by_dots(const std::vector<FrameDots>& frames,
   const int present = 2 * wanted.per_row - static_cast<int>(rows.missing.size());
   if (present < std::max(2, (2 * wanted.per_row + 2) / 3)) {
     out.no_markers = too_few_dots(frames, out.polarity, wanted.per_row);
+    return false;
+  }
+  if (present < kFewestMarkers) {
+    out.no_markers = fmt::format("of {} markers none may be hidden", present);
     return false;
   }
   out.missing = rows.missing;

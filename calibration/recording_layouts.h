@@ -32,8 +32,8 @@ struct NumberedRecording {
 
 /// Follows the dots through the recording (dot_tracks.h), finds the two rows among those that are
 /// there again and again (row_law.h), learns how they move together, and then numbers every frame
-/// by that. Where less than a third of the markers can be found, or rows.per_row is 0, places on
-/// the edges of the face stand in for them. Error: fewer than 2 frames show the face.
+/// by that. Where less than a third of the markers or fewer than 4 can be found, or rows.per_row is
+/// 0, places on the edges of the face stand in for them. Error: fewer than 2 frames show the face.
 [[nodiscard]] Result<NumberedRecording> number_recording(const std::vector<FrameDots>& frames,
                                                          const MarkerRows& rows);
 

@@ -3990,6 +3990,10 @@
         <source>none; poses are told by the shape of the face, which cannot tell twist</source>
         <translation>keine; Haltungen werden aus der Form der Fläche gelesen, die keine Verdrehung zeigt</translation>
     </message>
+    <message>
+        <source>of %1 markers none may be hidden</source>
+        <translation>von %1 Marken darf keine verdeckt sein</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CalibratePlace</name>

@@ -3990,6 +3990,10 @@
         <source>none; poses are told by the shape of the face, which cannot tell twist</source>
         <translation>没有;姿态由面的形状判断,无法判断扭转</translation>
     </message>
+    <message>
+        <source>of %1 markers none may be hidden</source>
+        <translation>仅有 %1 个标记点,一个都不能被遮挡</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CalibratePlace</name>

@@ -182,8 +182,8 @@ TEST(NumberRecording, RowsByAnySmoothLaw) {
   }
 }
 
-TEST(NumberRecording, FromOneToFortyDotsARow) {
-  for (const int per_row : {1, 2, 3, 12, 40}) {
+TEST(NumberRecording, FromTwoToFortyDotsARow) {
+  for (const int per_row : {2, 3, 12, 40}) {
     MarkedFinger f;
     f.per_row = per_row;
     if (per_row > 20) f.dot_mm = 0.3;
@@ -196,6 +196,16 @@ TEST(NumberRecording, FromOneToFortyDotsARow) {
                     {per_row, Polarity::kAuto},
                     in_order(2 * per_row));
   }
+}
+
+TEST(NumberRecording, OneDotARowTellsNoPoseWhereOneIsHiddenSoTheShapeDoes) {
+  MarkedFinger f;
+  f.per_row = 1;
+  const auto recorded = record(f, {}, 2);
+  const auto numbered = number_recording(recorded.frames, {1, Polarity::kAuto});
+  ASSERT_TRUE(numbered.ok());
+  EXPECT_TRUE(numbered->places);
+  EXPECT_EQ(numbered->no_markers, "of 2 markers none may be hidden");
 }
 
 TEST(NumberRecording, InAnyOrderWithDotsHiddenInEveryFrameAndFalseOnesAmongThem) {

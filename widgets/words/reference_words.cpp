@@ -186,6 +186,7 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "%1, frame %2 of %3:"),
     QT_TRANSLATE_NOOP("Library",
                       "none; poses are told by the shape of the face, which cannot tell twist"),
+    QT_TRANSLATE_NOOP("Library", "of %1 markers none may be hidden"),
 };
 
 }  // namespace
