@@ -276,7 +276,8 @@ ContactRegion region_of(const cv::Mat& depth_mm, const FaceShape& shape) {
   map.depth_mm = depth_mm;
   map.flags = cv::Mat(depth_mm.size(), CV_8UC1, cv::Scalar(kMeasured));
   map.cells_mm = depth_cells(depth_mm);
-  const auto regions = contact_regions(map, shape, shape.face(), {.minimum_area_mm2 = 1e-9});
+  const auto regions =
+      contact_regions(map, shape, shape.face(), {.minimum_area_mm2 = 1e-9, .untouched = {}});
   RC_ASSERT(regions.size() == 1U);
   RC_ASSERT(regions[0].angle_deg.has_value());
   return regions[0];

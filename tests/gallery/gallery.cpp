@@ -188,6 +188,7 @@ class EmptyRecording : public QWidget {
  private:
   static Result<ReferenceReport> no_installer(const std::filesystem::path& /*folder*/,
                                               const std::filesystem::path& /*video*/,
+                                              const ReferenceChoices& /*choices*/,
                                               const Job& /*job*/) {
     return Error{"the gallery has no fingers", "", "the Studio itself"};
   }

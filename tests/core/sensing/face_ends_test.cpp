@@ -61,8 +61,9 @@ TEST(FaceEnds, NothingBeyondThemIsFaceAndNothingWithinIsLost) {
     ASSERT_TRUE(shape.ok()) << shape.error().sentence();
     for (int u = 0; u < 960; ++u) {
       const auto rows = shape->rows(u, 0.0);
-      if (u < face.first_u - 1 || u > face.last_u + 1)
+      if (u < face.first_u - 1 || u > face.last_u + 1) {
         EXPECT_GT(rows.first, rows.last) << "run " << run << " column " << u;
+      }
       if (u < face.first_u + 1 || u > face.last_u - 1) continue;
       EXPECT_LE(rows.first, std::ceil(face.upper(u) + 1.0)) << "run " << run << " column " << u;
       EXPECT_GE(rows.last, std::floor(face.lower(u) - 1.0)) << "run " << run << " column " << u;
