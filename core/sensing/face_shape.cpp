@@ -28,24 +28,6 @@ ArcParameter even_arc(int columns) {
   return {std::vector<double>(static_cast<std::size_t>(columns), 1.0), 0.0, columns - 1.0};
 }
 
-/// Grows as the face's length does, from its width where both edges were seen.
-ArcParameter arc_of(const FaceEdges& edges, int columns) {
-  constexpr int kWidthDegree = 4;
-  std::vector<double> width, sd;
-  std::vector<char> valid;
-  for (std::size_t i = 0; i < edges.u.size(); ++i) {
-    width.push_back(edges.lower.v[i] - edges.upper.v[i]);
-    sd.push_back(std::hypot(edges.upper.sd[i], edges.lower.sd[i]));
-    valid.push_back(edges.upper.valid[i] && edges.lower.valid[i] && width[i] > 0.0);
-  }
-  const auto smooth = fit_robust_polynomial(edges.u, width, sd, valid, kWidthDegree);
-  if (!smooth) return even_arc(columns);
-  std::vector<double> widths = smooth->values(columns);
-  for (double& value : widths) value = std::max(value, 0.5 * kMinimumWidthPx);
-  constexpr double kBeyondPx = 12;  // to the ends, which lie beyond the last samples
-  return {widths, smooth->first - kBeyondPx, smooth->last + kBeyondPx};
-}
-
 Error no_shape(std::string what) {
   return {std::move(what),
           "the face's edges",
@@ -67,8 +49,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
 
   // What the lens bends needs a few coefficients more.
   const int edge_degree = camera.is_linear() ? degree : degree + kLensDegrees;
-  // A lens that bends moves columns beyond the picture's, where there are no widths to go by.
-  const ArcParameter arc = camera.is_linear() ? arc_of(edges, width) : even_arc(width);
+  const ArcParameter arc = even_arc(width);
   std::vector<double> along;
   for (const double u : edges.u) along.push_back(arc.at(u));
   const auto upper =
