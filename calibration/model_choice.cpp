@@ -225,7 +225,8 @@ std::vector<CurveFamily> families_for(const CalibrationSettings& settings, std::
     for (int n = 1; n <= kMostCoefficients; ++n) polynomial(n);
     return families;
   }
-  if (alone) return {kLayerFamily, {MappingKind::kPolynomial, 1}};
+  // One press does not tell absorption.
+  if (alone) return {kMoebiusFamily, {MappingKind::kPolynomial, 1}};
   // What a layer of scattering stuff does comes first. A straight line and the Moebius curve are
   // among its curves; as families of their own they would win ties and let the ball centres take up
   // their error in scale.

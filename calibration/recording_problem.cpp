@@ -44,8 +44,9 @@ cv::Mat recording_problem(const RecordingPass& pass,
           return std::hypot(mark.u - dot.u, mark.v - dot.v) < 1.0;
         }))
       scene.marks.push_back({ProblemMark::Kind::kRefused, dot.u, dot.v, dot.radius_px, -1});
-  scene.words = {fmt::format("{}, frame {} of {}:", finger_name, frame, pass.frames.size()),
-                 sentence};
+  scene.words = {
+      fmt::format("{} in its frame {} out of {}", finger_name, frame, pass.frames.size()),
+      sentence};
   return problem_picture(scene);
 }
 

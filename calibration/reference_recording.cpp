@@ -264,7 +264,7 @@ void tell_missing(Installed& installed) {
   report.missing = numbered.missing;
   if (!numbered.no_markers.empty())
     report.warnings.push_back(fmt::format(
-        "No markers can be used: {}. Poses are told by the shape of the face alone, "
+        "No markers can be used: {}; poses are told by the shape of the face alone, "
         "which cannot tell twist; if the finger has dots, light both side faces so that "
         "they stand out, and focus",
         numbered.no_markers));

@@ -551,6 +551,10 @@
         <translation>Möbius-Kurve</translation>
     </message>
     <message>
+        <source>Kubelka-Munk curve</source>
+        <translation>Kubelka-Munk-Kurve</translation>
+    </message>
+    <message>
         <source>polynomial of degree %1</source>
         <translation>Polynom vom Grad %1</translation>
     </message>
@@ -3919,7 +3923,7 @@
         <translation>ein Bild zeigt %1 Punkte auf der oberen und %2 auf der unteren Seitenfläche (Median von %3 Bildern), aber keine zwei Reihen von bis zu %4, die ihren Platz auf dem Finger behalten</translation>
     </message>
     <message>
-        <source>No markers can be used: %1. Poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
+        <source>No markers can be used: %1; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
         <translation>Keine Marken sind brauchbar: %1. Haltungen werden allein aus der Form der Fläche gelesen, die keine Verdrehung zeigt; hat der Finger Punkte, beide Seitenflächen so beleuchten, dass sie sich abheben, und scharf stellen</translation>
     </message>
     <message>
@@ -3983,8 +3987,8 @@
         <translation>unterbrochener Kreis: hier sollte eine Marke sein</translation>
     </message>
     <message>
-        <source>%1, frame %2 of %3:</source>
-        <translation>%1, Bild %2 von %3:</translation>
+        <source>%1 in its frame %2 out of %3</source>
+        <translation>%1 in Bild %2, von %3</translation>
     </message>
     <message>
         <source>none; poses are told by the shape of the face, which cannot tell twist</source>

@@ -551,6 +551,10 @@
         <translation>莫比乌斯曲线</translation>
     </message>
     <message>
+        <source>Kubelka-Munk curve</source>
+        <translation>Kubelka-Munk 曲线</translation>
+    </message>
+    <message>
         <source>polynomial of degree %1</source>
         <translation>%1 次多项式</translation>
     </message>
@@ -3919,7 +3923,7 @@
         <translation>一帧中上侧面有 %1 个点、下侧面有 %2 个点(%3 帧的中位数),但没有两排各至多 %4 个在手指上位置不变的点</translation>
     </message>
     <message>
-        <source>No markers can be used: %1. Poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
+        <source>No markers can be used: %1; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
         <translation>没有可用的标记点:%1。姿态仅由面的形状判断,无法判断扭转;若手指有标记点,请照亮两个侧面使其突出,并对好焦</translation>
     </message>
     <message>
@@ -3983,8 +3987,8 @@
         <translation>虚线圆:此处应有标记点</translation>
     </message>
     <message>
-        <source>%1, frame %2 of %3:</source>
-        <translation>%1,第 %2 帧(共 %3 帧):</translation>
+        <source>%1 in its frame %2 out of %3</source>
+        <translation>%1 的第 %2 帧,共 %3 帧</translation>
     </message>
     <message>
         <source>none; poses are told by the shape of the face, which cannot tell twist</source>

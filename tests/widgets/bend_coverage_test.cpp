@@ -86,12 +86,12 @@ TEST(BendCoverage, TakesTheMiddleForRestHoweverTheRecordingBegins) {
   coverage.begin(kNeed);
   for (int i = 0; i <= 200; ++i) {
     const double turn = 0.05 * i;
-    coverage.add(at(5 * std::sin(1.7 * turn), 2.5 * std::sin(2.3 * turn), 12 * std::cos(turn)));
+    coverage.add(at(8 * std::sin(1.7 * turn), 4 * std::sin(2.3 * turn), 12 * std::cos(turn)));
   }
   EXPECT_TRUE(coverage.picture().is_enough());
   const auto& reached = coverage.picture().reached;
   const auto part = [&](BendDirection d) { return reached[static_cast<std::size_t>(d)]; };
-  EXPECT_NEAR(part(BendDirection::kTwistLeft), part(BendDirection::kTwistRight), 0.8);
+  EXPECT_NEAR(part(BendDirection::kTwistLeft), part(BendDirection::kTwistRight), 1.6);
   EXPECT_NEAR(part(BendDirection::kTwistLeft) + part(BendDirection::kTwistRight), 24 / 3., 1e-2);
 }
 

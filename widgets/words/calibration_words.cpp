@@ -133,6 +133,7 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "stale"),
     QT_TRANSLATE_NOOP("Library", "missing"),
     QT_TRANSLATE_NOOP("Library", "Moebius curve"),
+    QT_TRANSLATE_NOOP("Library", "Kubelka-Munk curve"),
     QT_TRANSLATE_NOOP("Library", "polynomial of degree %1"),
     QT_TRANSLATE_NOOP("Library", "%1 that varies over the face"),
     QT_TRANSLATE_NOOP("Library", "no mapping came of it"),

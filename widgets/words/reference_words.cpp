@@ -164,7 +164,7 @@ constexpr const char* kAll[] = {
         "a frame shows %1 dots on the upper and %2 on the lower side face (median of %3 frames), "
         "but no two rows of up to %4 that keep their places on the finger"),
     QT_TRANSLATE_NOOP("Library",
-                      "No markers can be used: %1. Poses are told by the shape of the face alone, "
+                      "No markers can be used: %1; poses are told by the shape of the face alone, "
                       "which cannot tell twist; if the finger has dots, light both side faces so "
                       "that they stand out, and focus"),
     QT_TRANSLATE_NOOP("Library",
@@ -183,7 +183,7 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "circle: a marker, with its number"),
     QT_TRANSLATE_NOOP("Library", "cross: looks like a dot, but is none of the rows"),
     QT_TRANSLATE_NOOP("Library", "broken circle: a marker should be here"),
-    QT_TRANSLATE_NOOP("Library", "%1, frame %2 of %3:"),
+    QT_TRANSLATE_NOOP("Library", "%1 in its frame %2 out of %3"),
     QT_TRANSLATE_NOOP("Library",
                       "none; poses are told by the shape of the face, which cannot tell twist"),
     QT_TRANSLATE_NOOP("Library", "of %1 markers none may be hidden"),

@@ -136,8 +136,11 @@ TEST(Recorder, ThreadsMayAddAndLookAtTheSameTime) {
   std::vector<std::thread> givers;
   for (std::uint32_t part = 0; part < 3; ++part)
     givers.emplace_back([&, part] {
-      for (std::uint32_t i = 0; i < 40; ++i)
-        EXPECT_TRUE(recorder->add_waiting(camera_frame(40 * part + i, false)));
+      for (std::uint32_t i = 0; i < 40; ++i) {
+        const auto frame = std::make_shared<Frame>(*camera_frame(40 * part + i, false));
+        frame->time_ns = 5'000'000'123;  // whichever comes first, time does not run backwards
+        EXPECT_TRUE(recorder->add_waiting(frame));
+      }
     });
   for (std::thread& giver : givers) giver.join();
   is_over = true;
