@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace alltact {
 namespace {
@@ -32,6 +31,7 @@ void BendCoverage::begin(const MotionNeed& need) {
   if (is_set_) return;
   pair_.reset();
   rest_.reset();
+  middle_ = {};
 }
 
 void BendCoverage::add(const Markers& markers, const FaceShape& shape) {
@@ -67,6 +67,7 @@ void BendCoverage::add_nothing() {
 bool BendCoverage::set_rest() {
   if (!now_) return false;
   rest_ = now_;
+  middle_ = {};
   is_set_ = true;
   show_again();
   return true;
@@ -77,30 +78,27 @@ std::optional<RestPose> BendCoverage::set_rest_pose() const {
   return RestPose{*pair_, *rest_};
 }
 
-// The pose nearest to the median of all, each motion in parts of what is needed of it.
+// Half-way through each motion on its own: a finger that bends and twists at once need never have
+// been in the middle of both.
 void BendCoverage::choose_rest() {
-  std::array<std::vector<double>, 3> parts;
+  rest_ = places_.front();
+  std::vector<double> bend_mm, sway_mm, twist_deg;
   for (const TipPlace& place : places_) {
-    const Motion motion = motion_between(places_.front(), place);
-    parts[0].push_back(motion.bend_mm / picture_.need.bend_mm);
-    parts[1].push_back(motion.sway_mm / picture_.need.sway_mm);
-    parts[2].push_back(motion.twist_deg / picture_.need.twist_deg);
+    const Motion motion = motion_between(*rest_, place);
+    bend_mm.push_back(motion.bend_mm);
+    sway_mm.push_back(motion.sway_mm);
+    twist_deg.push_back(motion.twist_deg);
   }
-  std::array<double, 3> middle{};
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    std::vector<double> values = parts[k];
-    middle[k] = upper_median(values);
-  }
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const double off =
-        std::hypot(parts[0][i] - middle[0], parts[1][i] - middle[1], parts[2][i] - middle[2]);
-    if (off < least) least = off, nearest = i;
-  }
-  rest_ = places_[nearest];
+  middle_ = {upper_median(bend_mm), upper_median(sway_mm), upper_median(twist_deg)};
   next_choice_ = places_.size() + std::max<std::size_t>(1, places_.size() / 4);
   show_again();
+}
+
+Motion BendCoverage::motion_of(const TipPlace& place) const {
+  const Motion motion = motion_between(*rest_, place);
+  return {motion.bend_mm - middle_.bend_mm,
+          motion.sway_mm - middle_.sway_mm,
+          motion.twist_deg - middle_.twist_deg};
 }
 
 void BendCoverage::show_again() {
@@ -109,14 +107,11 @@ void BendCoverage::show_again() {
   picture_ = {};
   picture_.need = need;
   for (const TipPlace& place : places_) show(place);
-  if (now)
-    picture_.now = motion_between(*rest_, *now);
-  else
-    picture_.now.reset();
+  picture_.now = now ? std::optional(motion_of(*now)) : std::nullopt;
 }
 
 void BendCoverage::show(const TipPlace& place) {
-  const Motion motion = motion_between(*rest_, place);
+  const Motion motion = motion_of(place);
   picture_.now = motion;
   const double bend = motion.bend_mm / picture_.need.bend_mm,
                sway = motion.sway_mm / picture_.need.sway_mm,

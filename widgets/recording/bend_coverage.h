@@ -31,7 +31,7 @@ struct BendPicture {
   [[nodiscard]] bool is_enough() const { return poses > 0 && missing().empty(); }
 };
 
-/// Collects poses. Rest is the pose in the middle of those seen, so that it does not matter how a
+/// Collects poses. Rest is the middle of those seen, so that it does not matter how a
 /// recording begins, until somebody says which pose it is.
 class BendCoverage {
  public:
@@ -54,11 +54,13 @@ class BendCoverage {
   void choose_rest();
   void show_again();
   void show(const TipPlace& place);
+  [[nodiscard]] Motion motion_of(const TipPlace& place) const;
 
   BendPicture picture_;
   std::vector<TipPlace> places_;
   std::optional<std::size_t> pair_;
   std::optional<TipPlace> now_, rest_;
+  Motion middle_;  // of all poses, told from rest_
   bool is_set_ = false;
   std::size_t next_choice_ = 1;  // number of poses at which rest is chosen anew
 };
