@@ -5,14 +5,9 @@
 
 namespace alltact {
 
-/// A parameter t that grows along the picture nearly as the face's length does. Far off, a column
-/// shows more of the face than nearby; as functions of the column the edges of a bent face are steep
-/// there and no polynomial of a low degree, as functions of the length they are: of degree 7, edges
-/// of a face that bends by 35 degrees are off by 0.5 px in the one.
-///   dt/du = width(u)^-1.5, width: of the face in the picture, as z ~ 1 / width.
-/// With the power 2 it would be the length where the face is a plane; 1.5 leaves 0.1 px of those
-/// 0.5 px, and a plane's own straight edges are still polynomials of t to a millionth.
-/// Any smooth growing function would do; how exact the widths are does not matter.
+/// A parameter t that grows along the picture: dt/du = width(u)^-1.5. With the same width
+/// everywhere it is the column itself, scaled to -1 .. 1, and what is a polynomial of the column
+/// stays exact. How exact the widths are does not matter: any smooth growing function would do.
 class ArcParameter {
  public:
   /// t = u: for a plane.
