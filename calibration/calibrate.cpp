@@ -295,10 +295,9 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
   calibration.condition = covariance.condition;
   calibration.spread_mm = choice->spread_mm;
-  const Eigen::MatrixXd chance = chance_covariance_of(fine, fit, choice->options).covariance;
-  if (chance.size() > 0 && found.size() > 1)
-    calibration.spread_mm =
-        std::max(calibration.spread_mm, mean_error_mm(fit.curve, chance.topLeftCorner(n, n)));
+  if (covariance.covariance.size() > 0 && found.size() > 1)
+    calibration.spread_mm = std::max(
+        calibration.spread_mm, mean_error_mm(fit.curve, covariance.covariance.topLeftCorner(n, n)));
   calibration.degree_choice = choice->sentence;
   calibration.remarks.insert(
       calibration.remarks.end(), choice->remarks.begin(), choice->remarks.end());

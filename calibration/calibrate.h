@@ -59,9 +59,8 @@ struct Calibration {
   double residual_mm = 0;
   double held_out_mm = 0;  ///< 0 when there was only one press
   /// How far depth is off as a whole, mean absolute over the domain: the larger of what the mapping
-  /// changes when presses are left out (jackknife) and what chance leaves open. The balls take
-  /// this up, so that held_out_mm cannot see it. 0 with one press and with methods other than the
-  /// joint one.
+  /// changes when presses are left out (jackknife) and its covariance. The balls take this up, so
+  /// that held_out_mm cannot see it. 0 with one press and with methods other than the joint one.
   double spread_mm = 0;
   double condition = 0;               ///< of the scaled problem
   std::string degree_choice;          ///< why this family and degree, a sentence

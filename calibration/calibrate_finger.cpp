@@ -1,6 +1,7 @@
 #include "calibration/calibrate_finger.h"
 
 #include "calibration/calibration_report.h"
+#include "calibration/contact_error.h"
 #include "calibration/reference_recording.h"
 #include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
@@ -68,10 +69,11 @@ Status check_kept(const Work& work, const Frame& frame, std::size_t index) {
 }
 
 TakenPress press_of(const Frame& frame, FrameResult result, const CalibrationInputs& inputs) {
-  TakenPress press{frame.name, result.grey, std::nullopt, "", {}};
+  TakenPress press{frame.name, result.grey, std::nullopt, "", {}, nullptr};
   if (result.difference) press.sign.light_change = result.difference->light.change();
   if (result.reference) press.sign.known_pose = result.reference->known_pose;
-  if (result.difference && result.shape) {
+  if (result.difference && result.shape && result.reference) {
+    press.reference = std::make_shared<const Reference>(std::move(*result.reference));
     press.press = Press{frame.name,
                         std::move(*result.difference),
                         std::move(*result.shape),
@@ -181,10 +183,12 @@ Status solve(FingerCalibration& done, bool compare, const Job& job) {
   for (const TakenPress& press : done.presses)
     if (press.left_out.empty()) signs.push_back(press.sign);
   done.fault_signs = fault_signs(signs);
+  done.pixel_mm = contact_error_mm(done.presses, done.calibration.mapping);
   done.verdict = verdict({done.calibration.residual_mm,
                           done.calibration.held_out_mm,
                           done.calibration.spread_mm,
-                          static_cast<int>(done.calibration.balls.size())});
+                          static_cast<int>(done.calibration.balls.size()),
+                          done.pixel_mm});
   if (compare && done.inputs.calibration.method == CalibrationMethod::kJoint &&
       !job.stop_requested()) {
     job.report(0.9, "comparing with other methods");
@@ -204,6 +208,7 @@ void record(FingerCalibration& done) {
   record.residual_mm = calibration.residual_mm;
   record.held_out_mm = calibration.held_out_mm;
   record.spread_mm = calibration.spread_mm;
+  record.pixel_mm = done.pixel_mm;
   record.degree_choice = calibration.degree_choice;
   finger.mapping_record = std::move(record);
   finger.provenance["calibration_date"] = inputs.date;

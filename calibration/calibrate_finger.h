@@ -15,12 +15,15 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace alltact {
+
+struct Reference;
 
 /// A press picture as it was used, or why not.
 struct TakenPress {
@@ -29,6 +32,7 @@ struct TakenPress {
   std::optional<Press> press;  ///< absent: nothing could be measured in it
   std::string left_out;        ///< why it is not used; empty: it is
   PressSign sign;
+  std::shared_ptr<const Reference> reference;  ///< what it was compared with
 };
 
 struct FingerCalibration {
@@ -39,6 +43,7 @@ struct FingerCalibration {
   std::vector<PressResiduals> residuals;
   std::vector<ZoneError> zones;
   std::vector<MethodRow> methods;  ///< for the reports; empty without, or with another method
+  double pixel_mm = 0;             ///< see contact_error.h
   Verdict verdict;
   std::vector<std::string> fault_signs;     ///< see fault_signs.h
   std::vector<std::string> warnings;        ///< about files and how it was called

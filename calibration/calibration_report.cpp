@@ -80,6 +80,7 @@ std::string calibration_report_json(const FingerCalibration& done) {
   }
   report["zones"] = std::move(zones);
   if (calibration.spread_mm > 0) report["spread_mm"] = calibration.spread_mm;
+  if (done.pixel_mm > 0) report["pixel_mm"] = done.pixel_mm;
   report["expected_error_mm"] = done.verdict.error_mm;
   if (!done.methods.empty()) report["methods"] = methods_json(done.methods);
   report["condition"] = calibration.condition;

@@ -78,7 +78,8 @@ CheckItem check_mapping(const Finger& finger) {
   const Verdict worth = verdict({record.residual_mm,
                                  record.held_out_mm,
                                  record.spread_mm,
-                                 static_cast<int>(record.presses.size())});
+                                 static_cast<int>(record.presses.size()),
+                                 record.pixel_mm});
   const CheckState state = worth.grade == Grade::kUnfit  ? CheckState::kMissing
                            : worth.grade == Grade::kGood ? CheckState::kFine
                                                          : CheckState::kWeak;

@@ -13,11 +13,13 @@ namespace alltact {
 
 PressCost::PressCost(const Weighted& weighted,
                      const MappingCurve& curve,
-                     const JointOptions& options)
-    : weighted_(weighted), curve_(curve), options_(options) {
+                     const JointOptions& options,
+                     double lift_mm)
+    : weighted_(weighted), curve_(curve), options_(options), lift_mm_(lift_mm) {
   set_num_residuals(static_cast<int>(weighted.samples.size()));
   mutable_parameter_block_sizes()->push_back(3);
   mutable_parameter_block_sizes()->push_back(curve.family().numbers());
+  mutable_parameter_block_sizes()->push_back(1);
 }
 
 bool PressCost::Evaluate(double const* const* parameters,
@@ -25,13 +27,22 @@ bool PressCost::Evaluate(double const* const* parameters,
                          double** jacobians) const {
   const Eigen::Vector3d centre(parameters[0]);
   const int n = curve_.family().numbers();
+  const double lift_mm =
+      lift_mm_ > 0.0 && options_.free_lift ? std::exp(parameters[2][0]) : lift_mm_;
   std::array<double, 16> by_values{};
   for (std::size_t i = 0; i < weighted_.samples.size(); ++i) {
     const Sample& sample = *weighted_.samples[i];
     const double weight = weighted_.root_weight[i] * weighted_.slope_mm[i];
     Eigen::Vector3d by_centre;
-    const double depth =
-        ball_depth_mm(sample, options_.along, centre, weighted_.ball_radius_mm, &by_centre);
+    double by_lift = 0;
+    const double depth = skin_depth_mm(sample,
+                                       options_.along,
+                                       centre,
+                                       weighted_.ball_radius_mm,
+                                       weighted_.plane,
+                                       lift_mm,
+                                       &by_centre,
+                                       &by_lift);
     if (!std::isfinite(depth)) return false;
     const bool wants_values = jacobians != nullptr && jacobians[1] != nullptr;
     const auto [x, slope_mm] = curve_.inverse(parameters[1],
@@ -44,6 +55,7 @@ bool PressCost::Evaluate(double const* const* parameters,
     if (jacobians == nullptr) continue;
     if (jacobians[0] != nullptr)
       Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = -weight / slope_mm * by_centre;
+    if (jacobians[2] != nullptr) jacobians[2][i] = -weight / slope_mm * by_lift * lift_mm;
     if (wants_values)
       for (int k = 0; k < n; ++k)
         jacobians[1][static_cast<std::size_t>(n) * i + static_cast<std::size_t>(k)] =
@@ -95,6 +107,19 @@ bool AbsorptionCost::Evaluate(double const* const* parameters,
   if (jacobians == nullptr || jacobians[0] == nullptr) return true;
   std::fill_n(jacobians[0], numbers_, 0.0);
   jacobians[0][2] = kRootWeight / kSd;
+  return true;
+}
+
+LiftCost::LiftCost() {
+  set_num_residuals(1);
+  mutable_parameter_block_sizes()->push_back(1);
+}
+
+bool LiftCost::Evaluate(double const* const* parameters,
+                        double* residuals,
+                        double** jacobians) const {
+  residuals[0] = kRootWeight * (parameters[0][0] - std::log(kUsualLiftMm));
+  if (jacobians != nullptr && jacobians[0] != nullptr) jacobians[0][0] = kRootWeight;
   return true;
 }
 

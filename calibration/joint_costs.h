@@ -22,6 +22,8 @@ struct Weighted {
   /// By what the robust loss bends less than a square of the same weight, in (0, 1]: its second
   /// derivative over the weight.
   std::vector<double> bend;
+  ContactPlane plane;                ///< the untouched face below the ball
+  std::vector<double> lifted_sd_mm;  ///< what the form of the lift-off leaves open
   std::vector<const OutlinePoint*> outline;
   std::vector<double> outline_root_weight;  ///< 1 / sigma with the robust weight, 1/rad
   /// The direction in which the weighted outline moves when ball and face move apart along z, unit,
@@ -40,17 +42,26 @@ struct Weighted {
 /// Standard deviation of the face's distance as its edges tell it, of one press.
 constexpr double kFaceSdMm = 0.05;
 
+/// How well lift_off.h tells what the skin is off the ball by, as a part of it: other beds than
+/// Winkler's come back earlier or later.
+constexpr double kLiftPart = 0.5;
+
 /// The samples in the zone around a ball, robustly weighted by their residuals, and the outline.
 [[nodiscard]] Weighted weigh(const PressSamples& press,
-                             const MappingCurve& curve,
+                             const JointFit& fit,
                              const Eigen::Vector3d& centre,
                              const JointOptions& options);
 
 /// Brightness: w slope (x - g(d(c) + blur)), one residual a sample. Parameter blocks: the ball's
-/// centre, the mapping's numbers. Keeps references to what it is made from.
+/// centre, the mapping's numbers, the logarithm of the lift-off length in mm, which does nothing
+/// where skin and ball are taken to part at the rim (lift_mm 0). Keeps references to what it is
+/// made from.
 class PressCost final : public ceres::CostFunction {
  public:
-  PressCost(const Weighted& weighted, const MappingCurve& curve, const JointOptions& options);
+  PressCost(const Weighted& weighted,
+            const MappingCurve& curve,
+            const JointOptions& options,
+            double lift_mm = 0.0);
   bool Evaluate(double const* const* parameters,
                 double* residuals,
                 double** jacobians) const override;
@@ -59,6 +70,7 @@ class PressCost final : public ceres::CostFunction {
   const Weighted& weighted_;
   const MappingCurve& curve_;
   const JointOptions& options_;
+  double lift_mm_;
 };
 
 /// The outline: w (angle between ray and ball centre - asin(R / |c|)), one residual a point.
@@ -90,6 +102,17 @@ class AbsorptionCost final : public ceres::CostFunction {
 
  private:
   int numbers_;
+};
+
+/// What is known beforehand of the lift-off length: kUsualLiftMm, within a factor of e. Parameter
+/// block: its logarithm.
+class LiftCost final : public ceres::CostFunction {
+ public:
+  LiftCost();
+  bool Evaluate(double const* const* parameters,
+                double* residuals,
+                double** jacobians) const override;
+  static constexpr double kRootWeight = 1.7;  // see AbsorptionCost
 };
 
 /// The angle by which a ray passes outside the ball (negative: meets it), and its derivative by the

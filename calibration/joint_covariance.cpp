@@ -13,10 +13,12 @@ namespace {
 
 /// One press at the solution: what each sample's residual is and how the unknowns move it.
 struct Linear {
-  Eigen::MatrixXd rows;      // weighted, a sample each: mapping values, then this press's centre
+  // Weighted, a sample each: mapping values, this press's centre, the lift-off's logarithm.
+  Eigen::MatrixXd rows;
   Eigen::VectorXd residual;  // weighted
   Eigen::VectorXd weight;    // 1/mm
   Eigen::VectorXd bend;
+  std::vector<double> lifted_sd_mm;
   std::vector<int> patch;
   double taken = 0;                        // how many numbers the residuals were fitted with
   std::vector<std::pair<int, int>> place;  // column and row of the sample's block
@@ -28,12 +30,13 @@ Linear linearised(const PressSamples& press,
                   const JointFit& fit,
                   const Eigen::Vector3d& centre,
                   const JointOptions& options) {
-  const Weighted weighted = weigh(press, fit.curve, centre, options);
+  const Weighted weighted = weigh(press, fit, centre, options);
   const ContactDisc disc(press, options.along, centre);
   const Eigen::Index n_map = fit.curve.values().size();
   const auto count = static_cast<Eigen::Index>(weighted.samples.size());
   Linear linear;
-  linear.rows.resize(count, n_map + 3);
+  linear.rows.resize(count, n_map + 4);
+  linear.lifted_sd_mm = weighted.lifted_sd_mm;
   linear.residual.resize(count);
   linear.weight = Eigen::Map<const Eigen::VectorXd>(weighted.root_weight.data(), count);
   linear.bend = Eigen::Map<const Eigen::VectorXd>(weighted.bend.data(), count);
@@ -41,8 +44,15 @@ Linear linearised(const PressSamples& press,
   for (Eigen::Index k = 0; k < count; ++k) {
     const Sample& sample = *weighted.samples[static_cast<std::size_t>(k)];
     Eigen::Vector3d by_centre;
-    const double depth =
-        ball_depth_mm(sample, options.along, centre, press.ball_radius_mm, &by_centre);
+    double by_lift = 0;
+    const double depth = skin_depth_mm(sample,
+                                       options.along,
+                                       centre,
+                                       press.ball_radius_mm,
+                                       weighted.plane,
+                                       fit.lift_mm,
+                                       &by_centre,
+                                       &by_lift);
     const double weight = linear.weight[k];
     // Of the difference, as depth: what the curve gives a sample's depth by is by that of x there.
     const double slope_mm = weighted.slope_mm[static_cast<std::size_t>(k)];
@@ -52,7 +62,8 @@ Linear linearised(const PressSamples& press,
             .x;
     linear.residual[k] = weight * slope_mm * (sample.x - x);
     linear.rows.row(k).head(n_map) = -weight * slope_mm * by_values.transpose();
-    linear.rows.row(k).tail<3>() = -weight * by_centre.transpose();
+    linear.rows.row(k).segment<3>(n_map) = -weight * by_centre.transpose();
+    linear.rows(k, n_map + 3) = -weight * by_lift * fit.lift_mm;
     linear.patch.push_back(disc.place_of(sample).patch);
     linear.place.emplace_back(std::lround(std::floor(sample.pixel.x() / press.block_px)),
                               std::lround(std::floor(sample.pixel.y() / press.block_px)));
@@ -162,18 +173,23 @@ class Sharing {
 /// Sums over one press's patches.
 struct PatchSums {
   Eigen::MatrixXd rows;     // what an offset of 1 mm pulls, a patch each
+  Eigen::MatrixXd lifted;   // what the form of the lift-off pulls
   Eigen::VectorXd pull;     // of weight * residual
   Eigen::VectorXd square;   // of its squares
   Eigen::VectorXd weight2;  // of weight^2
   explicit PatchSums(const Linear& linear)
       : rows(Eigen::MatrixXd::Zero(linear.rows.cols(), ContactDisc::kPatches)),
+        lifted(rows),
         pull(Eigen::VectorXd::Zero(ContactDisc::kPatches)),
         square(pull),
         weight2(pull) {
     for (Eigen::Index k = 0; k < linear.rows.rows(); ++k) {
       const int p = linear.patch[static_cast<std::size_t>(k)];
       const double one = linear.weight[k] * linear.residual[k];
-      rows.col(p) += linear.bend[k] * linear.weight[k] * linear.rows.row(k).transpose();
+      const Eigen::VectorXd offset =
+          linear.bend[k] * linear.weight[k] * linear.rows.row(k).transpose();
+      rows.col(p) += offset;
+      lifted.col(p) += linear.lifted_sd_mm[static_cast<std::size_t>(k)] * offset;
       pull[p] += one;
       square[p] += one * one;
       weight2[p] += linear.weight[k] * linear.weight[k];
@@ -211,14 +227,17 @@ double ring_error_mm(const std::vector<const PressSamples*>& presses,
   return options.zone > kSureZone ? std::hypot(ring_mm, quality.scatter_mm) : ring_mm;
 }
 
-JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
-                          const JointFit& fit,
-                          const JointOptions& options,
-                          double ring_mm) {
+}  // namespace
+
+JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
+                              const JointFit& fit,
+                              const JointOptions& options) {
+  const double ring_mm = ring_error_mm(presses, fit, options);
   const Eigen::Index n_map = fit.curve.values().size();
-  const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size());
+  const bool free_lift = options.free_lift && !options.fix_mapping;
+  const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size()) + 1;
   const Eigen::Index first = options.fix_mapping ? n_map : 0;
-  const Eigen::Index unknowns = n - first;
+  const Eigen::Index unknowns = n - first - (free_lift ? 0 : 1);
   std::vector<Linear> linear;
   std::vector<PatchSums> patches;
   Sharing sharing;
@@ -249,56 +268,51 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
 
   // Hessian of the robust loss, and what the errors pull at it.
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n), spread = hessian;
-  Eigen::MatrixXd ring_pull = Eigen::MatrixXd::Zero(n, ContactDisc::kRings);
+  Eigen::MatrixXd ring_pull = Eigen::MatrixXd::Zero(n, ContactDisc::kRings), lift_pull = ring_pull;
   for (std::size_t i = 0; i < presses.size(); ++i) {
     const Linear& press = linear[i];
     const PatchSums& sums = patches[i];
     // From (mapping, this centre) to all unknowns.
-    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, n_map + 3);
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, n_map + 4);
     all.topLeftCorner(n_map, n_map).setIdentity();
     all.block<3, 3>(n_map + 3 * static_cast<Eigen::Index>(i), n_map).setIdentity();
+    all(n - 1, n_map + 3) = 1.0;
     const Eigen::MatrixXd curved = press.rows.transpose() * press.bend.asDiagonal() * press.rows;
     Eigen::MatrixXd pulled =
         as_one * press.rows.transpose() * press.residual.cwiseAbs2().asDiagonal() * press.rows;
     pulled += patch_mm2 * sums.rows * sums.rows.transpose();
     hessian += all * curved * all.transpose();
     spread += all * pulled * all.transpose();
-    for (int p = 0; p < ContactDisc::kPatches; ++p)
+    for (int p = 0; p < ContactDisc::kPatches; ++p) {
       ring_pull.col(p / ContactDisc::kSectors) += ring_mm * all * sums.rows.col(p);
+      lift_pull.col(p / ContactDisc::kSectors) += all * sums.lifted.col(p);
+    }
     // The outline is one observation more: what it is off by, it is off by as a whole.
     const Eigen::Vector3d outline_pull = press.outline_rows.transpose() * press.outline_residual;
     const auto corner = n_map + 3 * static_cast<Eigen::Index>(i);
     hessian.block<3, 3>(corner, corner) += press.outline_rows.transpose() * press.outline_rows;
     spread.block<3, 3>(corner, corner) += outline_pull * outline_pull.transpose();
   }
-  spread += ring_pull * ring_pull.transpose();
+  spread += ring_pull * ring_pull.transpose() + lift_pull * lift_pull.transpose();
   if (fit.curve.family().absorbs()) {
     // What is known of the absorption beforehand, and is off by as much as it claims.
     const double weight = std::pow(AbsorptionCost::kRootWeight / AbsorptionCost::kSd, 2);
     hessian(2, 2) += weight;
     spread(2, 2) += std::pow(weight * AbsorptionCost::kSd, 2);
   }
+  if (free_lift) {
+    constexpr double kWeight = LiftCost::kRootWeight * LiftCost::kRootWeight;
+    hessian(n - 1, n - 1) += kWeight;
+    spread(n - 1, n - 1) += kWeight * kWeight;
+  }
   Eigen::MatrixXd inverse;
-  if (!invert(hessian.bottomRightCorner(unknowns, unknowns), &inverse, &result.condition))
+  if (!invert(hessian.block(first, first, unknowns, unknowns), &inverse, &result.condition))
     return result;
-  const Eigen::MatrixXd free = inverse * spread.bottomRightCorner(unknowns, unknowns) * inverse;
-  result.covariance = Eigen::MatrixXd::Zero(n, n);
+  const Eigen::MatrixXd free = inverse * spread.block(first, first, unknowns, unknowns) * inverse;
+  const Eigen::Index known = first + unknowns;
+  result.covariance = Eigen::MatrixXd::Zero(known, known);
   result.covariance.bottomRightCorner(unknowns, unknowns) = 0.5 * (free + free.transpose());
   return result;
-}
-
-}  // namespace
-
-JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
-                              const JointFit& fit,
-                              const JointOptions& options) {
-  return spread_of(presses, fit, options, ring_error_mm(presses, fit, options));
-}
-
-JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
-                                     const JointFit& fit,
-                                     const JointOptions& options) {
-  return spread_of(presses, fit, options, 0.0);
 }
 
 }  // namespace alltact

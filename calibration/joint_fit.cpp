@@ -79,15 +79,18 @@ bool solve(const std::vector<Weighted>& weighted,
            const Job& job,
            JointFit* fit) {
   const MappingCurve family = fit->curve;
+  const bool free_lift = options.free_lift && !options.fix_mapping;
+  double log_lift = free_lift ? std::log(fit->lift_mm) : 0.0;
   ceres::Problem problem;
   for (std::size_t i = 0; i < weighted.size(); ++i) {
     if (weighted[i].samples.size() < 10) return false;
     // Hundreds of samples a press, and five to a dozen unknowns that they depend on.
     problem.AddResidualBlock(
-        new CompressedCost(std::make_unique<PressCost>(weighted[i], family, options)),
+        new CompressedCost(std::make_unique<PressCost>(weighted[i], family, options, fit->lift_mm)),
         nullptr,
         fit->centres_mm[i].data(),
-        fit->curve.values().data());
+        fit->curve.values().data(),
+        &log_lift);
     if (!weighted[i].outline.empty())
       problem.AddResidualBlock(new OutlineCost(weighted[i]), nullptr, fit->centres_mm[i].data());
   }
@@ -95,23 +98,29 @@ bool solve(const std::vector<Weighted>& weighted,
     problem.SetParameterBlockConstant(fit->curve.values().data());
   else if (family.family().absorbs())
     problem.AddResidualBlock(new AbsorptionCost(family), nullptr, fit->curve.values().data());
+  if (free_lift)
+    problem.AddResidualBlock(new LiftCost(), nullptr, &log_lift);
+  else
+    problem.SetParameterBlockConstant(&log_lift);
   ceres::Solver::Options solver = solver_settings();
   StopWithJob stop(job);
   solver.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
+  if (free_lift) fit->lift_mm = std::exp(log_lift);
   return summary.IsSolutionUsable();
 }
 
 double change_between(const JointFit& a, const JointFit& b) {
   double change = (a.curve.values() - b.curve.values()).cwiseAbs().maxCoeff();
+  change = std::max(change, std::abs(a.lift_mm - b.lift_mm));
   for (std::size_t i = 0; i < a.centres_mm.size(); ++i)
     change = std::max(change, (a.centres_mm[i] - b.centres_mm[i]).cwiseAbs().maxCoeff());
   return change;
 }
 
 bool is_finite(const JointFit& fit) {
-  if (!fit.curve.values().allFinite()) return false;
+  if (!fit.curve.values().allFinite() || !std::isfinite(fit.lift_mm)) return false;
   return std::all_of(fit.centres_mm.begin(), fit.centres_mm.end(), [](const Eigen::Vector3d& c) {
     return c.allFinite();
   });
@@ -120,11 +129,12 @@ bool is_finite(const JointFit& fit) {
 }  // namespace
 
 Weighted weigh(const PressSamples& press,
-               const MappingCurve& curve,
+               const JointFit& fit,
                const Eigen::Vector3d& centre,
                const JointOptions& options) {
   const ContactDisc disc(press, options.along, centre);
   Weighted weighted;
+  weighted.plane = plane_below(press, centre);
   weighted.ball_radius_mm = press.ball_radius_mm;
   std::vector<double> normed, taper, sigma;
   for (const Sample& sample : press.samples) {
@@ -132,9 +142,12 @@ Weighted weigh(const PressSamples& press,
     if (!(inside > 0.0)) continue;
     const double facing = facing_of(sample, options.along, centre, press.ball_radius_mm);
     if (!(facing > kGrazing)) continue;
-    const Misfit misfit = misfit_of(sample, press, curve, options.along, centre);
+    const Misfit misfit =
+        misfit_of(sample, press, fit.curve, options.along, centre, weighted.plane, fit.lift_mm);
     if (!std::isfinite(misfit.mm)) continue;
-    const double sd = std::hypot(misfit.slope_mm * press.x_sd, kFloorMm);
+    const double lifted_sd = kLiftPart * misfit.lifted_mm;
+    const double sd = std::hypot(misfit.slope_mm * press.x_sd, kFloorMm, lifted_sd);
+    weighted.lifted_sd_mm.push_back(lifted_sd);
     weighted.samples.push_back(&sample);
     weighted.blur_mm.push_back(misfit.blur_mm);
     weighted.slope_mm.push_back(misfit.slope_mm);
@@ -176,19 +189,44 @@ double ball_depth_mm(const Sample& sample,
   return scale * (ahead + half);
 }
 
+double skin_depth_mm(const Sample& sample,
+                     MappingAlong along,
+                     const Eigen::Vector3d& centre_mm,
+                     double radius_mm,
+                     const ContactPlane& plane,
+                     double lift_mm,
+                     Eigen::Vector3d* by_centre,
+                     double* by_lift) {
+  const double ball = ball_depth_mm(sample, along, centre_mm, radius_mm, by_centre);
+  if (by_lift != nullptr) *by_lift = 0.0;
+  if (!(lift_mm > 0.0) || !std::isfinite(ball)) return ball;
+  const double per_normal = along == MappingAlong::kZ ? sample.cos_incline : 1.0;
+  const SkinDepth skin =
+      skin_depth(ball * per_normal, plane.height_mm(centre_mm), radius_mm, lift_mm);
+  if (by_centre != nullptr)
+    *by_centre = skin.by_ball * *by_centre + skin.by_height / per_normal * plane.normal;
+  if (by_lift != nullptr) *by_lift = skin.by_lift / per_normal;
+  return skin.mm / per_normal;
+}
+
 double blur_mm(const Sample& sample,
                const PressSamples& press,
                const MappingCurve& curve,
                MappingAlong along,
-               const Eigen::Vector3d& centre_mm) {
-  const double depth = ball_depth_mm(sample, along, centre_mm, press.ball_radius_mm);
+               const Eigen::Vector3d& centre_mm,
+               const ContactPlane& plane,
+               double lift_mm) {
+  const auto depth_of = [&](const Sample& there) {
+    return skin_depth_mm(there, along, centre_mm, press.ball_radius_mm, plane, lift_mm);
+  };
+  const double depth = depth_of(sample);
   double laplacian = 0, slope2 = 0;
   for (const Eigen::Vector3d& step : {sample.by_u, sample.by_v}) {
     const auto at = [&](double pixels) {
       Sample there = sample;
       there.untouched_z += pixels * step;
       there.untouched_n += pixels * step;
-      return ball_depth_mm(there, along, centre_mm, press.ball_radius_mm);
+      return depth_of(there);
     };
     const double before = at(-1), after = at(1);
     laplacian += before + after - 2 * depth;
@@ -205,28 +243,24 @@ Misfit misfit_of(const Sample& sample,
                  const PressSamples& press,
                  const MappingCurve& curve,
                  MappingAlong along,
-                 const Eigen::Vector3d& centre_mm) {
-  const double depth = ball_depth_mm(sample, along, centre_mm, press.ball_radius_mm);
-  const double blur = blur_mm(sample, press, curve, along, centre_mm);
+                 const Eigen::Vector3d& centre_mm,
+                 const ContactPlane& plane,
+                 double lift_mm) {
+  const double depth =
+      skin_depth_mm(sample, along, centre_mm, press.ball_radius_mm, plane, lift_mm);
+  const double blur = blur_mm(sample, press, curve, along, centre_mm, plane, lift_mm);
   const auto [x, slope_mm] = curve.inverse(depth + blur, sample.place, sample.x);
-  return {slope_mm * (sample.x - x), slope_mm, blur};
+  const double ball = ball_depth_mm(sample, along, centre_mm, press.ball_radius_mm);
+  return {slope_mm * (sample.x - x), slope_mm, blur, depth - std::max(ball, 0.0)};
 }
 
 ContactDisc::ContactDisc(const PressSamples& press,
                          MappingAlong along,
                          const Eigen::Vector3d& centre_mm)
     : along_(along), centre_mm_(centre_mm), radius_mm_(press.ball_radius_mm) {
-  const Sample* nearest = nullptr;
-  double nearest2 = std::numeric_limits<double>::infinity();
-  for (const Sample& sample : press.samples) {
-    const double distance2 = (sample.untouched_n - centre_mm).squaredNorm();
-    if (distance2 >= nearest2) continue;
-    nearest2 = distance2;
-    nearest = &sample;
-  }
   // Height over the face's plane there, so that a middle beyond the face's edge counts as well.
   const double height =
-      nearest != nullptr ? nearest->normal.dot(centre_mm - nearest->untouched_n) : radius_mm_;
+      press.samples.empty() ? radius_mm_ : plane_below(press, centre_mm).height_mm(centre_mm);
   // A ball that no longer touches keeps a speck of a rim, so that a fit can come back.
   rim2_ = std::max((radius_mm_ - height) * (radius_mm_ + height), 1e-3 * radius_mm_ * radius_mm_);
 }
@@ -258,7 +292,7 @@ JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
     std::vector<Weighted> weighted;
     weighted.reserve(presses.size());
     for (std::size_t i = 0; i < presses.size(); ++i)
-      weighted.push_back(weigh(*presses[i], fit.curve, fit.centres_mm[i], options));
+      weighted.push_back(weigh(*presses[i], fit, fit.centres_mm[i], options));
     JointFit next = fit;
     if (!solve(weighted, options, job, &next) || !is_finite(next)) return fit;
     const double change = change_between(next, fit);
@@ -275,38 +309,47 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
                       const JointOptions& options) {
   FitQuality quality;
   struct Patch {
-    double sum = 0;
+    double sum = 0, lifted = 0;
     int count = 0;
   };
   std::vector<std::vector<double>> ring_values(ContactDisc::kRings);
   std::vector<double> ring_scatter;
+  double lifted2 = 0;
+  int lifted_rings = 0;
   for (std::size_t i = 0; i < presses.size(); ++i) {
     const ContactDisc disc(*presses[i], options.along, fit.centres_mm[i]);
+    const ContactPlane plane = plane_below(*presses[i], fit.centres_mm[i]);
     std::vector<Patch> patches(ContactDisc::kPatches);
     double absolute = 0;
     int count = 0;
     for (const Sample& sample : presses[i]->samples) {
       const ContactDisc::Place place = disc.place_of(sample);
       if (!(place.radius <= options.zone)) continue;
-      const double residual =
-          misfit_of(sample, *presses[i], fit.curve, options.along, fit.centres_mm[i]).mm;
-      if (!std::isfinite(residual)) continue;
-      absolute += std::abs(residual);
+      const Misfit misfit = misfit_of(
+          sample, *presses[i], fit.curve, options.along, fit.centres_mm[i], plane, fit.lift_mm);
+      if (!std::isfinite(misfit.mm)) continue;
+      absolute += std::abs(misfit.mm);
       ++count;
       Patch& patch = patches[static_cast<std::size_t>(place.patch)];
-      patch.sum += residual;
+      patch.sum += misfit.mm;
+      patch.lifted += kLiftPart * misfit.lifted_mm;
       ++patch.count;
     }
     quality.residual_mm.push_back(count > 0 ? absolute / count : 0.0);
     for (int ring = 0; ring < ContactDisc::kRings; ++ring) {
       std::vector<double> means;
+      double lifted = 0;
       for (int sector = 0; sector < ContactDisc::kSectors; ++sector) {
         const Patch& patch =
             patches[static_cast<std::size_t>(ring * ContactDisc::kSectors + sector)];
-        if (patch.count >= 2) means.push_back(patch.sum / patch.count);
+        if (patch.count < 2) continue;
+        means.push_back(patch.sum / patch.count);
+        lifted += patch.lifted / patch.count;
       }
       if (means.size() < 3) continue;
       const auto n = static_cast<double>(means.size());
+      lifted2 += lifted * lifted / (n * n);
+      ++lifted_rings;
       double mean = 0;
       for (const double m : means) mean += m / n;
       double variance = 0;
@@ -324,6 +367,7 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
     sum += mean * mean;
     ++quality.rings;
   }
+  if (lifted_rings > 0) quality.lifted_sd_mm = std::sqrt(lifted2 / lifted_rings);
   if (quality.rings > 0) {
     quality.ring_mm = std::sqrt(sum / quality.rings);
     double scatter = 0;

@@ -10,6 +10,7 @@
 // join the sum.
 #pragma once
 
+#include "calibration/lift_off.h"
 #include "calibration/mapping_curve.h"
 #include "calibration/press_samples.h"
 #include "core/job.h"
@@ -29,6 +30,17 @@ namespace alltact {
                                    double radius_mm,
                                    Eigen::Vector3d* by_centre = nullptr);
 
+/// How deep the skin is pressed in at a sample by a ball that it leaves as lift_off.h says, in the
+/// sense of `along`; with derivatives by the centre and by the lift-off length (may be null).
+[[nodiscard]] double skin_depth_mm(const Sample& sample,
+                                   MappingAlong along,
+                                   const Eigen::Vector3d& centre_mm,
+                                   double radius_mm,
+                                   const ContactPlane& plane,
+                                   double lift_mm,
+                                   Eigen::Vector3d* by_centre = nullptr,
+                                   double* by_lift = nullptr);
+
 /// What a sample reads a ball deeper by than the ball is at its middle, mm: it is a mean over some
 /// pixels (PressSamples::blur_px2), and a mean over what is curved is not its middle. By the second
 /// derivatives of x = g(d) over the picture, g the curve's inverse:
@@ -39,20 +51,25 @@ namespace alltact {
                              const PressSamples& press,
                              const MappingCurve& curve,
                              MappingAlong along,
-                             const Eigen::Vector3d& centre_mm);
+                             const Eigen::Vector3d& centre_mm,
+                             const ContactPlane& plane = {},
+                             double lift_mm = 0.0);
 
 /// What a sample differs by from the ball: slope (x - g(d)), the noise of x as depth, mm. NaN where
 /// the ball or the curve gives none.
 struct Misfit {
   double mm = 0;
-  double slope_mm = 0;  ///< dM/dx where M gives the ball's depth
-  double blur_mm = 0;   ///< see blur_mm()
+  double slope_mm = 0;   ///< dM/dx where M gives the ball's depth
+  double blur_mm = 0;    ///< see blur_mm()
+  double lifted_mm = 0;  ///< what the skin is off the ball by, outwards of where they part
 };
 [[nodiscard]] Misfit misfit_of(const Sample& sample,
                                const PressSamples& press,
                                const MappingCurve& curve,
                                MappingAlong along,
-                               const Eigen::Vector3d& centre_mm);
+                               const Eigen::Vector3d& centre_mm,
+                               const ContactPlane& plane = {},
+                               double lift_mm = 0.0);
 
 /// Where in the contact the samples lie: 0 at its middle, 1 at the rim of the ball's cap, where
 /// face and ball part if the skin followed the ball to the end.
@@ -90,6 +107,7 @@ struct JointOptions {
   double zone = kSureZone;   ///< contacts are read up to this part of the rim's radius
   double settled_mm = 1e-8;  ///< the reweighting ends when no unknown changes by more
   bool fix_mapping = false;  ///< only the balls are free
+  bool free_lift = false;    ///< the lift-off length is an unknown, shared by all presses
   /// Told after every round how much the unknowns still moved, mm, and where to; may be null.
   const std::function<void(int round, double change_mm, const JointFit& now)>* watch = nullptr;
 };
@@ -99,6 +117,7 @@ struct JointFit {
   MappingCurve curve;
   std::vector<Eigen::Vector3d> centres_mm;  ///< one a press
   bool converged = false;                   ///< finite and settled
+  double lift_mm = 0;                       ///< of lift_off.h; 0: skin and ball part at the rim
 };
 
 /// Improves `start`. A stopped job ends it early with the best so far.
@@ -113,12 +132,14 @@ struct FitQuality {
   double ring_mm = 0;     ///< root mean square of the rings' mean residuals over all presses
   double scatter_mm = 0;  ///< what ring_mm would be from the sectors' scatter alone
   int rings = 0;
+  double lifted_sd_mm = 0;  ///< root mean square over the rings of what the lift-off leaves open
 };
 [[nodiscard]] FitQuality quality_of(const std::vector<const PressSamples*>& presses,
                                     const JointFit& fit,
                                     const JointOptions& options);
 
-/// Covariance of (mapping values, centres in order) and the condition of the scaled problem.
+/// Covariance of (mapping values, centres in order; then the lift-off's logarithm if it was free)
+/// and the condition of the scaled problem.
 struct JointCovariance {
   Eigen::MatrixXd covariance;  ///< empty when the problem is singular; 0 for what was fixed
   double condition = 0;
@@ -127,13 +148,9 @@ struct JointCovariance {
 /// noise, by as much as their residuals do; each patch of a contact may be off as a whole, by what
 /// the patches scatter beyond that; and each ring, in all presses alike, by what the rings' mean
 /// residuals are and at least by 0.003 mm, which no press would show. Rings outside the sure zone
-/// may hide as much again as the mean of a ring scatters: noise must not make a rim look certain.
+/// may hide as much again as the mean of a ring scatters: noise must not make a rim look certain;
+/// and what the form of the lift-off leaves open (kLiftPart), each ring by itself.
 [[nodiscard]] JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
                                             const JointFit& fit,
                                             const JointOptions& options);
-/// The same without what rings are off by in all presses alike.
-[[nodiscard]] JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
-                                                   const JointFit& fit,
-                                                   const JointOptions& options);
-
 }  // namespace alltact

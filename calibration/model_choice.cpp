@@ -12,7 +12,6 @@ namespace {
 constexpr int kDomainPlaces = 12;       // of the curve, where curves are compared
 constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is never held against it
 constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
-constexpr double kCertainPart = 0.01;   // of the depth: what chance leaves open is little enough
 constexpr double kInclineDeg = 3.0;     // needed to tell thickness along z from along the normal
 constexpr int kMostCoefficients = 6;
 constexpr std::size_t kVaryingPresses = 5;  // two numbers more want two presses more
@@ -67,16 +66,16 @@ JointFit as_family(const JointFit& fit, CurveFamily family) {
   MappingCurve curve(family, fit.curve.x_max());
   if (fit.curve.family() == kMoebiusFamily && family == kLayerFamily) {
     curve.values().head<2>() = fit.curve.values();
-    return {curve, fit.centres_mm, false};
+    return {curve, fit.centres_mm, false, fit.lift_mm};
   }
   if (fit.curve.family().kind == family.kind &&
       fit.curve.values().size() <= curve.values().size() &&
       fit.curve.family().coefficients == family.coefficients) {
     curve.values().head(fit.curve.values().size()) = fit.curve.values();
-    return {curve, fit.centres_mm, false};
+    return {curve, fit.centres_mm, false, fit.lift_mm};
   }
   curve.set_line(fit.curve.depth_mm(fit.curve.x_max()) / fit.curve.x_max());
-  return {curve, fit.centres_mm, false};
+  return {curve, fit.centres_mm, false, fit.lift_mm};
 }
 
 /// What a covariance leaves uncertain of the depth at the end of the domain, as a part of it.
@@ -88,45 +87,59 @@ double uncertain_part(const JointFit& fit, const Eigen::MatrixXd& all) {
   return std::sqrt(std::max(0.0, gradient.dot(all.topLeftCorner(n, n) * gradient))) / depth;
 }
 
-/// Fits with a zone that grows outward as long as the inner part leaves too much to chance and skin
-/// and ball are seen to touch; leaves the zone in `options`. What the skin is off the ball by near
-/// the rim is taken up by the scale, ten times larger: no more of it is read than is needed.
-JointFit grow_zone(const ChoiceInput& input,
-                   JointFit fit,
-                   JointOptions* options,
-                   std::string* remark,
-                   const Job& job) {
+/// Whether what the rings of a contact are off by, in all presses alike, is chance, or what is not
+/// known of the lift-off's form.
+bool rings_agree(const FitQuality& quality) {
+  const double chance_mm = std::max(kQuietRingMm, kRingExcess * quality.scatter_mm);
+  return quality.ring_mm <= std::hypot(chance_mm, quality.lifted_sd_mm);
+}
+
+std::string inner_sentence(double zone) {
+  return fmt::format(
+      "the inner {:.0f} % of each contact's radius was used, where the skin surely touches the "
+      "ball",
+      100.0 * zone);
+}
+
+/// Fits as much of each contact as ball and lift-off explain, from the rim inwards; leaves in
+/// `options` which part that is. The inner part alone leaves an offset between balls and mapping
+/// open, which a curve that is not quite the layer's then fills; near the rim the offset is seen.
+/// Where rings show that the skin does there what lift_off.h does not know, its error would be
+/// taken up by the scale, ten times larger.
+JointFit choose_zone(const ChoiceInput& input,
+                     JointFit fit,
+                     JointOptions* options,
+                     std::string* remark,
+                     const Job& job) {
   options->zone = kSureZone;
   fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
-  const auto inner = [&] { return 100.0 * options->zone; };
-  for (const double zone : {0.75, 0.85, 0.93, 1.0}) {
-    const auto chance = chance_covariance_of(input.presses, fit, *options);
-    if (fit.converged && uncertain_part(fit, chance.covariance) < kCertainPart) {
-      *remark = fmt::format(
-          "the inner {:.0f} % of each contact's radius was used, where the skin surely touches the "
-          "ball: that is enough to tell the mapping",
-          inner());
-      return fit;
-    }
+  const double inner_part =
+      uncertain_part(fit, covariance_of(input.presses, fit, *options).covariance);
+  for (const double zone : {1.0, 0.93, 0.85, 0.75}) {
     JointOptions wider = *options;
     wider.zone = zone;
-    const JointFit next = fit_jointly(input.presses, fit, wider, job);
-    if (!next.converged || job.stop_requested()) break;
+    wider.free_lift = true;
+    JointFit start = fit;
+    start.lift_mm = kUsualLiftMm;
+    const JointFit next = fit_jointly(input.presses, std::move(start), wider, job);
+    if (job.stop_requested()) break;
     const FitQuality quality = quality_of(input.presses, next, wider);
-    if (quality.ring_mm > std::max(kQuietRingMm, kRingExcess * quality.scatter_mm)) {
-      *remark = fmt::format(
-          "the skin leaves the ball before the rim of its cap: the inner {:.0f} % of each "
-          "contact's radius was used",
-          inner());
-      break;
-    }
-    // A rim that leaves less to chance and more to what its noise may hide is no gain.
-    if (uncertain_part(next, covariance_of(input.presses, next, wider).covariance) >=
-        uncertain_part(fit, covariance_of(input.presses, fit, *options).covariance))
-      break;
+    if (!next.converged || !rings_agree(quality)) continue;
+    const double part = uncertain_part(next, covariance_of(input.presses, next, wider).covariance);
+    if (part >= inner_part) continue;
     *options = wider;
-    fit = next;
+    // Further in the length shows in nothing, and is what it was believed to be.
+    constexpr double kShownMm = 1e-4;
+    *remark = quality.lifted_sd_mm > kShownMm
+                  ? fmt::format(
+                        "the inner {:.0f} % of each contact's radius was used; the skin comes back "
+                        "from the ball over {:.2f} mm",
+                        100.0 * zone,
+                        next.lift_mm)
+                  : inner_sentence(zone);
+    return next;
   }
+  *remark = inner_sentence(options->zone);
   return fit;
 }
 
@@ -145,21 +158,22 @@ HeldOut hold_out(const ChoiceInput& input,
   HeldOut result;
   for (std::size_t left = 0; left < input.presses.size() && !job.stop_requested(); ++left) {
     std::vector<const PressSamples*> others;
-    JointFit fit{all.curve, {}, false};
+    JointFit fit{all.curve, {}, false, all.lift_mm};
     for (std::size_t i = 0; i < input.presses.size(); ++i) {
       if (i == left) continue;
       others.push_back(input.presses[i]);
       fit.centres_mm.push_back(all.centres_mm[i]);
     }
     fit = fit_jointly(others, std::move(fit), options, job);
+    // The ball by the part that surely touches it: what the rim does is not the mapping's shape.
     JointOptions alone = options;
     alone.fix_mapping = true;
+    alone.zone = kSureZone;
     const std::vector<const PressSamples*> one{input.presses[left]};
-    const JointFit ball = fit_jointly(one, {fit.curve, {all.centres_mm[left]}, false}, alone, job);
-    JointOptions inner = options;
-    inner.zone = kSureZone;
+    const JointFit ball =
+        fit_jointly(one, {fit.curve, {all.centres_mm[left]}, false, fit.lift_mm}, alone, job);
     const bool is_good = fit.converged && ball.converged && increases(fit.curve, options.along);
-    result.errors_mm.push_back(is_good ? quality_of(one, ball, inner).residual_mm.front()
+    result.errors_mm.push_back(is_good ? quality_of(one, ball, alone).residual_mm.front()
                                        : std::numeric_limits<double>::infinity());
     result.curves.push_back(std::move(fit.curve));
   }
@@ -331,7 +345,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
   choice.options.settled_mm = kSettledMm;
   JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
   std::string zone_remark;
-  start = grow_zone(input, std::move(start), &choice.options, &zone_remark, job);
+  start = choose_zone(input, std::move(start), &choice.options, &zone_remark, job);
   if (!zone_remark.empty()) choice.remarks.push_back(std::move(zone_remark));
 
   const auto candidates = try_families(input, families, start, choice.options, job);
@@ -381,42 +395,77 @@ bool increases(const MappingCurve& curve, MappingAlong along) {
 
 namespace {
 
-/// The best way of measuring thickness, with the best family for it. Ways are compared by the
-/// family that is best along z: it differs between them by what a curve hardly shows.
-std::optional<ModelChoice> choose_along(const ChoiceInput& input,
-                                        const CalibrationSettings& settings,
-                                        const Job& job) {
+/// The family by which ways of measuring thickness are compared.
+CurveFamily comparing_family(const CalibrationSettings& settings,
+                             const std::vector<CurveFamily>& families) {
+  constexpr std::size_t kEnough = 2;  // of polynomials: of degree 3
+  if (settings.family == FamilyChoice::kAuto && settings.degree == 0) return kLayerFamily;
+  return families[std::min(kEnough, families.size() - 1)];
+}
+
+/// How well presses left out are told if thickness counts `along`; all ways over the same part of
+/// the contacts, or what the rim makes of one would decide.
+std::vector<double> held_out_along(const ChoiceInput& input,
+                                   CurveFamily family,
+                                   MappingAlong along,
+                                   const Job& job) {
+  constexpr double kZone = 0.75;
+  JointOptions options;
+  options.along = along;
+  options.zone = kZone;
+  options.settled_mm = kSettledMm;
+  const double x_max = domain_of(input, along);
+  if (!(x_max > 0.0)) return {};
+  const JointFit start =
+      fit_jointly(input.presses, straight_start(input, along, x_max), options, job);
+  const JointFit fit = fit_jointly(input.presses, as_family(start, family), options, job);
+  if (!fit.converged || !increases(fit.curve, along)) return {};
+  return hold_out(input, fit, options, job).errors_mm;
+}
+
+/// Along which thickness counts, and a remark where that is not z.
+MappingAlong choose_along(const ChoiceInput& input,
+                          CurveFamily family,
+                          std::string* remark,
+                          const Job& job) {
+  const auto by_z = held_out_along(input, family, MappingAlong::kZ, job);
+  MappingAlong chosen = MappingAlong::kZ;
+  std::vector<double> best = by_z;
+  for (const MappingAlong along : {MappingAlong::kNormal, MappingAlong::kProjected}) {
+    const auto other = held_out_along(input, family, along, job);
+    if (job.stop_requested() || other.empty() || other.size() != best.size()) continue;
+    const Excess excess = excess_of(best, other);
+    if (!(excess.mean > excess.standard_error)) continue;
+    chosen = along;
+    best = other;
+  }
+  if (chosen != MappingAlong::kZ)
+    *remark = fmt::format(
+        "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
+        "{:.4f} mm along z",
+        chosen == MappingAlong::kNormal ? "along its normal" : "along z projected onto its normal",
+        mean_of(best),
+        mean_of(by_z));
+  return chosen;
+}
+
+/// The way of measuring thickness, and the best family for it.
+std::optional<ModelChoice> choose_along_and_family(const ChoiceInput& input,
+                                                   const CalibrationSettings& settings,
+                                                   const Job& job) {
   const auto families = families_for(settings, input.presses.size());
   if (settings.along == AlongChoice::kNormal)
     return choose_family(input, families, MappingAlong::kNormal, job);
   if (settings.along == AlongChoice::kProjected)
     return choose_family(input, families, MappingAlong::kProjected, job);
-  auto by_z = choose_family(input, families, MappingAlong::kZ, job);
   const bool told_apart = input.presses.size() > 1 && steepest_deg(input) > kInclineDeg;
-  if (settings.along == AlongChoice::kZ || !by_z || by_z->held_out_mm.empty() || !told_apart)
-    return by_z;
-  const std::vector<CurveFamily> same{by_z->fit.curve.family()};
-  const ModelChoice* best = &*by_z;
-  std::vector<std::optional<ModelChoice>> others;
-  others.reserve(2);
-  for (const MappingAlong along : {MappingAlong::kNormal, MappingAlong::kProjected}) {
-    others.push_back(choose_family(input, same, along, job));
-    const auto& other = others.back();
-    if (job.stop_requested() || !other || other->held_out_mm.size() != by_z->held_out_mm.size())
-      continue;
-    const Excess excess = excess_of(best->held_out_mm, other->held_out_mm);
-    if (excess.mean > excess.standard_error) best = &*other;
-  }
-  if (best == &*by_z) return by_z;
-  const MappingAlong along = best->options.along;
-  auto choice = families.size() == 1 ? *best : choose_family(input, families, along, job);
-  if (!choice || choice->held_out_mm.size() != by_z->held_out_mm.size()) return by_z;
-  choice->remarks.push_back(fmt::format(
-      "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
-      "{:.4f} mm along z",
-      along == MappingAlong::kNormal ? "along its normal" : "along z projected onto its normal",
-      mean_of(choice->held_out_mm),
-      mean_of(by_z->held_out_mm)));
+  if (settings.along == AlongChoice::kZ || !told_apart)
+    return choose_family(input, families, MappingAlong::kZ, job);
+  std::string remark;
+  const MappingAlong along =
+      choose_along(input, comparing_family(settings, families), &remark, job);
+  auto choice = choose_family(input, families, along, job);
+  if (choice && !remark.empty()) choice->remarks.push_back(std::move(remark));
   return choice;
 }
 
@@ -452,7 +501,7 @@ void let_vary(const ChoiceInput& input, ModelChoice* choice, const Job& job) {
 std::optional<ModelChoice> choose_model(const ChoiceInput& input,
                                         const CalibrationSettings& settings,
                                         const Job& job) {
-  auto choice = choose_along(input, settings, job);
+  auto choice = choose_along_and_family(input, settings, job);
   if (choice && settings.over_face == OverFaceChoice::kAuto) let_vary(input, &*choice, job);
   if (choice && input.presses.size() > 1 && !job.stop_requested())
     choice->spread_mm =

@@ -1,5 +1,6 @@
 #include "calibration/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,7 +11,8 @@ Verdict verdict(const VerdictEvidence& evidence) {
   const bool proven = evidence.presses > 1 && evidence.held_out_mm > 0;
   Verdict result;
   result.error_mm =
-      proven ? std::hypot(evidence.held_out_mm, evidence.spread_mm) : evidence.residual_mm;
+      proven ? std::max(std::hypot(evidence.held_out_mm, evidence.spread_mm), evidence.pixel_mm)
+             : evidence.residual_mm;
   std::string measured =
       fmt::format("{:.3f} mm of depth error on the very presses it was made from", result.error_mm);
   if (proven)
@@ -20,6 +22,14 @@ Verdict verdict(const VerdictEvidence& evidence) {
         result.error_mm,
         evidence.held_out_mm,
         evidence.spread_mm);
+  if (proven && evidence.pixel_mm > 0)
+    measured = fmt::format(
+        "{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; "
+        "{:.3f} mm as a whole; {:.3f} mm of a single pixel)",
+        result.error_mm,
+        evidence.held_out_mm,
+        evidence.spread_mm,
+        evidence.pixel_mm);
   if (!std::isfinite(result.error_mm) || result.error_mm > kUsableErrorMm) {
     result.grade = Grade::kUnfit;
     result.sentence = "not fit to measure with: " + measured +

@@ -15,9 +15,10 @@ enum class Grade {
 /// Errors in mm of press depth, mean absolute inside the contacts.
 struct Verdict {
   Grade grade = Grade::kUnfit;
-  /// The one that counts, to be expected of the next press: the error in shape on presses left out
-  /// and how far depth is off as a whole, as the root of the sum of their squares. With one press
-  /// the error on that press.
+  /// The one that counts, to be expected of the next press: the larger of what a pixel in a contact
+  /// is off by, from all causes, and what presses show: the error in shape on presses left out and
+  /// how far depth is off as a whole, as the root of the sum of their squares. With one press the
+  /// error on that press.
   double error_mm = 0;
   std::string sentence;  ///< grade, figure and what to do about it
 };
@@ -31,6 +32,7 @@ struct VerdictEvidence {
   double held_out_mm = 0;  ///< 0 when there was only one press to learn from
   double spread_mm = 0;    ///< see Calibration::spread_mm
   int presses = 0;
+  double pixel_mm = 0;  ///< see contact_error.h; 0: unknown
 };
 [[nodiscard]] Verdict verdict(const VerdictEvidence& evidence);
 

@@ -167,6 +167,10 @@
         <translation>%1 mm Tiefenfehler zu erwarten (%2 mm in der Form, bei Eindrücken, die sie nicht kannte; %3 mm im Ganzen)</translation>
     </message>
     <message>
+        <source>%1 mm of depth error to be expected (%2 mm in shape, on presses it had not seen; %3 mm as a whole; %4 mm of a single pixel)</source>
+        <translation>%1 mm Tiefenfehler zu erwarten (%2 mm in der Form, bei Eindrücken, die sie nicht kannte; %3 mm im Ganzen; %4 mm eines einzelnen Bildpunkts)</translation>
+    </message>
+    <message>
         <source>not fit to measure with</source>
         <translation>zum Messen nicht geeignet</translation>
     </message>
@@ -567,12 +571,12 @@
         <translation>es ergab keine Abbildung</translation>
     </message>
     <message>
-        <source>the inner %1 % of each contact&apos;s radius was used, where the skin surely touches the ball: that is enough to tell the mapping</source>
-        <translation>verwendet wurden die inneren %1 % des Radius jedes Kontakts, wo die Haut die Kugel sicher berührt: Das genügt für die Abbildung</translation>
+        <source>the inner %1 % of each contact&apos;s radius was used, where the skin surely touches the ball</source>
+        <translation>verwendet wurden die inneren %1 % des Radius jedes Kontakts, wo die Haut die Kugel sicher berührt</translation>
     </message>
     <message>
-        <source>the skin leaves the ball before the rim of its cap: the inner %1 % of each contact&apos;s radius was used</source>
-        <translation>die Haut verlässt die Kugel vor dem Rand ihrer Kappe: Verwendet wurden die inneren %1 % des Radius jedes Kontakts</translation>
+        <source>the inner %1 % of each contact&apos;s radius was used; the skin comes back from the ball over %2 mm</source>
+        <translation>verwendet wurden die inneren %1 % des Radius jedes Kontakts; die Haut löst sich über %2 mm von der Kugel</translation>
     </message>
     <message>
         <source>trying a %1</source>

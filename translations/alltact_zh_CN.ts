@@ -167,6 +167,10 @@
         <translation>预期深度误差 %1 mm(形状 %2 mm,在未用过的按压上;整体 %3 mm)</translation>
     </message>
     <message>
+        <source>%1 mm of depth error to be expected (%2 mm in shape, on presses it had not seen; %3 mm as a whole; %4 mm of a single pixel)</source>
+        <translation>预期深度误差 %1 mm(形状 %2 mm,在未用过的按压上;整体 %3 mm;单个像素 %4 mm)</translation>
+    </message>
+    <message>
         <source>not fit to measure with</source>
         <translation>不适合测量</translation>
     </message>
@@ -567,12 +571,12 @@
         <translation>没有得到映射</translation>
     </message>
     <message>
-        <source>the inner %1 % of each contact&apos;s radius was used, where the skin surely touches the ball: that is enough to tell the mapping</source>
-        <translation>使用了每处接触半径的内侧 %1 %,那里表皮确实贴着球:足以确定映射</translation>
+        <source>the inner %1 % of each contact&apos;s radius was used, where the skin surely touches the ball</source>
+        <translation>使用了每处接触半径的内侧 %1 %,那里表皮确实贴着球</translation>
     </message>
     <message>
-        <source>the skin leaves the ball before the rim of its cap: the inner %1 % of each contact&apos;s radius was used</source>
-        <translation>表皮在球冠边缘之前就离开了球:使用了每处接触半径的内侧 %1 %</translation>
+        <source>the inner %1 % of each contact&apos;s radius was used; the skin comes back from the ball over %2 mm</source>
+        <translation>使用了每处接触半径的内侧 %1 %;表皮在 %2 mm 内离开球面</translation>
     </message>
     <message>
         <source>trying a %1</source>

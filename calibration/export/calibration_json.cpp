@@ -71,6 +71,7 @@ Json mapping_json(const Mapping& mapping, const std::optional<MappingRecord>& re
     json["residual_mm"] = record->residual_mm;
     if (record->held_out_mm > 0) json["held_out_mm"] = record->held_out_mm;
     if (record->spread_mm > 0) json["spread_mm"] = record->spread_mm;
+    if (record->pixel_mm > 0) json["pixel_mm"] = record->pixel_mm;
     json["degree_choice"] = record->degree_choice;
   }
   return json;

@@ -79,7 +79,8 @@ std::optional<Error> mapping_problem(const MappingParameters& parameters, double
 std::optional<Error> record_problem(const MappingRecord& record) {
   for (const auto& [value, key] : {std::pair{record.residual_mm, "mapping.residual_mm"},
                                    {record.held_out_mm, "mapping.held_out_mm"},
-                                   {record.spread_mm, "mapping.spread_mm"}})
+                                   {record.spread_mm, "mapping.spread_mm"},
+                                   {record.pixel_mm, "mapping.pixel_mm"}})
     if (!is_in(value, 0, 1000))
       return Error{"must be a number from 0 to 1000", key, "calibrate again"};
   return std::nullopt;

@@ -52,6 +52,7 @@ struct MappingRecord {
   double residual_mm = 0;            ///< mean absolute residual inside the contacts
   double held_out_mm = 0;     ///< mean absolute error on presses left out; 0 when only one press
   double spread_mm = 0;       ///< how far depth may be off as a whole, mean absolute; 0: unknown
+  double pixel_mm = 0;        ///< what a pixel in a contact may be off by, likewise; 0: unknown
   std::string degree_choice;  ///< a sentence
 };
 

@@ -125,7 +125,7 @@ MappingParameters read_mapping(YamlSection& section) {
 
 std::optional<MappingRecord> read_record(YamlSection& section) {
   const std::array keys{
-      "method", "presses", "residual_mm", "held_out_mm", "spread_mm", "degree_choice"};
+      "method", "presses", "residual_mm", "held_out_mm", "spread_mm", "pixel_mm", "degree_choice"};
   if (std::none_of(keys.begin(), keys.end(), [&](const char* key) { return section.has(key); }))
     return std::nullopt;
   MappingRecord record;
@@ -134,6 +134,7 @@ std::optional<MappingRecord> read_record(YamlSection& section) {
   if (section.has("residual_mm")) record.residual_mm = section.number("residual_mm", "in mm");
   if (section.has("held_out_mm")) record.held_out_mm = section.number("held_out_mm", "in mm");
   if (section.has("spread_mm")) record.spread_mm = section.number("spread_mm", "in mm");
+  if (section.has("pixel_mm")) record.pixel_mm = section.number("pixel_mm", "in mm");
   if (section.has("degree_choice")) record.degree_choice = section.text("degree_choice");
   return record;
 }
@@ -250,6 +251,7 @@ void add_record(const MappingRecord& record, YamlBlock& block) {
   block.add("residual_mm", yaml_number(record.residual_mm));
   block.add("held_out_mm", yaml_number(record.held_out_mm));
   if (record.spread_mm > 0) block.add("spread_mm", yaml_number(record.spread_mm));
+  if (record.pixel_mm > 0) block.add("pixel_mm", yaml_number(record.pixel_mm));
   block.add("degree_choice", yaml_text(record.degree_choice));
 }
 

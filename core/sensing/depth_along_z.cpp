@@ -14,10 +14,11 @@ namespace {
 constexpr double kTouchedMm = 0.02;  // mean depth below which a cell only needs scaling
 constexpr int kSteps = 6;            // each at least halves the error
 
-/// The finger's length profile in the x-z plane: the face is the same across its width.
+/// The finger's length profile in the x-z plane, of the middle of the face. Across it a face that
+/// is twisted goes on as its normal says there.
 struct Profile {
   std::vector<double> foot_x_mm;  ///< x of the untouched face seen along the normal, ascending
-  std::vector<double> z_mm, normal_x, normal_z;
+  std::vector<double> z_mm, normal_x, normal_y, normal_z;
 
   explicit Profile(const FaceShape& shape) {
     const double layer_mm = shape.face().layer_mm;
@@ -30,12 +31,13 @@ struct Profile {
       foot_x_mm.push_back(foot);
       z_mm.push_back(local->view_point_mm.z());
       normal_x.push_back(local->normal.x());
+      normal_y.push_back(local->normal.y());
       normal_z.push_back(local->normal.z());
     }
   }
 
   struct Place {
-    double z_mm, normal_x, normal_z;
+    double z_mm, normal_x, normal_y, normal_z;
   };
   /// The face whose normal leads to x on the untouched face; clamped to the ends.
   [[nodiscard]] Place at(double x_mm) const {
@@ -47,7 +49,7 @@ struct Profile {
     const auto between = [&](const std::vector<double>& values) {
       return values[l] + part * (values[r] - values[l]);
     };
-    return {between(z_mm), between(normal_x), between(normal_z)};
+    return {between(z_mm), between(normal_x), between(normal_y), between(normal_z)};
   }
 };
 
@@ -71,20 +73,26 @@ double look_up(const cv::Mat& depth_normal_mm,
                const FaceShape::Local& here) {
   const double layer_mm = shape.face().layer_mm;
   const Eigen::Vector3d untouched = untouched_point_mm(here, layer_mm, MappingAlong::kZ);
+  // How far the untouched face lies beyond the profile on this line.
+  const Profile::Place foot = profile.at(untouched.x());
+  const double beyond_mm = untouched.z() - foot.z_mm - foot.normal_z * layer_mm;
   double depth = 0, pressed_z = 0;
   for (int step = 0; step < kSteps; ++step) {
     // The foot moves back along the normal as the layer thins.
     Profile::Place place = profile.at(untouched.x());
     place = profile.at(untouched.x() + place.normal_x * depth);
     const double thickness = layer_mm - depth;
-    const Eigen::Vector3d seen_at(
-        untouched.x() - place.normal_x * thickness, untouched.y(), place.z_mm);
+    const double falls_mm = place.normal_y * place.normal_y / place.normal_z * depth;
+    const double z_mm = place.z_mm + beyond_mm - falls_mm;
+    const Eigen::Vector3d seen_at(untouched.x() - place.normal_x * thickness,
+                                  untouched.y() - place.normal_y * thickness,
+                                  z_mm);
     const auto pixel = shape.camera().project(seen_at);
     if (!pixel) return NAN;
     const double found = bilinear(depth_normal_mm, *pixel);
     if (!std::isfinite(found)) return NAN;
     depth = step < 2 ? found : 0.5 * (depth + found);
-    pressed_z = place.z_mm + place.normal_z * (layer_mm - depth);
+    pressed_z = z_mm + place.normal_z * (layer_mm - depth);
   }
   return std::max(0.0, untouched.z() - pressed_z);
 }
@@ -97,7 +105,7 @@ cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
   CV_Assert(depth_normal_mm.type() == CV_32FC1 && depth_normal_mm.cols == shape.width_px());
   cv::Mat depth_mm = depth_normal_mm.clone();
   const Profile profile(shape);
-  const std::vector<float> along_z = shape.along_z_per_normal();
+  const std::vector<float>& along_z = shape.along_z_per_normal();
   const cv::Mat touched = touched_cells(cells_mm, shape);
   for (int row = 0; row < depth_mm.rows; ++row) {
     const std::uint8_t* cell = touched.ptr<std::uint8_t>(row / kDepthCellPx);

@@ -73,8 +73,10 @@ double DepthError::reference_sd(int u, int v) {
   const cv::Point origin = reference_.picture.origin();
   const int x = static_cast<int>(at_u - static_cast<float>(origin.x)) / kErrorCellPx,
             y = static_cast<int>(at_v - static_cast<float>(origin.y)) / kErrorCellPx;
-  return reference_.error_factor * static_cast<double>(sd.at<float>(std::clamp(y, 0, sd.rows - 1),
-                                                                    std::clamp(x, 0, sd.cols - 1)));
+  const double factor =
+      reference_.picture.is_first_mix(u) ? reference_.error_factor : reference_.outer_error_factor;
+  return factor * static_cast<double>(
+                      sd.at<float>(std::clamp(y, 0, sd.rows - 1), std::clamp(x, 0, sd.cols - 1)));
 }
 
 double DepthError::lateral_mm(int u, int v, double noise_mm) const {

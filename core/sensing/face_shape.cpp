@@ -23,11 +23,6 @@ double outermost(const FaceEnd& end, double upper_v, double lower_v, int outward
   return outwards > 0 ? std::max(a, b) : std::min(a, b);
 }
 
-/// Grows as the column does.
-ArcParameter even_arc(int columns) {
-  return {std::vector<double>(static_cast<std::size_t>(columns), 1.0), 0.0, columns - 1.0};
-}
-
 Error no_shape(std::string what) {
   return {std::move(what),
           "the face's edges",
@@ -49,9 +44,9 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
 
   // What the lens bends needs a few coefficients more.
   const int edge_degree = camera.is_linear() ? degree : degree + kLensDegrees;
-  const ArcParameter arc = even_arc(width);
+  const ScaledColumn scale{0.5 * (width - 1.0), 0.5 * (width - 1.0)};
   std::vector<double> along;
-  for (const double u : edges.u) along.push_back(arc.at(u));
+  for (const double u : edges.u) along.push_back(scale.at(u));
   const auto upper =
       fit_robust_polynomial(along, edges.upper.v, edges.upper.sd, edges.upper.valid, edge_degree);
   const auto lower =
@@ -73,7 +68,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   if (first <= edges.u.front()) first = std::max(0.0, first - step);
   if (last >= edges.u.back()) last = std::min(width - 1.0, last + step);
   const auto corner = [&](const FaceEnd& end, int outwards) {
-    const double t = arc.at(end.u_px);
+    const double t = scale.at(end.u_px);
     return outermost(end, upper->value(t), lower->value(t), outwards);
   };
   if (edges.ends.first) first = std::max(0.0, corner(*edges.ends.first, -1));
@@ -85,19 +80,19 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   shape.columns_.resize(static_cast<std::size_t>(width));
   for (int u = 0; u < width; ++u) {
     FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
-    const double t = arc.at(u);
+    const double t = scale.at(u);
     column.upper_v = upper->value(t);
     column.lower_v = lower->value(t);
     column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
   }
-  shape.arc_ = arc;
+  shape.scale_ = scale;
   if (!shape.fit_inverse_depth(first, last, edge_degree))
     return no_shape("no smooth shape fits them");
 
   constexpr int kSdStep = 8;  // the error changes slowly along the face
   std::vector<double> width_sd;
   for (int u = kSdStep / 2; u < width + kSdStep; u += kSdStep)
-    width_sd.push_back(std::hypot(upper->sd(arc.at(u)), lower->sd(arc.at(u)), kWidthBiasPx));
+    width_sd.push_back(std::hypot(upper->sd(scale.at(u)), lower->sd(scale.at(u)), kWidthBiasPx));
   int valid = 0;
   for (int u = 0; u < width; ++u) {
     FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
@@ -160,7 +155,7 @@ bool FaceShape::fit_to_rays(const std::vector<Ray>& uppers,
   const auto curve = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& y) -> Eigen::VectorXd {
     Eigen::MatrixXd design(used, n);
     for (Eigen::Index i = 0; i < used; ++i)
-      design.row(i) = chebyshev_row(arc_.at(column_of(x[i])), n);
+      design.row(i) = chebyshev_row(scale_.at(column_of(x[i])), n);
     return least_squares(design, y);
   };
   upper_y_ = curve(upper_x, upper_y);
@@ -222,8 +217,8 @@ double FaceShape::column_of(double x) const {
 }
 
 FaceShape::InverseDepth FaceShape::inverse_depth_at(double x) const {
-  const double u = column_of(x), t = arc_.at(u);
-  const double per_x = camera_.parameters().fx_px * arc_.slope_at(u);
+  const double u = column_of(x), t = scale_.at(u);
+  const double per_x = camera_.parameters().fx_px / scale_.half_px;
   InverseDepth inverse;
   inverse.a = chebyshev_value(inverse_z_, t);
   inverse.a_slope = per_x * chebyshev_value(inverse_z_slope_, t);
@@ -236,7 +231,7 @@ FaceShape::InverseDepth FaceShape::inverse_depth_at(double x) const {
 }
 
 double FaceShape::inverse_z_at(const Eigen::Vector2d& direction) const {
-  const double t = arc_.at(column_of(direction.x())), y = direction.y();
+  const double t = scale_.at(column_of(direction.x())), y = direction.y();
   const double inverse_z = chebyshev_value(inverse_z_, t);
   if (!twist_) return inverse_z;
   return inverse_z +
@@ -283,6 +278,13 @@ void FaceShape::finish() {
     }
     length_mm_[u] = length;
   }
+  along_z_per_normal_.assign(columns_.size(), 1.0F);
+  for (int u = 0; u < width_px(); ++u) {
+    const FaceColumn& column = columns_[static_cast<std::size_t>(u)];
+    if (const auto local = at(u, 0.5 * (column.upper_v + column.lower_v)))
+      along_z_per_normal_[static_cast<std::size_t>(u)] =
+          static_cast<float>(1.0 / local->cos_incline);
+  }
 }
 
 std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
@@ -314,16 +316,6 @@ std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
   local.area_mm2 = pixel * found->length;
   local.flat_area_mm2 = pixel * found->along;
   return local;
-}
-
-std::vector<float> FaceShape::along_z_per_normal() const {
-  std::vector<float> factors(columns_.size(), 1.0F);
-  for (int u = 0; u < width_px(); ++u) {
-    const FaceColumn& column = columns_[static_cast<std::size_t>(u)];
-    if (const auto local = at(u, 0.5 * (column.upper_v + column.lower_v)))
-      factors[static_cast<std::size_t>(u)] = static_cast<float>(1.0 / local->cos_incline);
-  }
-  return factors;
 }
 
 // With q = 1/z a function of x and y the plane that touches the face is q_x X + q_y Y + c Z = 1,

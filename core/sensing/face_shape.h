@@ -4,7 +4,6 @@
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
 #include "core/result.h"
-#include "core/sensing/arc_parameter.h"
 #include "core/sensing/face_edges.h"
 #include "core/sensing/face_twist.h"
 
@@ -24,12 +23,18 @@ struct FaceColumn {
   bool valid = false;               ///< false: off the face, or z_sd_mm above the limit
 };
 
+/// A column as curves along the face are polynomials of it: t from -1 to 1 over the picture.
+struct ScaledColumn {
+  double middle_px = 0, half_px = 1;
+  [[nodiscard]] double at(double u) const { return (u - middle_px) / half_px; }
+};
+
 /// The view face as a ruled surface: straight across the finger, smooth along it. Straight across
 /// is along y unless the finger twists (`twisted`).
 class FaceShape {
  public:
-  /// Fits both edges as Chebyshev polynomials of the arc's parameter to their pixel residuals,
-  /// robustly (Tukey), and takes 1/z = (width of the face in the picture) / (f W) from them:
+  /// Fits both edges as Chebyshev polynomials of the column to their pixel residuals, robustly
+  /// (Tukey), and takes 1/z = (width of the face in the picture) / (f W) from them:
   /// linear, unbiased in the width, never an average of z. A column is valid when it lies between
   /// the face's ends, or between trusted edges where an end was not seen, and its z_sd_mm is below
   /// `z_sd_limit_mm`. Errors: too few trusted columns; a fit whose z is not positive and finite.
@@ -77,7 +82,7 @@ class FaceShape {
 
   /// 1 / cos(incline) on the middle of the face, by column: how much longer a way is along z than
   /// along the normal. 1 where the column is not valid.
-  [[nodiscard]] std::vector<float> along_z_per_normal() const;
+  [[nodiscard]] const std::vector<float>& along_z_per_normal() const { return along_z_per_normal_; }
 
   /// Where a pixel lies on the face: mm along it from its base (length_at) and across it from its
   /// middle line. For pixels on the face or near it; across is 0 off the valid columns.
@@ -90,7 +95,7 @@ class FaceShape {
   /// A place half-way between the edges.
   struct Middle {
     double u;                     ///< column
-    double arc;                   ///< the arc's parameter there (arc_parameter.h)
+    double t;                     ///< -1 at the base's end, 1 at the tip's
     Eigen::Vector3d point_mm;     ///< on the view face
     double tangent_x, tangent_z;  ///< unit vector along the face, towards large u
   };
@@ -144,12 +149,12 @@ class FaceShape {
   bool whole_picture_ = false;
   std::vector<FaceColumn> columns_;
   std::vector<double> length_mm_;
-  // Chebyshev series over the arc's parameter: the edges' y, 1/z (InverseDepth) and the slopes of
-  // that.
+  // Chebyshev series over the scaled column: the edges' y, 1/z (InverseDepth) and its slopes.
   Eigen::VectorXd upper_y_, lower_y_;
   Eigen::VectorXd inverse_z_, inverse_z_by_y_, inverse_z_by_y2_;
   Eigen::VectorXd inverse_z_slope_, inverse_z_by_y_slope_, inverse_z_by_y2_slope_;
-  ArcParameter arc_;
+  ScaledColumn scale_;
+  std::vector<float> along_z_per_normal_;
   std::optional<FaceTwist> twist_;
   /// Of every column, where a column's rays share their x (no lens distortion).
   std::vector<Across> across_;           // without twist

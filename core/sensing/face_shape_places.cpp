@@ -7,6 +7,15 @@
 namespace alltact {
 namespace {
 
+/// -1 at the base's end of the face, 1 at the tip's.
+double part_of_length(const FaceShape& shape, double u) {
+  const double all_mm = shape.length_at(shape.base_at_low_u() ? shape.width_px() - 1.0 : 0.0);
+  return all_mm > 0.0 ? 2.0 * shape.length_at(u) / all_mm - 1.0 : 0.0;
+}
+
+}  // namespace
+namespace {
+
 /// Narrows rows [first, last] of column u to those on the face's side of an end, `margin_px` off.
 void stop_at(const FaceEnd& end, int outwards, int u, double margin_px, int& first, int& last) {
   // outwards (end.at(v) - u) >= off
@@ -80,7 +89,7 @@ std::optional<FaceShape::Middle> FaceShape::middle_within(double u) const {
   if (!here) return std::nullopt;
   const double across_y = std::hypot(here->normal.x(), here->normal.z());
   return Middle{u,
-                arc_.at(column_of(seen.x())),
+                part_of_length(*this, u),
                 ray->point_at(here->z_mm),
                 here->normal.z() / across_y,
                 -here->normal.x() / across_y};

@@ -19,7 +19,8 @@ constexpr std::array<double, 5> kAcross{-1.0, -0.5, 0.0, 0.5, 1.0};
 
 /// Cross-sections from end to end: their middles, and the unit vectors across.
 struct FaceShape::Rulings {
-  std::vector<double> x;  // of the middles' directions, ascending
+  std::vector<double> x;      // of the middles' directions, ascending
+  std::vector<double> place;  // that the twist is a polynomial of
   std::vector<Eigen::Vector3d> middle_mm, across;
 };
 
@@ -29,15 +30,18 @@ FaceShape::Rulings FaceShape::rulings_of(const FaceTwist& twist) const {
   const auto first = std::find_if(columns_.begin(), columns_.end(), valid) - columns_.begin();
   const auto last = columns_.rend() - std::find_if(columns_.rbegin(), columns_.rend(), valid) - 1;
   const double half_mm = 0.5 * face_.width_mm;
-  const CameraParameters& lens = camera_.parameters();
   Rulings rulings;
   for (int i = 0; i < kCount; ++i) {
-    const double part = static_cast<double>(i) / (kCount - 1);
-    const double u = static_cast<double>(first) + part * static_cast<double>(last - first);
-    const double x = (u - lens.cx_px) / lens.fx_px, t = arc_.at(u);
+    const double u =
+        static_cast<double>(first) + static_cast<double>(last - first) * i / (kCount - 1);
+    const auto seen = middle_within(u);
+    if (!seen) return {};
+    // Where it would be seen without the lens's distortion or a window: the curves are over that.
+    const double x = seen->point_mm.x() / seen->point_mm.z(), t = scale_.at(column_of(x));
     const double z = 1.0 / chebyshev_value(inverse_z_, t);
     const double y = 0.5 * (chebyshev_value(upper_y_, t) + chebyshev_value(lower_y_, t));
     rulings.x.push_back(x);
+    rulings.place.push_back(seen->t);
     rulings.middle_mm.emplace_back(x * z, y * z, z);
   }
   rulings.across.resize(rulings.x.size());
@@ -47,7 +51,7 @@ FaceShape::Rulings FaceShape::rulings_of(const FaceTwist& twist) const {
       const Eigen::Vector3d way = rulings.middle_mm[after] - rulings.middle_mm[before];
       const double ds = std::hypot(way.x(), way.z());
       const double cos = way.x() / ds, sin = way.z() / ds, yaw = twist.yaw_per_slope * way.y() / ds;
-      const double tangent = twist.at(arc_.at(column_of(rulings.x[i])));
+      const double tangent = twist.at(rulings.place[i]);
       rulings.across[i] =
           Eigen::Vector3d(-yaw * cos - tangent * sin, 1.0, -yaw * sin + tangent * cos).normalized();
     }
@@ -56,7 +60,7 @@ FaceShape::Rulings FaceShape::rulings_of(const FaceTwist& twist) const {
       Eigen::Vector3d& middle = rulings.middle_mm[i];
       const Eigen::Vector3d half = half_mm * rulings.across[i];
       const auto edge_of = [&](const Eigen::VectorXd& edge, const Eigen::Vector3d& end) {
-        return chebyshev_value(edge, arc_.at(column_of(end.x() / end.z())));
+        return chebyshev_value(edge, scale_.at(column_of(end.x() / end.z())));
       };
       const double upper = edge_of(upper_y_, middle - half),
                    lower = edge_of(lower_y_, middle + half);
@@ -69,6 +73,7 @@ FaceShape::Rulings FaceShape::rulings_of(const FaceTwist& twist) const {
 }
 
 bool FaceShape::fit_to_rulings(const Rulings& rulings) {
+  if (rulings.x.empty()) return false;
   const Eigen::Index terms = inverse_z_.size() + kMoreTerms;
   const auto rows = static_cast<Eigen::Index>(rulings.x.size() * kAcross.size());
   Eigen::MatrixXd design(rows, terms + kTermsByY + kTermsByY2);
@@ -81,7 +86,7 @@ bool FaceShape::fit_to_rulings(const Rulings& rulings) {
       if (!(point.z() > 0.0) || !point.allFinite()) return false;
       const double y = point.y() / point.z();
       const Eigen::RowVectorXd along =
-          chebyshev_row(arc_.at(column_of(point.x() / point.z())), terms);
+          chebyshev_row(scale_.at(column_of(point.x() / point.z())), terms);
       design.row(row) << along, y * along.head(kTermsByY), y * y * along.head(kTermsByY2);
       inverse_z[row++] = 1.0 / point.z();
     }
@@ -103,7 +108,7 @@ void FaceShape::know_columns(const FaceTwist& twist) {
     // middle of a cross-section.
     const auto middle = middle_within(u);
     const double off_axis = middle ? middle->point_mm.y() * middle->tangent_x : 0.0;
-    const double turned = off_axis * std::sqrt(twist.variance_at(arc_.at(u)));
+    const double turned = middle ? off_axis * std::sqrt(twist.variance_at(middle->t)) : 0.0;
     column.z_sd_mm = std::hypot(column.z_sd_mm * z_mm / column.z_mm, turned);
     column.z_mm = z_mm;
   }

@@ -5,8 +5,8 @@
 
 namespace alltact {
 
-/// The tangent of the twist over the arc's parameter t (arc_parameter.h): c0 + c1 t + c2 (2 t^2 -
-/// 1). Positive: the side at large v is turned away from the camera.
+/// The tangent of the twist over the face's length, t -1 to 1: c0 + c1 t + c2 (2 t^2 - 1).
+/// Positive: the side at large v is turned away from the camera.
 struct FaceTwist {
   static constexpr int kTerms = 3;
 
@@ -16,12 +16,10 @@ struct FaceTwist {
   /// in a beam, 0 where they slide past each other.
   double yaw_per_slope = 0;
 
-  [[nodiscard]] static Eigen::RowVector3d terms_at(double arc) {
-    return {1.0, arc, 2.0 * arc * arc - 1.0};
-  }
-  [[nodiscard]] double at(double arc) const { return terms_at(arc) * coefficients; }
-  [[nodiscard]] double variance_at(double arc) const {
-    return terms_at(arc) * covariance * terms_at(arc).transpose();
+  [[nodiscard]] static Eigen::RowVector3d terms_at(double t) { return {1.0, t, 2.0 * t * t - 1.0}; }
+  [[nodiscard]] double at(double t) const { return terms_at(t) * coefficients; }
+  [[nodiscard]] double variance_at(double t) const {
+    return terms_at(t) * covariance * terms_at(t).transpose();
   }
 };
 

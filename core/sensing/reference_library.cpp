@@ -41,6 +41,12 @@ struct ReferenceLibrary::Content {
   /// The recorded frames nearest to a place in the modes, and their weights there.
   [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
                                       const std::vector<char>& without) const;
+  [[nodiscard]] FaceMix mix_of(const Neighbours& neighbours) const;
+  /// Frames that do not show some of the skin that a frame (its chart) shows beyond the columns
+  /// `shown` of the grid; empty where there is none such, or too few frames show it.
+  [[nodiscard]] std::vector<char> hiding(const FaceChart& now,
+                                         std::pair<int, int> shown,
+                                         const std::vector<char>& without) const;
 
   cv::Size size;
   std::vector<int> frames;  // numbers in the video
@@ -80,6 +86,46 @@ Neighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& place,
   found.weights =
       Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
   return found;
+}
+
+FaceMix ReferenceLibrary::Content::mix_of(const Neighbours& neighbours) const {
+  FaceMix mix;
+  for (std::size_t i = 0; i < neighbours.rows.size(); ++i) {
+    mix.faces.push_back(&faces[static_cast<std::size_t>(neighbours.rows[i])]);
+    mix.weights.push_back(static_cast<float>(neighbours.weights[static_cast<Eigen::Index>(i)]));
+  }
+  return mix;
+}
+
+std::vector<char> ReferenceLibrary::Content::hiding(const FaceChart& now,
+                                                    std::pair<int, int> shown,
+                                                    const std::vector<char>& without) const {
+  const ChartWarp warp(now, grid.chart);
+  if (warp.first() >= warp.end()) return {};
+  const auto column = [&](float u) { return static_cast<int>(u) - grid.origin.x; };
+  int first = std::max(0, column(warp.reach(warp.first()).first));
+  int end = std::min(grid.size.width, column(warp.reach(warp.end() - 1).second) + 2);
+  if (first >= shown.first && end <= shown.second) return {};
+  // As much of that as enough frames show.
+  std::vector<int> firsts, ends;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (!without.empty() && without[i]) continue;
+    firsts.push_back(faces[i].first);
+    ends.push_back(faces[i].end);
+  }
+  constexpr std::size_t kEnough = 2 * kNeighbours;
+  if (firsts.size() < kEnough) return {};
+  std::nth_element(firsts.begin(), firsts.begin() + kEnough - 1, firsts.end());
+  std::nth_element(ends.begin(), ends.end() - kEnough, ends.end());
+  first = std::max(first, firsts[kEnough - 1]);
+  end = std::min(end, *(ends.end() - kEnough));
+  std::vector<char> hidden(faces.size(), 0);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    hidden[i] = faces[i].first > first || faces[i].end < end || (!without.empty() && without[i]);
+    left += !hidden[i];
+  }
+  return left >= kEnough / 2 ? hidden : std::vector<char>();
 }
 
 namespace {
@@ -427,28 +473,28 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   reference.frame = content.frames[static_cast<std::size_t>(found.index)];
   reference.distance_px = found.distance_px;
   reference.known_pose = found.distance_px <= content.known_px;
-  std::vector<const FacePicture*> faces{&content.faces[static_cast<std::size_t>(found.index)]};
-  std::vector<float> weights{1.0F};
-  if (method == ReferenceMethod::kLocal) {
-    const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
-    const Neighbours found_near = content.neighbours(place, without);
-    faces.clear();
-    weights.clear();
-    for (std::size_t i = 0; i < found_near.rows.size(); ++i) {
-      faces.push_back(&content.faces[static_cast<std::size_t>(found_near.rows[i])]);
-      weights.push_back(static_cast<float>(found_near.weights[static_cast<Eigen::Index>(i)]));
-    }
-    reference.error_factor = content.error.factor(found_near.reach_px2);
-  }
-  double square = 0;
-  for (const float w : weights) square += static_cast<double>(w) * w;
-  reference.noise_gain = std::sqrt(square);
   auto now = chart_of(shape);
   if (now && now->base_at_low_u == content.grid.chart.base_at_low_u)
     lay_on(content.places, shape, markers, &*now);
   else
     now = FaceChart{};
-  reference.picture = ReferencePicture(content.grid, faces, weights, *now, content.size);
+  std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.index)]}, {1.0F}}};
+  if (method == ReferenceMethod::kLocal) {
+    const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
+    const Neighbours near = content.neighbours(place, without);
+    mixes = {content.mix_of(near)};
+    reference.error_factor = reference.outer_error_factor = content.error.factor(near.reach_px2);
+    const auto hiding = content.hiding(*now, mixes.front().shown(content.grid), without);
+    if (!hiding.empty()) {
+      const Neighbours further = content.neighbours(place, hiding);
+      mixes.push_back(content.mix_of(further));
+      reference.outer_error_factor = content.error.factor(further.reach_px2);
+    }
+  }
+  double square = 0;
+  for (const float w : mixes.front().weights) square += static_cast<double>(w) * w;
+  reference.noise_gain = std::sqrt(square);
+  reference.picture = ReferencePicture(content.grid, mixes, *now, content.size);
   return reference;
 }
 

@@ -38,6 +38,8 @@ struct Reference {
   /// grid; empty for a single picture.
   cv::Mat relative_sd;
   double error_factor = 1;  ///< by what relative_sd is to be multiplied in this pose
+  /// The same where not all of the nearest frames show the skin, and others have to tell.
+  double outer_error_factor = 1;
 };
 
 /// Marker table of a recording (reference.csv). First a line of column names, then one line a

@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <tuple>
 
 namespace alltact {
 namespace {
@@ -45,59 +48,94 @@ ALLTACT_WIDE void mix_rows(const std::uint8_t* const* rows,
       });
 }
 
-/// Each number with the one after it.
-ALLTACT_WIDE void pair_up(const std::int16_t* __restrict values,
-                          int count,
-                          std::int32_t* __restrict pairs) {
-  for (int i = 0; i < count; ++i)
-    pairs[i] = static_cast<std::int32_t>(static_cast<std::uint16_t>(values[i])) |
-               static_cast<std::int32_t>(values[i + 1]) * 65536;
-}
+constexpr int kBits = 7;    // of a place's fraction
+constexpr int kPiece = 32;  // pixels that are looked up at a time: a vector of 16-bit numbers
 
-/// Bilinear, to 1/128 of a pixel. In three loops a block: the first and the last run in vectors,
-/// which one loop with the loads in it would not.
-ALLTACT_WIDE void look_up(const std::int32_t* __restrict pairs,
-                          const cv::Size& size,
-                          const cv::Point& origin,
-                          const float* __restrict u,
-                          const float* __restrict v,
-                          int count,
-                          std::int16_t* __restrict out) {
-  constexpr int kBits = 7;
-  const int stride = size.width, last_u = (size.width - 1) << kBits,
+/// Where the pixels of a piece lie in a picture: index of the one to the left above, and fractions.
+struct Places {
+  std::array<std::int32_t, kPiece> index;
+  std::array<std::int16_t, kPiece> part_u, part_v;  // of 2^15
+  /// 1 where the skin does not go on with the next number in memory.
+  alignas(8) std::array<std::uint8_t, kPiece> jumps;
+};
+
+ALLTACT_WIDE void find_places(const float* __restrict u,
+                              const float* __restrict v,
+                              const cv::Size& size,
+                              const cv::Point& origin,
+                              Places& places) {
+  const int stride = size.width, last_u = ((size.width - 1) << kBits) - 1,
             last_v = ((size.height - 1) << kBits) - 1;
   const auto from_u = static_cast<float>(origin.x), from_v = static_cast<float>(origin.y);
-  in_blocks(
-      count, [=](int first, auto n) __attribute__((always_inline)) {
-        std::array<std::int32_t, kBlock> place, part_u, part_v, top, bottom;
-        for (int i = 0; i < n; ++i) {
-          const auto k = static_cast<std::size_t>(i);
-          // Never outside, whatever the shape of the face came to.
-          int fixed_u = static_cast<int>((u[first + i] - from_u) * (1 << kBits) + 0.5F);
-          int fixed_v = static_cast<int>((v[first + i] - from_v) * (1 << kBits) + 0.5F);
-          fixed_u = fixed_u > 0 ? fixed_u : 0;
-          fixed_u = fixed_u < last_u ? fixed_u : last_u;
-          fixed_v = fixed_v > 0 ? fixed_v : 0;
-          fixed_v = fixed_v < last_v ? fixed_v : last_v;
-          part_u[k] = fixed_u & ((1 << kBits) - 1);
-          part_v[k] = fixed_v & ((1 << kBits) - 1);
-          place[k] = (fixed_v >> kBits) * stride + (fixed_u >> kBits);
-        }
-        for (int i = 0; i < n; ++i) {
-          const auto k = static_cast<std::size_t>(i);
-          top[k] = pairs[place[k]];
-          bottom[k] = pairs[place[k] + stride];
-        }
-        for (int i = 0; i < n; ++i) {
-          const auto k = static_cast<std::size_t>(i);
-          const int a = static_cast<std::int16_t>(top[k]), b = top[k] >> 16;
-          const int c = static_cast<std::int16_t>(bottom[k]), d = bottom[k] >> 16;
-          const int above = (a << kBits) + (b - a) * part_u[k],
-                    below = (c << kBits) + (d - c) * part_u[k];
-          const int sum = (above << kBits) + (below - above) * part_v[k];
-          out[first + i] = static_cast<std::int16_t>((sum + (1 << (2 * kBits - 1))) >> (2 * kBits));
-        }
-      });
+  constexpr int kMask = (1 << kBits) - 1, kShift = 15 - kBits;
+  for (std::size_t i = 0; i < kPiece; ++i) {
+    // Never outside, whatever the shape of the face came to.
+    int fixed_u = static_cast<int>((u[i] - from_u) * (1 << kBits) + 0.5F);
+    int fixed_v = static_cast<int>((v[i] - from_v) * (1 << kBits) + 0.5F);
+    fixed_u = fixed_u > 0 ? fixed_u : 0;
+    fixed_u = fixed_u < last_u ? fixed_u : last_u;
+    fixed_v = fixed_v > 0 ? fixed_v : 0;
+    fixed_v = fixed_v < last_v ? fixed_v : last_v;
+    places.part_u[i] = static_cast<std::int16_t>((fixed_u & kMask) << kShift);
+    places.part_v[i] = static_cast<std::int16_t>((fixed_v & kMask) << kShift);
+    places.index[i] = (fixed_v >> kBits) * stride + (fixed_u >> kBits);
+  }
+  places.jumps[0] = 1;
+  for (std::size_t i = 1; i < kPiece; ++i)
+    places.jumps[i] = places.index[i] - places.index[i - 1] != 1;
+}
+
+/// The four numbers around each place.
+struct Corners {
+  // Copied a whole piece at a time, wherever it begins.
+  std::array<std::int16_t, 2 * kPiece> a, b, c, d;
+};
+
+/// Skin that lies side by side in one picture mostly does so in the other: it is copied in runs,
+/// which costs a quarter of looking up number by number.
+void take_corners(const std::int16_t* picture, int stride, const Places& places, Corners& corners) {
+  constexpr std::size_t kBytes = kPiece * sizeof(std::int16_t);
+  for (std::size_t word = 0; word < kPiece; word += 8) {
+    std::uint64_t jumps = 0;
+    std::memcpy(&jumps, places.jumps.data() + word, sizeof jumps);
+    for (; jumps != 0; jumps &= jumps - 1) {
+      const std::size_t i = word + static_cast<std::size_t>(std::countr_zero(jumps)) / 8;
+      const std::int16_t* from = picture + places.index[i];
+      std::memcpy(corners.a.data() + i, from, kBytes);
+      std::memcpy(corners.b.data() + i, from + 1, kBytes);
+      std::memcpy(corners.c.data() + i, from + stride, kBytes);
+      std::memcpy(corners.d.data() + i, from + stride + 1, kBytes);
+    }
+  }
+}
+
+ALLTACT_WIDE void blend(const Corners& corners, const Places& places, std::int16_t* out) {
+  for (std::size_t i = 0; i < kPiece; ++i) {
+    const std::int16_t a = corners.a[i], c = corners.c[i];
+    const auto right_above = static_cast<std::int16_t>(corners.b[i] - a),
+               right_below = static_cast<std::int16_t>(corners.d[i] - c);
+    const auto above = static_cast<std::int16_t>(a + times(right_above, places.part_u[i])),
+               below = static_cast<std::int16_t>(c + times(right_below, places.part_u[i]));
+    out[i] = static_cast<std::int16_t>(
+        above + times(static_cast<std::int16_t>(below - above), places.part_v[i]));
+  }
+}
+
+/// Bilinear, to 1/128 of a pixel. `u`, `v` and `out` hold kPiece numbers more than `count`.
+void look_up(const cv::Mat& picture,
+             const cv::Size& size,
+             const cv::Point& origin,
+             const float* u,
+             const float* v,
+             int count,
+             std::int16_t* out) {
+  Places places;
+  Corners corners;
+  for (int first = 0; first < count; first += kPiece) {
+    find_places(u + first, v + first, size, origin, places);
+    take_corners(picture.ptr<std::int16_t>(0), size.width, places, corners);
+    blend(corners, places, out + first);
+  }
 }
 
 // Rounded so that they still sum to 1: what is left over goes to the largest.
@@ -127,48 +165,67 @@ ReferencePicture::ReferencePicture(const cv::Mat& grey)
         grey.ptr<float>(v), grey.ptr<float>(v) + grey.cols, single_.ptr<std::int16_t>(v), to_steps);
 }
 
-ReferencePicture::ReferencePicture(const FaceGrid& grid,
-                                   const std::vector<const FacePicture*>& faces,
-                                   const std::vector<float>& weights,
-                                   const FaceChart& now,
-                                   const cv::Size& size)
-    : origin_(grid.origin), warp_(now, grid.chart), size_(size) {
-  CV_Assert(!faces.empty() && faces.size() == weights.size());
-  mix(grid, faces, weights);
-  // The part of the warp that stays within the columns that all faces show.
-  int shown_first = 0, shown_end = grid.size.width;
-  for (const FacePicture* face : faces) {
-    shown_first = std::max(shown_first, face->first);
-    shown_end = std::min(shown_end, face->end);
-  }
-  const auto is_shown = [&](int u) {
-    const auto [low, high] = warp_.reach(u);
-    return low >= shown_first + grid.origin.x && high <= shown_end - 1 + grid.origin.x;
-  };
-  first_ = std::max(0, warp_.first());
-  end_ = std::min(size.width, warp_.end());
-  while (first_ < end_ && !is_shown(first_)) ++first_;
-  while (first_ < end_ && !is_shown(end_ - 1)) --end_;
+std::pair<int, int> FaceMix::shown(const FaceGrid& grid) const {
+  int first = 0, end = grid.size.width;
+  for (const FacePicture* face : faces)
+    first = std::max(first, face->first), end = std::min(end, face->end);
+  return {first, std::max(first, end)};
 }
 
-void ReferencePicture::mix(const FaceGrid& grid,
-                           const std::vector<const FacePicture*>& faces,
-                           const std::vector<float>& weights) {
-  const std::vector<std::int16_t> whole = whole_weights(weights);
-  pairs_ = pooled_picture(grid.size, CV_32SC1);
-  std::vector<const std::uint8_t*> rows(faces.size());
-  std::vector<std::int16_t> sum(static_cast<std::size_t>(grid.size.width) + 1);
+ReferencePicture::ReferencePicture(const FaceGrid& grid,
+                                   const std::vector<FaceMix>& mixes,
+                                   const FaceChart& now,
+                                   const cv::Size& size)
+    : mixed_(pooled_picture({grid.size.width, grid.size.height + 2 + 2 * kPiece / grid.size.width},
+                            CV_16SC1)),
+      mixed_rows_(grid.size.height),
+      origin_(grid.origin),
+      warp_(now, grid.chart),
+      size_(size) {
+  CV_Assert(!mixes.empty());
+  std::pair<int, int> done = mixes.front().shown(grid);
+  mix(grid, mixes.front(), done.first, done.second);
+  std::tie(inner_first_, inner_end_) = columns_within(done.first, done.second);
+  for (std::size_t k = 1; k < mixes.size(); ++k) {
+    const auto [first, end] = mixes[k].shown(grid);
+    mix(grid, mixes[k], first, std::min(end, done.first));
+    mix(grid, mixes[k], std::max(first, done.second), end);
+    if (end >= done.first) done.first = std::min(done.first, first);
+    if (first <= done.second) done.second = std::max(done.second, end);
+  }
+  std::tie(first_, end_) = columns_within(done.first, done.second);
+}
+
+/// The part of the warp that stays within columns of the grid.
+std::pair<int, int> ReferencePicture::columns_within(int first, int end) const {
+  const auto is_shown = [&](int u) {
+    const auto [low, high] = warp_.reach(u);
+    return low >= first + origin_.x && high <= end - 1 + origin_.x;
+  };
+  int low = std::max(0, warp_.first()), high = std::min(size_.width, warp_.end());
+  while (low < high && !is_shown(low)) ++low;
+  while (low < high && !is_shown(high - 1)) --high;
+  return {low, high};
+}
+
+void ReferencePicture::mix(const FaceGrid& grid, const FaceMix& mix, int first, int end) {
+  if (first >= end) return;
+  CV_Assert(!mix.faces.empty() && mix.faces.size() == mix.weights.size());
+  const std::vector<std::int16_t> whole = whole_weights(mix.weights);
+  std::vector<const std::uint8_t*> rows(mix.faces.size());
   for (const FaceRun& run : grid.runs.runs) {
-    for (std::size_t k = 0; k < faces.size(); ++k) rows[k] = faces[k]->grey.data() + run.before;
-    mix_rows(rows.data(), whole.data(), static_cast<int>(rows.size()), run.size(), sum.data());
-    sum[static_cast<std::size_t>(run.size())] = sum[static_cast<std::size_t>(run.size()) - 1];
-    auto* pairs = pairs_.ptr<std::int32_t>(run.row);
-    pair_up(sum.data(), run.size(), pairs + run.first);
+    const int from = std::max(run.first, first), to = std::min(run.end, end);
+    if (from >= to) continue;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      rows[k] = mix.faces[k]->grey.data() + run.before + (from - run.first);
+    auto* mixed = mixed_.ptr<std::int16_t>(run.row);
+    mix_rows(rows.data(), whole.data(), static_cast<int>(rows.size()), to - from, mixed + from);
     // Where the face's edge is steep, what is looked up may lie a little beside the run.
     constexpr int kBeside = 3;
-    std::fill(pairs + std::max(0, run.first - kBeside), pairs + run.first, pairs[run.first]);
-    std::fill(
-        pairs + run.end, pairs + std::min(grid.size.width, run.end + kBeside), pairs[run.end - 1]);
+    if (from == run.first)
+      std::fill(mixed + std::max(0, from - kBeside), mixed + from, mixed[from]);
+    if (to == run.end)
+      std::fill(mixed + to, mixed + std::min(grid.size.width, to + kBeside), mixed[to - 1]);
   }
 }
 
@@ -185,8 +242,10 @@ cv::Mat ReferencePicture::grey() const {
     std::vector<FaceRun> runs;
     if (is_single()) runs.push_back({v, 0, size_.width, 0});
     for (int u = first_; u < end_ && !is_single(); ++u)
-      if (const double t = warp_.across(u, v); t >= 0.0 && t <= 1.0)
-        runs.push_back({v, u, u + 1, 0});
+      if (const double t = warp_.across(u, v); t >= 0.0 && t <= 1.0) {
+        if (runs.empty() || runs.back().end != u) runs.push_back({v, u, u, 0});
+        ++runs.back().end;
+      }
     const std::int16_t* row = reader.row(v, runs);
     for (const FaceRun& run : runs)
       std::transform(row + run.first, row + run.end, grey.ptr<float>(v) + run.first, level);
@@ -196,7 +255,7 @@ cv::Mat ReferencePicture::grey() const {
 
 ReferencePicture::Reader::Reader(const ReferencePicture& picture)
     : picture_(picture),
-      u_(static_cast<std::size_t>(picture.size_.width)),
+      u_(static_cast<std::size_t>(picture.size_.width) + kPiece),
       v_(u_.size()),
       buffer_(u_.size(), kNoGrey) {}
 
@@ -205,17 +264,20 @@ const std::int16_t* ReferencePicture::Reader::row(int v, std::span<const FaceRun
   for (const FaceRun& run : runs) {
     const int first = std::clamp(picture_.first_, run.first, run.end);
     const int end = std::clamp(picture_.end_, first, run.end);
-    std::fill(buffer_.data() + run.first, buffer_.data() + first, kNoGrey);
-    std::fill(buffer_.data() + end, buffer_.data() + run.end, kNoGrey);
-    if (first == end) continue;
+    if (first == end) {
+      std::fill(buffer_.data() + run.first, buffer_.data() + run.end, kNoGrey);
+      continue;
+    }
     picture_.warp_.places(v, first, end - first, u_.data(), v_.data());
-    look_up(picture_.pairs_.ptr<std::int32_t>(0),
-            picture_.pairs_.size(),
+    look_up(picture_.mixed_,
+            {picture_.mixed_.cols, picture_.mixed_rows_},
             picture_.origin_,
             u_.data(),
             v_.data(),
             end - first,
             buffer_.data() + first);
+    std::fill(buffer_.data() + run.first, buffer_.data() + first, kNoGrey);
+    std::fill(buffer_.data() + end, buffer_.data() + run.end, kNoGrey);  // and what is too much
   }
   return buffer_.data();
 }

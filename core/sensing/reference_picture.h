@@ -6,11 +6,20 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+/// Recorded faces and what each counts.
+struct FaceMix {
+  std::vector<const FacePicture*> faces;  ///< at least one
+  std::vector<float> weights;  ///< as many; sum to 1, magnitudes to at most 3 (or sums overflow)
+  /// Columns of the grid that all of them show: first, end.
+  [[nodiscard]] std::pair<int, int> shown(const FaceGrid& grid) const;
+};
 
 /// Copies share what they are made from; safe to read from any thread.
 class ReferencePicture {
@@ -18,12 +27,11 @@ class ReferencePicture {
   ReferencePicture() = default;
   /// One picture, CV_32FC1, kept to 1/64 grey level; NaN where it tells nothing.
   explicit ReferencePicture(const cv::Mat& grey);
-  /// sum of weights[i] * faces[i] where all of them show the skin, each pixel of the frame looked
-  /// up where the chart `now` says that its skin lies in the grid (bilinear). At least one face, as
-  /// many weights, which sum to 1 and their magnitudes to at most 3 (beyond, sums would overflow).
+  /// sum of weights[i] * faces[i] of the first mix all of whose faces show the skin, each pixel of
+  /// the frame looked up where the chart `now` says that its skin lies in the grid (bilinear). At
+  /// least one mix.
   ReferencePicture(const FaceGrid& grid,
-                   const std::vector<const FacePicture*>& faces,
-                   const std::vector<float>& weights,
+                   const std::vector<FaceMix>& mixes,
                    const FaceChart& now,
                    const cv::Size& size);
 
@@ -36,6 +44,8 @@ class ReferencePicture {
   /// Where each of a row's pixels lies in the grid of the recording, for pixels of `columns()`.
   [[nodiscard]] const ChartWarp& warp() const { return warp_; }
   [[nodiscard]] cv::Point origin() const { return origin_; }  ///< of the grid
+  /// Whether all of a column comes from the first mix.
+  [[nodiscard]] bool is_first_mix(int u) const { return u >= inner_first_ && u < inner_end_; }
   [[nodiscard]] bool is_single() const { return !single_.empty(); }
 
   /// Gives rows in any order.
@@ -54,16 +64,15 @@ class ReferencePicture {
   };
 
  private:
-  void mix(const FaceGrid& grid,
-           const std::vector<const FacePicture*>& faces,
-           const std::vector<float>& weights);
+  void mix(const FaceGrid& grid, const FaceMix& mix, int first, int end);
+  [[nodiscard]] std::pair<int, int> columns_within(int first, int end) const;
 
-  cv::Mat single_;  // CV_16SC1 in steps; empty for a sum
-  // CV_32SC1: each pixel of the grid with its right neighbour, in steps of 16 bits, the lower half
-  // its own.
-  cv::Mat pairs_;
+  cv::Mat single_;      // CV_16SC1 in steps; empty for a sum
+  cv::Mat mixed_;       // CV_16SC1 in steps, of the grid; rows below it keep reads inside
+  int mixed_rows_ = 0;  // of the grid
   cv::Point origin_;
-  int first_ = 0, end_ = 0;  // columns of the frame that all faces show
+  int first_ = 0, end_ = 0;              // columns of the frame that the mixes show
+  int inner_first_ = 0, inner_end_ = 0;  // and the first of them
   ChartWarp warp_;
   cv::Size size_;
 };

@@ -28,12 +28,12 @@ struct TwistModel::Lean {
   std::size_t pair = 0;
   double turn = 0;                   // of the pair in the picture
   double sd = 0;                     // of it, from the dots' own
-  double arc = 0;                    // place along the face
+  double t = 0;                      // place along the face
   double by_twist = 0;               // turn for a tangent of the twist of 1
   double by_yaw = 0;                 // and for a yaw of 1
   double slope = 0;                  // of the middle line that the edges show: dy/ds
   Eigen::RowVector3d slope_by_term;  // and what each of the twist's terms adds to it
-  [[nodiscard]] Eigen::RowVector3d terms() const { return FaceTwist::terms_at(arc); }
+  [[nodiscard]] Eigen::RowVector3d terms() const { return FaceTwist::terms_at(t); }
 };
 
 namespace {
@@ -57,7 +57,7 @@ TwistModel::Leans TwistModel::leans_of(const Markers& markers, const FaceShape& 
   const double reach_px = kSlopeReach * static_cast<double>(shape.width_px());
   // The middle line lies h^2 twist / z beside the middle of the edges.
   const auto beside = [&](const FaceShape::Middle& m) -> Eigen::RowVector3d {
-    return half_mm * half_mm * m.tangent_x / m.point_mm.z() * FaceTwist::terms_at(m.arc);
+    return half_mm * half_mm * m.tangent_x / m.point_mm.z() * FaceTwist::terms_at(m.t);
   };
   Leans leans;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -79,7 +79,7 @@ TwistModel::Leans TwistModel::leans_of(const Markers& markers, const FaceShape& 
     const double sin = foot->tangent_z, cos = foot->tangent_x;
     Lean lean;
     lean.pair = i;
-    lean.arc = foot->arc;
+    lean.t = foot->t;
     lean.turn = -across.x() / across.y();
     lean.by_twist = sin + ray.x() * cos + lean.turn * ray.y() * cos;
     lean.by_yaw = cos - ray.x() * sin;
@@ -245,7 +245,7 @@ void TwistModel::find_sd(const std::vector<Leans>& recording) {
     if (!twist) continue;
     for (const Lean& lean : leans) {
       const double slope = lean.slope + lean.slope_by_term * twist->coefficients;
-      const double told = lean.by_twist * twist->at(lean.arc) +
+      const double told = lean.by_twist * twist->at(lean.t) +
                           lean.by_yaw * (yaw_per_slope_ * slope + pairs_[lean.pair].offset);
       residuals[lean.pair].push_back(std::abs(lean.turn - told));
     }

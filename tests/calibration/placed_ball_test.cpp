@@ -53,7 +53,7 @@ TEST(PlacedBall, AHandThatIsNearComesToTheSameSolutionAsTheProgram) {
   const Calibration placed = solve(made);
   ASSERT_EQ(placed.balls.size(), 5U);
   for (std::size_t i = 0; i < 5; ++i)
-    EXPECT_LT((placed.balls[i].centre_mm - found.balls[i].centre_mm).norm(), 0.02) << i;
+    EXPECT_LT((placed.balls[i].centre_mm - found.balls[i].centre_mm).norm(), 0.035) << i;
   EXPECT_NEAR(placed.residual_mm, found.residual_mm, 0.002);
 }
 

@@ -226,6 +226,7 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
     }
     const Eigen::Vector3d centre(0.3 * uniform(random), 0.3 * uniform(random), depth);
     weighted.ball_radius_mm = 4.0;
+    weighted.plane = {{0.0, 0.0, depth - 3.0}, Eigen::Vector3d::UnitZ()};
     const OutlineCost outlines(weighted);
     for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kNormal})
       for (const CurveFamily family : {CurveFamily{MappingKind::kMoebius, 2},
@@ -236,13 +237,17 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
         curve.values()[0] += 2.7;  // so that it rises as far as the ball is deep
         JointOptions options;
         options.along = along;
-        const PressCost brightness(weighted, curve, options);
+        options.free_lift = round % 2 == 0;
+        const double lift_mm = round % 3 == 0 ? 0.0 : 0.3;
+        const PressCost brightness(weighted, curve, options, lift_mm);
         for (const ceres::CostFunction* cost :
              {static_cast<const ceres::CostFunction*>(&brightness),
               static_cast<const ceres::CostFunction*>(&outlines)}) {
           std::vector<std::vector<double>> blocks{{centre.x(), centre.y(), centre.z()}};
-          if (cost == &brightness)
+          if (cost == &brightness) {
             blocks.emplace_back(curve.values().begin(), curve.values().end());
+            blocks.push_back({std::log(0.3)});
+          }
           const auto evaluate = [&](std::vector<std::vector<double>> at, double** jacobians) {
             std::vector<const double*> pointers;
             for (const auto& block : at) pointers.push_back(block.data());

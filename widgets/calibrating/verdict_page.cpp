@@ -51,7 +51,8 @@ std::optional<Verdict> verdict_of(const CalibrationRun& run) {
   return verdict({record.residual_mm,
                   record.held_out_mm,
                   record.spread_mm,
-                  static_cast<int>(record.presses.size())});
+                  static_cast<int>(record.presses.size()),
+                  record.pixel_mm});
 }
 
 }  // namespace

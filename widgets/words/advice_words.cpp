@@ -56,6 +56,9 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library",
                       "%1 mm of depth error to be expected (%2 mm in shape, on presses it had not "
                       "seen; %3 mm as a whole)"),
+    QT_TRANSLATE_NOOP("Library",
+                      "%1 mm of depth error to be expected (%2 mm in shape, on presses it had not "
+                      "seen; %3 mm as a whole; %4 mm of a single pixel)"),
     QT_TRANSLATE_NOOP("Library", "not fit to measure with"),
     QT_TRANSLATE_NOOP("Library",
                       "press again with a clean ball of the radius given, whole on the face"),

@@ -139,10 +139,10 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "no mapping came of it"),
     QT_TRANSLATE_NOOP("Library",
                       "the inner %1 % of each contact's radius was used, where the skin surely "
-                      "touches the ball: that is enough to tell the mapping"),
+                      "touches the ball"),
     QT_TRANSLATE_NOOP("Library",
-                      "the skin leaves the ball before the rim of its cap: the inner %1 % of each "
-                      "contact's radius was used"),
+                      "the inner %1 % of each contact's radius was used; the skin comes back from "
+                      "the ball over %2 mm"),
     QT_TRANSLATE_NOOP("Library", "trying a %1"),
     QT_TRANSLATE_NOOP("Library", "with one press nothing can be held out"),
     QT_TRANSLATE_NOOP("Library", "as asked for"),

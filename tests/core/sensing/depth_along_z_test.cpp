@@ -99,6 +99,49 @@ TEST(DepthAlongZ, IsThatOfTheSameBallOnAnInclinedFace) {
   EXPECT_GT(scaled_worst, 0.2);  // what is wrong without looking elsewhere
 }
 
+/// Where a twisted face is read as touched it is as deep as it is, whichever side of the middle.
+TEST(DepthAlongZ, IsThatOfTheSameBallOnATwistedFace) {
+  const InclinedPlane straight;
+  const double layer = 1.5, radius = 4.0, pressed = 0.8;
+  constexpr float kEverywhere = 0.03F;
+  for (const double twist : {-0.16, 0.1}) {
+    FaceTwist turned;
+    turned.coefficients = {twist, 0.0, 0.0};
+    const auto shape = straight.shape.twisted(turned);
+    ASSERT_TRUE(shape);
+    const auto middle = shape->at(520.0, 330.0);
+    ASSERT_TRUE(middle);
+    const Eigen::Vector3d centre =
+        middle->view_point_mm + (layer - pressed + radius) * middle->normal;
+    cv::Mat along_normal(540, 960, CV_32FC1, cv::Scalar(NAN)), along_z = along_normal.clone();
+    for (int v = 0; v < 540; ++v)
+      for (int u = 0; u < 960; ++u) {
+        const auto local = shape->at(u, v);
+        const auto& column = shape->columns()[static_cast<std::size_t>(u)];
+        if (!local || v < column.upper_v || v > column.lower_v) continue;
+        const double n = ball_at(local->view_point_mm, local->normal, centre, radius);
+        const double z = ball_at(local->view_point_mm, Eigen::Vector3d::UnitZ(), centre, radius);
+        const double depth_n = std::isfinite(n) ? layer - n : 0.0,
+                     depth_z = std::isfinite(z) ? layer / local->cos_incline - z : 0.0;
+        along_normal.at<float>(v, u) = std::max(kEverywhere, static_cast<float>(depth_n));
+        along_z.at<float>(v, u) = std::max(kEverywhere / static_cast<float>(local->cos_incline),
+                                           static_cast<float>(depth_z));
+      }
+    const cv::Mat found = depth_along_z(along_normal, depth_cells(along_normal), *shape);
+    double worst = 0;
+    int compared = 0;
+    for (int v = 0; v < 540; ++v)
+      for (int u = 0; u < 960; ++u) {
+        const float off = found.at<float>(v, u) - along_z.at<float>(v, u);
+        if (!std::isfinite(off)) continue;
+        worst = std::max(worst, std::abs(static_cast<double>(off)));
+        ++compared;
+      }
+    EXPECT_GT(compared, 100000) << twist;
+    EXPECT_LT(worst, 0.03) << twist;
+  }
+}
+
 TEST(DepthAlongZ, LeavesUntouchedAndUnmeasuredAlone) {
   const InclinedPlane plane;
   cv::Mat depth = cv::Mat::zeros(540, 960, CV_32FC1);

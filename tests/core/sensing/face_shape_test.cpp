@@ -3,6 +3,7 @@
 #include "tests/support/cameras.h"
 
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -139,19 +140,26 @@ TEST(FaceShape, DistortedLensesGiveTheSameFace) {
 TEST(FaceShape, PromisesTheErrorItMakes) {
   const Camera camera = Camera::create(pinhole()).value();
   const Plane plane;
-  const int u = 640;
-  const double truth = plane.z((u - 479.5) / 523.9);
-  double sum = 0;
+  constexpr double kModelPx = 0.03;  // of the width, which real edges are off by and these are not
   constexpr int kRuns = 200;
+  const std::vector<int> places{200, 420, 640, 800};
+  double sum = 0;
   for (unsigned run = 0; run < kRuns; ++run) {
     const auto shape = FaceShape::fit(edges_of(plane, camera, 0.3, 10 + run), camera, fin_ray(), 7);
     ASSERT_TRUE(shape.ok());
-    const FaceColumn& column = shape->columns()[static_cast<std::size_t>(u)];
-    const double e = (column.z_mm - truth) / column.z_sd_mm;
-    EXPECT_LT(std::abs(column.z_mm - truth), 0.1);
-    sum += e * e;
+    for (const int u : places) {
+      const FaceColumn& column = shape->columns()[static_cast<std::size_t>(u)];
+      const double truth = plane.z((u - 479.5) / 523.9);
+      const double off = column.z_mm - truth;
+      const double model_mm = column.z_mm * kModelPx / (column.lower_v - column.upper_v);
+      EXPECT_LT(std::abs(off), 0.25) << u;
+      sum += off * off / (column.z_sd_mm * column.z_sd_mm - model_mm * model_mm);
+    }
   }
-  EXPECT_NEAR(sum / kRuns, 1.0, 0.22);  // twice its own standard deviation over 200 runs
+  // What ends and Tukey's weights leave room for: never less than is promised, a fifth too much.
+  const double told = sum / (kRuns * static_cast<double>(places.size()));
+  EXPECT_LT(told, 1.15);
+  EXPECT_GT(told, 0.7);
 }
 
 TEST(FaceShape, LayerIsAsThickAsItIsAtAnySlope) {

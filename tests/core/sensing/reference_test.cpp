@@ -127,7 +127,7 @@ TEST(ReferencePicture, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
     const cv::Mat grey = finger.with_noise(specked(finger, recorded), random);
     const FacePicture face = keep_face(grey, chart_in(recorded), grid);
     const cv::Mat there =
-        ReferencePicture(grid, {&face}, {1.0F}, chart_in(now), grey.size()).grey();
+        ReferencePicture(grid, {{{&face}, {1.0F}}}, chart_in(now), grey.size()).grey();
     for (const Mark& mark : kMarks) {
       const Eigen::Vector2d place = seen_at(finger, now, mark),
                             was = seen_at(finger, recorded, mark);
@@ -163,7 +163,7 @@ TEST(ReferencePicture, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
   std::vector<const FacePicture*> pointers;
   for (const auto& face : faces) pointers.push_back(&face);
   const cv::Size size(finger.width, finger.height);
-  const cv::Mat grey = ReferencePicture(grid, pointers, weights, chart, size).grey();
+  const cv::Mat grey = ReferencePicture(grid, {{pointers, weights}}, chart, size).grey();
   int shown = 0;
   for (int u = 0; u < finger.width; ++u)
     for (int v = 0; v < finger.height; ++v) {
@@ -180,6 +180,29 @@ TEST(ReferencePicture, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
       ++shown;
     }
   EXPECT_GT(shown, 20000);
+}
+
+TEST(ReferencePicture, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
+  const testing::MarkedFinger finger;
+  const FaceChart chart = chart_of(finger.shape({})).value();
+  const FaceGrid grid = face_grid(chart, 0.15);
+  constexpr int kShorter = 40;
+  FaceChart shorter = chart;
+  for (auto values : {&FaceChart::along_mm, &FaceChart::upper_v, &FaceChart::lower_v})
+    (shorter.*values).resize(chart.along_mm.size() - kShorter);
+  const cv::Size size(finger.width, finger.height);
+  const FacePicture near = keep_face(cv::Mat(size, CV_8UC1, cv::Scalar(50)), shorter, grid),
+                    further = keep_face(cv::Mat(size, CV_8UC1, cv::Scalar(90)), chart, grid);
+  const ReferencePicture picture(grid, {{{&near}, {1.0F}}, {{&further}, {1.0F}}}, chart, size);
+  const cv::Mat grey = picture.grey();
+  const int border = chart.end() - kShorter;
+  for (int u = chart.first; u < chart.end(); ++u) {
+    const auto i = static_cast<std::size_t>(u - chart.first);
+    const int v = static_cast<int>(0.5 * (chart.upper_v[i] + chart.lower_v[i]));
+    EXPECT_EQ(picture.is_first_mix(u), u < border) << u;
+    if (std::abs(u - border) <= 1) continue;
+    EXPECT_NEAR(grey.at<float>(v, u), u < border ? 50.0 : 90.0, 0.02) << u;
+  }
 }
 
 MarkerTable random_table(int frames, int per_row, std::mt19937& random) {

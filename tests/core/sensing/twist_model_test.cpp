@@ -117,7 +117,7 @@ std::pair<double, double> errors(const FaceShape& shape, const TwistingFinger& f
       const double off = std::abs(here->view_point_mm.z() - point.z());
       sum += off, ++count, most = std::max(most, off);
     }
-  EXPECT_GT(count, 65);
+  EXPECT_GT(count, 60);
   return {sum / count, most};
 }
 
@@ -140,6 +140,28 @@ TEST(TwistModel, TellsTwistFromSwayForFingersThatTurnAlongAndThatDoNot) {
     }
     EXPECT_GT(without, 0.3) << "the edges alone would do";
   }
+}
+
+TEST(TwistModel, AFaceBehindAWindowTurnsAsWell) {
+  // Silicone behind glass bends rays together: the face ends at other columns than it would.
+  CameraParameters parameters = pinhole();
+  parameters.fx_px = parameters.fy_px = 370.0;
+  parameters.port = FlatPort{2.5, 2.4, 1.5, 1.41};
+  const Camera camera = Camera::create(parameters).value();
+  const Recording made = recording(camera, 1.0);
+  const auto model = TwistModel::learn(made.poses);
+  ASSERT_TRUE(model);
+  double without = 0;
+  for (std::size_t i = 0; i < made.poses.size(); ++i) {
+    const auto& [markers, shape] = made.poses[i];
+    const auto twisted = model->twisted(markers, shape);
+    const auto [mean, most] = errors(twisted ? *twisted : shape, made.fingers[i]);
+    without = std::max(without, errors(shape, made.fingers[i]).first);
+    EXPECT_LT(mean, 0.2) << "frame " << i << " twist " << made.fingers[i].twist << " sway "
+                         << made.fingers[i].sway_mm;
+    EXPECT_LT(most, 1.0) << "frame " << i;
+  }
+  EXPECT_GT(without, 0.3) << "the edges alone would do";
 }
 
 TEST(TwistModel, TheNormalTurnsWithTheFace) {
@@ -166,7 +188,7 @@ TEST(TwistModel, TheNormalTurnsWithTheFace) {
       const auto pixel = camera.project(point(s, h));
       const auto local = shape->at(pixel->x(), pixel->y());
       ASSERT_TRUE(local);
-      EXPECT_LT((local->normal - normal).norm(), 0.02) << s << ' ' << h;
+      EXPECT_LT((local->normal - normal).norm(), 0.03) << s << ' ' << h;
       EXPECT_DOUBLE_EQ(local->cos_incline, local->normal.z());
       // Whole columns are known beforehand: the same between them.
       const double u = std::round(pixel->x());

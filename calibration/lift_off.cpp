@@ -1,0 +1,45 @@
+#include "calibration/lift_off.h"
+
+#include <cmath>
+#include <limits>
+
+namespace alltact {
+
+ContactPlane plane_below(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
+  ContactPlane plane;
+  double nearest2 = std::numeric_limits<double>::infinity();
+  for (const Sample& sample : press.samples) {
+    const double distance2 = (sample.untouched_n - centre_mm).squaredNorm();
+    if (distance2 >= nearest2) continue;
+    nearest2 = distance2;
+    plane = {sample.untouched_n, sample.normal};
+  }
+  return plane;
+}
+
+SkinDepth skin_depth(double ball_mm, double height_mm, double radius_mm, double lift_mm) {
+  const double rim2 = (radius_mm - height_mm) * (radius_mm + height_mm);
+  if (!(lift_mm > 0.0) || !(rim2 > 0.0)) return {ball_mm};
+  const double up = ball_mm + height_mm;  // of the ball's surface below its centre
+  const double root = std::sqrt(lift_mm * lift_mm + rim2);
+  const double contact = rim2 / (root + lift_mm);  // a
+  const double rho2 = (radius_mm - up) * (radius_mm + up);
+  if (rho2 <= contact * contact || !(radius_mm > contact)) return {ball_mm};
+  const double rho = std::sqrt(rho2);
+  const double up_there = std::sqrt((radius_mm - contact) * (radius_mm + contact));
+  const double depth_there = up_there - height_mm;
+  const double left = std::exp(-(rho - contact) / lift_mm);
+  // Derivatives of a and of rho.
+  const double contact_by_height = -height_mm / root, contact_by_lift = lift_mm / root - 1.0;
+  const double rho_by_up = -up / rho, there_by_contact = -contact / up_there;
+  SkinDepth skin;
+  skin.mm = depth_there * left;
+  skin.by_ball = -skin.mm * rho_by_up / lift_mm;
+  skin.by_height = left * (there_by_contact * contact_by_height - 1.0) -
+                   skin.mm * (rho_by_up - contact_by_height) / lift_mm;
+  skin.by_lift = left * there_by_contact * contact_by_lift + skin.mm * contact_by_lift / lift_mm +
+                 skin.mm * (rho - contact) / (lift_mm * lift_mm);
+  return skin;
+}
+
+}  // namespace alltact
