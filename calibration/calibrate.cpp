@@ -120,7 +120,10 @@ std::vector<BallFit> balls_of(const std::vector<Found>& found,
                               const JointCovariance& covariance) {
   std::vector<const PressSamples*> presses;
   for (const Found& f : found) presses.push_back(&f.fine);
-  const FitQuality quality = quality_of(presses, fit, choice.options);
+  // Of the part that surely touches, whatever part was read: figures that can be compared.
+  JointOptions inner = choice.options;
+  inner.zone = kSureZone;
+  const FitQuality quality = quality_of(presses, fit, inner);
   std::vector<BallFit> balls;
   for (std::size_t i = 0; i < found.size(); ++i) {
     BallFit ball;
