@@ -227,12 +227,10 @@ double ring_error_mm(const std::vector<const PressSamples*>& presses,
   return options.zone > kSureZone ? std::hypot(ring_mm, quality.scatter_mm) : ring_mm;
 }
 
-}  // namespace
-
-JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
-                              const JointFit& fit,
-                              const JointOptions& options) {
-  const double ring_mm = ring_error_mm(presses, fit, options);
+JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
+                          const JointFit& fit,
+                          const JointOptions& options,
+                          double ring_mm) {
   const Eigen::Index n_map = fit.curve.values().size();
   const bool free_lift = options.free_lift && !options.fix_mapping;
   const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size()) + 1;
@@ -313,6 +311,20 @@ JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
   result.covariance = Eigen::MatrixXd::Zero(known, known);
   result.covariance.bottomRightCorner(unknowns, unknowns) = 0.5 * (free + free.transpose());
   return result;
+}
+
+}  // namespace
+
+JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
+                              const JointFit& fit,
+                              const JointOptions& options) {
+  return spread_of(presses, fit, options, ring_error_mm(presses, fit, options));
+}
+
+JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
+                                     const JointFit& fit,
+                                     const JointOptions& options) {
+  return spread_of(presses, fit, options, 0.0);
 }
 
 }  // namespace alltact

@@ -12,6 +12,7 @@ namespace {
 constexpr int kDomainPlaces = 12;       // of the curve, where curves are compared
 constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is never held against it
 constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
+constexpr double kCertainPart = 0.01;   // of the depth: what chance leaves open is little enough
 constexpr double kInclineDeg = 3.0;     // needed to tell thickness along z from along the normal
 constexpr int kMostCoefficients = 6;
 constexpr std::size_t kVaryingPresses = 5;  // two numbers more want two presses more
@@ -87,11 +88,11 @@ double uncertain_part(const JointFit& fit, const Eigen::MatrixXd& all) {
   return std::sqrt(std::max(0.0, gradient.dot(all.topLeftCorner(n, n) * gradient))) / depth;
 }
 
-/// Whether what the rings of a contact are off by, in all presses alike, is chance, or what is not
-/// known of the lift-off's form.
+/// Whether what the rings of a contact are off by, in all presses alike, is chance, and so little
+/// of them has lifted off that its form does not matter.
 bool rings_agree(const FitQuality& quality) {
   const double chance_mm = std::max(kQuietRingMm, kRingExcess * quality.scatter_mm);
-  return quality.ring_mm <= std::hypot(chance_mm, quality.lifted_sd_mm);
+  return quality.ring_mm <= chance_mm && quality.lifted_sd_mm <= kQuietRingMm;
 }
 
 std::string inner_sentence(double zone) {
@@ -113,6 +114,11 @@ JointFit choose_zone(const ChoiceInput& input,
                      const Job& job) {
   options->zone = kSureZone;
   fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
+  *remark = inner_sentence(options->zone);
+  // Any skin touches there: what it does further out is read only where it is needed.
+  if (uncertain_part(fit, chance_covariance_of(input.presses, fit, *options).covariance) <
+      kCertainPart)
+    return fit;
   const double inner_part =
       uncertain_part(fit, covariance_of(input.presses, fit, *options).covariance);
   for (const double zone : {1.0, 0.93, 0.85, 0.75}) {
@@ -139,7 +145,6 @@ JointFit choose_zone(const ChoiceInput& input,
                   : inner_sentence(zone);
     return next;
   }
-  *remark = inner_sentence(options->zone);
   return fit;
 }
 
