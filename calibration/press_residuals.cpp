@@ -17,8 +17,8 @@ constexpr int kSamples = 800;  // a press: enough to see, few enough to draw
 
 double face_width_mm(const FaceShape& shape, const Eigen::Vector2d& pixel) {
   if (shape.face().kind == FaceKind::kFinRay) return shape.face().width_mm;
-  const auto local = shape.at(pixel.x(), pixel.y());
-  return local ? std::sqrt(local->area_mm2) * shape.camera().size().height : 0.0;
+  const auto area = shape.pixel_area(pixel.x(), pixel.y());
+  return area ? std::sqrt(area->on_face_mm2) * shape.camera().size().height : 0.0;
 }
 
 /// From the first to the last column that shows the face.

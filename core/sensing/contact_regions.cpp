@@ -70,28 +70,29 @@ class RegionSums {
     noise_ += cell.pixels * sd.noise;
     systematic_ += cell.pixels * sd.systematic;
     const auto local = shape_.at(middle.x(), middle.y());
-    if (!local) return;
+    const auto area = shape_.pixel_area(middle.x(), middle.y());
+    if (!local || !area) return;
     const double weighted_depth = cell.depth_square / cell.depth;
     const Eigen::Vector3d pressed_mm =
         untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ) -
         Eigen::Vector3d(0.0, 0.0, weighted_depth);
     const Eigen::Vector2d on_face_mm(shape_.length_at(middle.x()), local->view_point_mm.y());
-    const double volume = cell.depth * local->flat_area_mm2;
+    const double volume = cell.depth * area->flat_mm2;
     // Moments about a point of the region itself, so that little cancels.
     if (region_.pixels == 0) origin_mm_ = on_face_mm;
     region_.pixels += cell.pixels;
     region_.volume_mm3 += volume;
     region_.place_mm += volume * pressed_mm;
     region_.place_px += volume * middle;
-    region_.area_mm2 += cell.pixels * local->area_mm2;
+    region_.area_mm2 += cell.pixels * area->on_face_mm2;
     // The axis is that of what rises above the threshold: a weight that begins at nothing, so that
     // pixels of the rim which noise takes in or leaves out do not move it.
-    const double weight = (cell.depth - threshold_mm_ * cell.pixels) * local->area_mm2;
+    const double weight = (cell.depth - threshold_mm_ * cell.pixels) * area->on_face_mm2;
     const Eigen::Vector2d off = on_face_mm - origin_mm_;
     weight_ += weight;
     first_ += weight * off;
     second_ += weight * off * off.transpose();
-    cells_.push_back({off, cell.pixels * local->area_mm2 * local->area_mm2});
+    cells_.push_back({off, cell.pixels * area->on_face_mm2 * area->on_face_mm2});
   }
 
   /// A pixel that may be the deepest.

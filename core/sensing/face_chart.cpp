@@ -235,11 +235,18 @@ FaceChart widened(const FaceChart& chart, double part) {
 }
 
 ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
-    : origin_(from.first), first_(from.end()), end_(from.end()) {
+    : origin_(from.first),
+      first_(from.end()),
+      end_(from.end()),
+      inner_first_(from.end()),
+      inner_end_(from.end()) {
   const std::size_t size = from.along_mm.size();
   for (auto* values : {&t_at_0_, &t_per_v_, &u0_, &tilt_, &v0_, &width_, &slope_, &width_slope_})
     values->resize(size);
-  bool begun = false;
+  const auto take = [](int u, int* first, int* end) {
+    if (*first == *end) *first = u;
+    *end = u + 1;
+  };
   for (std::size_t i = 0; i < size; ++i) {
     const double s_mm = from.along_mm[i];
     const auto [l, part] = find(to.along_mm, s_mm);
@@ -258,9 +265,9 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
     slope_[i] = static_cast<float>(upper_slope);
     width_slope_[i] = static_cast<float>(lower_slope - upper_slope);
     const double reach = std::abs(tilt);
-    const bool is_shown = u0 - reach >= to.first && u0 + reach <= to.end() - 1;
-    if (is_shown && !begun) first_ = origin_ + static_cast<int>(i), begun = true;
-    if (is_shown) end_ = origin_ + static_cast<int>(i) + 1;
+    const int u = origin_ + static_cast<int>(i), last = to.end() - 1;
+    if (u0 + reach >= to.first && u0 - reach <= last) take(u, &first_, &end_);
+    if (u0 - reach >= to.first && u0 + reach <= last) take(u, &inner_first_, &inner_end_);
   }
 }
 

@@ -67,7 +67,8 @@ void lay_on(const SkinPlaces& places,
 /// From pixels of one frame to the pixels of another that show the same skin. By column of the
 /// first: with t = t_at_0 + t_per_v v and the shift h = (2 t - 1) tilt,
 ///   u' = u0 + h,   v' = v0 + t width + h (slope + t width_slope).
-/// Columns [first, end) show skin that the other frame shows as well.
+/// Columns [first, end) show skin that the other frame shows as well, at least in a part of them;
+/// the inner ones do so from edge to edge.
 class ChartWarp {
  public:
   ChartWarp() = default;
@@ -75,6 +76,8 @@ class ChartWarp {
 
   [[nodiscard]] int first() const { return first_; }
   [[nodiscard]] int end() const { return end_; }
+  [[nodiscard]] int inner_first() const { return inner_first_; }
+  [[nodiscard]] int inner_end() const { return inner_end_; }
   /// The places of the pixels of row v from column `begin` on, `count` of them, all within
   /// [first, end).
   void places(int v, int begin, int count, float* to_u, float* to_v) const;
@@ -91,7 +94,7 @@ class ChartWarp {
   }
 
  private:
-  int origin_ = 0, first_ = 0, end_ = 0;
+  int origin_ = 0, first_ = 0, end_ = 0, inner_first_ = 0, inner_end_ = 0;
   std::vector<float> t_at_0_, t_per_v_, u0_, tilt_, v0_, width_, slope_, width_slope_;
 };
 

@@ -53,8 +53,8 @@ FacePicture keep_face(const cv::Mat& grey, const FaceChart& chart, const FaceGri
   CV_Assert(grey.type() == CV_8UC1);
   const ChartWarp warp(grid.chart, chart);
   FacePicture picture;
-  picture.first = warp.first() - grid.origin.x;
-  picture.end = warp.end() - grid.origin.x;
+  picture.first = warp.inner_first() - grid.origin.x;
+  picture.end = warp.inner_end() - grid.origin.x;
   picture.grey.assign(grid.runs.pixels(), 0);
   cv::Mat u(grid.size, CV_32FC1, cv::Scalar(0)), v(grid.size, CV_32FC1, cv::Scalar(0)), laid;
   for (const FaceRun& run : grid.runs.runs) {

@@ -287,35 +287,40 @@ void FaceShape::finish() {
   }
 }
 
-std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
+std::optional<FaceShape::Seen> FaceShape::seen_at(double u, double v) const {
   const auto nearest = static_cast<long>(std::lround(u));
   if (nearest < 0 || nearest >= width_px() || !columns_[static_cast<std::size_t>(nearest)].valid)
     return std::nullopt;
   const auto ray = camera_.unproject({u, v});
   if (!ray) return std::nullopt;
-
-  const CameraParameters& lens = camera_.parameters();
-  Local local;
-  if (!camera_.is_perspective()) {
-    local.view_point_mm = ray->point_at(face_.plane_z_mm);
-    local.normal = Eigen::Vector3d::UnitZ();
-    local.cos_incline = 1.0;
-    local.area_mm2 = local.flat_area_mm2 = lens.mm_per_px * lens.mm_per_px;
-    return local;
-  }
+  if (!camera_.is_perspective())
+    return Seen{*ray, {face_.plane_z_mm, 1.0, 1.0, Eigen::Vector3d::UnitZ()}};
   const auto found =
       across_of(*ray,
                 u == static_cast<double>(nearest) ? std::optional(static_cast<std::size_t>(nearest))
                                                   : std::nullopt);
   if (!found || !(found->z_mm > 0.0)) return std::nullopt;
-  const double z = found->z_mm;
-  local.view_point_mm = ray->point_at(z);
-  local.normal = found->normal;
-  local.cos_incline = found->normal.z();
-  const double pixel = ray_area(*ray, u, v, 1.0 / z) * z * z * z;
-  local.area_mm2 = pixel * found->length;
-  local.flat_area_mm2 = pixel * found->along;
-  return local;
+  return Seen{*ray, *found};
+}
+
+std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
+  const auto seen = seen_at(u, v);
+  if (!seen) return std::nullopt;
+  const Across& across = seen->across;
+  return Local{seen->ray.point_at(across.z_mm), across.normal, across.normal.z()};
+}
+
+std::optional<FaceShape::PixelArea> FaceShape::pixel_area(double u, double v) const {
+  const auto seen = seen_at(u, v);
+  if (!seen) return std::nullopt;
+  const CameraParameters& lens = camera_.parameters();
+  if (!camera_.is_perspective()) {
+    const double area = lens.mm_per_px * lens.mm_per_px;
+    return PixelArea{area, area};
+  }
+  const double z = seen->across.z_mm;
+  const double pixel = ray_area(seen->ray, u, v, 1.0 / z) * z * z * z;
+  return PixelArea{pixel * seen->across.length, pixel * seen->across.along};
 }
 
 // With q = 1/z a function of x and y the plane that touches the face is q_x X + q_y Y + c Z = 1,

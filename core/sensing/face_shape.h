@@ -75,10 +75,16 @@ class FaceShape {
     Eigen::Vector3d view_point_mm;
     Eigen::Vector3d normal;
     double cos_incline;
-    double area_mm2;       ///< of one pixel on the face
-    double flat_area_mm2;  ///< of one pixel, projected along z
   };
   [[nodiscard]] std::optional<Local> at(double u, double v) const;
+
+  /// What one pixel covers; nullopt as above. Apart, because through a lens it costs three times as
+  /// much as the point.
+  struct PixelArea {
+    double on_face_mm2;
+    double flat_mm2;  ///< projected along z
+  };
+  [[nodiscard]] std::optional<PixelArea> pixel_area(double u, double v) const;
 
   /// 1 / cos(incline) on the middle of the face, by column: how much longer a way is along z than
   /// along the normal. 1 where the column is not valid.
@@ -136,6 +142,12 @@ class FaceShape {
   };
   static std::optional<Across> across_from(double x, double y, const InverseDepth& inverse);
   std::optional<Across> across_of(const Ray& ray, std::optional<std::size_t> column) const;
+  /// A pixel's ray and where it meets the face.
+  struct Seen {
+    Ray ray;
+    Across across;
+  };
+  std::optional<Seen> seen_at(double u, double v) const;
   double ray_area(const Ray& ray, double u, double v, double inverse_z) const;
   struct Rulings;
   bool fit_to_rulings(const Rulings& rulings);

@@ -44,7 +44,7 @@ struct ReferenceLibrary::Content {
   [[nodiscard]] FaceMix mix_of(const Neighbours& neighbours) const;
   /// Frames that do not show some of the skin that a frame (its chart) shows beyond the columns
   /// `shown` of the grid; empty where there is none such, or too few frames show it.
-  [[nodiscard]] std::vector<char> hiding(const FaceChart& now,
+  [[nodiscard]] std::vector<char> hiding(const ChartWarp& warp,
                                          std::pair<int, int> shown,
                                          const std::vector<char>& without) const;
 
@@ -97,10 +97,9 @@ FaceMix ReferenceLibrary::Content::mix_of(const Neighbours& neighbours) const {
   return mix;
 }
 
-std::vector<char> ReferenceLibrary::Content::hiding(const FaceChart& now,
+std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
                                                     std::pair<int, int> shown,
                                                     const std::vector<char>& without) const {
-  const ChartWarp warp(now, grid.chart);
   if (warp.first() >= warp.end()) return {};
   const auto column = [&](float u) { return static_cast<int>(u) - grid.origin.x; };
   int first = std::max(0, column(warp.reach(warp.first()).first));
@@ -478,13 +477,14 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
     lay_on(content.places, shape, markers, &*now);
   else
     now = FaceChart{};
+  ChartWarp warp(*now, content.grid.chart);
   std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.index)]}, {1.0F}}};
   if (method == ReferenceMethod::kLocal) {
     const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
     const Neighbours near = content.neighbours(place, without);
     mixes = {content.mix_of(near)};
     reference.error_factor = reference.outer_error_factor = content.error.factor(near.reach_px2);
-    const auto hiding = content.hiding(*now, mixes.front().shown(content.grid), without);
+    const auto hiding = content.hiding(warp, mixes.front().shown(content.grid), without);
     if (!hiding.empty()) {
       const Neighbours further = content.neighbours(place, hiding);
       mixes.push_back(content.mix_of(further));
@@ -494,7 +494,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   double square = 0;
   for (const float w : mixes.front().weights) square += static_cast<double>(w) * w;
   reference.noise_gain = std::sqrt(square);
-  reference.picture = ReferencePicture(content.grid, mixes, *now, content.size);
+  reference.picture = ReferencePicture(content.grid, mixes, std::move(warp), content.size);
   return reference;
 }
 

@@ -174,13 +174,13 @@ std::pair<int, int> FaceMix::shown(const FaceGrid& grid) const {
 
 ReferencePicture::ReferencePicture(const FaceGrid& grid,
                                    const std::vector<FaceMix>& mixes,
-                                   const FaceChart& now,
+                                   ChartWarp warp,
                                    const cv::Size& size)
     : mixed_(pooled_picture({grid.size.width, grid.size.height + 2 + 2 * kPiece / grid.size.width},
                             CV_16SC1)),
       mixed_rows_(grid.size.height),
       origin_(grid.origin),
-      warp_(now, grid.chart),
+      warp_(std::move(warp)),
       size_(size) {
   CV_Assert(!mixes.empty());
   std::pair<int, int> done = mixes.front().shown(grid);
@@ -193,19 +193,39 @@ ReferencePicture::ReferencePicture(const FaceGrid& grid,
     if (end >= done.first) done.first = std::min(done.first, first);
     if (first <= done.second) done.second = std::max(done.second, end);
   }
-  std::tie(first_, end_) = columns_within(done.first, done.second);
+  std::tie(whole_first_, whole_end_) = columns_within(done.first, done.second);
+  std::tie(first_, end_) = columns_touching(done.first, done.second);
+  least_u_ = static_cast<float>(done.first + origin_.x);
+  most_u_ = static_cast<float>(done.second - 1 + origin_.x);
 }
+
+namespace {
+
+/// The columns from the first to the last that are wanted.
+template <class IsWanted>
+std::pair<int, int> between(int low, int high, IsWanted is_wanted) {
+  while (low < high && !is_wanted(low)) ++low;
+  while (low < high && !is_wanted(high - 1)) --high;
+  return {low, high};
+}
+
+}  // namespace
 
 /// The part of the warp that stays within columns of the grid.
 std::pair<int, int> ReferencePicture::columns_within(int first, int end) const {
-  const auto is_shown = [&](int u) {
+  return between(
+      std::max(0, warp_.inner_first()), std::min(size_.width, warp_.inner_end()), [&](int u) {
+        const auto [low, high] = warp_.reach(u);
+        return low >= first + origin_.x && high <= end - 1 + origin_.x;
+      });
+}
+
+/// The part of the warp that comes into columns of the grid.
+std::pair<int, int> ReferencePicture::columns_touching(int first, int end) const {
+  return between(std::max(0, warp_.first()), std::min(size_.width, warp_.end()), [&](int u) {
     const auto [low, high] = warp_.reach(u);
-    return low >= first + origin_.x && high <= end - 1 + origin_.x;
-  };
-  int low = std::max(0, warp_.first()), high = std::min(size_.width, warp_.end());
-  while (low < high && !is_shown(low)) ++low;
-  while (low < high && !is_shown(high - 1)) --high;
-  return {low, high};
+    return high >= first + origin_.x && low <= end - 1 + origin_.x;
+  });
 }
 
 void ReferencePicture::mix(const FaceGrid& grid, const FaceMix& mix, int first, int end) {
@@ -276,6 +296,16 @@ const std::int16_t* ReferencePicture::Reader::row(int v, std::span<const FaceRun
             v_.data(),
             end - first,
             buffer_.data() + first);
+    const auto clear_hidden = [&](int from, int to) {
+      for (int u = from; u < to; ++u) {
+        const float at_u = u_[static_cast<std::size_t>(u - first)];
+        if (!(at_u >= picture_.least_u_ && at_u <= picture_.most_u_))
+          buffer_[static_cast<std::size_t>(u)] = kNoGrey;
+      }
+    };
+    const int whole = std::clamp(picture_.whole_first_, first, end);
+    clear_hidden(first, whole);
+    clear_hidden(std::clamp(picture_.whole_end_, whole, end), end);
     std::fill(buffer_.data() + run.first, buffer_.data() + first, kNoGrey);
     std::fill(buffer_.data() + end, buffer_.data() + run.end, kNoGrey);  // and what is too much
   }

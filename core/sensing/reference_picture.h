@@ -28,11 +28,11 @@ class ReferencePicture {
   /// One picture, CV_32FC1, kept to 1/64 grey level; NaN where it tells nothing.
   explicit ReferencePicture(const cv::Mat& grey);
   /// sum of weights[i] * faces[i] of the first mix all of whose faces show the skin, each pixel of
-  /// the frame looked up where the chart `now` says that its skin lies in the grid (bilinear). At
-  /// least one mix.
+  /// the frame looked up where `warp` says that its skin lies in the grid (bilinear). At least one
+  /// mix.
   ReferencePicture(const FaceGrid& grid,
                    const std::vector<FaceMix>& mixes,
-                   const FaceChart& now,
+                   ChartWarp warp,
                    const cv::Size& size);
 
   [[nodiscard]] const cv::Size& size() const { return size_; }
@@ -66,13 +66,16 @@ class ReferencePicture {
  private:
   void mix(const FaceGrid& grid, const FaceMix& mix, int first, int end);
   [[nodiscard]] std::pair<int, int> columns_within(int first, int end) const;
+  [[nodiscard]] std::pair<int, int> columns_touching(int first, int end) const;
 
   cv::Mat single_;      // CV_16SC1 in steps; empty for a sum
   cv::Mat mixed_;       // CV_16SC1 in steps, of the grid; rows below it keep reads inside
   int mixed_rows_ = 0;  // of the grid
   cv::Point origin_;
-  int first_ = 0, end_ = 0;              // columns of the frame that the mixes show
-  int inner_first_ = 0, inner_end_ = 0;  // and the first of them
+  int first_ = 0, end_ = 0;              // columns of the frame that the mixes show in part
+  int whole_first_ = 0, whole_end_ = 0;  // from edge to edge
+  int inner_first_ = 0, inner_end_ = 0;  // and the first of the mixes alone
+  float least_u_ = 0, most_u_ = 0;       // what the mixes show, in the grid's picture
   ChartWarp warp_;
   cv::Size size_;
 };

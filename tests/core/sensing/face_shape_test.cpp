@@ -187,10 +187,10 @@ TEST(FaceShape, AreaOfThePixelsIsTheAreaOfTheFace) {
   double area = 0, flat = 0, first = 1e9, last = -1e9;
   for (int u = 500; u < 800; ++u) {
     for (int v = 230; v < 310; ++v) {
-      const auto local = shape->at(u, v);
-      ASSERT_TRUE(local);
-      area += local->area_mm2;
-      flat += local->flat_area_mm2;
+      const auto pixel = shape->pixel_area(u, v);
+      ASSERT_TRUE(pixel);
+      area += pixel->on_face_mm2;
+      flat += pixel->flat_mm2;
     }
   }
   // the same trapezium from its corners, between pixel borders
@@ -248,7 +248,7 @@ TEST(FaceShape, PlaneOfAFlatSensor) {
   const auto local = shape.at(249.5, 172.0);
   ASSERT_TRUE(local);
   EXPECT_LT((local->view_point_mm - Eigen::Vector3d(1.0, 0.0, 12.0)).norm(), 1e-12);
-  EXPECT_DOUBLE_EQ(local->area_mm2, 0.0025);
+  EXPECT_DOUBLE_EQ(shape.pixel_area(249.5, 172.0)->on_face_mm2, 0.0025);
   EXPECT_NEAR(shape.length_at(100) - shape.length_at(0), 5.0, 1e-9);
 }
 
