@@ -6,6 +6,7 @@
 #include "calibration/placed_ball.h"
 #include "calibration/press_samples.h"
 #include "calibration/tangent_arc.h"
+#include "calibration/verdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,7 +184,6 @@ double mean_of(const std::vector<BallFit>& balls, double BallFit::*member) {
 /// Mean absolute error of depth over the domain, of a curve whose numbers are as uncertain.
 double mean_error_mm(const MappingCurve& curve, const Eigen::MatrixXd& covariance) {
   constexpr int kPlaces = 12;
-  constexpr double kMeanOfSd = 0.798;  // sqrt(2 / pi): mean size of a normal error
   Eigen::VectorXd gradient(curve.values().size());
   double mean = 0;
   for (int i = 1; i <= kPlaces; ++i) {
@@ -298,9 +298,10 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
   calibration.condition = covariance.condition;
   calibration.spread_mm = choice->spread_mm;
-  if (covariance.covariance.size() > 0 && found.size() > 1)
-    calibration.spread_mm = std::max(
-        calibration.spread_mm, mean_error_mm(fit.curve, covariance.covariance.topLeftCorner(n, n)));
+  const Eigen::MatrixXd chance = chance_covariance_of(fine, fit, choice->options).covariance;
+  if (chance.size() > 0 && found.size() > 1)
+    calibration.spread_mm =
+        std::max(calibration.spread_mm, mean_error_mm(fit.curve, chance.topLeftCorner(n, n)));
   calibration.degree_choice = choice->sentence;
   calibration.remarks.insert(
       calibration.remarks.end(), choice->remarks.begin(), choice->remarks.end());

@@ -31,7 +31,8 @@ struct Work {
   bool is_repetition = false;         ///< of `inputs`, whose presses these are to be
   CalibrationInputs kept;             ///< what is repeated, as it was stored
   MakeReport make_report;
-  std::vector<FramePtr> frames;  ///< one a press, as they are to be kept
+  std::vector<FramePtr> frames;                      ///< one a press, as they are to be kept
+  std::vector<std::optional<Reference>> references;  ///< what each was compared with
 };
 
 constexpr std::array kReportPages{"calibration_report.html", "calibration_report.pdf"};
@@ -68,12 +69,11 @@ Status check_kept(const Work& work, const Frame& frame, std::size_t index) {
                "calibrating anew with the pictures that are there"};
 }
 
-TakenPress press_of(const Frame& frame, FrameResult result, const CalibrationInputs& inputs) {
-  TakenPress press{frame.name, result.grey, std::nullopt, "", {}, nullptr};
+TakenPress press_of(const Frame& frame, FrameResult& result, const CalibrationInputs& inputs) {
+  TakenPress press{frame.name, result.grey, std::nullopt, "", {}};
   if (result.difference) press.sign.light_change = result.difference->light.change();
   if (result.reference) press.sign.known_pose = result.reference->known_pose;
   if (result.difference && result.shape && result.reference) {
-    press.reference = std::make_shared<const Reference>(std::move(*result.reference));
     press.press = Press{frame.name,
                         std::move(*result.difference),
                         std::move(*result.shape),
@@ -110,7 +110,8 @@ Status take_presses(Work& work, Pipeline& pipeline, FingerCalibration& done, con
     if (!done.inputs.is_continuous) pipeline.forget();
     auto result = pipeline(frame);
     if (!result) return result.error();
-    done.presses.push_back(press_of(*frame, std::move(*result), done.inputs));
+    done.presses.push_back(press_of(*frame, *result, done.inputs));
+    work.references.push_back(std::move(result->reference));
     work.frames.push_back(frame);
   }
   return {};
@@ -147,7 +148,11 @@ void add_remarks(Calibration& calibration) {
   }
 }
 
-Status solve(FingerCalibration& done, bool compare, const Job& job) {
+/// `references`: what each press was compared with.
+Status solve(FingerCalibration& done,
+             const std::vector<std::optional<Reference>>& references,
+             bool compare,
+             const Job& job) {
   std::vector<Press> used;
   std::vector<std::string> left_out;
   for (const TakenPress& one : done.presses) {
@@ -183,7 +188,11 @@ Status solve(FingerCalibration& done, bool compare, const Job& job) {
   for (const TakenPress& press : done.presses)
     if (press.left_out.empty()) signs.push_back(press.sign);
   done.fault_signs = fault_signs(signs);
-  done.pixel_mm = contact_error_mm(done.presses, done.calibration.mapping);
+  std::vector<ComparedPress> compared;
+  for (std::size_t i = 0; i < done.presses.size(); ++i)
+    if (done.presses[i].left_out.empty())
+      compared.push_back({&*done.presses[i].press, &*references[i]});
+  done.pixel_mm = contact_error_mm(compared, done.residuals, done.calibration.mapping);
   done.verdict = verdict({done.calibration.residual_mm,
                           done.calibration.held_out_mm,
                           done.calibration.spread_mm,
@@ -334,8 +343,9 @@ Result<FingerCalibration> run(Work work, CalibrationInputs inputs, const Job& jo
   if (const Status status = take_presses(work, *pipeline, done, job); !status)
     return status.error();
   if (const Status status = check_names(done); !status) return status.error();
-  if (const Status status = solve(done, work.make_report != nullptr, job); !status)
+  if (const Status status = solve(done, work.references, work.make_report != nullptr, job); !status)
     return status.error();
+  work.references.clear();
   if (const Status status = write(work, done, job); !status) return status.error();
   job.report(1.0, "done");
   return done;

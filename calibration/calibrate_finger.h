@@ -15,15 +15,12 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace alltact {
-
-struct Reference;
 
 /// A press picture as it was used, or why not.
 struct TakenPress {
@@ -32,7 +29,6 @@ struct TakenPress {
   std::optional<Press> press;  ///< absent: nothing could be measured in it
   std::string left_out;        ///< why it is not used; empty: it is
   PressSign sign;
-  std::shared_ptr<const Reference> reference;  ///< what it was compared with
 };
 
 struct FingerCalibration {

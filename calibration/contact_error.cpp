@@ -1,39 +1,73 @@
 #include "calibration/contact_error.h"
 
+#include "calibration/verdict.h"
+#include "core/numerics/median.h"
 #include "core/sensing/depth_sd.h"
 #include "core/sensing/local_depth.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
 
 constexpr double kInContactMm = 0.1;
-constexpr int kEvery = 3;  // px in both directions: more say nothing new
+
+/// Mean standard deviation at the middles of a contact's samples; NaN where there is none.
+double mean_sd_mm(const ComparedPress& compared,
+                  const PressResiduals& contact,
+                  const Mapping& mapping) {
+  const auto& [press, reference] = compared;
+  Difference difference = press->difference;
+  cv::Mat1b wanted = cv::Mat1b::zeros(difference.x.size());
+  for (const ResidualSample& sample : contact.samples)
+    if (sample.ball_depth_mm > kInContactMm)
+      wanted(static_cast<int>(sample.pixel.y()), static_cast<int>(sample.pixel.x())) = 1;
+  // Depth costs most where something presses, and only this contact is asked for.
+  constexpr int kAround = 40;  // px: further than a layer's thickness moves a place
+  const cv::Rect box = cv::boundingRect(wanted);
+  const cv::Rect near =
+      cv::Rect(box.tl() - cv::Point(kAround, kAround), box.br() + cv::Point(kAround, kAround)) &
+      cv::Rect({0, 0}, wanted.size());
+  cv::Mat x(difference.x.size(), CV_32FC1, cv::Scalar(NAN));
+  press->difference.x(near).copyTo(x(near));
+  difference.x = x;
+  DepthMap depth = depth_map(difference, mapping, press->shape);
+  depth.live_sd = difference.grey_sd / std::hypot(1.0, reference->noise_gain);
+  DepthError error(depth, *reference, press->shape, mapping);
+  double sum = 0;
+  int count = 0;
+  for (int v = 0; v < wanted.rows; ++v) {
+    if (cv::countNonZero(wanted.row(v)) == 0) continue;
+    error.row(v, [&](int u, const DepthCauses& causes) {
+      if (wanted(v, u) == 0) return;
+      sum += causes.total();
+      ++count;
+    });
+  }
+  return sum / count;
+}
 
 }  // namespace
 
-double contact_error_mm(const std::vector<TakenPress>& presses,
+double contact_error_mm(const std::vector<ComparedPress>& presses,
+                        const std::vector<PressResiduals>& contacts,
                         const MappingParameters& parameters) {
   const auto mapping = Mapping::create(parameters);
   if (!mapping) return 0.0;
-  double sum = 0;
-  int count = 0;
-  for (const TakenPress& taken : presses) {
-    if (!taken.left_out.empty() || !taken.press || !taken.reference) continue;
-    const Difference& difference = taken.press->difference;
-    DepthMap depth = depth_map(difference, *mapping, taken.press->shape);
-    depth.live_sd = difference.grey_sd / std::hypot(1.0, taken.reference->noise_gain);
-    DepthError error(depth, *taken.reference, taken.press->shape, *mapping);
-    for (int v = 0; v < depth.depth_mm.rows; v += kEvery)
-      error.row(v, [&](int u, const DepthCauses& causes) {
-        if (u % kEvery != 0 || !(depth.depth_mm.at<float>(v, u) > kInContactMm)) return;
-        sum += causes.total();
-        ++count;
-      });
+  std::vector<double> errors_mm;
+  for (const PressResiduals& contact : contacts) {
+    const auto compared =
+        std::find_if(presses.begin(), presses.end(), [&](const ComparedPress& one) {
+          return one.press->name == contact.press;
+        });
+    if (compared == presses.end()) continue;
+    const double sd_mm = mean_sd_mm(*compared, contact, *mapping);
+    if (std::isfinite(sd_mm)) errors_mm.push_back(kMeanOfSd * sd_mm);
   }
-  constexpr double kMeanOfSd = 0.7978845608028654;  // sqrt(2 / pi)
-  return count > 0 && std::isfinite(sum) ? kMeanOfSd * sum / count : 0.0;
+  return upper_median(errors_mm);
 }
 
 }  // namespace alltact

@@ -14,8 +14,8 @@ namespace alltact {
 PressCost::PressCost(const Weighted& weighted,
                      const MappingCurve& curve,
                      const JointOptions& options,
-                     double lift_mm)
-    : weighted_(weighted), curve_(curve), options_(options), lift_mm_(lift_mm) {
+                     bool lifts_off)
+    : weighted_(weighted), curve_(curve), options_(options), lifts_off_(lifts_off) {
   set_num_residuals(static_cast<int>(weighted.samples.size()));
   mutable_parameter_block_sizes()->push_back(3);
   mutable_parameter_block_sizes()->push_back(curve.family().numbers());
@@ -27,8 +27,7 @@ bool PressCost::Evaluate(double const* const* parameters,
                          double** jacobians) const {
   const Eigen::Vector3d centre(parameters[0]);
   const int n = curve_.family().numbers();
-  const double lift_mm =
-      lift_mm_ > 0.0 && options_.free_lift ? std::exp(parameters[2][0]) : lift_mm_;
+  const double lift_mm = lifts_off_ ? std::exp(parameters[2][0]) : 0.0;
   std::array<double, 16> by_values{};
   for (std::size_t i = 0; i < weighted_.samples.size(); ++i) {
     const Sample& sample = *weighted_.samples[i];

@@ -46,6 +46,11 @@ constexpr double kFaceSdMm = 0.05;
 /// Winkler's come back earlier or later.
 constexpr double kLiftPart = 0.5;
 
+/// Whether the fit moves the lift-off length.
+[[nodiscard]] inline bool lift_is_free(const JointFit& fit, const JointOptions& options) {
+  return options.free_lift && !options.fix_mapping && fit.lift_mm > 0.0;
+}
+
 /// The samples in the zone around a ball, robustly weighted by their residuals, and the outline.
 [[nodiscard]] Weighted weigh(const PressSamples& press,
                              const JointFit& fit,
@@ -54,14 +59,13 @@ constexpr double kLiftPart = 0.5;
 
 /// Brightness: w slope (x - g(d(c) + blur)), one residual a sample. Parameter blocks: the ball's
 /// centre, the mapping's numbers, the logarithm of the lift-off length in mm, which does nothing
-/// where skin and ball are taken to part at the rim (lift_mm 0). Keeps references to what it is
-/// made from.
+/// where skin and ball are taken to part at the rim. Keeps references to what it is made from.
 class PressCost final : public ceres::CostFunction {
  public:
   PressCost(const Weighted& weighted,
             const MappingCurve& curve,
             const JointOptions& options,
-            double lift_mm = 0.0);
+            bool lifts_off = false);
   bool Evaluate(double const* const* parameters,
                 double* residuals,
                 double** jacobians) const override;
@@ -70,7 +74,7 @@ class PressCost final : public ceres::CostFunction {
   const Weighted& weighted_;
   const MappingCurve& curve_;
   const JointOptions& options_;
-  double lift_mm_;
+  bool lifts_off_;
 };
 
 /// The outline: w (angle between ray and ball centre - asin(R / |c|)), one residual a point.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -40,48 +41,28 @@ Linear linearised(const PressSamples& press,
   linear.residual.resize(count);
   linear.weight = Eigen::Map<const Eigen::VectorXd>(weighted.root_weight.data(), count);
   linear.bend = Eigen::Map<const Eigen::VectorXd>(weighted.bend.data(), count);
-  Eigen::VectorXd by_values(n_map);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Sample& sample = *weighted.samples[static_cast<std::size_t>(k)];
-    Eigen::Vector3d by_centre;
-    double by_lift = 0;
-    const double depth = skin_depth_mm(sample,
-                                       options.along,
-                                       centre,
-                                       press.ball_radius_mm,
-                                       weighted.plane,
-                                       fit.lift_mm,
-                                       &by_centre,
-                                       &by_lift);
-    const double weight = linear.weight[k];
-    // Of the difference, as depth: what the curve gives a sample's depth by is by that of x there.
-    const double slope_mm = weighted.slope_mm[static_cast<std::size_t>(k)];
-    const double at = depth + weighted.blur_mm[static_cast<std::size_t>(k)];
-    const double x =
-        fit.curve.inverse(fit.curve.values().data(), at, sample.place, sample.x, by_values.data())
-            .x;
-    linear.residual[k] = weight * slope_mm * (sample.x - x);
-    linear.rows.row(k).head(n_map) = -weight * slope_mm * by_values.transpose();
-    linear.rows.row(k).segment<3>(n_map) = -weight * by_centre.transpose();
-    linear.rows(k, n_map + 3) = -weight * by_lift * fit.lift_mm;
-    linear.patch.push_back(disc.place_of(sample).patch);
-    linear.place.emplace_back(std::lround(std::floor(sample.pixel.x() / press.block_px)),
-                              std::lround(std::floor(sample.pixel.y() / press.block_px)));
+  // As the solver saw them, by rows.
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Rows by_centre(count, 3), by_values(count, n_map), by_log_lift(count, 1);
+  const double log_lift = fit.lift_mm > 0.0 ? std::log(fit.lift_mm) : 0.0;
+  const double* at[] = {centre.data(), fit.curve.values().data(), &log_lift};
+  double* jacobians[] = {by_centre.data(), by_values.data(), by_log_lift.data()};
+  [[maybe_unused]] const bool is_told = PressCost(weighted, fit.curve, options, fit.lift_mm > 0.0)
+                                            .Evaluate(at, linear.residual.data(), jacobians);
+  assert(is_told);  // weigh() leaves out what has no residual
+  linear.rows << by_values, by_centre, by_log_lift;
+  for (const Sample* sample : weighted.samples) {
+    linear.patch.push_back(disc.place_of(*sample).patch);
+    linear.place.emplace_back(std::lround(std::floor(sample->pixel.x() / press.block_px)),
+                              std::lround(std::floor(sample->pixel.y() / press.block_px)));
   }
   const auto points = static_cast<Eigen::Index>(weighted.outline.size());
-  linear.outline_rows.resize(points, 3);
+  Rows by_outline(points, 3);
   linear.outline_residual.resize(points);
-  for (Eigen::Index k = 0; k < points; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    Eigen::Vector3d by_centre;
-    const double weight = weighted.outline_root_weight[i];
-    linear.outline_residual[k] =
-        weight *
-        outline_angle_rad(weighted.outline[i]->direction, centre, press.ball_radius_mm, &by_centre);
-    linear.outline_rows.row(k) = weight * by_centre.transpose();
-  }
-  weighted.take_out_apart(linear.outline_residual);
-  for (int k = 0; k < 3; ++k) weighted.take_out_apart(linear.outline_rows.col(k));
+  double* outline_jacobians[] = {by_outline.data()};
+  if (points > 0)
+    (void)OutlineCost(weighted).Evaluate(at, linear.outline_residual.data(), outline_jacobians);
+  linear.outline_rows = by_outline;
   return linear;
 }
 
@@ -232,7 +213,7 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
                           const JointOptions& options,
                           double ring_mm) {
   const Eigen::Index n_map = fit.curve.values().size();
-  const bool free_lift = options.free_lift && !options.fix_mapping;
+  const bool free_lift = lift_is_free(fit, options);
   const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size()) + 1;
   const Eigen::Index first = options.fix_mapping ? n_map : 0;
   const Eigen::Index unknowns = n - first - (free_lift ? 0 : 1);

@@ -18,7 +18,12 @@ namespace {
 constexpr double kGrazing = 0.25;  // cosine; lines that meet the ball flatter than this say little
 constexpr double kRobustAt = 2.0;  // standard deviations where the loss turns linear
 constexpr double kTaper = 0.02;    // half width of the zone's soft border
-constexpr int kMostRounds = 40;    // of reweighting
+constexpr int kMostRounds = 60;    // of reweighting
+// The weights change after every round: solving each to the last digit would be for nothing.
+constexpr int kStepsARound = 20;
+constexpr double kLeftARound = 1e-8;       // of the sum of squares
+constexpr std::size_t kFewestForBall = 5;  // samples: its centre is three numbers
+constexpr std::size_t kFewestForAll = 10;
 
 /// Cosine of the angle at which a sample's line meets the ball; NaN where it misses. Along a line
 /// that grazes, a small error across the ball's surface is a large one of depth.
@@ -79,14 +84,15 @@ bool solve(const std::vector<Weighted>& weighted,
            const Job& job,
            JointFit* fit) {
   const MappingCurve family = fit->curve;
-  const bool free_lift = options.free_lift && !options.fix_mapping;
-  double log_lift = free_lift ? std::log(fit->lift_mm) : 0.0;
+  const bool lifts_off = fit->lift_mm > 0.0, free_lift = lift_is_free(*fit, options);
+  double log_lift = lifts_off ? std::log(fit->lift_mm) : 0.0;
   ceres::Problem problem;
   for (std::size_t i = 0; i < weighted.size(); ++i) {
-    if (weighted[i].samples.size() < 10) return false;
+    if (weighted[i].samples.size() < (options.fix_mapping ? kFewestForBall : kFewestForAll))
+      return false;
     // Hundreds of samples a press, and five to a dozen unknowns that they depend on.
     problem.AddResidualBlock(
-        new CompressedCost(std::make_unique<PressCost>(weighted[i], family, options, fit->lift_mm)),
+        new CompressedCost(std::make_unique<PressCost>(weighted[i], family, options, lifts_off)),
         nullptr,
         fit->centres_mm[i].data(),
         fit->curve.values().data(),
@@ -103,6 +109,8 @@ bool solve(const std::vector<Weighted>& weighted,
   else
     problem.SetParameterBlockConstant(&log_lift);
   ceres::Solver::Options solver = solver_settings();
+  solver.max_num_iterations = kStepsARound;
+  solver.function_tolerance = kLeftARound;
   StopWithJob stop(job);
   solver.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
@@ -134,7 +142,7 @@ Weighted weigh(const PressSamples& press,
                const JointOptions& options) {
   const ContactDisc disc(press, options.along, centre);
   Weighted weighted;
-  weighted.plane = plane_below(press, centre);
+  weighted.plane = disc.plane();
   weighted.ball_radius_mm = press.ball_radius_mm;
   std::vector<double> normed, taper, sigma;
   for (const Sample& sample : press.samples) {
@@ -250,17 +258,22 @@ Misfit misfit_of(const Sample& sample,
       skin_depth_mm(sample, along, centre_mm, press.ball_radius_mm, plane, lift_mm);
   const double blur = blur_mm(sample, press, curve, along, centre_mm, plane, lift_mm);
   const auto [x, slope_mm] = curve.inverse(depth + blur, sample.place, sample.x);
-  const double ball = ball_depth_mm(sample, along, centre_mm, press.ball_radius_mm);
-  return {slope_mm * (sample.x - x), slope_mm, blur, depth - std::max(ball, 0.0)};
+  Misfit misfit{slope_mm * (sample.x - x), slope_mm, blur, 0.0};
+  if (lift_mm > 0.0)
+    misfit.lifted_mm =
+        depth - std::max(ball_depth_mm(sample, along, centre_mm, press.ball_radius_mm), 0.0);
+  return misfit;
 }
 
 ContactDisc::ContactDisc(const PressSamples& press,
                          MappingAlong along,
                          const Eigen::Vector3d& centre_mm)
-    : along_(along), centre_mm_(centre_mm), radius_mm_(press.ball_radius_mm) {
+    : along_(along),
+      centre_mm_(centre_mm),
+      radius_mm_(press.ball_radius_mm),
+      plane_(plane_below(press, centre_mm)) {
   // Height over the face's plane there, so that a middle beyond the face's edge counts as well.
-  const double height =
-      press.samples.empty() ? radius_mm_ : plane_below(press, centre_mm).height_mm(centre_mm);
+  const double height = press.samples.empty() ? radius_mm_ : plane_.height_mm(centre_mm);
   // A ball that no longer touches keeps a speck of a rim, so that a fit can come back.
   rim2_ = std::max((radius_mm_ - height) * (radius_mm_ + height), 1e-3 * radius_mm_ * radius_mm_);
 }
@@ -318,15 +331,19 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
   int lifted_rings = 0;
   for (std::size_t i = 0; i < presses.size(); ++i) {
     const ContactDisc disc(*presses[i], options.along, fit.centres_mm[i]);
-    const ContactPlane plane = plane_below(*presses[i], fit.centres_mm[i]);
     std::vector<Patch> patches(ContactDisc::kPatches);
     double absolute = 0;
     int count = 0;
     for (const Sample& sample : presses[i]->samples) {
       const ContactDisc::Place place = disc.place_of(sample);
       if (!(place.radius <= options.zone)) continue;
-      const Misfit misfit = misfit_of(
-          sample, *presses[i], fit.curve, options.along, fit.centres_mm[i], plane, fit.lift_mm);
+      const Misfit misfit = misfit_of(sample,
+                                      *presses[i],
+                                      fit.curve,
+                                      options.along,
+                                      fit.centres_mm[i],
+                                      disc.plane(),
+                                      fit.lift_mm);
       if (!std::isfinite(misfit.mm)) continue;
       absolute += std::abs(misfit.mm);
       ++count;

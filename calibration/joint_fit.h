@@ -83,6 +83,8 @@ class ContactDisc {
     int patch;      ///< 0..kPatches-1: rings as below, 8 sectors each
   };
   [[nodiscard]] Place place_of(const Sample& sample) const;
+  /// The untouched face below the ball.
+  [[nodiscard]] const ContactPlane& plane() const { return plane_; }
   static constexpr int kRings = 7;
   static constexpr int kSectors = 8;
   static constexpr int kPatches = kRings * kSectors;
@@ -93,6 +95,7 @@ class ContactDisc {
   MappingAlong along_;
   Eigen::Vector3d centre_mm_;
   double radius_mm_;
+  ContactPlane plane_;
   double rim2_ = 1;  ///< squared radius of the cap's rim
 };
 

@@ -1,20 +1,12 @@
 #include "calibration/lift_off.h"
 
 #include <cmath>
-#include <limits>
 
 namespace alltact {
 
 ContactPlane plane_below(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
-  ContactPlane plane;
-  double nearest2 = std::numeric_limits<double>::infinity();
-  for (const Sample& sample : press.samples) {
-    const double distance2 = (sample.untouched_n - centre_mm).squaredNorm();
-    if (distance2 >= nearest2) continue;
-    nearest2 = distance2;
-    plane = {sample.untouched_n, sample.normal};
-  }
-  return plane;
+  const Sample* nearest = nearest_sample(press, centre_mm);
+  return nearest == nullptr ? ContactPlane{} : ContactPlane{nearest->untouched_n, nearest->normal};
 }
 
 SkinDepth skin_depth(double ball_mm, double height_mm, double radius_mm, double lift_mm) {

@@ -1,5 +1,7 @@
 #include "calibration/model_choice.h"
 
+#include "calibration/verdict.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -187,7 +189,6 @@ HeldOut hold_out(const ChoiceInput& input,
 
 /// Mean absolute error of depth over the domain that the jackknife gives for a curve.
 double spread_of(const std::vector<MappingCurve>& curves) {
-  constexpr double kMeanOfSd = 0.798;  // sqrt(2 / pi): mean size of a normal error
   const auto n = static_cast<double>(curves.size());
   if (curves.size() < 2) return 0;
   double spread = 0;

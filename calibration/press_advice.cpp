@@ -80,17 +80,11 @@ struct Pressed {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
 };
 Pressed pressed_by(const PressSamples& press, const Eigen::Vector3d& centre) {
-  Pressed pressed;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Sample& sample : press.samples) {
-    const double distance = (sample.untouched_n - centre).squaredNorm();
-    if (distance >= nearest) continue;
-    nearest = distance;
-    pressed.depth_mm = press.ball_radius_mm - sample.normal.dot(centre - sample.untouched_n);
-    pressed.place_mm = sample.place_mm;
-    pressed.normal = sample.normal;
-  }
-  return pressed;
+  const Sample* nearest = nearest_sample(press, centre);
+  if (nearest == nullptr) return {};
+  return {press.ball_radius_mm - nearest->normal.dot(centre - nearest->untouched_n),
+          nearest->place_mm,
+          nearest->normal};
 }
 
 std::string where_in_words(double along_mm, double across_mm) {

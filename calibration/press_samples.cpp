@@ -74,8 +74,6 @@ PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box
       sample.untouched_z = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ);
       sample.untouched_n = untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal);
       sample.normal = local->normal;
-      sample.by_u = by_pixel(press.shape, face, pixel, {1, 0});
-      sample.by_v = by_pixel(press.shape, face, pixel, {0, 1});
       sample.cos_incline = local->cos_incline;
       sample.x = x;
       sample.place_mm = press.shape.place_mm(pixel.x(), pixel.y());
@@ -115,6 +113,14 @@ PressSamples sample_press(const Press& press, const Face& face, int block_px) {
   return sample_in(press, face, {{0, 0}, press.difference.x.size()}, block_px);
 }
 
+const Sample* nearest_sample(const PressSamples& press, const Eigen::Vector3d& point_mm) {
+  const auto nearest = std::min_element(
+      press.samples.begin(), press.samples.end(), [&](const Sample& a, const Sample& b) {
+        return (a.untouched_n - point_mm).squaredNorm() < (b.untouched_n - point_mm).squaredNorm();
+      });
+  return nearest == press.samples.end() ? nullptr : &*nearest;
+}
+
 PressSamples sample_around(const Press& press,
                            const Face& face,
                            const Eigen::Vector3d& middle,
@@ -141,6 +147,10 @@ PressSamples sample_around(const Press& press,
   const int block = std::max(kFinest, static_cast<int>(std::ceil(std::sqrt(pixels / limit))));
   PressSamples near = sample_in(press, face, box, block);
   keep_near(middle, radius_mm, &near);
+  for (Sample& sample : near.samples) {
+    sample.by_u = by_pixel(press.shape, face, sample.pixel, {1, 0});
+    sample.by_v = by_pixel(press.shape, face, sample.pixel, {0, 1});
+  }
   return near;
 }
 

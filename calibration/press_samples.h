@@ -15,7 +15,7 @@ struct Sample {
   Eigen::Vector3d untouched_z;  ///< outer side of the layer along z, mm
   Eigen::Vector3d untouched_n;  ///< the same along the normal, mm
   Eigen::Vector3d normal;       ///< outward, away from the camera
-  /// How untouched_n moves from pixel to pixel, mm.
+  /// How untouched_n moves from pixel to pixel, mm; only sample_around() tells that.
   Eigen::Vector3d by_u = Eigen::Vector3d::Zero(), by_v = Eigen::Vector3d::Zero();
   double cos_incline = 1;
   double x = 0;
@@ -50,6 +50,10 @@ void place_within(const PressedPart& part, PressSamples* press);
 
 /// Block means of side `block_px`. A block with any pixel that has no measurement is left out.
 [[nodiscard]] PressSamples sample_press(const Press& press, const Face& face, int block_px);
+
+/// The sample whose untouched_n lies nearest to a point; null where there is none.
+[[nodiscard]] const Sample* nearest_sample(const PressSamples& press,
+                                           const Eigen::Vector3d& point_mm);
 
 /// The blocks within `radius_mm` of `middle` (camera frame, measured from untouched_n), of the
 /// smallest size from 2 px on that gives at most about `limit` of them.

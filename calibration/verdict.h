@@ -27,6 +27,9 @@ struct Verdict {
 inline constexpr double kGoodErrorMm = 0.06;
 inline constexpr double kUsableErrorMm = 0.15;
 
+/// Mean absolute value of a normal error whose standard deviation is 1: sqrt(2 / pi).
+inline constexpr double kMeanOfSd = 0.7978845608028654;
+
 struct VerdictEvidence {
   double residual_mm = 0;
   double held_out_mm = 0;  ///< 0 when there was only one press to learn from

@@ -100,7 +100,8 @@ TEST(LiftOff, ItsDerivativesAreThoseOfDifferences) {
 /// Presses of a ball on a plane with a skin that lifts off, as block means 0.18 mm apart.
 struct World {
   std::vector<PressSamples> samples;
-  ChoiceInput input;
+  std::vector<Eigen::Vector3d> centres_mm;
+  ChoiceInput input;  // the balls a little off
 
   static double x_of(double depth_mm) { return depth_mm / (2.6 - 0.7 * depth_mm); }
 
@@ -134,11 +135,35 @@ struct World {
           press.samples.push_back(sample);
         }
       samples.push_back(std::move(press));
+      centres_mm.push_back(centre);
       input.centres_mm.push_back(centre + Eigen::Vector3d(0.02, -0.02, 0.03 * uniform(random)));
     }
     for (const PressSamples& press : samples) input.presses.push_back(&press);
   }
 };
+
+TEST(LiftOff, IsThatOfTheMappingWhereOnlyABallIsFree) {
+  std::mt19937 random(7);
+  constexpr double kLiftMm = 0.2;
+  const World world(kLiftMm, 0.001, random);
+  MappingCurve curve({MappingKind::kMoebius, 2}, 0.5);
+  curve.values() << 2.6, 0.7;
+  JointOptions options;
+  options.zone = 1.0;
+  options.fix_mapping = true;
+  for (const bool was_free : {false, true}) {
+    options.free_lift = was_free;
+    for (std::size_t i = 0; i < world.samples.size(); ++i) {
+      const JointFit fit = fit_jointly({&world.samples[i]},
+                                       {curve, {world.input.centres_mm[i]}, false, kLiftMm},
+                                       options,
+                                       Job{});
+      EXPECT_TRUE(fit.converged);
+      EXPECT_EQ(fit.lift_mm, kLiftMm);
+      EXPECT_LT((fit.centres_mm[0] - world.centres_mm[i]).norm(), 0.004) << i;
+    }
+  }
+}
 
 TEST(LiftOff, DoesNotScaleTheMapping) {
   std::vector<double> off;
