@@ -115,16 +115,20 @@ double deepest_mm(const Found& found, const Eigen::Vector3d& centre) {
   return depth;
 }
 
+/// Residuals are told of the part that surely touches, whatever part was read: they can be
+/// compared.
+JointOptions surely_touching(JointOptions options) {
+  options.zone = kSureZone;
+  return options;
+}
+
 std::vector<BallFit> balls_of(const std::vector<Found>& found,
                               const ModelChoice& choice,
                               const JointFit& fit,
                               const JointCovariance& covariance) {
   std::vector<const PressSamples*> presses;
   for (const Found& f : found) presses.push_back(&f.fine);
-  // Of the part that surely touches, whatever part was read: figures that can be compared.
-  JointOptions inner = choice.options;
-  inner.zone = kSureZone;
-  const FitQuality quality = quality_of(presses, fit, inner);
+  const FitQuality quality = quality_of(presses, fit, surely_touching(choice.options));
   std::vector<BallFit> balls;
   for (std::size_t i = 0; i < found.size(); ++i) {
     BallFit ball;
@@ -215,7 +219,7 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
     job.report(0.9, fmt::format("solving: round {}, unknowns move by {:.1e} mm", round, change_mm));
     if (!job.hears_rounds()) return;
     double residual_mm = 0;
-    for (const double each_mm : quality_of(presses, now, options).residual_mm)
+    for (const double each_mm : quality_of(presses, now, surely_touching(options)).residual_mm)
       residual_mm += each_mm / static_cast<double>(presses.size());
     job.report_round({round, residual_mm, change_mm});
   };
@@ -279,8 +283,10 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   const Eigen::Index n = fit.curve.values().size();
   if (covariance.covariance.size() > 0) {
     const Eigen::MatrixXd by_values = stored_form(fit.curve).by_values;
-    const Eigen::MatrixXd stored =
-        by_values * covariance.covariance.topLeftCorner(n, n) * by_values.transpose();
+    const Eigen::MatrixXd by_residuals = covariance.covariance.topLeftCorner(n, n);
+    // Leaving presses out may show more than their residuals do.
+    const double more = std::max(1.0, choice->spread_mm / mean_error_mm(fit.curve, by_residuals));
+    const Eigen::MatrixXd stored = more * more * by_values * by_residuals * by_values.transpose();
     calibration.mapping.covariance = 0.5 * (stored + stored.transpose());
   }
   if (const auto mapping = Mapping::create(calibration.mapping); !mapping)

@@ -11,11 +11,11 @@
 namespace alltact {
 namespace {
 
-constexpr int kDomainPlaces = 12;       // of the curve, where curves are compared
-constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is never held against it
-constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
-constexpr double kCertainPart = 0.01;   // of the depth: what chance leaves open is little enough
-constexpr double kInclineDeg = 3.0;     // needed to tell thickness along z from along the normal
+constexpr int kDomainPlaces = 12;         // of the curve, where curves are compared
+constexpr double kQuietRingMm = 0.002;    // mean residual of a ring that is never held against it
+constexpr double kRingExcess = 1.5;       // times the scatter of a ring's sectors
+constexpr double kShortOfContact = 0.03;  // of the rim's radius: no skin is quite that membrane
+constexpr double kInclineDeg = 3.0;       // needed to tell thickness along z from along the normal
 constexpr int kMostCoefficients = 6;
 constexpr std::size_t kVaryingPresses = 5;  // two numbers more want two presses more
 // Held-out errors closer than this are the same: the balls, which take up ten times as much of a
@@ -97,6 +97,19 @@ bool rings_agree(const FitQuality& quality) {
   return quality.ring_mm <= chance_mm && quality.lifted_sd_mm <= kQuietRingMm;
 }
 
+/// Which part of their rims' radius the contacts reach before the skin leaves the ball, on average.
+double touching_part(const ChoiceInput& input, const JointFit& fit) {
+  double sum = 0;
+  for (std::size_t i = 0; i < input.presses.size(); ++i) {
+    const PressSamples& press = *input.presses[i];
+    const double radius = press.ball_radius_mm,
+                 height = plane_below(press, fit.centres_mm[i]).height_mm(fit.centres_mm[i]);
+    const double rim = std::sqrt(std::max(1e-6, (radius - height) * (radius + height)));
+    sum += rim / (std::hypot(fit.lift_mm, rim) + fit.lift_mm);
+  }
+  return sum / static_cast<double>(input.presses.size());
+}
+
 std::string inner_sentence(double zone) {
   return fmt::format(
       "the inner {:.0f} % of each contact's radius was used, where the skin surely touches the "
@@ -107,6 +120,7 @@ std::string inner_sentence(double zone) {
 /// Fits as much of each contact as ball and lift-off explain, from the rim inwards; leaves in
 /// `options` which part that is. The inner part alone leaves an offset between balls and mapping
 /// open, which a curve that is not quite the layer's then fills; near the rim the offset is seen.
+/// The rim itself tells how far the skin follows the ball, but not in which form it comes back.
 /// Where rings show that the skin does there what lift_off.h does not know, its error would be
 /// taken up by the scale, ten times larger.
 JointFit choose_zone(const ChoiceInput& input,
@@ -117,19 +131,18 @@ JointFit choose_zone(const ChoiceInput& input,
   options->zone = kSureZone;
   fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
   *remark = inner_sentence(options->zone);
-  // Any skin touches there: what it does further out is read only where it is needed.
-  if (uncertain_part(fit, chance_covariance_of(input.presses, fit, *options).covariance) <
-      kCertainPart)
-    return fit;
   const double inner_part =
       uncertain_part(fit, covariance_of(input.presses, fit, *options).covariance);
+  JointFit start = fit;
+  start.lift_mm = kUsualLiftMm;
+  JointOptions wider = *options;
+  wider.zone = 1.0;
+  wider.free_lift = true;
+  const double touching = touching_part(input, fit_jointly(input.presses, start, wider, job));
   for (const double zone : {1.0, 0.93, 0.85, 0.75}) {
-    JointOptions wider = *options;
+    if (zone > touching - kShortOfContact) continue;
     wider.zone = zone;
-    wider.free_lift = true;
-    JointFit start = fit;
-    start.lift_mm = kUsualLiftMm;
-    const JointFit next = fit_jointly(input.presses, std::move(start), wider, job);
+    const JointFit next = fit_jointly(input.presses, start, wider, job);
     if (job.stop_requested()) break;
     const FitQuality quality = quality_of(input.presses, next, wider);
     if (!next.converged || !rings_agree(quality)) continue;

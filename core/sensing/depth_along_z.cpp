@@ -5,14 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
 
-constexpr double kTouchedMm = 0.02;  // mean depth below which a cell only needs scaling
-constexpr int kSteps = 6;            // each at least halves the error
+// Mean depth below which a cell only needs scaling: what noise makes of most of a face does too.
+constexpr float kTouchedMm = 0.02F, kMostTouchedMm = 0.1F;
+constexpr float kAboveNoise = 3.0F;
+constexpr int kSteps = 6;  // each at least halves the error
 
 /// The finger's length profile in the x-z plane, of the middle of the face. Across it a face that
 /// is twisted goes on as its normal says there.
@@ -53,9 +57,22 @@ struct Profile {
   }
 };
 
+/// The mean depth from which on a cell is touched, by the quarter of the face that is least so.
+float touched_mm(const cv::Mat& cells_mm) {
+  std::vector<float> means;
+  std::copy_if(
+      cells_mm.begin<float>(), cells_mm.end<float>(), std::back_inserter(means), [](float mm) {
+        return std::isfinite(mm);
+      });
+  if (means.empty()) return kTouchedMm;
+  const auto quarter = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 4);
+  std::nth_element(means.begin(), quarter, means.end());
+  return std::clamp(kAboveNoise * *quarter, kTouchedMm, kMostTouchedMm);
+}
+
 /// Cells near a touched one: where looking elsewhere can make a difference.
 cv::Mat touched_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
-  cv::Mat touched = cells_mm > kTouchedMm;
+  cv::Mat touched = cells_mm > static_cast<double>(touched_mm(cells_mm));
   double nearest_mm = 1e9;
   for (const FaceColumn& column : shape.columns())
     if (column.valid) nearest_mm = std::min(nearest_mm, column.z_mm);
