@@ -127,7 +127,9 @@ TEST(ReferencePicture, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
     const cv::Mat grey = finger.with_noise(specked(finger, recorded), random);
     const FacePicture face = keep_face(grey, chart_in(recorded), grid);
     const cv::Mat there =
-        ReferencePicture(grid, {{{&face}, {1.0F}}}, chart_in(now), grey.size()).grey();
+        ReferencePicture(
+            grid, {{{&face}, {1.0F}}}, ChartWarp(chart_in(now), grid.chart), grey.size())
+            .grey();
     for (const Mark& mark : kMarks) {
       const Eigen::Vector2d place = seen_at(finger, now, mark),
                             was = seen_at(finger, recorded, mark);
@@ -163,7 +165,8 @@ TEST(ReferencePicture, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
   std::vector<const FacePicture*> pointers;
   for (const auto& face : faces) pointers.push_back(&face);
   const cv::Size size(finger.width, finger.height);
-  const cv::Mat grey = ReferencePicture(grid, {{pointers, weights}}, chart, size).grey();
+  const cv::Mat grey =
+      ReferencePicture(grid, {{pointers, weights}}, ChartWarp(chart, grid.chart), size).grey();
   int shown = 0;
   for (int u = 0; u < finger.width; ++u)
     for (int v = 0; v < finger.height; ++v) {
@@ -193,7 +196,8 @@ TEST(ReferencePicture, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
   const cv::Size size(finger.width, finger.height);
   const FacePicture near = keep_face(cv::Mat(size, CV_8UC1, cv::Scalar(50)), shorter, grid),
                     further = keep_face(cv::Mat(size, CV_8UC1, cv::Scalar(90)), chart, grid);
-  const ReferencePicture picture(grid, {{{&near}, {1.0F}}, {{&further}, {1.0F}}}, chart, size);
+  const ReferencePicture picture(
+      grid, {{{&near}, {1.0F}}, {{&further}, {1.0F}}}, ChartWarp(chart, grid.chart), size);
   const cv::Mat grey = picture.grey();
   const int border = chart.end() - kShorter;
   for (int u = chart.first; u < chart.end(); ++u) {
@@ -202,6 +206,43 @@ TEST(ReferencePicture, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
     EXPECT_EQ(picture.is_first_mix(u), u < border) << u;
     if (std::abs(u - border) <= 1) continue;
     EXPECT_NEAR(grey.at<float>(v, u), u < border ? 50.0 : 90.0, 0.02) << u;
+  }
+}
+
+TEST(ReferencePicture, ShowsWhatColumnsShareOfASlantedEnd) {
+  const testing::MarkedFinger finger;
+  const FaceChart chart = chart_of(finger.shape({})).value();
+  const FaceGrid grid = face_grid(chart, 0.15);
+  const cv::Size size(finger.width, finger.height);
+  const FacePicture face = keep_face(cv::Mat(size, CV_8UC1, cv::Scalar(70)), chart, grid);
+  for (const double tilt_mm : {-3.0, 3.0}) {
+    FaceChart now = chart;  // the same pixels, whose skin lies as far along as its side says
+    now.tilt_mm = tilt_mm;
+    const ChartWarp warp(now, grid.chart);
+    const cv::Mat grey = ReferencePicture(grid, {{{&face}, {1.0F}}}, warp, size).grey();
+    int in_part = 0;
+    for (int u = chart.first; u < chart.end(); ++u) {
+      const auto i = static_cast<std::size_t>(u - chart.first);
+      const auto l = std::min(i, chart.along_mm.size() - 2);
+      const double step_mm = chart.along_mm[l + 1] - chart.along_mm[l];
+      bool shows = false, hides = false;
+      for (int v = static_cast<int>(chart.upper_v[i]) + 1; v < chart.lower_v[i]; ++v) {
+        // How far along the skin is that this pixel shows, in columns of the recorded frame.
+        const double across =
+            2.0 * (v - chart.upper_v[i]) / (chart.lower_v[i] - chart.upper_v[i]) - 1.0;
+        const double to_u = u + across * tilt_mm / step_mm;
+        if (std::min(std::abs(to_u - chart.first), std::abs(to_u - (chart.end() - 1))) < 0.5)
+          continue;
+        const bool is_shown = to_u > chart.first && to_u < chart.end() - 1;
+        ASSERT_EQ(std::isfinite(grey.at<float>(v, u)), is_shown) << u << ' ' << v;
+        (is_shown ? shows : hides) = true;
+        if (is_shown) {
+          ASSERT_NEAR(grey.at<float>(v, u), 70.0, 0.02);
+        }
+      }
+      in_part += shows && hides;
+    }
+    EXPECT_GT(in_part, 20);
   }
 }
 

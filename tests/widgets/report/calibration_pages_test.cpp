@@ -40,10 +40,9 @@ FingerCalibration some_calibration() {
   done.zones = zone_errors(done.residuals, done.calibration, FaceKind::kFlat);
   done.verdict = verdict({done.calibration.residual_mm, done.calibration.held_out_mm, 0, 4});
   for (const BallFit& ball : done.calibration.balls)
-    done.presses.push_back(
-        {ball.press, cv::Mat(180, 240, CV_8UC1, cv::Scalar(120)), {}, "", {}, {}});
+    done.presses.push_back({ball.press, cv::Mat(180, 240, CV_8UC1, cv::Scalar(120)), {}, "", {}});
   done.presses.push_back(
-      {"press_9", cv::Mat(180, 240, CV_8UC1, cv::Scalar(90)), {}, "excluded, glove", {}, {}});
+      {"press_9", cv::Mat(180, 240, CV_8UC1, cv::Scalar(90)), {}, "excluded, glove", {}});
   done.calibration.left_out = {"press_9: excluded, glove"};
   return done;
 }
