@@ -36,7 +36,11 @@ double mean_sd_mm(const ComparedPress& compared,
   difference.x = x;
   DepthMap depth = depth_map(difference, mapping, press->shape);
   depth.live_sd = difference.grey_sd / std::hypot(1.0, reference->noise_gain);
-  DepthError error(depth, *reference, press->shape, mapping);
+  // Of poses that the recording shows: how far the finger gives way is each contact's own affair.
+  Reference known = *reference;
+  known.error_factor = std::min(known.error_factor, 1.0);
+  known.outer_error_factor = std::min(known.outer_error_factor, 1.0);
+  DepthError error(depth, known, press->shape, mapping);
   double sum = 0;
   int count = 0;
   for (int v = 0; v < wanted.rows; ++v) {

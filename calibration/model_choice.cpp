@@ -14,6 +14,7 @@ namespace {
 constexpr int kDomainPlaces = 12;         // of the curve, where curves are compared
 constexpr double kQuietRingMm = 0.002;    // mean residual of a ring that is never held against it
 constexpr double kRingExcess = 1.5;       // times the scatter of a ring's sectors
+constexpr double kCertainPart = 0.01;     // of the depth: what chance leaves open is little enough
 constexpr double kShortOfContact = 0.03;  // of the rim's radius: no skin is quite that membrane
 constexpr double kInclineDeg = 3.0;       // needed to tell thickness along z from along the normal
 constexpr int kMostCoefficients = 6;
@@ -131,6 +132,10 @@ JointFit choose_zone(const ChoiceInput& input,
   options->zone = kSureZone;
   fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
   *remark = inner_sentence(options->zone);
+  // Any skin touches there: what it does further out is read only where it is needed.
+  if (uncertain_part(fit, chance_covariance_of(input.presses, fit, *options).covariance) <
+      kCertainPart)
+    return fit;
   const double inner_part =
       uncertain_part(fit, covariance_of(input.presses, fit, *options).covariance);
   JointFit start = fit;

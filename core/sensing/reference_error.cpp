@@ -15,9 +15,10 @@ constexpr int kCell = kErrorCellPx;
 constexpr int kTerms = 6;
 constexpr int kEvery = 2;  // cells are enough for the light
 constexpr float kLeastLevel = 8.0F;
-constexpr int kLeastFrames = 12;  // to tell drift from pose
-constexpr int kMostStudied = 48;  // frames computed from their neighbours
-constexpr double kStays = 0.5;    // part of the variance that does not fall with the reach
+constexpr int kLeastFrames = 12;            // to tell drift from pose
+constexpr int kMostStudied = 48;            // frames computed from their neighbours
+constexpr double kMedianOfSquare = 0.4549;  // of a normal distribution
+constexpr double kStays = 0.5;  // part of the variance that does not fall with the reach
 
 using Terms = Eigen::Matrix<double, kTerms, 1>;
 using Square = Eigen::Matrix<double, kTerms, kTerms>;
@@ -146,7 +147,6 @@ double noise_square(const cv::Mat& residual, const cv::Mat& level) {
       const double off = step * static_cast<double>(level.at<float>(y, x));
       if (std::isfinite(off)) squares.push_back(0.5 * off * off);
     }
-  constexpr double kMedianOfSquare = 0.4549;  // of a normal distribution
   return squares.empty() ? 0.0 : upper_median(squares) / kMedianOfSquare;
 }
 
@@ -161,17 +161,37 @@ cv::Mat computed_from(const std::vector<cv::Mat>& cells, const Neighbours& neigh
   return sum;
 }
 
-/// Sums over the studied frames of what a cell was off by, noise taken off.
+/// What a cell was off by in the studied frames, squared, and what noise makes of that; NaN where a
+/// frame did not show it.
+struct Studied {
+  std::vector<cv::Mat> square, noise;
+  void add(const cv::Mat& residual, const cv::Mat& level, double noise_square) {
+    square.push_back(residual.mul(residual));
+    noise.push_back(noise_square / level.mul(level));
+  }
+};
+
+/// Sums over the studied frames, noise taken off. Frames in which something pressed there, and was
+/// not noticed, tell nothing of untouched skin: they are far from what most frames show.
 struct Sums {
   cv::Mat square, count;
-  void add(const cv::Mat& residual, const cv::Mat& level, double noise) {
-    for (int y = 0; y < residual.rows; ++y)
-      for (int x = 0; x < residual.cols; ++x) {
-        const auto off = static_cast<double>(residual.at<float>(y, x));
-        if (!std::isfinite(off)) continue;
-        const auto grey = static_cast<double>(level.at<float>(y, x));
-        square.at<float>(y, x) += static_cast<float>(off * off - noise / (grey * grey));
-        count.at<float>(y, x) += 1.0F;
+  explicit Sums(const Studied& studied)
+      : square(studied.square.front().size(), CV_32FC1, cv::Scalar(0)), count(square.clone()) {
+    constexpr double kFar = 4.0;  // standard deviations
+    std::vector<float> squares;
+    for (int y = 0; y < square.rows; ++y)
+      for (int x = 0; x < square.cols; ++x) {
+        squares.clear();
+        for (const cv::Mat& one : studied.square)
+          if (const float off2 = one.at<float>(y, x); std::isfinite(off2)) squares.push_back(off2);
+        const auto most =
+            kFar * kFar / kMedianOfSquare * static_cast<double>(upper_median(squares));
+        for (std::size_t k = 0; k < studied.square.size(); ++k) {
+          const float off2 = studied.square[k].at<float>(y, x);
+          if (!(static_cast<double>(off2) <= most)) continue;
+          square.at<float>(y, x) += off2 - studied.noise[k].at<float>(y, x);
+          count.at<float>(y, x) += 1.0F;
+        }
       }
   }
 };
@@ -219,8 +239,7 @@ ReferenceError reference_error(const FaceGrid& grid,
                                const std::function<Neighbours(int)>& neighbours_of) {
   std::vector<cv::Mat> cells;
   for (const FacePicture& face : faces) cells.push_back(cells_of(grid, face));
-  Sums sums{cv::Mat(cells.front().size(), CV_32FC1, cv::Scalar(0)),
-            cv::Mat(cells.front().size(), CV_32FC1, cv::Scalar(0))};
+  Studied frames;
   const int count = static_cast<int>(faces.size()), studied = std::min(count, kMostStudied);
   std::vector<double> reaches;
   for (int k = 0; k < studied; ++k) {
@@ -228,12 +247,13 @@ ReferenceError reference_error(const FaceGrid& grid,
     const Neighbours neighbours = neighbours_of(i);
     const cv::Mat computed = computed_from(cells, neighbours);
     const cv::Mat residual = residual_of(cells[static_cast<std::size_t>(i)], computed);
-    sums.add(residual, computed, noise_square(residual, computed));
+    frames.add(residual, computed, noise_square(residual, computed));
     reaches.push_back(neighbours.reach_px2);
   }
   ReferenceError error;
   error.typical_reach_px2 = upper_median(reaches);
   // Averaged over a cell and those around it: few frames tell of each.
+  const Sums sums(frames);
   cv::Mat square, number;
   cv::boxFilter(sums.square, square, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);
   cv::boxFilter(sums.count, number, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);

@@ -133,8 +133,15 @@ double scale_of(const Layer& layer, const Contact& contact, double noise, unsign
 
 // With residuals of depth instead of brightness noise makes depths too small: 0.95 at 3 levels.
 TEST(ScaleOfDepth, DoesNotDependOnTheNoise) {
-  for (const double noise : {1.0, 3.0, 5.0})
-    EXPECT_NEAR(scale_of({0.6, 0.02}, {Skin::kTail, 0.8}, noise, 5), 1.0, 0.025) << noise;
+  constexpr int kRuns = 8;  // one is a draw: 0.02 at 5 levels
+  for (const double noise : {1.0, 3.0, 5.0}) {
+    double mean = 0;
+    for (unsigned run = 0; run < kRuns; ++run)
+      mean += scale_of({0.6, 0.02}, {Skin::kTail, 0.8}, noise, 5 + run) / kRuns;
+    std::printf(
+        "[ figures  ] noise %.0f: depth reads %.4f of what it is on average\n", noise, mean);
+    EXPECT_NEAR(mean, 1.0, 0.02) << noise;
+  }
 }
 
 TEST(ScaleOfDepth, DoesNotDependOnTheAbsorption) {
