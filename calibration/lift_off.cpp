@@ -9,12 +9,16 @@ ContactPlane plane_below(const PressSamples& press, const Eigen::Vector3d& centr
   return nearest == nullptr ? ContactPlane{} : ContactPlane{nearest->untouched_n, nearest->normal};
 }
 
+double contact_radius_mm(double rim2_mm2, double lift_mm) {
+  return rim2_mm2 / (std::sqrt(lift_mm * lift_mm + rim2_mm2) + lift_mm);
+}
+
 SkinDepth skin_depth(double ball_mm, double height_mm, double radius_mm, double lift_mm) {
   const double rim2 = (radius_mm - height_mm) * (radius_mm + height_mm);
   if (!(lift_mm > 0.0) || !(rim2 > 0.0)) return {ball_mm};
   const double up = ball_mm + height_mm;  // of the ball's surface below its centre
-  const double root = std::sqrt(lift_mm * lift_mm + rim2);
-  const double contact = rim2 / (root + lift_mm);  // a
+  const double contact = contact_radius_mm(rim2, lift_mm);
+  const double root = contact + lift_mm;
   const double rho2 = (radius_mm - up) * (radius_mm + up);
   if (rho2 <= contact * contact || !(radius_mm > contact)) return {ball_mm};
   const double rho = std::sqrt(rho2);

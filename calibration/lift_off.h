@@ -30,6 +30,9 @@ struct ContactPlane {
 /// Lift-off lengths of silicone skins are believed to lie around this, within a factor of e.
 constexpr double kUsualLiftMm = 0.12;
 
+/// Where the skin leaves the ball, mm from its axis, with r^2 given.
+[[nodiscard]] double contact_radius_mm(double rim2_mm2, double lift_mm);
+
 /// Depth of the skin, normal to the plane.
 struct SkinDepth {
   double mm = 0;

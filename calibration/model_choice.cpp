@@ -105,8 +105,8 @@ double touching_part(const ChoiceInput& input, const JointFit& fit) {
     const PressSamples& press = *input.presses[i];
     const double radius = press.ball_radius_mm,
                  height = plane_below(press, fit.centres_mm[i]).height_mm(fit.centres_mm[i]);
-    const double rim = std::sqrt(std::max(1e-6, (radius - height) * (radius + height)));
-    sum += rim / (std::hypot(fit.lift_mm, rim) + fit.lift_mm);
+    const double rim2 = std::max(1e-6, (radius - height) * (radius + height));
+    sum += contact_radius_mm(rim2, fit.lift_mm) / std::sqrt(rim2);
   }
   return sum / static_cast<double>(input.presses.size());
 }
@@ -370,7 +370,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
   JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
   std::string zone_remark;
   start = choose_zone(input, std::move(start), &choice.options, &zone_remark, job);
-  if (!zone_remark.empty()) choice.remarks.push_back(std::move(zone_remark));
+  choice.remarks.push_back(std::move(zone_remark));
 
   const auto candidates = try_families(input, families, start, choice.options, job);
   if (candidates.empty()) return std::nullopt;

@@ -42,7 +42,7 @@ struct ReferenceLibrary::Content {
   [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
                                       const std::vector<char>& without) const;
   [[nodiscard]] FaceMix mix_of(const Neighbours& neighbours) const;
-  /// Frames that do not show some of the skin that a frame (its chart) shows beyond the columns
+  /// Frames that do not show some of the skin that a frame (its warp) shows beyond the columns
   /// `shown` of the grid; empty where there is none such, or too few frames show it.
   [[nodiscard]] std::vector<char> hiding(const ChartWarp& warp,
                                          std::pair<int, int> shown,

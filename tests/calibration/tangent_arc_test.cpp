@@ -237,9 +237,7 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
         curve.values()[0] += 2.7;  // so that it rises as far as the ball is deep
         JointOptions options;
         options.along = along;
-        options.free_lift = round % 2 == 0;
-        const double lift_mm = round % 3 == 0 ? 0.0 : 0.3;
-        const PressCost brightness(weighted, curve, options, lift_mm);
+        const PressCost brightness(weighted, curve, options, round % 3 != 0);
         for (const ceres::CostFunction* cost :
              {static_cast<const ceres::CostFunction*>(&brightness),
               static_cast<const ceres::CostFunction*>(&outlines)}) {

@@ -1,5 +1,6 @@
 #include "core/io/atomic_file.h"
 #include "core/sensing/face_picture.h"
+#include "core/sensing/reference_error.h"
 #include "core/sensing/reference_library.h"
 #include "core/sensing/reference_weights.h"
 #include "tests/support/marked_finger.h"
@@ -9,6 +10,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
@@ -244,6 +246,48 @@ TEST(ReferencePicture, ShowsWhatColumnsShareOfASlantedEnd) {
     }
     EXPECT_GT(in_part, 20);
   }
+}
+
+/// What a recording of one pose says its references are off by in a part of the face: brightness
+/// that differs by 1 % from frame to frame, and `dented` frames in which that part is a fifth
+/// darker.
+double told_sd(int dented) {
+  std::mt19937 random(3);
+  std::normal_distribution<float> chance(150.0F, 1.5F);
+  const testing::MarkedFinger finger;
+  const FaceChart chart = chart_of(finger.shape({})).value();
+  const FaceGrid grid = face_grid(chart, 0.15);
+  const cv::Size size(finger.width, finger.height);
+  const cv::Rect part(500, 0, 60, size.height);
+  constexpr int kFrames = 40, kPatchPx = 16;
+  std::vector<FacePicture> faces;
+  for (int i = 0; i < kFrames; ++i) {
+    cv::Mat_<float> patches(size.height / kPatchPx, size.width / kPatchPx);
+    for (float& level : patches) level = chance(random);
+    cv::Mat grey;
+    cv::resize(patches, grey, size, 0, 0, cv::INTER_LINEAR);
+    if (i < dented) grey(part) *= 0.8;
+    grey.convertTo(grey, CV_8U);
+    faces.push_back(keep_face(grey, chart, grid));
+  }
+  const ReferenceError error = reference_error(grid, faces, [](int i) {
+    Neighbours neighbours{{}, Eigen::VectorXd::Constant(4, 0.25), 1.0};
+    for (int k = 1; k <= 4; ++k) neighbours.rows.push_back((i + 9 * k) % kFrames);
+    return neighbours;
+  });
+  const int row = (size.height / 2 - grid.origin.y) / kErrorCellPx;
+  const int first = (part.x - grid.origin.x) / kErrorCellPx;
+  return cv::mean(
+      error.relative_sd(cv::Rect(first + 2, row - 4, part.width / kErrorCellPx - 4, 8)))[0];
+}
+
+TEST(ReferenceError, IsNotThatOfDentsWhichNobodyNoticed) {
+  const double clean = told_sd(0), dented = told_sd(1);  // seen in 5 comparisons of 40
+  std::printf(
+      "[ figures  ] references off by %.4f; with 1 of 40 frames dented %.4f\n", clean, dented);
+  EXPECT_GT(clean, 0.004);
+  EXPECT_LT(clean, 0.013);  // of one cell sqrt(1 + 1/4) %, less what lies between patches
+  EXPECT_NEAR(dented / clean, 1.0, 0.3);
 }
 
 MarkerTable random_table(int frames, int per_row, std::mt19937& random) {
