@@ -1,6 +1,7 @@
 #include "calibration/calibrate.h"
 
 #include "calibration/joint_fit.h"
+#include "calibration/measured_presses.h"
 #include "calibration/model_choice.h"
 #include "calibration/outline_methods.h"
 #include "calibration/placed_ball.h"
@@ -58,6 +59,7 @@ std::vector<Found> find_balls(const std::vector<Press>& presses,
   std::vector<Found> found;
   for (std::size_t i = 0; i < presses.size() && !job.stop_requested(); ++i) {
     const Press& press = presses[i];
+    if (press.step_mm) continue;
     job.report(0.2 * static_cast<double>(i) / static_cast<double>(presses.size()),
                fmt::format("looking for the ball in {}", press.name));
     const auto twin = std::find_if(presses.begin(),
@@ -97,6 +99,11 @@ Error no_press(const std::vector<Press>& presses, const std::vector<std::string>
   for (const std::string& reason : left_out) reasons += (reasons.empty() ? "" : " ") + reason;
   if (!reasons.empty()) reasons.pop_back();  // Error adds the full stop
   if (presses.empty()) return {"no press was given", "", "at least one picture of a pressed ball"};
+  if (std::all_of(presses.begin(), presses.end(), [](const Press& p) { return p.step_mm; }))
+    return {"there are only presses of a punch with a step",
+            "",
+            "pressing a ball as well, once at least: a step tells how far apart two depths are, "
+            "not where they begin"};
   return {fmt::format("none of {} presses could be used: {}", presses.size(), reasons),
           "",
           "pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face"};
@@ -145,6 +152,9 @@ std::vector<BallFit> balls_of(const std::vector<Found>& found,
     ball.held_out_mm = i < choice.held_out_mm.size() ? choice.held_out_mm[i] : 0.0;
     ball.tangent_arc_deg = found[i].tangent_arc_deg;
     ball.cut_by_edge = found[i].guess.cut_by_edge;
+    ball.told_depth = found[i].fine.told_depth;
+    ball.pressed_in_mm =
+        ball.radius_mm - plane_below(*presses[i], ball.centre_mm).height_mm(ball.centre_mm);
     balls.push_back(std::move(ball));
   }
   return balls;
@@ -239,7 +249,20 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
   return with_outlines.converged ? with_outlines : fit;
 }
 
+/// Takes away what was measured and contradicts the pictures.
+void check_measured(std::vector<Found>& found,
+                    std::vector<StepSamples>& steps,
+                    const CalibrationSettings& settings,
+                    const Job& job,
+                    Calibration* calibration) {
+  std::vector<MeasuredPress> presses;
+  for (Found& f : found) presses.push_back({f.press->name, f.guess.centre_mm, &f.coarse, &f.fine});
+  for (std::string& reason : drop_contradicting(presses, steps, settings, job))
+    calibration->left_out.push_back(std::move(reason));
+}
+
 Result<Calibration> solve_jointly(std::vector<Found> found,
+                                  std::vector<StepSamples> steps,
                                   const Face& face,
                                   const CalibrationSettings& settings,
                                   const Job& job,
@@ -251,7 +274,10 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
     place_within(part, &f.fine);
     place_within(part, &f.coarse);
   }
+  for (StepSamples& step : steps) place_within(part, &step.samples);
+  check_measured(found, steps, settings, job, &calibration);
   ChoiceInput coarse;
+  if (!steps.empty()) coarse.steps = &steps;
   for (const Found& f : found) {
     coarse.presses.push_back(&f.coarse);
     coarse.centres_mm.push_back(f.guess.centre_mm);
@@ -300,6 +326,7 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   if (!job.stop_requested())
     calibration.next_press = advise(coarse.presses, fit, choice->options, face_length_mm(found));
   calibration.balls = balls_of(found, *choice, fit, covariance);
+  calibration.steps = steps_of(steps, fit.curve, choice->options.along);
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
   calibration.condition = covariance.condition;
@@ -378,7 +405,7 @@ Result<Calibration> calibrate(const std::vector<Press>& presses,
                               const CalibrationSettings& settings,
                               const Job& job) {
   for (const Press& press : presses)
-    if (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm))
+    if (!press.step_mm && (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm)))
       return Error{fmt::format("a ball radius of {} mm is impossible", press.ball_radius_mm),
                    press.name,
                    "the radius in millimetres, as measured with callipers"};
@@ -389,8 +416,10 @@ Result<Calibration> calibrate(const std::vector<Press>& presses,
     if (found.empty())
       return job.stop_requested() ? stopped() : no_press(presses, calibration.left_out);
     Result<Calibration> result = [&]() -> Result<Calibration> {
-      if (settings.method == CalibrationMethod::kJoint)
-        return solve_jointly(found, face, settings, job, std::move(calibration));
+      if (settings.method == CalibrationMethod::kJoint) {
+        auto steps = find_steps(presses, face, &calibration.left_out);
+        return solve_jointly(found, std::move(steps), face, settings, job, std::move(calibration));
+      }
       std::vector<OutlinePress> outlines;
       for (const Found& f : found) outlines.push_back({f.press, f.guess});
       return calibrate_by_outline(

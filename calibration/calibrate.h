@@ -51,11 +51,22 @@ struct BallFit {
   double held_out_mm = 0;      ///< the same with a mapping fitted without this press; 0: only press
   double tangent_arc_deg = 0;  ///< of the outline that entered the fit; 0: brightness alone
   bool cut_by_edge = false;
+  std::optional<ToldDepth> told_depth = std::nullopt;  ///< as it was measured
+  double pressed_in_mm = 0;                            ///< what the solution says of that
+};
+
+/// The punch of one press in the solution.
+struct StepFit {
+  std::string press;
+  double step_mm = 0;   ///< as it was told
+  double reads_mm = 0;  ///< as the mapping reads it
+  double sd_mm = 0;     ///< of the reading by itself
 };
 
 struct Calibration {
   MappingParameters mapping;
   std::vector<BallFit> balls;
+  std::vector<StepFit> steps;  ///< joint method only
   double residual_mm = 0;
   double held_out_mm = 0;  ///< 0 when there was only one press
   /// How far depth is off as a whole, mean absolute over the domain: the larger of what the mapping

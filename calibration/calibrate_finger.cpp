@@ -2,6 +2,7 @@
 
 #include "calibration/calibration_report.h"
 #include "calibration/contact_error.h"
+#include "calibration/held_frames.h"
 #include "calibration/reference_recording.h"
 #include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
@@ -27,6 +28,7 @@ namespace fs = std::filesystem;
 struct Work {
   fs::path folder;
   std::vector<fs::path> pictures;     ///< what open_source is given
+  bool bursts = false;                ///< one press each
   std::optional<fs::path> reference;  ///< flat sensors: to be installed
   bool is_repetition = false;         ///< of `inputs`, whose presses these are to be
   CalibrationInputs kept;             ///< what is repeated, as it was stored
@@ -69,6 +71,12 @@ Status check_kept(const Work& work, const Frame& frame, std::size_t index) {
                "calibrating anew with the pictures that are there"};
 }
 
+void say_of(Press& press, const SaidOfPresses& said) {
+  if (const auto* ball = said_of(said.balls, press.name)) press.ball_mm = ball->centre_mm;
+  if (const auto* told = said_of(said.depths, press.name)) press.told_depth = told->depth;
+  if (const auto* punch = said_of(said.steps, press.name)) press.step_mm = punch->step_mm;
+}
+
 TakenPress press_of(const Frame& frame, FrameResult& result, const CalibrationInputs& inputs) {
   TakenPress press{frame.name, result.grey, std::nullopt, "", {}};
   if (result.difference) press.sign.light_change = result.difference->light.change();
@@ -78,18 +86,27 @@ TakenPress press_of(const Frame& frame, FrameResult& result, const CalibrationIn
                         std::move(*result.difference),
                         std::move(*result.shape),
                         inputs.radius_of(frame.name)};
-    if (const PlacedBall* ball = inputs.ball_of(frame.name)) press.press->ball_mm = ball->centre_mm;
+    say_of(*press.press, inputs);
   } else {
     press.left_out = result.problems.empty() ? "no face was found" : result.problems.front();
   }
-  if (const ExcludedPress* excluded = inputs.exclusion_of(frame.name))
+  if (const ExcludedPress* excluded = said_of(inputs.excluded, frame.name))
     press.left_out =
         "excluded" + (excluded->because.empty() ? std::string() : ", " + excluded->because);
   return press;
 }
 
-Status take_presses(Work& work, Pipeline& pipeline, FingerCalibration& done, const Job& job) {
+Result<std::unique_ptr<Source>> open_presses(const Work& work) {
+  if (work.bursts) return std::unique_ptr<Source>(std::make_unique<BurstSource>(work.pictures));
   auto source = open_source(work.pictures);
+  if (source || std::none_of(work.pictures.begin(), work.pictures.end(), is_video)) return source;
+  Error several = source.error();
+  several.advice += ", or --bursts where each video shows one press held still";
+  return several;
+}
+
+Status take_presses(Work& work, Pipeline& pipeline, FingerCalibration& done, const Job& job) {
+  auto source = open_presses(work);
   if (!source) return source.error();
   if (!work.is_repetition) done.inputs.is_continuous = (*source)->is_continuous();
   const double count = static_cast<double>((*source)->count().value_or(0));
@@ -114,6 +131,8 @@ Status take_presses(Work& work, Pipeline& pipeline, FingerCalibration& done, con
     work.references.push_back(std::move(result->reference));
     work.frames.push_back(frame);
   }
+  if (const auto* bursts = dynamic_cast<const BurstSource*>(source->get()))
+    done.made_of = bursts->made_of();
   return {};
 }
 
@@ -121,11 +140,7 @@ Status take_presses(Work& work, Pipeline& pipeline, FingerCalibration& done, con
 Status check_names(const FingerCalibration& done) {
   std::set<std::string> names;
   for (const TakenPress& press : done.presses) names.insert(press.name);
-  std::vector<std::string> named;
-  for (const ExcludedPress& excluded : done.inputs.excluded) named.push_back(excluded.name);
-  for (const OtherBall& ball : done.inputs.other_balls) named.push_back(ball.name);
-  for (const PlacedBall& ball : done.inputs.balls) named.push_back(ball.name);
-  for (const std::string& name : named)
+  for (const std::string& name : done.inputs.names())
     if (!names.contains(name))
       return Error{fmt::format("no press is called '{}'", name),
                    "",
@@ -162,6 +177,12 @@ Status solve(FingerCalibration& done,
       left_out.push_back(one.name + ": " + one.left_out);
     }
   }
+  const CalibrationInputs& inputs = done.inputs;
+  if (inputs.calibration.method != CalibrationMethod::kJoint &&
+      !(inputs.depths.empty() && inputs.steps.empty()))
+    return Error{"only the joint method uses measured depths and punches with a step",
+                 "",
+                 "leaving them out, or --method joint"};
   if (used.empty())
     return Error{"no press can be used; " + fmt::format("{}", fmt::join(left_out, "; ")),
                  "",
@@ -181,7 +202,8 @@ Status solve(FingerCalibration& done,
   add_remarks(done.calibration);
 
   std::vector<const Press*> presses;
-  for (const Press& press : used) presses.push_back(&press);
+  for (const Press& press : used)
+    if (!press.step_mm) presses.push_back(&press);
   done.residuals = press_residuals(presses, done.finger.face, done.calibration);
   done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
   std::vector<PressSign> signs;
@@ -190,7 +212,7 @@ Status solve(FingerCalibration& done,
   done.fault_signs = fault_signs(signs);
   std::vector<ComparedPress> compared;
   for (std::size_t i = 0; i < done.presses.size(); ++i)
-    if (done.presses[i].left_out.empty())
+    if (done.presses[i].left_out.empty() && !done.presses[i].press->step_mm)
       compared.push_back({&*done.presses[i].press, &*references[i]});
   done.pixel_mm = contact_error_mm(compared, done.residuals, done.calibration.mapping);
   done.verdict = verdict({done.calibration.residual_mm,
@@ -370,17 +392,15 @@ Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, 
   Work work;
   work.folder = input.folder;
   work.pictures = input.presses;
+  work.bursts = input.bursts;
   work.reference = input.reference;
   work.make_report = input.make_report;
   CalibrationInputs inputs;
   inputs.program_version = input.program_version;
   inputs.operator_name = input.operator_name;
-  inputs.ball_radius_mm = input.ball_radius_mm;
-  inputs.other_balls = input.other_balls;
+  static_cast<SaidOfPresses&>(inputs) = input;
   inputs.calibration = input.calibration;
   inputs.pipeline = input.pipeline;
-  inputs.excluded = input.excluded;
-  inputs.balls = input.balls;
   inputs.date = input.date;
   return run(std::move(work), std::move(inputs), job);
 }

@@ -42,6 +42,7 @@ struct FingerCalibration {
   double pixel_mm = 0;             ///< see contact_error.h
   Verdict verdict;
   std::vector<std::string> fault_signs;     ///< see fault_signs.h
+  std::vector<std::string> made_of;         ///< what bursts were averaged, a sentence each
   std::vector<std::string> warnings;        ///< about files and how it was called
   std::vector<std::string> about_settings;  ///< of camera and light that do not fit together
 };
@@ -55,20 +56,17 @@ struct ReportFile {
 using MakeReport =
     std::function<Result<std::vector<ReportFile>>(const FingerCalibration&, const Job&)>;
 
-struct FingerCalibrationInput {
+struct FingerCalibrationInput : SaidOfPresses {
   std::filesystem::path folder;                ///< the finger's
   std::vector<std::filesystem::path> presses;  ///< pictures, folders or a video; see open_source
-  double ball_radius_mm = 0;
-  std::vector<OtherBall> other_balls;              ///< presses of a ball of another size
+  bool bursts = false;  ///< each of `presses` is one press held still; see BurstSource
   std::optional<std::filesystem::path> reference;  ///< flat sensors: the untouched picture
   CalibrationSettings calibration;
   PipelineSettings pipeline;
-  std::vector<ExcludedPress> excluded;
-  std::vector<PlacedBall> balls;  ///< put by hand
-  std::string date;               ///< for the record, as utc_now() writes it; empty: now
-  std::string program_version;    ///< for the record
-  std::string operator_name;      ///< for the record; empty: not told
-  MakeReport make_report;         ///< empty: calibration_report.json alone
+  std::string date;             ///< for the record, as utc_now() writes it; empty: now
+  std::string program_version;  ///< for the record
+  std::string operator_name;    ///< for the record; empty: not told
+  MakeReport make_report;       ///< empty: calibration_report.json alone
 };
 
 /// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the

@@ -108,14 +108,13 @@ void read_presses(YamlSection& top, CalibrationInputs& inputs) {
 }
 
 /// Something may only be said of presses that are there.
-void refuse_unknown(const YamlSection& top,
-                    const char* key,
-                    const std::string& name,
-                    const std::vector<KeptPress>& presses) {
-  const bool known = std::any_of(
-      presses.begin(), presses.end(), [&](const KeptPress& press) { return press.name == name; });
-  if (!known)
-    top.refuse(key, fmt::format("'{}' is not among the presses", printable(name)), "remove it");
+void refuse_unknown(const YamlSection& top, const CalibrationInputs& inputs) {
+  for (const std::string& name : inputs.names())
+    if (said_of(inputs.presses, name) == nullptr)
+      top.refuse("presses",
+                 fmt::format("'{}' is not among the presses, and something is said of it",
+                             printable(name)),
+                 "remove that");
 }
 
 CalibrationInputs read_inputs(YamlSection& top) {
@@ -136,13 +135,8 @@ CalibrationInputs read_inputs(YamlSection& top) {
   inputs.finger_checksum = read_checksum(top, "finger");
   inputs.reference_checksum = read_checksum(top, "reference");
   read_presses(top, inputs);
-  inputs.excluded = read_excluded_presses(top);
-  inputs.balls = read_placed_balls(top);
-  for (const auto& one : inputs.excluded) refuse_unknown(top, "excluded", one.name, inputs.presses);
-  for (const auto& one : inputs.balls) refuse_unknown(top, "balls", one.name, inputs.presses);
-  inputs.other_balls = read_other_balls(top);
-  for (const auto& one : inputs.other_balls)
-    refuse_unknown(top, "other_balls", one.name, inputs.presses);
+  static_cast<SaidOfPresses&>(inputs) = read_said_of_presses(top);
+  refuse_unknown(top, inputs);
   top.keep_the_rest();
   return inputs;
 }
@@ -204,9 +198,7 @@ std::string CalibrationInputs::to_yaml() const {
   rest.add("continuous", is_continuous ? "true" : "false");
   rest.add("finger", '"' + finger_checksum + '"');
   rest.add("reference", '"' + reference_checksum + '"');
-  add_other_balls(other_balls, rest);
-  add_excluded_presses(excluded, rest);
-  add_placed_balls(balls, rest);
+  add_said_of_presses(*this, rest);
   std::vector<std::string> names, checksums;
   for (const KeptPress& press : presses) {
     names.push_back(yaml_text(press.name));
@@ -218,26 +210,6 @@ std::string CalibrationInputs::to_yaml() const {
   YamlBlock last("");
   last.add("presses", yaml_list(names));
   return text + last.on_many_lines();
-}
-
-double CalibrationInputs::radius_of(const std::string& press) const {
-  const auto found = std::find_if(other_balls.begin(),
-                                  other_balls.end(),
-                                  [&](const OtherBall& one) { return one.name == press; });
-  return found == other_balls.end() ? ball_radius_mm : found->radius_mm;
-}
-
-const ExcludedPress* CalibrationInputs::exclusion_of(const std::string& press) const {
-  const auto found = std::find_if(excluded.begin(), excluded.end(), [&](const ExcludedPress& one) {
-    return one.name == press;
-  });
-  return found == excluded.end() ? nullptr : &*found;
-}
-
-const PlacedBall* CalibrationInputs::ball_of(const std::string& press) const {
-  const auto found = std::find_if(
-      balls.begin(), balls.end(), [&](const PlacedBall& one) { return one.name == press; });
-  return found == balls.end() ? nullptr : &*found;
 }
 
 bool same_but_for_date(const CalibrationInputs& a, const CalibrationInputs& b) {

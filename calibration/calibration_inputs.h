@@ -9,6 +9,10 @@
 //   ball_radius_mm: 4.0
 //   other_balls: [press_5]            # presses made with a ball of another radius,
 //   other_balls_mm: [6.0]             # and which
+//   depths: [press_2]                 # presses whose depth a stage or a gauge told,
+//   depths_mm: [[1.2, 0.01]]          # normal to the face, with its standard deviation
+//   steps: [press_7]                  # presses made with a flat punch that has a step,
+//   steps_mm: [0.5]                   # and its height
 //   calibration: {method: joint, ...} # the settings, by their names
 //   pipeline: {edge-method: crossing, ...}
 //   continuous: false                 # markers were followed from press to press
@@ -24,7 +28,7 @@
 #pragma once
 
 #include "calibration/calibrate.h"
-#include "calibration/placed_ball.h"
+#include "calibration/said_of_presses.h"
 #include "core/finger/finger.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
@@ -39,20 +43,6 @@
 
 namespace alltact {
 
-/// A press that is kept but not used.
-struct ExcludedPress {
-  std::string name;
-  std::string because;  ///< empty: not told
-  bool operator==(const ExcludedPress&) const = default;
-};
-
-/// A press that was made with a ball of another size.
-struct OtherBall {
-  std::string name;  ///< the press
-  double radius_mm = 0;
-  bool operator==(const OtherBall&) const = default;
-};
-
 /// Where a finger keeps the pictures of its presses.
 inline constexpr const char* kPressFolder = "presses";
 
@@ -62,21 +52,17 @@ struct KeptPress {
   std::string checksum;  ///< of its pixels, see picture_checksum
 };
 
-struct CalibrationInputs {
+struct CalibrationInputs : SaidOfPresses {  ///< what is said names one of the presses
   static constexpr const char* kFormat = "alltact-calibration/1";
   static constexpr const char* kFileName = "calibration_inputs.yaml";
 
-  std::string date;                    ///< UTC, as utc_now() writes it
-  std::string program_version;         ///< that solved
-  std::string operator_name;           ///< empty: not told
-  double ball_radius_mm = 0;           ///< of all presses but those in other_balls
-  std::vector<OtherBall> other_balls;  ///< each names one of the presses
+  std::string date;             ///< UTC, as utc_now() writes it
+  std::string program_version;  ///< that solved
+  std::string operator_name;    ///< empty: not told
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   bool is_continuous = false;
   std::string finger_checksum, reference_checksum;
-  std::vector<ExcludedPress> excluded;  ///< each names one of the presses
-  std::vector<PlacedBall> balls;        ///< put by hand; each names one of the presses
   std::vector<KeptPress> presses;
 
   /// Strict in values, kind to unknown keys, which are kept and named in `warnings`, as
@@ -87,13 +73,6 @@ struct CalibrationInputs {
                                          const std::filesystem::path& origin,
                                          std::vector<std::string>* warnings = nullptr);
   [[nodiscard]] std::string to_yaml() const;
-
-  /// Of the ball that a press was made with.
-  [[nodiscard]] double radius_of(const std::string& press) const;
-  /// nullptr: the press is used.
-  [[nodiscard]] const ExcludedPress* exclusion_of(const std::string& press) const;
-  /// nullptr: the ball is looked for.
-  [[nodiscard]] const PlacedBall* ball_of(const std::string& press) const;
 
  private:
   struct Unknown;

@@ -21,6 +21,9 @@ Json press_json(const BallFit& ball, const std::vector<PressResiduals>& residual
   if (ball.held_out_mm > 0) entry["held_out_mm"] = ball.held_out_mm;
   entry["tangent_arc_deg"] = ball.tangent_arc_deg;
   entry["cut_by_edge"] = ball.cut_by_edge;
+  entry["pressed_in_mm"] = ball.pressed_in_mm;
+  if (ball.told_depth)
+    entry["measured_depth"] = {{"mm", ball.told_depth->mm}, {"sd_mm", ball.told_depth->sd_mm}};
   const auto place =
       std::find_if(residuals.begin(), residuals.end(), [&](const PressResiduals& one) {
         return one.press == ball.press;
@@ -88,6 +91,13 @@ std::string calibration_report_json(const FingerCalibration& done) {
   Json presses = Json::array();
   for (const BallFit& ball : calibration.balls) presses.push_back(press_json(ball, done.residuals));
   report["presses"] = std::move(presses);
+  Json steps = Json::array();
+  for (const StepFit& step : calibration.steps)
+    steps.push_back({{"press", step.press},
+                     {"step_mm", step.step_mm},
+                     {"reads_mm", step.reads_mm},
+                     {"sd_mm", step.sd_mm}});
+  if (!steps.empty()) report["steps"] = std::move(steps);
   Json excluded = Json::array();
   for (const ExcludedPress& press : done.inputs.excluded)
     excluded.push_back({{"press", press.name}, {"because", press.because}});
@@ -118,17 +128,18 @@ std::string calibrate_command(const FingerCalibrationInput& input) {
   const auto add = [&](const char* flag, const std::string& value) {
     command += fmt::format(" --{} {}", flag, shell_quoted(value));
   };
+  if (input.bursts) command += " --bursts";
   add("ball-radius-mm", fmt::format("{}", input.ball_radius_mm));
-  for (const OtherBall& ball : input.other_balls)
-    add("other-ball", fmt::format("{}={}", ball.name, ball.radius_mm));
+  for (const OtherBall& ball : input.other_balls) add("other-ball", to_text(ball));
+  for (const PressDepth& depth : input.depths) add("depth", to_text(depth));
+  for (const PressStep& step : input.steps) add("step", to_text(step));
   if (input.reference) command += " --reference " + absolute(*input.reference);
   add_settings(input.calibration, CalibrationSettings{}, calibration_settings(), &command);
   // Each method has settings of its own to start from.
   const PipelineSettings usual =
       input.calibration.method == CalibrationMethod::kPaper ? paper_settings() : PipelineSettings{};
   add_settings(input.pipeline, usual, pipeline_settings(), &command);
-  for (const ExcludedPress& press : input.excluded)
-    add("exclude", press.because.empty() ? press.name : press.name + '=' + press.because);
+  for (const ExcludedPress& press : input.excluded) add("exclude", to_text(press));
   for (const PlacedBall& ball : input.balls) add("ball", to_text(ball));
   if (!input.operator_name.empty()) add("operator", input.operator_name);
   if (!input.date.empty()) add("date", input.date);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -94,6 +95,45 @@ bool OutlineCost::Evaluate(double const* const* parameters,
   return true;
 }
 
+ToldDepthCost::ToldDepthCost(const Weighted& weighted) : weighted_(weighted) {
+  assert(weighted.told_depth);
+  set_num_residuals(1);
+  mutable_parameter_block_sizes()->push_back(3);
+}
+
+bool ToldDepthCost::Evaluate(double const* const* parameters,
+                             double* residuals,
+                             double** jacobians) const {
+  const Eigen::Vector3d centre(parameters[0]);
+  const double depth_mm = weighted_.ball_radius_mm - weighted_.plane.height_mm(centre);
+  const double root_weight = kRootWeightOfKnown / weighted_.told_depth->sd_mm;
+  residuals[0] = root_weight * (depth_mm - weighted_.told_depth->mm);
+  if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+  Eigen::Map<Eigen::Vector3d> by_centre(jacobians[0]);
+  by_centre = -root_weight * weighted_.plane.normal;
+  return true;
+}
+
+StepCost::StepCost(const StepSamples& step, const MappingCurve& curve, MappingAlong along)
+    : step_(step), curve_(curve), along_(along) {
+  set_num_residuals(1);
+  mutable_parameter_block_sizes()->push_back(curve.family().numbers());
+  sd_mm_ = read_step(step, curve, curve.values().data(), along).sd_mm;
+}
+
+bool StepCost::Evaluate(double const* const* parameters,
+                        double* residuals,
+                        double** jacobians) const {
+  const StepReading reading = read_step(step_, curve_, parameters[0], along_);
+  const double root_weight = kRootWeightOfKnown / sd_mm_;
+  residuals[0] = root_weight * (reading.height_mm - step_.step_mm);
+  if (!std::isfinite(residuals[0])) return false;
+  if (jacobians != nullptr && jacobians[0] != nullptr)
+    Eigen::Map<Eigen::VectorXd>(jacobians[0], reading.by_values.size()) =
+        root_weight * reading.by_values;
+  return true;
+}
+
 AbsorptionCost::AbsorptionCost(const MappingCurve& curve) : numbers_(curve.family().numbers()) {
   set_num_residuals(1);
   mutable_parameter_block_sizes()->push_back(numbers_);
@@ -102,10 +142,10 @@ AbsorptionCost::AbsorptionCost(const MappingCurve& curve) : numbers_(curve.famil
 bool AbsorptionCost::Evaluate(double const* const* parameters,
                               double* residuals,
                               double** jacobians) const {
-  residuals[0] = kRootWeight * (parameters[0][2] - kMean) / kSd;
+  residuals[0] = kRootWeightOfKnown * (parameters[0][2] - kMean) / kSd;
   if (jacobians == nullptr || jacobians[0] == nullptr) return true;
   std::fill_n(jacobians[0], numbers_, 0.0);
-  jacobians[0][2] = kRootWeight / kSd;
+  jacobians[0][2] = kRootWeightOfKnown / kSd;
   return true;
 }
 
@@ -117,8 +157,8 @@ LiftCost::LiftCost() {
 bool LiftCost::Evaluate(double const* const* parameters,
                         double* residuals,
                         double** jacobians) const {
-  residuals[0] = kRootWeight * (parameters[0][0] - std::log(kUsualLiftMm));
-  if (jacobians != nullptr && jacobians[0] != nullptr) jacobians[0][0] = kRootWeight;
+  residuals[0] = kRootWeightOfKnown * (parameters[0][0] - std::log(kUsualLiftMm));
+  if (jacobians != nullptr && jacobians[0] != nullptr) jacobians[0][0] = kRootWeightOfKnown;
   return true;
 }
 

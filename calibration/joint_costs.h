@@ -5,7 +5,9 @@
 #include "calibration/joint_fit.h"
 #include "calibration/mapping_curve.h"
 #include "calibration/press_samples.h"
+#include "calibration/step_press.h"
 
+#include <optional>
 #include <vector>
 
 #include <ceres/cost_function.h>
@@ -22,7 +24,8 @@ struct Weighted {
   /// By what the robust loss bends less than a square of the same weight, in (0, 1]: its second
   /// derivative over the weight.
   std::vector<double> bend;
-  ContactPlane plane;                ///< the untouched face below the ball
+  ContactPlane plane;  ///< the untouched face below the ball
+  std::optional<ToldDepth> told_depth;
   std::vector<double> lifted_sd_mm;  ///< what the form of the lift-off leaves open
   std::vector<const OutlinePoint*> outline;
   std::vector<double> outline_root_weight;  ///< 1 / sigma with the robust weight, 1/rad
@@ -90,6 +93,10 @@ class OutlineCost final : public ceres::CostFunction {
   const Weighted& weighted_;
 };
 
+/// Residuals of samples count as if each were by itself, and some of them share their noise: what
+/// is known from elsewhere counts as much more.
+constexpr double kRootWeightOfKnown = 1.7;
+
 /// What is known beforehand of a layer's absorption over its scattering: clear silicone with white
 /// pigment absorbs little (NUMERICS of the layer: 0 to 0.2). Presses that tell it overrule this;
 /// the others must not take a straight line for its opposite. Parameter block: the mapping's
@@ -101,11 +108,39 @@ class AbsorptionCost final : public ceres::CostFunction {
                 double* residuals,
                 double** jacobians) const override;
   static constexpr double kMean = 0.05, kSd = 0.1;
-  /// Residuals of samples count as if each were by itself, and some of them share their noise.
-  static constexpr double kRootWeight = 1.7;
 
  private:
   int numbers_;
+};
+
+/// A press depth that was measured: (R - height of the centre over the face - depth) / sd.
+/// Parameter block: the ball's centre. Keeps a reference to what it is made from.
+class ToldDepthCost final : public ceres::CostFunction {
+ public:
+  /// weighted.told_depth must be there.
+  explicit ToldDepthCost(const Weighted& weighted);
+  bool Evaluate(double const* const* parameters,
+                double* residuals,
+                double** jacobians) const override;
+
+ private:
+  const Weighted& weighted_;
+};
+
+/// What the mapping reads a punch's step as, less what the step is, over its standard deviation.
+/// Parameter block: the mapping's numbers. Keeps references.
+class StepCost final : public ceres::CostFunction {
+ public:
+  StepCost(const StepSamples& step, const MappingCurve& curve, MappingAlong along);
+  bool Evaluate(double const* const* parameters,
+                double* residuals,
+                double** jacobians) const override;
+
+ private:
+  const StepSamples& step_;
+  const MappingCurve& curve_;
+  MappingAlong along_;
+  double sd_mm_ = 0;  ///< of the curve that it was made with: a weight must not move with the fit
 };
 
 /// What is known beforehand of the lift-off length: kUsualLiftMm, within a factor of e. Parameter
@@ -116,7 +151,6 @@ class LiftCost final : public ceres::CostFunction {
   bool Evaluate(double const* const* parameters,
                 double* residuals,
                 double** jacobians) const override;
-  static constexpr double kRootWeight = 1.7;  // see AbsorptionCost
 };
 
 /// The angle by which a ray passes outside the ball (negative: meets it), and its derivative by the

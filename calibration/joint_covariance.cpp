@@ -25,6 +25,7 @@ struct Linear {
   std::vector<std::pair<int, int>> place;  // column and row of the sample's block
   Eigen::MatrixXd outline_rows;            // weighted, by the centre
   Eigen::VectorXd outline_residual;
+  Eigen::Vector3d told_row;  // of a depth that was measured, weighted, by the centre; else 0
 };
 
 Linear linearised(const PressSamples& press,
@@ -63,6 +64,12 @@ Linear linearised(const PressSamples& press,
   if (points > 0)
     (void)OutlineCost(weighted).Evaluate(at, linear.outline_residual.data(), outline_jacobians);
   linear.outline_rows = by_outline;
+  linear.told_row.setZero();
+  if (weighted.told_depth) {
+    double residual = 0;
+    double* by_told[] = {linear.told_row.data()};
+    (void)ToldDepthCost(weighted).Evaluate(at, &residual, by_told);
+  }
   return linear;
 }
 
@@ -208,6 +215,18 @@ double ring_error_mm(const std::vector<const PressSamples*>& presses,
   return options.zone > kSureZone ? std::hypot(ring_mm, quality.scatter_mm) : ring_mm;
 }
 
+/// One observation from elsewhere, off by as much as it claims; `row`: its weighted derivative by
+/// some unknowns, of which `first` is the first.
+void add_known(const Eigen::VectorXd& row,
+               Eigen::Index first,
+               Eigen::MatrixXd* hessian,
+               Eigen::MatrixXd* spread) {
+  const Eigen::MatrixXd square = row * row.transpose();
+  const auto n = row.size();
+  hessian->block(first, first, n, n) += square;
+  spread->block(first, first, n, n) += kRootWeightOfKnown * kRootWeightOfKnown * square;
+}
+
 JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
                           const JointFit& fit,
                           const JointOptions& options,
@@ -271,18 +290,27 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
     const auto corner = n_map + 3 * static_cast<Eigen::Index>(i);
     hessian.block<3, 3>(corner, corner) += press.outline_rows.transpose() * press.outline_rows;
     spread.block<3, 3>(corner, corner) += outline_pull * outline_pull.transpose();
+    add_known(press.told_row, corner, &hessian, &spread);
   }
+  if (options.steps != nullptr)
+    for (const StepSamples& step : *options.steps) {
+      Eigen::VectorXd row(n_map);
+      double residual = 0;
+      const double* at[] = {fit.curve.values().data()};
+      double* by_values[] = {row.data()};
+      (void)StepCost(step, fit.curve, options.along).Evaluate(at, &residual, by_values);
+      add_known(row, 0, &hessian, &spread);
+    }
   spread += ring_pull * ring_pull.transpose() + lift_pull * lift_pull.transpose();
   if (fit.curve.family().absorbs()) {
     // What is known of the absorption beforehand, and is off by as much as it claims.
-    const double weight = std::pow(AbsorptionCost::kRootWeight / AbsorptionCost::kSd, 2);
-    hessian(2, 2) += weight;
-    spread(2, 2) += std::pow(weight * AbsorptionCost::kSd, 2);
+    add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown / AbsorptionCost::kSd),
+              2,
+              &hessian,
+              &spread);
   }
   if (free_lift) {
-    constexpr double kWeight = LiftCost::kRootWeight * LiftCost::kRootWeight;
-    hessian(n - 1, n - 1) += kWeight;
-    spread(n - 1, n - 1) += kWeight * kWeight;
+    add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown), n - 1, &hessian, &spread);
   }
   Eigen::MatrixXd inverse;
   if (!invert(hessian.block(first, first, unknowns, unknowns), &inverse, &result.condition))

@@ -99,7 +99,13 @@ bool solve(const std::vector<Weighted>& weighted,
         &log_lift);
     if (!weighted[i].outline.empty())
       problem.AddResidualBlock(new OutlineCost(weighted[i]), nullptr, fit->centres_mm[i].data());
+    if (weighted[i].told_depth)
+      problem.AddResidualBlock(new ToldDepthCost(weighted[i]), nullptr, fit->centres_mm[i].data());
   }
+  if (options.steps != nullptr && !options.fix_mapping)
+    for (const StepSamples& step : *options.steps)
+      problem.AddResidualBlock(
+          new StepCost(step, family, options.along), nullptr, fit->curve.values().data());
   if (options.fix_mapping)
     problem.SetParameterBlockConstant(fit->curve.values().data());
   else if (family.family().absorbs())
@@ -144,6 +150,7 @@ Weighted weigh(const PressSamples& press,
   Weighted weighted;
   weighted.plane = disc.plane();
   weighted.ball_radius_mm = press.ball_radius_mm;
+  weighted.told_depth = press.told_depth;
   std::vector<double> normed, taper, sigma;
   for (const Sample& sample : press.samples) {
     const double inside = (options.zone + kTaper - disc.place_of(sample).radius) / (2.0 * kTaper);

@@ -7,12 +7,14 @@
 // small, as a straight line through points comes out too flat that are uncertain along it: by 2 to
 // 12 % at ordinary noise. Where part of the
 // ball's outline is seen (tangent_arc.h), the angles of its rays to the centre, less asin(R / |c|),
-// join the sum.
+// join the sum. So does what was measured beside the pictures: how deep a press is, and how high
+// the step of a punch.
 #pragma once
 
 #include "calibration/lift_off.h"
 #include "calibration/mapping_curve.h"
 #include "calibration/press_samples.h"
+#include "calibration/step_press.h"
 #include "core/job.h"
 
 #include <functional>
@@ -111,6 +113,8 @@ struct JointOptions {
   double settled_mm = 1e-8;  ///< the reweighting ends when no unknown changes by more
   bool fix_mapping = false;  ///< only the balls are free
   bool free_lift = false;    ///< the lift-off length is an unknown, shared by all presses
+  /// Punches whose steps the mapping is to read right; may be null.
+  const std::vector<StepSamples>* steps = nullptr;
   /// Told after every round how much the unknowns still moved, mm, and where to; may be null.
   const std::function<void(int round, double change_mm, const JointFit& now)>* watch = nullptr;
 };

@@ -29,18 +29,31 @@ constexpr double kSettledMm = 1e-5;  // enough to choose by
 constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};
 constexpr CurveFamily kLayerFamily{MappingKind::kMoebius, 3};
 
-/// The largest difference at which the contacts' inner parts are seen: the end of the domain.
+/// Nearly the largest of some differences: a few may be wrong.
+double largest_of(std::vector<double> x) {
+  if (x.empty()) return 0.0;
+  const auto at =
+      x.begin() + static_cast<std::ptrdiff_t>(0.995 * (static_cast<double>(x.size()) - 1));
+  std::nth_element(x.begin(), at, x.end());
+  return *at;
+}
+
+/// The largest difference at which the contacts' inner parts and the punches' levels are seen: the
+/// end of the domain.
 double domain_of(const ChoiceInput& input, MappingAlong along) {
   double x_max = 0;
+  if (input.steps != nullptr)
+    for (const StepSamples& step : *input.steps) {
+      std::vector<double> x;
+      for (const Sample& sample : step.samples.samples) x.push_back(sample.x);
+      x_max = std::max(x_max, largest_of(std::move(x)));
+    }
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
     const ContactDisc disc(*input.presses[i], along, input.centres_mm[i]);
     std::vector<double> x;
     for (const Sample& sample : input.presses[i]->samples)
       if (disc.place_of(sample).radius < kSureZone) x.push_back(sample.x);
-    if (x.empty()) continue;
-    const auto at = x.begin() + static_cast<std::ptrdiff_t>(0.995 * (x.size() - 1));
-    std::nth_element(x.begin(), at, x.end());
-    x_max = std::max(x_max, *at);
+    x_max = std::max(x_max, largest_of(std::move(x)));
   }
   return std::min(x_max, 1.0);
 }
@@ -367,6 +380,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
   if (!(choice.fit.curve.x_max() > 0.0)) return std::nullopt;
   choice.options.zone = kSureZone;
   choice.options.settled_mm = kSettledMm;
+  choice.options.steps = input.steps;
   JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
   std::string zone_remark;
   start = choose_zone(input, std::move(start), &choice.options, &zone_remark, job);
@@ -438,6 +452,7 @@ std::vector<double> held_out_along(const ChoiceInput& input,
   options.along = along;
   options.zone = kZone;
   options.settled_mm = kSettledMm;
+  options.steps = input.steps;
   const double x_max = domain_of(input, along);
   if (!(x_max > 0.0)) return {};
   const JointFit start =

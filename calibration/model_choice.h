@@ -10,10 +10,11 @@
 
 namespace alltact {
 
-/// Presses and where to start: the balls as found, one a press.
+/// Presses and where to start: the balls as found, one a press, and punches beside them.
 struct ChoiceInput {
   std::vector<const PressSamples*> presses;
   std::vector<Eigen::Vector3d> centres_mm;
+  const std::vector<StepSamples>* steps = nullptr;  ///< see JointOptions
 };
 
 struct ModelChoice {

@@ -15,6 +15,14 @@
 
 namespace alltact {
 
+/// How deep a ball was pressed in where that was measured: normal to the untouched face, from where
+/// the ball first touches it to its deepest point.
+struct ToldDepth {
+  double mm = 0;
+  double sd_mm = 0;  ///< standard deviation of the measurement
+  bool operator==(const ToldDepth&) const = default;
+};
+
 /// What calibration needs of a press: the brightness difference on the face, and the face.
 struct Press {
   std::string name;  ///< picture's file name without its ending
@@ -23,6 +31,9 @@ struct Press {
   double ball_radius_mm = 0;  ///< of the ball that was pressed
   /// Where a hand put the ball's centre, camera frame; absent: find_ball() looks for it.
   std::optional<Eigen::Vector3d> ball_mm = std::nullopt;
+  std::optional<ToldDepth> told_depth = std::nullopt;
+  /// Height of the step of a flat punch, mm; absent: it is a ball that presses.
+  std::optional<double> step_mm = std::nullopt;
 };
 
 /// A ball found in a press before anything is known of the mapping.

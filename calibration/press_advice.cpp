@@ -60,6 +60,7 @@ PressSamples imagined(const PressSamples& like,
                       std::uint32_t number) {
   PressSamples press = like;
   press.outline.clear();
+  press.told_depth.reset();
   std::uint32_t k = 0;
   for (Sample& sample : press.samples) {
     const double depth = ball_depth_mm(sample, options.along, centre, press.ball_radius_mm);

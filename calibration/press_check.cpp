@@ -5,13 +5,14 @@
 #include "calibration/measuring_settings.h"
 #include "calibration/press_residuals.h"
 #include "calibration/press_samples.h"
-#include "calibration/press_yaml.h"
+#include "calibration/step_press.h"
 #include "core/sensing/pipeline.h"
 #include "core/sources/source.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -110,10 +111,29 @@ Result<CheckedPress> measure(const Press& press,
   return result;
 }
 
-/// The radius of the ball of a press, by its name.
-using RadiusOf = std::function<double(const std::string&)>;
+/// The step of a punch, as the mapping reads it.
+Result<CheckedPress> measure_step(const Press& press,
+                                  double light_change,
+                                  const Face& face,
+                                  const Mapping& mapping) {
+  const auto step = find_step(press, face);
+  if (!step) return step.error();
+  StepSamples read = *step;
+  for (Sample& sample : read.samples.samples)
+    sample.x = mapping.parameters().variation.at(sample.place_mm) * reading_mm(mapping, sample.x);
+  MappingCurve line({MappingKind::kPolynomial, 1}, 1.0);
+  line.set_line(1.0);
+  const double height_mm =
+      read_step(read, line, line.values().data(), mapping.parameters().along).height_mm;
+  return CheckedPress{press.name,
+                      std::abs(height_mm - step->step_mm),
+                      step->step_mm / height_mm,
+                      step->step_mm,
+                      light_change};
+}
 
 struct Measured {
+  std::set<std::string> names;  ///< of all that were read
   std::vector<CheckedPress> presses;
   std::vector<std::string> left_out;
 };
@@ -121,7 +141,7 @@ struct Measured {
 Result<Measured> measure_all(const std::vector<fs::path>& pictures,
                              Pipeline& pipeline,
                              const Mapping& mapping,
-                             const RadiusOf& radius_of,
+                             const SaidOfPresses& said,
                              const Job& job) {
   auto source = open_source(pictures);
   if (!source) return source.error();
@@ -131,6 +151,7 @@ Result<Measured> measure_all(const std::vector<fs::path>& pictures,
     const auto frame = (*source)->next();
     if (!frame) return frame.error();
     if (!*frame) break;
+    all.names.insert((*frame)->name);
     pipeline.forget();  // no press knows of another
     auto result = pipeline(*frame);
     if (!result) return result.error();
@@ -142,11 +163,14 @@ Result<Measured> measure_all(const std::vector<fs::path>& pictures,
       continue;
     }
     const double light = result->difference->light.change();
-    const Press press{(*frame)->name,
-                      std::move(*result->difference),
-                      std::move(*result->shape),
-                      radius_of((*frame)->name)};
-    auto measured = measure(press, light, pipeline.finger().face, mapping, job);
+    Press press{(*frame)->name,
+                std::move(*result->difference),
+                std::move(*result->shape),
+                said.radius_of((*frame)->name)};
+    const Face& face = pipeline.finger().face;
+    if (const PressStep* punch = said_of(said.steps, press.name)) press.step_mm = punch->step_mm;
+    auto measured = press.step_mm ? measure_step(press, light, face, mapping)
+                                  : measure(press, light, face, mapping, job);
     if (measured) {
       all.presses.push_back(std::move(measured).value());
     } else {
@@ -181,16 +205,11 @@ std::vector<CheckedPress> own_presses(const fs::path& folder,
   std::error_code failed;
   for (const KeptPress& press : inputs->presses) {
     const fs::path file = folder / "presses" / (press.name + ".png");
-    if (inputs->exclusion_of(press.name) != nullptr || !fs::exists(file, failed)) continue;
+    if (said_of(inputs->excluded, press.name) != nullptr || !fs::exists(file, failed)) continue;
     pictures.push_back(file);
   }
   if (pictures.empty()) return {};
-  auto measured = measure_all(
-      pictures,
-      pipeline,
-      mapping,
-      [&](const std::string& press) { return inputs->radius_of(press); },
-      job);
+  auto measured = measure_all(pictures, pipeline, mapping, *inputs, job);
   return measured ? std::move(measured->presses) : std::vector<CheckedPress>{};
 }
 
@@ -283,15 +302,18 @@ Result<PressCheck> check_with_presses(const PressCheckInput& input,
   auto pipeline = Pipeline::create(input.folder, blank, measuring_settings(input.folder), job);
   if (!pipeline) return pipeline.error();
   job.report(0.3, "measuring the presses");
-  auto measured = measure_all(
-      input.presses,
-      *pipeline,
-      *mapping,
-      [&](const std::string&) { return check.ball_radius_mm; },
-      job);
+  SaidOfPresses said;
+  said.ball_radius_mm = check.ball_radius_mm;
+  said.steps = input.steps;
+  auto measured = measure_all(input.presses, *pipeline, *mapping, said, job);
   if (!measured) return measured.error();
   check.presses = std::move(measured->presses);
   check.left_out = std::move(measured->left_out);
+  for (const PressStep& step : input.steps)
+    if (!measured->names.contains(step.name))
+      return Error{fmt::format("no press is called '{}'", step.name),
+                   "",
+                   fmt::format("one of {}", fmt::join(measured->names, ", "))};
   if (check.presses.empty()) {
     std::string what = fmt::format("no press can be used: {}", fmt::join(check.left_out, " "));
     if (what.ends_with('.')) what.pop_back();  // Error adds the full stop

@@ -16,9 +16,11 @@
 //   recalibrate  where the error exceeds twice that limit and what is still called good (0.06 mm),
 //                or the light differs by more than 6 %, or by three times its limit if that is
 //                more: a tenth of what is taken out of the light may stay in the depth.
-// A press counts only where the ball is found in it.
+// A press counts only where the ball is found in it. Of a flat punch with a step (step_press.h) the
+// error is what its step reads too high or too low.
 #pragma once
 
+#include "calibration/said_of_presses.h"
 #include "calibration/verdict.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
@@ -39,7 +41,7 @@ struct CheckedPress {
   std::string name;
   double error_mm = 0;
   double factor = 1;        ///< true depth / depth read: above 1 the mapping reads too shallow
-  double depth_mm = 0;      ///< deepest point of the ball
+  double depth_mm = 0;      ///< deepest point of the ball; of a punch the height of its step
   double light_change = 0;  ///< 0.02: the face is 2 % brighter than its reference
 };
 
@@ -60,6 +62,7 @@ struct PressCheckInput {
   std::filesystem::path folder;                ///< the finger's; nothing is written to it
   std::vector<std::filesystem::path> presses;  ///< see open_source
   double ball_radius_mm = 0;                   ///< 0: that of the calibration
+  std::vector<PressStep> steps;                ///< presses of a punch with a step instead of a ball
 };
 
 /// The same for any order of the presses. Errors: the finger has no mapping, or no radius is known;

@@ -18,11 +18,8 @@ PressNotes read_notes(YamlSection& top) {
   PressNotes notes;
   if (const std::string format = top.text("format"); format != PressNotes::kFormat)
     top.refuse("format", fmt::format("'{}' cannot be read by this version", printable(format)), "");
-  if (top.has("ball_radius_mm")) notes.ball_radius_mm = read_ball_radius_mm(top);
+  static_cast<SaidOfPresses&>(notes) = read_said_of_presses(top);
   if (top.has("operator")) notes.operator_name = top.text("operator");
-  notes.other_balls = read_other_balls(top);
-  notes.balls = read_placed_balls(top);
-  notes.excluded = read_excluded_presses(top);
   top.keep_the_rest();
   return notes;
 }
@@ -37,17 +34,7 @@ fs::file_time_type written(const fs::path& file) {
 }  // namespace
 
 PressNotes PressNotes::of(const CalibrationInputs& inputs) {
-  return {inputs.ball_radius_mm,
-          inputs.other_balls,
-          inputs.operator_name,
-          inputs.balls,
-          inputs.excluded};
-}
-
-double PressNotes::radius_of(const std::string& press) const {
-  for (const OtherBall& ball : other_balls)
-    if (ball.name == press) return ball.radius_mm;
-  return ball_radius_mm;
+  return {inputs, inputs.operator_name};
 }
 
 Result<PressNotes> PressNotes::load(const fs::path& finger_folder) {
@@ -84,9 +71,7 @@ std::string PressNotes::to_yaml() const {
   block.add("format", kFormat);
   if (ball_radius_mm > 0) block.add("ball_radius_mm", yaml_number(ball_radius_mm));
   if (!operator_name.empty()) block.add("operator", yaml_text(operator_name));
-  add_other_balls(other_balls, block);
-  add_placed_balls(balls, block);
-  add_excluded_presses(excluded, block);
+  add_said_of_presses(*this, block);
   return block.on_many_lines();
 }
 

@@ -5,6 +5,10 @@
 //   operator: Ada                     # absent: not told
 //   other_balls: [press_5]            # these as in calibration_inputs.yaml
 //   other_balls_mm: [6.0]
+//   depths: [press_2]
+//   depths_mm: [[1.2, 0.01]]
+//   steps: [press_7]
+//   steps_mm: [0.5]
 //   balls: [press_4]
 //   balls_mm: [[1.5, -2.0, 48.0]]
 //   excluded: [press_3]
@@ -20,20 +24,14 @@
 
 namespace alltact {
 
-struct PressNotes {
+struct PressNotes : SaidOfPresses {
   static constexpr const char* kFormat = "alltact-press-notes/1";
   static constexpr const char* kFileName = "press_notes.yaml";
 
-  double ball_radius_mm = 0;           ///< 0: not told yet
-  std::vector<OtherBall> other_balls;  ///< presses of a ball of another size
-  std::string operator_name;           ///< empty: not told
-  std::vector<PlacedBall> balls;
-  std::vector<ExcludedPress> excluded;
+  std::string operator_name;  ///< empty: not told
   bool operator==(const PressNotes&) const = default;
 
   [[nodiscard]] static PressNotes of(const CalibrationInputs& inputs);
-  /// Of the ball that a press was made with; 0: not told yet.
-  [[nodiscard]] double radius_of(const std::string& press) const;
 
   /// What was said last: this file, or the inputs of a calibration that was made since. Empty
   /// where neither is there. Errors: those of reading the one that counts.

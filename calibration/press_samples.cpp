@@ -57,6 +57,7 @@ Eigen::Vector3d by_pixel(const FaceShape& shape,
 PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box, int block_px) {
   PressSamples result;
   result.ball_radius_mm = press.ball_radius_mm;
+  result.told_depth = press.told_depth;
   result.block_px = block_px;
   result.blur_px2 = std::pow(press.difference.smoothing_px, 2) + block_px * block_px / 12.0;
   const cv::Mat means = block_means(press.difference.x(box), block_px);

@@ -37,6 +37,7 @@ struct PressSamples {
   /// Every sample is a mean over a part of the picture: that part's variance along either axis, by
   /// smoothing and block.
   double blur_px2 = 0;
+  std::optional<ToldDepth> told_depth = std::nullopt;
   double x_sd = 0;  ///< noise of a block's mean, from second differences along rows
 };
 

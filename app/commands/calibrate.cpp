@@ -2,11 +2,10 @@
 #include "app/flags.h"
 #include "calibration/calibrate_finger.h"
 #include "calibration/calibration_report.h"
-#include "core/printable.h"
 #include "widgets/report/calibration_pages.h"
 #include "widgets/report/offscreen.h"
 
-#include <charconv>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -44,6 +43,20 @@ void tell(const FingerCalibration& done, Console& console) {
                             ball.residual_mm,
                             ball.held_out_mm > 0 ? fmt::format("{:.4f}", ball.held_out_mm) : "-"));
   }
+  for (const std::string& sentence : done.made_of) console.say(sentence + ".");
+  for (const BallFit& ball : calibration.balls)
+    if (ball.told_depth)
+      console.say(fmt::format("{}: measured {:.3f} +- {:.3f} mm deep, the solution has {:.3f} mm",
+                              ball.press,
+                              ball.told_depth->mm,
+                              ball.told_depth->sd_mm,
+                              ball.pressed_in_mm));
+  for (const StepFit& step : calibration.steps)
+    console.say(fmt::format("{}: a step of {:.3f} mm reads {:.3f} +- {:.3f} mm",
+                            step.press,
+                            step.step_mm,
+                            step.reads_mm,
+                            step.sd_mm));
   for (const std::string& reason : calibration.left_out) console.warn("Left out: " + reason);
   for (const std::string& remark : calibration.remarks) console.say("Remark: " + remark);
   for (const std::string& sign : done.fault_signs) console.warn("Warning: " + sign + ".");
@@ -53,30 +66,54 @@ void tell(const FingerCalibration& done, Console& console) {
   if (!done.methods.empty()) tell_methods(done.methods, console);
 }
 
-/// NAME or NAME=WHY.
-ExcludedPress excluded_press(const std::string& text) {
-  const std::size_t sign = text.find('=');
-  if (sign == std::string::npos) return {text, ""};
-  return {text.substr(0, sign), text.substr(sign + 1)};
+/// What is wrong with a text that says something of a press; empty: nothing.
+template <class T>
+std::function<std::string(const std::string&)> form(Result<T> (*from)(const std::string&)) {
+  return [from](const std::string& text) {
+    const auto said = from(text);
+    return said ? std::string() : said.error().what;
+  };
 }
 
-/// NAME=R; nullopt: it is not.
-std::optional<OtherBall> other_ball(const std::string& text) {
-  const std::size_t sign = text.rfind('=');
-  if (sign == std::string::npos || sign == 0) return std::nullopt;
-  OtherBall ball{text.substr(0, sign), 0};
-  const char* end = text.data() + text.size();
-  const auto [read, status] = std::from_chars(text.data() + sign + 1, end, ball.radius_mm);
-  if (status != std::errc{} || read != end || !(ball.radius_mm > 0)) return std::nullopt;
-  return ball;
+constexpr std::string_view kFind = "=find", kNone = "=none";
+
+/// With --again what was said of a press can be taken back.
+std::function<std::string(const std::string&)> or_taken_back(
+    const std::function<std::string(const std::string&)>& wrong) {
+  return [wrong](const std::string& text) {
+    return text.ends_with(kNone) ? std::string() : wrong(text);
+  };
 }
 
-std::string refuse_other_ball(const std::string& text) {
-  if (other_ball(text)) return {};
-  return fmt::format("'{}' is not NAME=R, a press and its ball's radius in mm", printable(text));
+/// What was said of a press anew; NAME=none, or another such word, takes it back.
+template <class T>
+Status say_again(const std::vector<std::string>& texts,
+                 Result<T> (*from)(const std::string&),
+                 std::string_view take_back,
+                 std::vector<T>* list) {
+  for (const std::string& text : texts) {
+    if (text.ends_with(take_back)) {
+      unsay(*list, text.substr(0, text.size() - take_back.size()));
+      continue;
+    }
+    auto said = from(text);
+    if (!said) return said.error();
+    say(*list, std::move(said).value());
+  }
+  return {};
 }
 
-constexpr std::string_view kFind = "=find";
+/// What was said of single presses on the command line.
+Status say_of_presses(const CalibrateOptions& options, SaidOfPresses* said) {
+  for (const std::string& text : options.excluded) say(said->excluded, excluded_press_from(text));
+  for (const Status& status :
+       {say_again(options.other_balls, other_ball_from, kNone, &said->other_balls),
+        say_again(options.depths, press_depth_from, kNone, &said->depths),
+        say_again(options.steps, press_step_from, kNone, &said->steps),
+        say_again(options.balls, placed_ball_from, kFind, &said->balls)})
+    if (!status) return status;
+  return {};
+}
 
 /// What a repetition starts from, changed by what was said on the command line.
 Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console& console) {
@@ -89,30 +126,11 @@ Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console&
   if (options.ball_radius_mm > 0) inputs.ball_radius_mm = options.ball_radius_mm;
   if (!options.operator_name.empty()) inputs.operator_name = options.operator_name;
   for (const std::string& name : options.included) {
-    const auto removed =
-        std::erase_if(inputs.excluded, [&](const ExcludedPress& one) { return one.name == name; });
+    const auto removed = unsay(inputs.excluded, name);
     if (removed == 0)
       return Error{fmt::format("'{}' is not excluded", name), options.finger.string(), ""};
   }
-  for (const std::string& text : options.other_balls) {
-    const OtherBall ball = other_ball(text).value();
-    std::erase_if(inputs.other_balls, [&](const OtherBall& one) { return one.name == ball.name; });
-    inputs.other_balls.push_back(ball);
-  }
-  for (const std::string& text : options.excluded) {
-    const ExcludedPress press = excluded_press(text);
-    std::erase_if(inputs.excluded,
-                  [&](const ExcludedPress& one) { return one.name == press.name; });
-    inputs.excluded.push_back(press);
-  }
-  for (const std::string& text : options.balls) {
-    const bool is_to_be_found = text.ends_with(kFind);
-    const auto ball = is_to_be_found ? PlacedBall{text.substr(0, text.size() - kFind.size()), {}}
-                                     : placed_ball_from(text);
-    if (!ball) return ball.error();
-    std::erase_if(inputs.balls, [&](const PlacedBall& one) { return one.name == ball->name; });
-    if (!is_to_be_found) inputs.balls.push_back(*ball);
-  }
+  if (const Status status = say_of_presses(options, &inputs); !status) return status.error();
   return inputs;
 }
 
@@ -133,18 +151,12 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   FingerCalibrationInput input;
   input.folder = options.finger;
   input.presses = options.presses;
+  input.bursts = options.bursts;
   input.ball_radius_mm = options.ball_radius_mm;
-  for (const std::string& text : options.other_balls)
-    input.other_balls.push_back(other_ball(text).value());
   input.reference = options.reference;
   input.calibration = options.calibration;
   input.pipeline = options.pipeline;
-  for (const std::string& text : options.excluded) input.excluded.push_back(excluded_press(text));
-  for (const std::string& text : options.balls) {
-    const auto ball = placed_ball_from(text);
-    if (!ball) return ball.error();
-    input.balls.push_back(*ball);
-  }
+  if (const Status status = say_of_presses(options, &input); !status) return status.error();
   input.date = options.date;
   input.program_version = ALLTACT_VERSION;
   input.operator_name = options.operator_name;
@@ -184,6 +196,11 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   CLI::Option* presses = command->add_option(
       "PRESS", options->presses, "Pictures of the pressed ball, a folder of them, or a video");
+  CLI::Option* bursts = command->add_flag(
+      "--bursts",
+      options->bursts,
+      "Every PRESS is a short video, or a folder, of one press held still: its frames are averaged "
+      "and named after it");
   CLI::Option* radius =
       command->add_option("--ball-radius-mm", options->ball_radius_mm, "Radius of the ball, mm")
           ->type_name("R")
@@ -192,11 +209,31 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
       ->add_option("--other-ball",
                    options->other_balls,
                    "A press made with a ball of another radius, by its picture's name without the "
-                   "ending; may be given again for another")
+                   "ending; may be given again for another. With --again NAME=none takes this and "
+                   "what follows back")
       ->type_name("NAME=R")
       ->allow_extra_args(false)
       ->take_all()
-      ->check(refuse_other_ball);
+      ->check(or_taken_back(form(other_ball_from)));
+  command
+      ->add_option("--depth",
+                   options->depths,
+                   "How deep a press' ball was pushed in, normal to the face from where it first "
+                   "touches, as a stage or a feeler gauge tells it, and how well that is known "
+                   "(0.02 where it is not said); may be given again for another press")
+      ->type_name("NAME=MM+-SD")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->check(or_taken_back(form(press_depth_from)));
+  command
+      ->add_option("--step",
+                   options->steps,
+                   "A press made with a flat punch that has a step of this height, not with a "
+                   "ball; may be given again for another")
+      ->type_name("NAME=MM")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->check(or_taken_back(form(press_step_from)));
   CLI::Option* reference =
       command
           ->add_option("--reference",
@@ -239,6 +276,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
                      "Calibrates from what the finger keeps: the same presses, settings and bytes; "
                      "what else is said here is changed")
           ->excludes(presses)
+          ->excludes(bursts)
           ->excludes(reference)
           ->excludes(date);
   command

@@ -219,6 +219,20 @@ void add_check(CLI::App& program, Chosen& chosen) {
       ->type_name("R")
       ->check(CLI::PositiveNumber)
       ->needs(pictures);
+  auto steps = std::make_shared<std::vector<std::string>>();
+  command
+      ->add_option("--step",
+                   *steps,
+                   "A press made with a flat punch that has a step of this height, not with a "
+                   "ball; may be given again for another")
+      ->type_name("NAME=MM")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->check([](const std::string& text) {
+        const auto step = press_step_from(text);
+        return step ? std::string() : step.error().what;
+      })
+      ->needs(pictures);
   command
       ->add_option("--untouched",
                    *untouched,
@@ -240,6 +254,7 @@ void add_check(CLI::App& program, Chosen& chosen) {
       if (!untouched->empty()) return run_check_untouched(*folder, *untouched, console);
       if (!presses->presses.empty()) {
         presses->folder = *folder;
+        for (const std::string& text : *steps) say(presses->steps, press_step_from(text).value());
         return run_check_presses(*presses, console);
       }
       return *numerics ? run_check_numerics(console) : run_check(*folder, console);

@@ -69,10 +69,13 @@ Status run_reference(const ReferenceOptions& options, Console& console);
 struct CalibrateOptions {
   Path finger;
   std::vector<Path> presses;
+  bool bursts = false;        ///< each of the presses is one, held still
   double ball_radius_mm = 0;  ///< with `again` 0 for the same
   std::optional<Path> reference;
   std::string operator_name;             ///< kept with the calibration; empty: not told
   std::vector<std::string> other_balls;  ///< NAME=R
+  std::vector<std::string> depths;       ///< NAME=MM+-SD
+  std::vector<std::string> steps;        ///< NAME=MM
   std::vector<std::string> excluded;     ///< NAME or NAME=WHY
   CalibrationSettings calibration;
   PipelineSettings pipeline;

@@ -11,11 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_video(const fs::path& file) {
-  static constexpr std::array kEndings{".mkv", ".avi", ".mp4"};
-  return is_one_of(ending_of(file), kEndings);
-}
-
 bool is_scene(const fs::path& file) {
   static constexpr std::array kEndings{".yaml", ".yml"};
   return is_one_of(ending_of(file), kEndings);
@@ -78,6 +73,11 @@ Result<std::unique_ptr<Source>> open_pictures(const std::vector<fs::path>& input
 }
 
 }  // namespace
+
+bool is_video(const fs::path& file) {
+  static constexpr std::array kEndings{".mkv", ".avi", ".mp4"};
+  return is_one_of(ending_of(file), kEndings);
+}
 
 Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
                                             const SourceOptions& options) {

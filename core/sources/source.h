@@ -50,6 +50,9 @@ struct SourceOptions {
   const Job* job = nullptr;
 };
 
+/// True when the name ends as videos' names do.
+[[nodiscard]] bool is_video(const std::filesystem::path& file);
+
 /// Opens what the inputs name:
 ///   one camera: its node (/dev/video0), or its lasting name or serial number (see find_camera);
 ///   pictures (png, jpg, bmp, tif, pgm) and folders of pictures (in name order; NAME.depth.tiff,

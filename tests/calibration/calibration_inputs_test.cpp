@@ -28,6 +28,8 @@ CalibrationInputs some_inputs() {
                     {"12", "1111111111111111"},
                     {"it's, a [press]", "abcdefabcdefabcd"}};
   inputs.other_balls = {{"press_0", 6.25}};
+  inputs.depths = {{"12", {1.25, 0.0125}}, {"press_0", {0.5, 0.02}}};
+  inputs.steps = {{"it's, a [press]", 0.5}};
   inputs.excluded = {{"12", "glove in view"}, {"it's, a [press]", ""}};
   inputs.balls = {{"press_0", {1.5, -2.25, 48.0625}}};
   return inputs;
@@ -52,11 +54,13 @@ TEST(CalibrationInputs, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(back->presses[1].name, "12");
   EXPECT_EQ(back->presses[2].name, "it's, a [press]");
   EXPECT_EQ(back->presses[2].checksum, "abcdefabcdefabcd");
-  ASSERT_NE(back->exclusion_of("12"), nullptr);
-  EXPECT_EQ(back->exclusion_of("12")->because, "glove in view");
-  EXPECT_EQ(back->exclusion_of("press_0"), nullptr);
+  ASSERT_NE(said_of(back->excluded, "12"), nullptr);
+  EXPECT_EQ(said_of(back->excluded, "12")->because, "glove in view");
+  EXPECT_EQ(said_of(back->excluded, "press_0"), nullptr);
   EXPECT_EQ(back->balls, inputs.balls);
-  EXPECT_EQ(back->ball_of("12"), nullptr);
+  EXPECT_EQ(back->depths, inputs.depths);
+  EXPECT_EQ(back->steps, inputs.steps);
+  EXPECT_EQ(said_of(back->balls, "12"), nullptr);
 }
 
 TEST(CalibrationInputs, EveryTruncationIsToldInASentence) {

@@ -13,11 +13,15 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 PressNotes some_notes() {
-  return {3.975,
-          {{"12", 6.0}},
-          "Ada \"the first\": Lovelace",
-          {{"it's, a [press]", {1.25, -2, 48.0625}}, {"12", {0, 0, 1e-3}}},
-          {{"press_0", "glove in view"}, {"press_1", ""}}};
+  PressNotes notes;
+  notes.ball_radius_mm = 3.975;
+  notes.operator_name = "Ada \"the first\": Lovelace";
+  notes.other_balls = {{"12", 6.0}};
+  notes.depths = {{"12", {1.25, 0.0125}}};
+  notes.steps = {{"press_1", 0.5}};
+  notes.balls = {{"it's, a [press]", {1.25, -2, 48.0625}}, {"12", {0, 0, 1e-3}}};
+  notes.excluded = {{"press_0", "glove in view"}, {"press_1", ""}};
+  return notes;
 }
 
 TEST(PressNotes, ComeBackAsTheyWereWritten) {
@@ -53,6 +57,10 @@ TEST(PressNotes, SpoiltValuesAreNamed) {
   refused("balls: [a]\nballs_mm: [[1, 2]]", "balls_mm");
   refused("balls: [a]\nballs_mm: [[1, 2, -3]]", "balls_mm");
   refused("balls: [a]\nballs_mm: [[1, .inf, 3]]", "balls_mm");
+  refused("depths: [a]\ndepths_mm: [[1]]", "depths_mm");
+  refused("depths: [a]\ndepths_mm: [[1, 0]]", "depths_mm");
+  refused("depths: [a]\ndepths_mm: []", "depths_mm");
+  refused("steps: [a]\nsteps_mm: [-0.5]", "steps_mm");
   refused("excluded: [a]\nexcluded_because: []", "excluded_because");
   EXPECT_FALSE(PressNotes::parse("format: other/9\n", "notes.yaml").ok());
 }

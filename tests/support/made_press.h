@@ -199,6 +199,73 @@ inline Difference noisy_difference(cv::Mat x, cv::Mat grain, double noise) {
   return difference;
 }
 
+/// A flat punch of two levels: the straight line at `turn_deg` through its middle parts them.
+struct Punch {
+  double u, v;  ///< pixel whose point of the face lies over its middle
+  double step_mm = 0.5;
+  double depth_mm = 1.0;  ///< of the deeper level's middle, along the normal
+  double turn_deg = 20.0;
+  double tilt_first = 0.02, tilt_second = -0.03;     ///< of the whole punch against the face
+  double half_length_mm = 6.5, half_width_mm = 5.0;  ///< across and along the line
+  double back_mm = 0.25;  ///< over which the skin comes back from an edge
+};
+
+/// How deep the skin lies over a punch, along the normal; `at`: from its middle, mm.
+inline double depth_over(const Punch& punch, const Eigen::Vector2d& at) {
+  const double turn = punch.turn_deg * M_PI / 180.0;
+  const double across = std::cos(turn) * at.x() + std::sin(turn) * at.y();
+  const double along = -std::sin(turn) * at.x() + std::cos(turn) * at.y();
+  const double lowered =
+      across < 0.0 ? 0.0 : punch.step_mm * (1.0 - std::exp(-across / punch.back_mm));
+  const double plane = punch.depth_mm + punch.tilt_first * at.x() + punch.tilt_second * at.y();
+  const double outside = std::hypot(std::max(0.0, std::abs(across) - punch.half_length_mm),
+                                    std::max(0.0, std::abs(along) - punch.half_width_mm));
+  return std::max(0.0, plane - lowered) * std::exp(-outside / punch.back_mm);
+}
+
+/// The brightness difference of a skin whose depth along the normal is `depth_of(point)`, a point
+/// of the untouched outer side; along z.
+template <class DepthOf>
+cv::Mat difference_of(const Scene& scene, const Layer& layer, const DepthOf& depth_of) {
+  const cv::Size size = scene.camera.size();
+  cv::Mat x(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  const Eigen::Vector3d back(0.0, 0.0, 1.0);
+  for (int v = 0; v < size.height; ++v)
+    for (int u = 0; u < size.width; ++u) {
+      const auto local = scene.shape.at(u, v);
+      const auto rows = scene.shape.rows(u, 2.0);
+      if (!local || v < rows.first || v > rows.last) continue;
+      const Eigen::Vector3d from =
+          local->view_point_mm + scene.face.layer_mm / local->cos_incline * back;
+      double here = 0;
+      for (int i = 0; i < 12; ++i) here = depth_of(from - here * back) / scene.normal.dot(back);
+      x.at<float>(v, u) = static_cast<float>(layer.difference_at(here));
+    }
+  return x;
+}
+
+inline Press make_punch_press(const Scene& scene,
+                              const Layer& layer,
+                              const Punch& punch,
+                              double noise,
+                              std::mt19937& random,
+                              const std::string& name) {
+  const Eigen::Vector3d n = scene.normal;
+  const Eigen::Vector3d foot =
+      scene.shape.at(punch.u, punch.v).value().view_point_mm + scene.face.layer_mm * n;
+  const Eigen::Vector3d first = Eigen::Vector3d::UnitY().cross(n).normalized(),
+                        second = n.cross(first);
+  const cv::Mat x = difference_of(scene, layer, [&](const Eigen::Vector3d& point) {
+    return depth_over(punch, {first.dot(point - foot), second.dot(point - foot)});
+  });
+  std::normal_distribution<double> normal;
+  cv::Mat grain(x.size(), CV_32FC1);
+  for (float& value : cv::Mat_<float>(grain)) value = static_cast<float>(normal(random));
+  Press press{name, noisy_difference(x, grain, noise), scene.shape};
+  press.step_mm = punch.step_mm;
+  return press;
+}
+
 /// noise: see noisy_difference.
 inline Made make_press(const Scene& scene,
                        const Layer& layer,

@@ -6,6 +6,7 @@
 
 #include <QUndoCommand>
 #include <algorithm>
+#include <set>
 
 namespace alltact {
 namespace {
@@ -44,16 +45,8 @@ Status write_written(const fs::path& folder,
   return {};
 }
 
-template <class T>
-std::vector<T> by_name(std::vector<T> list) {
-  std::sort(list.begin(), list.end(), [](const T& a, const T& b) { return a.name < b.name; });
-  return list;
-}
-
 bool say_the_same(const PressNotes& a, const PressNotes& b) {
-  return a.ball_radius_mm == b.ball_radius_mm && a.operator_name == b.operator_name &&
-         by_name(a.other_balls) == by_name(b.other_balls) && by_name(a.balls) == by_name(b.balls) &&
-         by_name(a.excluded) == by_name(b.excluded);
+  return a.operator_name == b.operator_name && a.by_name() == b.by_name();
 }
 
 }  // namespace
@@ -163,19 +156,13 @@ FingerCalibrationInput CalibrationRun::input_for(const PressNotes& notes) const 
   FingerCalibrationInput input;
   input.folder = desk_.folder();
   input.presses = {desk_.folder() / kPressFolder};
-  input.ball_radius_mm = notes.ball_radius_mm;
   if (from_) {  // as this finger was calibrated last
     input.calibration = from_->calibration;
     input.pipeline = from_->pipeline;
   }
-  const auto is_there = [&](const auto& one) { return desk_.find(one.name) != nullptr; };
-  std::copy_if(
-      notes.excluded.begin(), notes.excluded.end(), std::back_inserter(input.excluded), is_there);
-  std::copy_if(notes.other_balls.begin(),
-               notes.other_balls.end(),
-               std::back_inserter(input.other_balls),
-               is_there);
-  std::copy_if(notes.balls.begin(), notes.balls.end(), std::back_inserter(input.balls), is_there);
+  std::set<std::string> presses;
+  for (const DeskPress& press : desk_.presses()) presses.insert(press.name);
+  static_cast<SaidOfPresses&>(input) = notes.only(presses);
   input.operator_name = notes.operator_name;
   input.program_version = version_;
   return input;

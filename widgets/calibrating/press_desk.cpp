@@ -199,15 +199,11 @@ const DeskPress* PressDesk::find(const std::string& name) const {
 }
 
 const PlacedBall* PressDesk::placed(const std::string& name) const {
-  for (const PlacedBall& ball : notes_.balls)
-    if (ball.name == name) return &ball;
-  return nullptr;
+  return said_of(notes_.balls, name);
 }
 
 const ExcludedPress* PressDesk::exclusion(const std::string& name) const {
-  for (const ExcludedPress& press : notes_.excluded)
-    if (press.name == name) return &press;
-  return nullptr;
+  return said_of(notes_.excluded, name);
 }
 
 int PressDesk::usable_count() const {
@@ -270,7 +266,7 @@ void PressDesk::set_radius(double radius_mm) {
 
 void PressDesk::set_radius_of(const std::string& name, double radius_mm) {
   PressNotes notes = notes_;
-  std::erase_if(notes.other_balls, [&](const OtherBall& ball) { return ball.name == name; });
+  unsay(notes.other_balls, name);
   if (radius_mm > 0 && radius_mm != notes.ball_radius_mm)
     notes.other_balls.push_back({name, radius_mm});
   change_radii(tr("change the ball's radius of %1").arg(text_of(name)), std::move(notes), -1);
@@ -284,27 +280,25 @@ void PressDesk::set_operator(const std::string& name) {
 
 void PressDesk::place_ball(const std::string& name, const Eigen::Vector3d& centre_mm, int grip) {
   PressNotes notes = notes_;
-  std::erase_if(notes.balls, [&](const PlacedBall& ball) { return ball.name == name; });
-  notes.balls.push_back({name, centre_mm});
+  say(notes.balls, PlacedBall{name, centre_mm});
   change(tr("move the outline of %1").arg(text_of(name)), std::move(notes), kGrips + grip);
 }
 
 void PressDesk::find_again(const std::string& name) {
   PressNotes notes = notes_;
-  std::erase_if(notes.balls, [&](const PlacedBall& ball) { return ball.name == name; });
+  unsay(notes.balls, name);
   change(tr("find the ball of %1").arg(text_of(name)), std::move(notes));
 }
 
 void PressDesk::take_out(const std::string& name, const std::string& because) {
   PressNotes notes = notes_;
-  std::erase_if(notes.excluded, [&](const ExcludedPress& press) { return press.name == name; });
-  notes.excluded.push_back({name, because});
+  say(notes.excluded, ExcludedPress{name, because});
   change(tr("take out %1").arg(text_of(name)), std::move(notes));
 }
 
 void PressDesk::put_back(const std::string& name) {
   PressNotes notes = notes_;
-  std::erase_if(notes.excluded, [&](const ExcludedPress& press) { return press.name == name; });
+  unsay(notes.excluded, name);
   change(tr("put back %1").arg(text_of(name)), std::move(notes));
 }
 
