@@ -84,6 +84,72 @@ TEST_F(Repetition, KnowsWhichPressWasMadeWithAnotherBall) {
   EXPECT_EQ(again({"--other-ball", "press_2=-1"}).status, 2);
 }
 
+TEST_F(Repetition, KnowsAMeasuredDepthAndTakesItBack) {
+  const auto pressed_in_mm = [&] {
+    const auto report = nlohmann::json::parse(kept("calibration_report.json"));
+    for (const auto& press : report.at("presses"))
+      if (press.at("press") == "press_2") return press.at("pressed_in_mm").get<double>();
+    return 0.0;
+  };
+  const double by_pictures_mm = pressed_in_mm();
+  const ProgramRun measured =
+      again({"--depth", fmt::format("press_2={}+-0.001", by_pictures_mm + 0.01)});
+  ASSERT_EQ(measured.status, 0) << measured.errors;
+  EXPECT_THAT(kept("calibration_inputs.yaml"),
+              testing::AllOf(HasSubstr("depths: [press_2]"), HasSubstr("0.001]]")));
+  EXPECT_THAT(measured.output, HasSubstr("press_2: measured"));
+  EXPECT_NEAR(pressed_in_mm(), by_pictures_mm + 0.01, 0.003);
+  const std::string yaml = kept("finger.yaml");
+  ASSERT_EQ(again().status, 0);
+  EXPECT_EQ(kept("finger.yaml"), yaml) << "the measured depth was not kept";
+
+  // A gauge that was not set to zero.
+  const ProgramRun wrong = again({"--depth", fmt::format("press_2={}+-0.001", by_pictures_mm + 1)});
+  ASSERT_EQ(wrong.status, 0) << wrong.errors;
+  EXPECT_THAT(wrong.errors, HasSubstr("Left out: press_2: its measured depth of"));
+  ASSERT_EQ(again({"--depth", "press_2=none"}).status, 0);
+  EXPECT_EQ(pressed_in_mm(), by_pictures_mm);
+  for (const char* impossible : {"press_2", "press_2=-1", "press_2=1+-0", "press_2=deep"})
+    EXPECT_EQ(again({"--depth", impossible}).status, 2) << impossible;
+  EXPECT_THAT(again({"--depth", "press_9=1"}).errors, HasSubstr("no press is called 'press_9'"));
+  EXPECT_THAT(again({"--depth", "press_2=1", "--method", "cone"}).errors,
+              HasSubstr("only the joint method uses measured depths"));
+}
+
+TEST_F(Repetition, ABallIsNoPunchWithAStep) {
+  const ProgramRun step = again({"--step", "press_2=0.5"});
+  ASSERT_EQ(step.status, 0) << step.errors;
+  EXPECT_THAT(step.errors, HasSubstr("Left out: press_2: "));
+  EXPECT_THAT(kept("calibration_inputs.yaml"), HasSubstr("steps: [press_2]"));
+  EXPECT_EQ(again({"--step", "press_2=0"}).status, 2);
+}
+
+TEST_F(Repetition, BurstsOfFramesHeldStillAreOnePressEach) {
+  cv::RNG random(5);
+  std::vector<std::string> folders{"--bursts"};
+  for (const fs::path& press : flat_.presses) {
+    const fs::path folder = flat_.file("burst_" + press.stem().string());
+    fs::create_directory(folder);
+    const cv::Mat grey = cv::imread(press.string(), cv::IMREAD_GRAYSCALE);
+    for (int i = 0; i < 12; ++i) {
+      cv::Mat grain(grey.size(), CV_16SC1), noisy;
+      random.fill(grain, cv::RNG::NORMAL, 0.0, 2.0);
+      cv::add(grey, grain, noisy, cv::noArray(), CV_8U);
+      ASSERT_TRUE(cv::imwrite((folder / fmt::format("{:02}.png", i)).string(), noisy));
+    }
+    folders.push_back(folder.string());
+  }
+  const ProgramRun run = flat_.calibrate(folders);
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("burst_press_1: the mean of 12 frames held still, of 12 read"));
+  // What is kept are the means: again needs no burst.
+  const std::string yaml = kept("finger.yaml");
+  EXPECT_TRUE(fs::exists(fs::path(flat_.finger()) / "presses" / "burst_press_1.png"));
+  ASSERT_EQ(again().status, 0);
+  EXPECT_EQ(kept("finger.yaml"), yaml);
+  EXPECT_EQ(again({"--bursts"}).status, 2);
+}
+
 TEST_F(Repetition, LeavesOutWhatIsExcludedAndTakesItBack) {
   const ProgramRun without = again({"--exclude", "press_2=glove in view"});
   ASSERT_EQ(without.status, 0) << without.errors;
