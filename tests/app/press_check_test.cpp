@@ -63,6 +63,36 @@ class PressCheck : public testing::Test {
   int set_ = 0;
 };
 
+/// A flat punch of 10 x 9 mm, its one half pressed in by 0.55 mm, the other by a step less; the
+/// skin comes back from edges over 0.15 mm.
+cv::Mat_<float> punch_depth_mm(double step_mm) {
+  cv::Mat_<float> depth(FlatSensor::kHeight, FlatSensor::kWidth, 0.0F);
+  for (int v = 0; v < depth.rows; ++v)
+    for (int u = 0; u < depth.cols; ++u) {
+      const double x = FlatSensor::kMmPerPx * (u - 160), y = FlatSensor::kMmPerPx * (v - 120);
+      const double beside =
+          std::hypot(std::max(0.0, std::abs(x) - 5.0), std::max(0.0, std::abs(y) - 4.5));
+      const double lower = x < 0 ? 0.0 : step_mm * (1 - std::exp(-x / 0.15));
+      depth(v, u) = static_cast<float>((0.55 - lower) * std::exp(-beside / 0.15));
+    }
+  return depth;
+}
+
+TEST_F(PressCheck, ReadsThePunchOfAKnownStep) {
+  const std::string file = flat_.file("punch.png");
+  ASSERT_TRUE(write_picture(file, pressed_picture(punch_depth_mm(0.3), 77)).ok());
+  const json right = json::parse(check({file}, {"--step", "punch=0.3", "--json"}).output);
+  EXPECT_EQ(right.at("verdict"), "pass") << right.dump(1);
+  EXPECT_LT(right.at("error_mm").get<double>(), 0.012);
+  EXPECT_NEAR(right.at("factor").get<double>(), 1, 0.03);
+  const json wrong = json::parse(check({file}, {"--step", "punch=0.4", "--json"}).output);
+  EXPECT_NE(wrong.at("verdict"), "pass");
+  EXPECT_NEAR(wrong.at("error_mm").get<double>(), 0.1, 0.012);
+  EXPECT_THAT(check({file}, {"--step", "other=0.3"}).errors,
+              HasSubstr("no press is called 'other'"));
+  EXPECT_EQ(check({file}, {"--step", "punch"}).status, 2);
+}
+
 TEST_F(PressCheck, AnUnchangedFingerPasses) {
   for (int i = 0; i < 3; ++i) {
     const json answer = verdict(presses(1, 1));
