@@ -45,6 +45,10 @@ struct Weighted {
 /// Standard deviation of the face's distance as its edges tell it, of one press.
 constexpr double kFaceSdMm = 0.05;
 
+/// Standard deviation of what optics spread light by, px^2: sharp and soft lenses, clear and milky
+/// layers (Smoothing::blur_px2 has their mean).
+constexpr double kOpticsSdPx2 = 0.4;
+
 /// How well lift_off.h tells what the skin is off the ball by, as a part of it: other beds than
 /// Winkler's come back earlier or later.
 constexpr double kLiftPart = 0.5;

@@ -20,6 +20,7 @@ struct Linear {
   Eigen::VectorXd weight;    // 1/mm
   Eigen::VectorXd bend;
   std::vector<double> lifted_sd_mm;
+  Eigen::VectorXd optics_sd_mm;  // what the optics' blur leaves open, in all samples alike
   std::vector<int> patch;
   double taken = 0;                        // how many numbers the residuals were fitted with
   std::vector<std::pair<int, int>> place;  // column and row of the sample's block
@@ -39,6 +40,10 @@ Linear linearised(const PressSamples& press,
   Linear linear;
   linear.rows.resize(count, n_map + 4);
   linear.lifted_sd_mm = weighted.lifted_sd_mm;
+  linear.optics_sd_mm = Eigen::VectorXd::Zero(count);
+  if (press.blur_px2 > 0.0)
+    linear.optics_sd_mm = kOpticsSdPx2 / press.blur_px2 *
+                          Eigen::Map<const Eigen::VectorXd>(weighted.blur_mm.data(), count);
   linear.residual.resize(count);
   linear.weight = Eigen::Map<const Eigen::VectorXd>(weighted.root_weight.data(), count);
   linear.bend = Eigen::Map<const Eigen::VectorXd>(weighted.bend.data(), count);
@@ -267,6 +272,7 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
   // Hessian of the robust loss, and what the errors pull at it.
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n), spread = hessian;
   Eigen::MatrixXd ring_pull = Eigen::MatrixXd::Zero(n, ContactDisc::kRings), lift_pull = ring_pull;
+  Eigen::VectorXd optics_pull = Eigen::VectorXd::Zero(n);
   for (std::size_t i = 0; i < presses.size(); ++i) {
     const Linear& press = linear[i];
     const PatchSums& sums = patches[i];
@@ -279,6 +285,8 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
     Eigen::MatrixXd pulled =
         as_one * press.rows.transpose() * press.residual.cwiseAbs2().asDiagonal() * press.rows;
     pulled += patch_mm2 * sums.rows * sums.rows.transpose();
+    optics_pull += all * (press.rows.transpose() *
+                          (press.bend.cwiseProduct(press.weight).cwiseProduct(press.optics_sd_mm)));
     hessian += all * curved * all.transpose();
     spread += all * pulled * all.transpose();
     for (int p = 0; p < ContactDisc::kPatches; ++p) {
@@ -301,7 +309,8 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
       (void)StepCost(step, fit.curve, options.along).Evaluate(at, &residual, by_values);
       add_known(row, 0, &hessian, &spread);
     }
-  spread += ring_pull * ring_pull.transpose() + lift_pull * lift_pull.transpose();
+  spread += ring_pull * ring_pull.transpose() + lift_pull * lift_pull.transpose() +
+            optics_pull * optics_pull.transpose();
   if (fit.curve.family().absorbs()) {
     // What is known of the absorption beforehand, and is off by as much as it claims.
     add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown / AbsorptionCost::kSd),

@@ -156,7 +156,8 @@ struct JointCovariance {
 /// the patches scatter beyond that; and each ring, in all presses alike, by what the rings' mean
 /// residuals are and at least by 0.003 mm, which no press would show. Rings outside the sure zone
 /// may hide as much again as the mean of a ring scatters: noise must not make a rim look certain;
-/// and what the form of the lift-off leaves open (kLiftPart), each ring by itself.
+/// what the form of the lift-off leaves open (kLiftPart), each ring by itself; and what the optics'
+/// blur leaves open, in all presses alike.
 [[nodiscard]] JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
                                             const JointFit& fit,
                                             const JointOptions& options);

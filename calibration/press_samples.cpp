@@ -59,7 +59,7 @@ PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box
   result.ball_radius_mm = press.ball_radius_mm;
   result.told_depth = press.told_depth;
   result.block_px = block_px;
-  result.blur_px2 = std::pow(press.difference.smoothing_px, 2) + block_px * block_px / 12.0;
+  result.blur_px2 = press.difference.blur_px2 + block_px * block_px / 12.0;
   const cv::Mat means = block_means(press.difference.x(box), block_px);
   result.x_sd = noise_of(means);
   for (int row = 0; row < means.rows; ++row) {

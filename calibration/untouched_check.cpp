@@ -86,7 +86,7 @@ Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
       continue;
     }
     DifferenceOptions as_it_is;
-    as_it_is.smoothing_px = pipeline->settings().smoothing_px;
+    as_it_is.smoothing = smoothing_of(pipeline->settings().smoothing_px);
     as_it_is.noise_sd = result->edges ? result->edges->noise_sd : as_it_is.noise_sd;
     const DepthMap uncorrected =
         depth_map(result->grey, *result->reference, *result->shape, as_it_is, *mapping);

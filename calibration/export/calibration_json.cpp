@@ -1,4 +1,5 @@
 #include "calibration/export/export_texts.h"
+#include "core/sensing/smoothing.h"
 
 #include <nlohmann/json.hpp>
 
@@ -37,6 +38,13 @@ Json covariance_json(const Eigen::MatrixXd& covariance) {
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+/// Along either axis, for picture and reference alike.
+std::vector<double> whole_kernel(const Smoothing& smoothing) {
+  std::vector<double> kernel(smoothing.weights.rbegin(), smoothing.weights.rend());
+  kernel.insert(kernel.end(), smoothing.weights.begin() + 1, smoothing.weights.end());
+  return kernel;
 }
 
 Json mapping_json(const Mapping& mapping, const std::optional<MappingRecord>& record) {
@@ -90,7 +98,7 @@ Json reference_json(const ReferenceFiles& files) {
 
 }  // namespace
 
-Result<std::string> calibration_json(const Finger& finger) {
+Result<std::string> calibration_json(const Finger& finger, const PipelineSettings& settings) {
   Json json;
   json["format"] = "alltact-calibration/1";
   json["name"] = finger.name;
@@ -111,6 +119,7 @@ Result<std::string> calibration_json(const Finger& finger) {
     const auto mapping = Mapping::create(*finger.mapping);
     if (!mapping) return mapping.error();
     json["mapping"] = mapping_json(*mapping, finger.mapping_record);
+    json["mapping"]["smoothing"] = whole_kernel(smoothing_of(settings.smoothing_px));
   }
   if (finger.contact) {
     Json& contact = json["contact"];

@@ -2,6 +2,7 @@
 
 #include "calibration/calibration_inputs.h"
 #include "calibration/export/export_texts.h"
+#include "calibration/measuring_settings.h"
 #include "core/io/atomic_file.h"
 #include "core/io/zip_file.h"
 
@@ -18,15 +19,25 @@ struct Part {
   std::string content;
 };
 
+/// With what the finger's presses were read with.
+Result<std::string> json_of(const Finger& finger, const fs::path& finger_folder) {
+  return calibration_json(finger, measuring_settings(finger_folder));
+}
+
+template <Result<std::string> (*text)(const Finger&)>
+Result<std::string> alone(const Finger& finger, const fs::path&) {
+  return text(finger);
+}
+
 struct Texts {
   ExportForm form;
   const char* name;
-  Result<std::string> (*make)(const Finger&);
+  Result<std::string> (*make)(const Finger&, const fs::path& finger_folder);
 };
-constexpr Texts kTexts[] = {{ExportForm::kOpencv, "camera.opencv.yaml", opencv_camera},
-                            {ExportForm::kRos, "camera_info.yaml", ros_camera_info},
-                            {ExportForm::kRos, "parameters.yaml", ros_parameters},
-                            {ExportForm::kJson, "calibration.json", calibration_json}};
+constexpr Texts kTexts[] = {{ExportForm::kOpencv, "camera.opencv.yaml", alone<opencv_camera>},
+                            {ExportForm::kRos, "camera_info.yaml", alone<ros_camera_info>},
+                            {ExportForm::kRos, "parameters.yaml", alone<ros_parameters>},
+                            {ExportForm::kJson, "calibration.json", json_of}};
 constexpr const char* kZipName = "finger.zip";
 
 bool wants(const std::vector<ExportForm>& forms, ExportForm form) {
@@ -39,7 +50,7 @@ Result<std::vector<Part>> texts(const Finger& finger,
   std::vector<Part> parts;
   for (const Texts& one : kTexts) {
     if (!wants(forms, one.form)) continue;
-    auto content = one.make(finger);
+    auto content = one.make(finger, finger_folder);
     if (!content) {
       Error error = content.error();
       if (error.where.empty()) error.where = finger_folder.string();
@@ -94,7 +105,7 @@ Result<std::vector<ZipEntry>> zip_entries(const Finger& finger,
     return Error{"a zip of the finger cannot lie in the finger's own folder",
                  folder.string(),
                  "another folder"};
-  auto json = calibration_json(finger);
+  auto json = json_of(finger, finger_folder);
   if (!json) return json.error();
   auto entries = files_below(finger_folder);
   if (!entries) return entries.error();

@@ -3,6 +3,7 @@
 
 #include "core/finger/finger.h"
 #include "core/result.h"
+#include "core/sensing/pipeline_settings.h"
 
 #include <string>
 
@@ -13,6 +14,7 @@ namespace alltact {
 [[nodiscard]] Result<std::string> ros_camera_info(const Finger& finger);
 /// Error: the mapping is none.
 [[nodiscard]] Result<std::string> ros_parameters(const Finger& finger);
-[[nodiscard]] Result<std::string> calibration_json(const Finger& finger);
+[[nodiscard]] Result<std::string> calibration_json(const Finger& finger,
+                                                   const PipelineSettings& settings = {});
 
 }  // namespace alltact

@@ -38,7 +38,7 @@ HardRow grey_pairs() {
   Reference reference;
   reference.picture = ReferencePicture(untouched);
   const FaceShape shape = flat_sensor({256, 256}, 0.05);
-  const Difference ours = difference(live, reference, shape, {.smoothing_px = 0.0});
+  const Difference ours = difference(live, reference, shape, {.smoothing = {}});
   for (int i = kLeastLive; i < 256; ++i)
     for (int k = 0; k < 256; ++k) {
       if (k >= kBlack && k < kDark) continue;

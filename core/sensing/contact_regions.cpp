@@ -14,11 +14,6 @@ constexpr int kCell = kDepthCellPx;  // regions are connected in cells
 constexpr double kLargestAngleSdDeg = 15.0;
 constexpr double kLeastSds = 4.0;  // from untouched, of what counts
 
-/// Pixels that share their noise.
-double correlated_pixels(const RegionOptions& options) {
-  return std::max(1.0, 4.0 * M_PI * options.smoothing_px * options.smoothing_px);
-}
-
 UntouchedSd untouched_at(const RegionOptions& options, const Eigen::Vector2d& pixel) {
   if (!options.untouched) return {options.noise_mm, 0.0};
   return options.untouched(static_cast<int>(std::lround(pixel.x())),
@@ -26,7 +21,7 @@ UntouchedSd untouched_at(const RegionOptions& options, const Eigen::Vector2d& pi
 }
 
 double sd_of_mean(const UntouchedSd& sd, double pixels, const RegionOptions& options) {
-  const double independent = std::max(1.0, pixels / correlated_pixels(options));
+  const double independent = std::max(1.0, pixels / options.correlated_px2);
   return std::hypot(sd.noise / std::sqrt(independent), sd.systematic);
 }
 
@@ -130,7 +125,7 @@ class RegionSums {
     const double xx = covariance(0, 0), xy = covariance(0, 1), yy = covariance(1, 1);
     const double difference = std::hypot(xx - yy, 2.0 * xy);  // l1 - l2
     const double product = std::max(0.0, xx * yy - xy * xy);  // l1 l2
-    const double correlated = correlated_pixels(options);
+    const double correlated = options.correlated_px2;
     const double independent = std::max(1.0, region.pixels / correlated);
     if (!(difference > 0.0)) return;
     constexpr double kDegPerRad = 180.0 / M_PI;

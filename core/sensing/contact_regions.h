@@ -32,7 +32,7 @@ struct RegionOptions {
   double threshold_mm = 0.1;  ///< depth that counts as touched
   double noise_mm = 0.0;      ///< sd of a pixel's depth; the threshold is at least 4 of it
   double minimum_area_mm2 = 0.25;
-  double smoothing_px = 1.0;  ///< correlation length of the depth map
+  double correlated_px2 = 1.0;  ///< pixels that share their noise, by the smoothing
   /// How far off untouched skin may be told at a pixel (u, v), as DepthError::untouched; empty: by
   /// noise_mm everywhere.
   std::function<UntouchedSd(int, int)> untouched;
@@ -40,7 +40,7 @@ struct RegionOptions {
 
 /// Regions ordered by volume, largest first. A cell is touched where its mean depth is above the
 /// threshold and at least 4 times what noise and reference can make of untouched skin there:
-/// sd^2 = noise^2 / n + systematic^2, n its independent pixels (one in 4 pi smoothing^2). A
+/// sd^2 = noise^2 / n + systematic^2, n its independent pixels (one in correlated_px2). A
 /// region's mean depth must be that, too, with n its own.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                                          const FaceShape& shape,

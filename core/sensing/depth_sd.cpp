@@ -2,6 +2,7 @@
 
 #include "core/sensing/grey_steps.h"
 #include "core/sensing/reference_error.h"
+#include "core/sensing/smoothing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace {
 
 constexpr int kTable = 512;
 constexpr double kSidewaysPx = 0.25;  // of edges, skin and lens together
-constexpr double kOpticsPx = 0.7;     // blur of lens and layer, besides the smoothing
 
 cv::Mat nowhere(const cv::Size& size) {
   return {size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN())};
@@ -98,9 +98,8 @@ double DepthError::lateral_mm(int u, int v, double noise_mm) const {
   const double bend_square =
       std::max(0.0, squares(left - 2.0 * here + right, above - 2.0 * here + below) - 12.0 * noise) /
       std::pow(kStep, 4);
-  const double blur_px2 = depth_.smoothing_px * depth_.smoothing_px + kOpticsPx * kOpticsPx;
   return std::sqrt(kSidewaysPx * kSidewaysPx * slope_square +
-                   0.25 * blur_px2 * blur_px2 * bend_square);
+                   0.25 * kOpticsPx2 * kOpticsPx2 * bend_square);
 }
 
 DepthCauses DepthError::causes(int u, int v, double level) {

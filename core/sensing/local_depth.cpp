@@ -7,6 +7,7 @@
 #include "core/sensing/depth_scale.h"
 #include "core/sensing/grey_steps.h"
 #include "core/sensing/picture_pool.h"
+#include "core/sensing/smoothing.h"
 
 #include <algorithm>
 #include <array>
@@ -99,20 +100,20 @@ ALLTACT_WIDE void weigh_more(const std::int16_t* const* pairs,
                                        times(static_cast<std::int16_t>(c[i] + d[i]), w2));
 }
 
-/// A Gaussian's weights, of 2^-15, of the middle and of an even number of distances from it.
-std::vector<std::int16_t> gaussian_weights(double sd_px) {
-  const int radius = sd_px > 0.0 ? static_cast<int>(std::ceil(2.0 * sd_px)) : 0;
-  std::vector<double> weights;
-  double sum = 0;
-  for (int k = 0; k <= radius; ++k) {
-    const double z = radius > 0 ? k / sd_px : 0.0;
-    weights.push_back(std::exp(-0.5 * z * z));
-    sum += (k == 0 ? 1.0 : 2.0) * weights.back();
+/// A kernel's weights, of 2^-15, of the middle and of an even number of distances from it. Outer
+/// ones are whole 2^-9: of whole grey levels the products then lose little, and dark faces, which
+/// have few steps, do not drift by what is rounded away alike in every pixel.
+std::vector<std::int16_t> whole_weights(const Smoothing& smoothing) {
+  constexpr double kCoarse = 512;
+  constexpr long kFine = 32768 / 512;
+  std::vector<std::int16_t> result{0};
+  long middle = 32768;
+  for (std::size_t k = 1; k < smoothing.weights.size(); ++k) {
+    const long weight = kFine * std::lround(kCoarse * smoothing.weights[k]);
+    result.push_back(static_cast<std::int16_t>(weight));
+    middle -= 2 * weight;
   }
-  std::vector<std::int16_t> result;
-  for (const double weight : weights)
-    result.push_back(
-        static_cast<std::int16_t>(std::min(32767L, std::lround(32768 * weight / sum))));
+  result.front() = static_cast<std::int16_t>(std::min(32767L, middle));
   while (result.size() < 3 || result.size() % 2 == 0) result.push_back(0);
   return result;
 }
@@ -332,7 +333,7 @@ void compare(const cv::Mat& grey,
   CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.picture.size());
   // Both pictures are smoothed alike before the division, with nothing from outside the face: the
   // weights of the missing neighbours cancel in the ratio, and dark pixels are not biased by it.
-  const auto weights = gaussian_weights(options.smoothing_px);
+  const auto weights = whole_weights(options.smoothing);
   RowSmoother live(weights, grey.cols), untouched(weights, grey.cols);
   ReferencePicture::Reader reader(reference.picture);
   const auto darkest = static_cast<std::int16_t>(
@@ -378,12 +379,9 @@ void compare(const cv::Mat& grey,
   }
 }
 
-/// One frame's noise averaged over the kernel: sd / (2 sqrt(pi) s).
+/// One frame's noise averaged over the kernel.
 double smoothed_sd(const DifferenceOptions& options) {
-  const double averaging = options.smoothing_px > 0.0
-                               ? std::min(1.0, 1.0 / (2.0 * std::sqrt(M_PI) * options.smoothing_px))
-                               : 1.0;
-  return averaging * options.noise_sd;
+  return options.smoothing.noise_part() * options.noise_sd;
 }
 
 LightGain light_now(const cv::Mat& grey,
@@ -405,7 +403,7 @@ Difference difference(const cv::Mat& grey,
   result.x = pooled_picture(grey.size(), CV_32FC1);
   result.flags = pooled_picture(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size());
-  result.smoothing_px = options.smoothing_px;
+  result.blur_px2 = options.smoothing.blur_px2();
   result.light = light_now(grey, reference, result.face, options);
   result.grey_sd =
       smoothed_sd(options) * result.light.noise_ratio() * std::hypot(1.0, reference.noise_gain);
@@ -433,7 +431,6 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
   Mapper mapper(mapping, shape, difference.face, map);
   for (int row = 0; row < difference.x.rows; ++row) mapper(row, difference.x.ptr<float>(row));
   mapper.finish();
-  map.smoothing_px = difference.smoothing_px;
   return map;
 }
 
@@ -463,7 +460,6 @@ DepthMap depth_map(const cv::Mat& grey,
       [&](int) { return x.data(); },
       [&](int row) { mapper(row, x.data()); });
   mapper.finish();
-  map.smoothing_px = options.smoothing_px;
   map.live_sd = smoothed_sd(options) * map.light.noise_ratio();
   map.noise_mm = mapping.slope_mm(0.0) * map.live_sd * std::hypot(1.0, reference.noise_gain) /
                  mean_brightness(grey, face);

@@ -6,6 +6,7 @@
 #include "core/sensing/face_shape.h"
 #include "core/sensing/light_gain.h"
 #include "core/sensing/reference_library.h"
+#include "core/sensing/smoothing.h"
 
 #include <opencv2/core.hpp>
 
@@ -32,8 +33,8 @@ struct Difference {
   /// Noise of both pictures after smoothing, grey levels: sd(x) of an untouched pixel is
   /// grey_sd / I_ref.
   double grey_sd = 0;
-  double smoothing_px = 0;  ///< sd of the Gaussian that x went through
-  LightGain light;          ///< how the light has changed, if that was asked for
+  double blur_px2 = 0;  ///< by what x is spread, see Smoothing
+  LightGain light;      ///< how the light has changed, if that was asked for
 };
 
 struct DepthMap {
@@ -42,13 +43,12 @@ struct DepthMap {
   cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell (depth_cells.h)
   /// Standard deviation of a pixel's depth where little presses, at the face's mean brightness.
   double noise_mm = 0;
-  double live_sd = 0;       ///< noise of the picture alone after smoothing, grey levels
-  LightGain light;          ///< how the light has changed, if that was asked for
-  double smoothing_px = 0;  ///< sd of the Gaussian that the brightness went through
+  double live_sd = 0;  ///< noise of the picture alone after smoothing, grey levels
+  LightGain light;     ///< how the light has changed, if that was asked for
 };
 
 struct DifferenceOptions {
-  double smoothing_px = 1.0;    ///< sd of the Gaussian over x; 0: none
+  Smoothing smoothing = smoothing_of(1.0);
   double edge_margin_px = 1.0;  ///< pixels this near the face's edges are off the face
   double noise_sd = 1.0;        ///< grey levels, from the picture
   bool correct_light = false;   ///< take out what the light has changed (light_gain.h)

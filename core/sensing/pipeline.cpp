@@ -3,6 +3,7 @@
 #include "core/sensing/depth_sd.h"
 #include "core/sensing/frame_faults.h"
 #include "core/sensing/pose_places.h"
+#include "core/sensing/smoothing.h"
 
 #include <chrono>
 #include <cmath>
@@ -153,7 +154,8 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
 
 void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   DifferenceOptions options;
-  options.smoothing_px = settings.smoothing_px;
+  options.smoothing =
+      mapping ? smoothing_of(settings.smoothing_px) : plain_smoothing_of(settings.smoothing_px);
   options.correct_light = settings.light == LightChange::kCorrected;
   options.noise_sd = result.edges ? result.edges->noise_sd : plane_noise_sd;
   if (mapping) {
@@ -171,7 +173,7 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
 void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const {
   RegionOptions options;
   options.threshold_mm = settings.contact_threshold_mm;
-  options.smoothing_px = settings.smoothing_px;
+  options.correlated_px2 = std::pow(smoothing_of(settings.smoothing_px).noise_part(), -2);
   options.noise_mm = result.depth->noise_mm;
   DepthError error(*result.depth, *result.reference, *result.shape, *mapping);
   options.untouched = [&](int u, int v) { return error.untouched(u, v); };

@@ -81,8 +81,9 @@ class Finger:
         """A camera's grey picture -> how deep the contact face is pressed in along z, and its points, NaN off it."""
         reference = self.reference(grey := self.turned(picture))
         on_face, points, cosine = self.face(cv2.blur(grey, (3, 3)))
-        below, live = (cv2.GaussianBlur(np.float32(np.where(on_face, p, 0)), (5, 5), 1) for p in (reference, grey))
-        x, m, most = np.maximum(0, 1 - live / np.maximum(below, 1)), self.mapping, self.mapping["domain"][1]
+        m, most, kernel = self.mapping, self.mapping["domain"][1], np.array(self.mapping["smoothing"])
+        smooth = lambda p: cv2.sepFilter2D(np.float32(np.where(on_face, p, 0)), -1, kernel, kernel)
+        x = np.maximum(0, 1 - smooth(grey) / np.maximum(smooth(reference), 1))
         curve = lambda x: x * (m["a_mm"] / (1 + m["b"] * x) if "b" in m else Chebyshev(m["chebyshev_mm"], [0, most])(x))
         beyond = np.maximum(0, x - most)  # darker than calibrated: on along the curve's end
         depth = curve(x - beyond) + beyond * (curve(most) - curve(most - 1e-4)) / 1e-4

@@ -204,7 +204,7 @@ Pictures any_pictures() {
 Difference compared(const Pictures& pictures, const FaceShape& shape, double smoothing_px) {
   Reference reference;
   reference.picture = ReferencePicture(pictures.untouched);
-  return difference(pictures.live, reference, shape, {.smoothing_px = smoothing_px});
+  return difference(pictures.live, reference, shape, {.smoothing = smoothing_of(smoothing_px)});
 }
 
 bool same_bytes(const cv::Mat& a, const cv::Mat& b) {

@@ -117,7 +117,7 @@ TEST(ContactRegions, TheAnglesErrorIsWhatItSaysItIs) {
     map.cells_mm = depth_cells(map.depth_mm);
     RegionOptions options;
     options.noise_mm = kNoiseMm;
-    options.smoothing_px = kSmoothingPx;
+    options.correlated_px2 = 4 * M_PI * kSmoothingPx * kSmoothingPx;
     const FlatFace flat;
     const auto regions = contact_regions(map, flat.shape, FlatFace::face(), options);
     ASSERT_EQ(regions.size(), 1U);

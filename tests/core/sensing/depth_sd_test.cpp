@@ -58,7 +58,7 @@ TEST(DepthSd, IsHowDepthsScatter) {
   const Eigen::Matrix2d root = bench.parameters.covariance.llt().matrixL();
   std::normal_distribution<double> normal;
   DifferenceOptions options;
-  options.smoothing_px = 1.0;
+  options.smoothing = plain_smoothing_of(1.0);
   options.noise_sd = std::hypot(kNoise, std::sqrt(1.0 / 12.0));
   cv::Mat sum = cv::Mat::zeros(kHeight, kWidth, CV_64FC1), square = sum.clone(), told = sum.clone();
   const Mapping mapping = Mapping::create(bench.parameters).value();

@@ -70,7 +70,7 @@ TEST(LocalDepth, InOnePassGivesTheSameBytesAsOneAfterTheOther) {
     reference.picture = ReferencePicture(levels);
     for (const double smoothing_px : {0.0, 0.4, 1.0, 2.7}) {
       DifferenceOptions options;
-      options.smoothing_px = smoothing_px;
+      options.smoothing = smoothing_of(smoothing_px);
       const Difference x = difference(live, reference, shape, options);
       const DepthMap depth = depth_map(x, mapping, shape);
       const DepthMap at_once = depth_map(live, reference, shape, options, mapping);

@@ -49,7 +49,7 @@ TEST(LocalDepth, EveryPairOfGreyLevelsIsFiniteOrFlagged) {
   const FaceShape shape = flat_shape(256, 256);
   for (const double smoothing : {0.0, 1.5}) {
     DifferenceOptions options;
-    options.smoothing_px = smoothing;
+    options.smoothing = plain_smoothing_of(smoothing);
     const Difference diff = difference(live, reference_of(untouched), shape, options);
     const DepthMap map = depth_map(diff, straight(3.0), shape);
     for (int i = 0; i < 256; ++i) {
@@ -89,7 +89,7 @@ TEST(LocalDepth, SmoothingDoesNotBendAtTheFacesEdge) {
                                     live.at<std::uint8_t>(v, u) =
                                         cv::saturate_cast<std::uint8_t>(30 + u / 4);
   DifferenceOptions options;
-  options.smoothing_px = 2.0;
+  options.smoothing = plain_smoothing_of(2.0);
   const Difference diff =
       difference(live, reference_of(untouched), flat_shape(width, height), options);
   double low = 1, high = 0;
@@ -113,7 +113,7 @@ TEST(LocalDepth, NoiseIsAsPredictedAndUnbiased) {
   Reference reference = reference_of(cv::Mat(height, width, CV_8UC1, cv::Scalar(level)));
   reference.noise_gain = 0.0;
   DifferenceOptions options;
-  options.smoothing_px = 1.5;
+  options.smoothing = plain_smoothing_of(1.5);
   options.noise_sd = std::sqrt(sd * sd + 1.0 / 12.0);
   const Difference diff = difference(live, reference, flat_shape(width, height), options);
   cv::Scalar mean, spread;
