@@ -415,10 +415,6 @@
         <translation>eines der beiden stehen lassen</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not among the presses</source>
-        <translation>&apos;%1&apos; ist nicht unter den Eindrücken</translation>
-    </message>
-    <message>
         <source>remove it</source>
         <translation>entfernen</translation>
     </message>
@@ -3939,7 +3935,7 @@
         <translation>%1 zeigt, was gefunden wurde</translation>
     </message>
     <message>
-        <source>frame %1 cannot be the finger's rest: %2</source>
+        <source>frame %1 cannot be the finger&apos;s rest: %2</source>
         <translation>Bild %1 kann nicht die Ruhelage des Fingers sein: %2</translation>
     </message>
     <message>
@@ -4001,6 +3997,94 @@
     <message>
         <source>of %1 markers none may be hidden</source>
         <translation>von %1 Marken darf keine verdeckt sein</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 100</source>
+        <translation>muss über 0 und höchstens 100 sein</translation>
+    </message>
+    <message>
+        <source>a depth and its standard deviation in mm</source>
+        <translation>eine Tiefe und ihre Standardabweichung in mm</translation>
+    </message>
+    <message>
+        <source>the steps&apos; heights in mm</source>
+        <translation>die Höhen der Stufen in mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not among the presses, and something is said of it</source>
+        <translation>&apos;%1&apos; ist nicht unter den Eindrücken, und es wird etwas darüber gesagt</translation>
+    </message>
+    <message>
+        <source>remove that</source>
+        <translation>das entfernen</translation>
+    </message>
+    <message>
+        <source>only the joint method uses measured depths and punches with a step</source>
+        <translation>nur das gemeinsame Verfahren benutzt gemessene Tiefen und Stempel mit einer Stufe</translation>
+    </message>
+    <message>
+        <source>leaving them out, or --method joint</source>
+        <translation>sie weglassen, oder --method joint</translation>
+    </message>
+    <message>
+        <source>or --bursts where each video shows one press held still</source>
+        <translation>oder --bursts, wo jedes Video einen stillgehaltenen Eindruck zeigt</translation>
+    </message>
+    <message>
+        <source>there are only presses of a punch with a step</source>
+        <translation>es gibt nur Eindrücke eines Stempels mit einer Stufe</translation>
+    </message>
+    <message>
+        <source>pressing a ball as well, once at least: a step tells how far apart two depths are, not where they begin</source>
+        <translation>auch eine Kugel eindrücken, mindestens einmal: Eine Stufe sagt, wie weit zwei Tiefen auseinanderliegen, nicht, wo sie beginnen</translation>
+    </message>
+    <message>
+        <source>the punch touches too little of the face</source>
+        <translation>der Stempel berührt zu wenig von der Fläche</translation>
+    </message>
+    <message>
+        <source>one of the punch&apos;s levels touches too little of the face</source>
+        <translation>eine der Ebenen des Stempels berührt zu wenig von der Fläche</translation>
+    </message>
+    <message>
+        <source>no step is to be seen</source>
+        <translation>es ist keine Stufe zu sehen</translation>
+    </message>
+    <message>
+        <source>pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more</source>
+        <translation>den Stempel eindrücken, bis die Haut auf seinen beiden Ebenen aufliegt, jede mindestens 4 mm breit</translation>
+    </message>
+    <message>
+        <source>its measured depth of %1 +- %2 mm was left out, because the pictures say %3 +- %4 mm; it counts from where the ball first touches, normal to the face</source>
+        <translation>seine gemessene Tiefe von %1 +- %2 mm wurde weggelassen, denn die Bilder sagen %3 +- %4 mm; sie zählt von der ersten Berührung der Kugel an, senkrecht zur Fläche</translation>
+    </message>
+    <message>
+        <source>its step of %1 mm was left out, because the balls say %2 +- %3 mm; is the balls&apos; radius right</source>
+        <translation>seine Stufe von %1 mm wurde weggelassen, denn die Kugeln sagen %2 +- %3 mm; stimmt der Radius der Kugeln</translation>
+    </message>
+    <message>
+        <source>the finger moves: no more than %1 of %2 frames in a row show the same</source>
+        <translation>der Finger bewegt sich: nicht mehr als %1 von %2 Bildern hintereinander zeigen dasselbe</translation>
+    </message>
+    <message>
+        <source>holding ball and finger still for half a second, at a steady light</source>
+        <translation>Kugel und Finger bei gleichmäßigem Licht eine halbe Sekunde stillhalten</translation>
+    </message>
+    <message>
+        <source>the mean of %1 frames held still, of %2 read</source>
+        <translation>das Mittel von %1 stillgehaltenen Bildern, von %2 gelesenen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not NAME=R, a press and its ball&apos;s radius in mm</source>
+        <translation>&apos;%1&apos; ist nicht NAME=R, ein Eindruck und der Radius seiner Kugel in mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not NAME=MM+-SD, a press, how deep its ball was pressed in and how well that is known, in mm</source>
+        <translation>&apos;%1&apos; ist nicht NAME=MM+-SD, ein Eindruck, wie tief seine Kugel eingedrückt wurde und wie genau das bekannt ist, in mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not NAME=MM, a press and the height of its punch&apos;s step in mm</source>
+        <translation>&apos;%1&apos; ist nicht NAME=MM, ein Eindruck und die Höhe der Stufe seines Stempels in mm</translation>
     </message>
 </context>
 <context>
@@ -6156,6 +6240,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>There are presses of these names already: %1.</source>
         <translation>Eindrücke mit diesen Namen gibt es schon: %1.</translation>
     </message>
+    <message>
+        <source>change the measured depth of %1</source>
+        <translation>gemessene Tiefe von %1 ändern</translation>
+    </message>
+    <message>
+        <source>change the step of %1</source>
+        <translation>Stufe von %1 ändern</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressErrorPlot</name>
@@ -6192,6 +6284,69 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Mean depth error inside the contact (mm)</source>
         <translation>Mittlerer Tiefenfehler im Kontakt (mm)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressForm</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Its ball</source>
+        <translation>&amp;Ihre Kugel</translation>
+    </message>
+    <message>
+        <source>Radius of this press&apos; ball</source>
+        <translation>Radius der Kugel dieses Eindrucks</translation>
+    </message>
+    <message>
+        <source>Where this press was made with a ball of another radius</source>
+        <translation>Falls dieser Eindruck mit einer Kugel von anderem Radius gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Measured &amp;depth</source>
+        <translation>Gemessene &amp;Tiefe</translation>
+    </message>
+    <message>
+        <source>Measured depth of this press</source>
+        <translation>Gemessene Tiefe dieses Eindrucks</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>How deep the ball was pressed in, normal to the face, from where it first touches, as a stage or a feeler gauge tells it</source>
+        <translation>Wie tief die Kugel eingedrückt wurde, senkrecht zur Fläche, von ihrer ersten Berührung an, wie es ein Verschiebetisch oder eine Fühlerlehre sagt</translation>
+    </message>
+    <message>
+        <source>&amp;Give or take</source>
+        <translation>&amp;Plus oder minus</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the measured depth</source>
+        <translation>Standardabweichung der gemessenen Tiefe</translation>
+    </message>
+    <message>
+        <source>How well the depth is known: the standard deviation of measuring it</source>
+        <translation>Wie genau die Tiefe bekannt ist: die Standardabweichung ihrer Messung</translation>
+    </message>
+    <message>
+        <source>&amp;Step of a punch</source>
+        <translation>Stu&amp;fe des Stempels</translation>
+    </message>
+    <message>
+        <source>Step of a punch</source>
+        <translation>Stufe des Stempels</translation>
+    </message>
+    <message>
+        <source>a ball</source>
+        <translation>eine Kugel</translation>
+    </message>
+    <message>
+        <source>Height of the step of a flat punch that was pressed in instead of a ball; no ball is looked for then</source>
+        <translation>Höhe der Stufe eines flachen Stempels, der statt einer Kugel eingedrückt wurde; eine Kugel wird dann nicht gesucht</translation>
     </message>
 </context>
 <context>
@@ -6243,6 +6398,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>the ball&apos;s radius is missing</source>
         <translation>der Radius der Kugel fehlt</translation>
     </message>
+    <message>
+        <source>a step of %1 mm reads %2 mm</source>
+        <translation>eine Stufe von %1 mm misst %2 mm</translation>
+    </message>
+    <message>
+        <source>a punch with a step of %1 mm</source>
+        <translation>ein Stempel mit einer Stufe von %1 mm</translation>
+    </message>
+    <message>
+        <source>measured %1 mm deep, the solution has %2 mm</source>
+        <translation>gemessen %1 mm tief, die Lösung hat %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPage</name>
@@ -6289,18 +6456,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>&amp;Its ball</source>
-        <translation>&amp;Ihre Kugel</translation>
-    </message>
-    <message>
-        <source>Radius of this press&apos; ball</source>
-        <translation>Radius der Kugel dieses Eindrucks</translation>
-    </message>
-    <message>
-        <source>Where this press was made with a ball of another radius</source>
-        <translation>Falls dieser Eindruck mit einer Kugel von anderem Radius gemacht wurde</translation>
     </message>
     <message>
         <source>&amp;Operator</source>
@@ -6371,10 +6526,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Das Livebild passt nicht zu diesem Finger.</translation>
     </message>
     <message>
-        <source>%1 is taken.</source>
-        <translation>%1 ist aufgenommen.</translation>
-    </message>
-    <message>
         <source>Pictures of presses</source>
         <translation>Bilder von Eindrücken</translation>
     </message>
@@ -6443,6 +6594,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
             <numerusform>%n brauchbar</numerusform>
             <numerusform>%n brauchbar</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 is taken: the mean of %2 pictures held still.</source>
+        <translation>%1 ist aufgenommen: das Mittel von %2 stillgehaltenen Bildern.</translation>
+    </message>
+    <message>
+        <source>%1 is taken from a single picture; hold ball and finger still for half a second, and its noise falls to a quarter.</source>
+        <translation>%1 ist aus einem einzigen Bild; halten Sie Kugel und Finger eine halbe Sekunde still, und das Rauschen sinkt auf ein Viertel.</translation>
     </message>
 </context>
 <context>

@@ -415,10 +415,6 @@
         <translation>只保留其中一个</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not among the presses</source>
-        <translation>“%1”不在按压之中</translation>
-    </message>
-    <message>
         <source>remove it</source>
         <translation>删除它</translation>
     </message>
@@ -3939,7 +3935,7 @@
         <translation>%1 显示找到的内容</translation>
     </message>
     <message>
-        <source>frame %1 cannot be the finger's rest: %2</source>
+        <source>frame %1 cannot be the finger&apos;s rest: %2</source>
         <translation>第 %1 帧不能作为手指的静止姿态:%2</translation>
     </message>
     <message>
@@ -4001,6 +3997,94 @@
     <message>
         <source>of %1 markers none may be hidden</source>
         <translation>仅有 %1 个标记点,一个都不能被遮挡</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 100</source>
+        <translation>必须大于 0 且不超过 100</translation>
+    </message>
+    <message>
+        <source>a depth and its standard deviation in mm</source>
+        <translation>一个深度及其标准差,单位 mm</translation>
+    </message>
+    <message>
+        <source>the steps&apos; heights in mm</source>
+        <translation>各台阶的高度,单位 mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not among the presses, and something is said of it</source>
+        <translation>&apos;%1&apos; 不在按压之中,却有关于它的说明</translation>
+    </message>
+    <message>
+        <source>remove that</source>
+        <translation>请将其删除</translation>
+    </message>
+    <message>
+        <source>only the joint method uses measured depths and punches with a step</source>
+        <translation>只有联合方法使用测得的深度和带台阶的压头</translation>
+    </message>
+    <message>
+        <source>leaving them out, or --method joint</source>
+        <translation>不使用它们,或使用 --method joint</translation>
+    </message>
+    <message>
+        <source>or --bursts where each video shows one press held still</source>
+        <translation>或者在每段视频各显示一次保持静止的按压时使用 --bursts</translation>
+    </message>
+    <message>
+        <source>there are only presses of a punch with a step</source>
+        <translation>只有带台阶压头的按压</translation>
+    </message>
+    <message>
+        <source>pressing a ball as well, once at least: a step tells how far apart two depths are, not where they begin</source>
+        <translation>至少再用球按压一次:台阶只说明两个深度相差多少,不说明从哪里算起</translation>
+    </message>
+    <message>
+        <source>the punch touches too little of the face</source>
+        <translation>压头接触到的面太小</translation>
+    </message>
+    <message>
+        <source>one of the punch&apos;s levels touches too little of the face</source>
+        <translation>压头的一个平面接触到的面太小</translation>
+    </message>
+    <message>
+        <source>no step is to be seen</source>
+        <translation>看不到台阶</translation>
+    </message>
+    <message>
+        <source>pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more</source>
+        <translation>压入压头,直到表皮贴住它的两个平面,每个平面至少宽 4 mm</translation>
+    </message>
+    <message>
+        <source>its measured depth of %1 +- %2 mm was left out, because the pictures say %3 +- %4 mm; it counts from where the ball first touches, normal to the face</source>
+        <translation>其测得的深度 %1 +- %2 mm 未被采用,因为图像给出 %3 +- %4 mm;深度从球刚接触处算起,沿面的法线方向</translation>
+    </message>
+    <message>
+        <source>its step of %1 mm was left out, because the balls say %2 +- %3 mm; is the balls&apos; radius right</source>
+        <translation>其台阶 %1 mm 未被采用,因为各球给出 %2 +- %3 mm;球的半径是否正确</translation>
+    </message>
+    <message>
+        <source>the finger moves: no more than %1 of %2 frames in a row show the same</source>
+        <translation>手指在动:%2 帧中连续相同的不超过 %1 帧</translation>
+    </message>
+    <message>
+        <source>holding ball and finger still for half a second, at a steady light</source>
+        <translation>在稳定的光照下使球和手指保持静止半秒</translation>
+    </message>
+    <message>
+        <source>the mean of %1 frames held still, of %2 read</source>
+        <translation>读取的 %2 帧中 %1 帧静止画面的平均</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not NAME=R, a press and its ball&apos;s radius in mm</source>
+        <translation>&apos;%1&apos; 不是 NAME=R 的形式,即按压及其球半径(mm)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not NAME=MM+-SD, a press, how deep its ball was pressed in and how well that is known, in mm</source>
+        <translation>&apos;%1&apos; 不是 NAME=MM+-SD 的形式,即按压、球压入的深度及其标准差(mm)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not NAME=MM, a press and the height of its punch&apos;s step in mm</source>
+        <translation>&apos;%1&apos; 不是 NAME=MM 的形式,即按压及其压头台阶的高度(mm)</translation>
     </message>
 </context>
 <context>
@@ -6151,6 +6235,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>There are presses of these names already: %1.</source>
         <translation>已有同名的按压:%1。</translation>
     </message>
+    <message>
+        <source>change the measured depth of %1</source>
+        <translation>更改 %1 的测得深度</translation>
+    </message>
+    <message>
+        <source>change the step of %1</source>
+        <translation>更改 %1 的台阶</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressErrorPlot</name>
@@ -6185,6 +6277,69 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Mean depth error inside the contact (mm)</source>
         <translation>接触内的平均深度误差 (mm)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressForm</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Its ball</source>
+        <translation>所用的球(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Radius of this press&apos; ball</source>
+        <translation>此次按压所用球的半径</translation>
+    </message>
+    <message>
+        <source>Where this press was made with a ball of another radius</source>
+        <translation>如果此次按压用的是另一半径的球</translation>
+    </message>
+    <message>
+        <source>Measured &amp;depth</source>
+        <translation>测得深度(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Measured depth of this press</source>
+        <translation>此次按压的测得深度</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>How deep the ball was pressed in, normal to the face, from where it first touches, as a stage or a feeler gauge tells it</source>
+        <translation>球压入的深度,沿面的法线方向,从球刚接触处算起,由位移台或塞尺测得</translation>
+    </message>
+    <message>
+        <source>&amp;Give or take</source>
+        <translation>误差 ±(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the measured depth</source>
+        <translation>测得深度的标准差</translation>
+    </message>
+    <message>
+        <source>How well the depth is known: the standard deviation of measuring it</source>
+        <translation>深度的准确程度:测量的标准差</translation>
+    </message>
+    <message>
+        <source>&amp;Step of a punch</source>
+        <translation>压头台阶(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Step of a punch</source>
+        <translation>压头台阶</translation>
+    </message>
+    <message>
+        <source>a ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Height of the step of a flat punch that was pressed in instead of a ball; no ball is looked for then</source>
+        <translation>代替球压入的平压头的台阶高度;此时不再寻找球</translation>
     </message>
 </context>
 <context>
@@ -6236,6 +6391,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>the ball&apos;s radius is missing</source>
         <translation>缺少球半径</translation>
     </message>
+    <message>
+        <source>a step of %1 mm reads %2 mm</source>
+        <translation>%1 mm 的台阶读数为 %2 mm</translation>
+    </message>
+    <message>
+        <source>a punch with a step of %1 mm</source>
+        <translation>台阶为 %1 mm 的压头</translation>
+    </message>
+    <message>
+        <source>measured %1 mm deep, the solution has %2 mm</source>
+        <translation>测得深 %1 mm,解为 %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPage</name>
@@ -6282,18 +6449,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>unknown</source>
         <translation>未知</translation>
-    </message>
-    <message>
-        <source>&amp;Its ball</source>
-        <translation>所用的球(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Radius of this press&apos; ball</source>
-        <translation>此次按压所用球的半径</translation>
-    </message>
-    <message>
-        <source>Where this press was made with a ball of another radius</source>
-        <translation>如果此次按压用的是另一半径的球</translation>
     </message>
     <message>
         <source>&amp;Operator</source>
@@ -6364,10 +6519,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>实时画面与此手指不符。</translation>
     </message>
     <message>
-        <source>%1 is taken.</source>
-        <translation>已拍摄 %1。</translation>
-    </message>
-    <message>
         <source>Pictures of presses</source>
         <translation>按压图片</translation>
     </message>
@@ -6434,6 +6585,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>
             <numerusform>%n 次可用</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 is taken: the mean of %2 pictures held still.</source>
+        <translation>%1 已拍摄:%2 张静止画面的平均。</translation>
+    </message>
+    <message>
+        <source>%1 is taken from a single picture; hold ball and finger still for half a second, and its noise falls to a quarter.</source>
+        <translation>%1 取自单张画面;使球和手指保持静止半秒,噪声就会降到四分之一。</translation>
     </message>
 </context>
 <context>

@@ -4,11 +4,23 @@
 #include "core/io/picture.h"
 #include "core/simulation/plan.h"
 
+#include <QClipboard>
+#include <fstream>
+#include <sstream>
+
 namespace alltact::test {
 namespace {
 
 void must(const Status& status) {
   if (!status) throw std::runtime_error(status.error().sentence());
+}
+
+constexpr const char* kStillBall =
+    "{use: ball, radius_mm: 4.0, s_mm: 46.0, y_mm: 0.0, depth_mm: 0.8}";
+
+void replace_all(std::string& text, const std::string& old, const std::string& now) {
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at))
+    text.replace(at, old.size(), now);
 }
 
 std::string repeated(const std::vector<double>& values, int times) {
@@ -22,16 +34,38 @@ std::string repeated(const std::vector<double>& values, int times) {
 
 std::string pressing_scene() {
   std::string scene = small_scene(true);
-  const std::string still = "{use: ball, radius_mm: 4.0, s_mm: 46.0, y_mm: 0.0, depth_mm: 0.8}";
   const std::string moving =
       fmt::format("{{use: ball, radius_mm: 4.0, s_mm: {}, y_mm: {}, depth_mm: {}}}",
                   repeated({24, 36, 48, 58, 70, 82}, 15),
                   repeated({-4, 3, 0, -2, 4, 1}, 15),
                   repeated({0.8, 0.5, 1.1, 0.6, 1.0, 0.9}, 15));
-  scene.replace(scene.find(still), still.size(), moving);
-  const std::string frames = "frames: 60";
-  scene.replace(scene.find(frames), frames.size(), "frames: 90");
+  replace_all(scene, kStillBall, moving);
+  replace_all(scene, "frames: 60", "frames: 90");
   return scene;
+}
+
+std::string still_scene() {
+  std::string scene = small_scene(true);
+  replace_all(scene, "-0.3, to: 0.3", "-0.0001, to: 0.0001");
+  return scene;
+}
+
+bool says(Studio& studio, const char* words) {
+  for (const QLabel* label : studio.window().findChildren<QLabel*>())
+    if (label->isVisible() && label->text().contains(QString::fromUtf8(words))) return true;
+  return false;
+}
+
+std::map<std::string, std::string> contents(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    files[std::filesystem::relative(entry.path(), folder).string()] = text.str();
+  }
+  return files;
 }
 
 CalibrateStudio::CalibrateStudio(int presses) {
@@ -101,6 +135,47 @@ bool CalibrateStudio::wait_until_looked_at(int count) {
 
 bool CalibrateStudio::wait_for_report() {
   return wait_until([&] { return !run().report().empty(); }, 60000);
+}
+
+void CalibrateStudio::add_punch(const std::string& name) {
+  cv::Mat relief(180, 240, CV_8UC1, cv::Scalar(0));  // 0.06 mm each
+  relief.colRange(0, 120) = 255;
+  must(write_picture(folder_ / "punch.png", relief));
+  std::string scene = still_scene();
+  replace_all(scene,
+              kStillBall,
+              "{use: relief, shape: picture, file: punch.png, mm_per_px: 0.06, height_mm: 0.5, "
+              "s_mm: 26.0, y_mm: 0.0, depth_mm: 1.0}");
+  replace_all(scene, "  - {use: rolloff, kind: hertz, length_mm: 0.8}\n", "");
+  must(write_file_atomically(folder_ / "punch.yaml", scene));
+  const Plan plan = Plan::compile(Scene::load(folder_ / "punch.yaml").value(), 1).value();
+  std::filesystem::create_directories(finger() / "presses");
+  must(write_picture(finger() / "presses" / (name + ".png"), plan.render(0)));
+}
+
+std::string CalibrateStudio::calibrate_and_compare_with_the_command() {
+  namespace fs = std::filesystem;
+  desk().disk()->wait();
+  fs::copy(finger(), folder_ / "before", fs::copy_options::recursive);
+  studio_->click("Next: Mapping");
+  studio_->click("Calibrate now");
+  EXPECT_TRUE(wait_until([&] { return run().result() != nullptr; }, 60000)) << studio_->problems();
+  EXPECT_TRUE(wait_for_report()) << run().report_problem().toStdString();
+  studio_->click("Next: Verdict");
+  studio_->click("Copy as command line");
+  std::string command = QGuiApplication::clipboard()->text().toStdString();
+  const auto by_window = contents(finger());
+  close();
+  fs::rename(finger(), folder_ / "by_window");
+  fs::rename(folder_ / "before", finger());
+  EXPECT_EQ(command.rfind("alltact ", 0), 0U);
+  const ProgramRun run = run_shell(std::string(ALLTACT_PROGRAM) + command.substr(7));
+  EXPECT_EQ(run.status, 0) << run.errors;
+  const auto by_command = contents(finger());
+  EXPECT_EQ(by_window.size(), by_command.size());
+  for (const auto& [name, bytes] : by_window)
+    EXPECT_TRUE(by_command.count(name) && by_command.at(name) == bytes) << name;
+  return command;
 }
 
 bool CalibrateStudio::wait_for_press() {

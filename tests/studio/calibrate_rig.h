@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <map>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -19,6 +20,15 @@ namespace alltact::test {
 
 /// A scene of the small finger with a ball at six places and depths, half a second each.
 [[nodiscard]] std::string pressing_scene();
+
+/// Such a finger that holds still, with the ball pressed in by 0.8 mm.
+[[nodiscard]] std::string still_scene();
+
+/// Whether a label that is shown has these words.
+[[nodiscard]] bool says(Studio& studio, const char* words);
+
+/// All bytes of a finger's folder.
+[[nodiscard]] std::map<std::string, std::string> contents(const std::filesystem::path& folder);
 
 /// A window on a finger of its own, with a reference and without a mapping, and a ball that
 /// presses.
@@ -40,6 +50,11 @@ class CalibrateStudio {
   void type_radius(const QString& text);
   bool wait_until_looked_at(int count);
   bool wait_for_report();
+  /// Adds the picture of a punch to the finger's folder, whose two levels are 0.5 mm apart.
+  void add_punch(const std::string& name);
+  /// From the step Presses, with the program of the command line: calibrates, then does the same
+  /// with the command that the window copies. Fails unless both give the same bytes.
+  std::string calibrate_and_compare_with_the_command();
   /// Until the ball presses in by at least 0.3 mm and elsewhere than the last time.
   bool wait_for_press();
 

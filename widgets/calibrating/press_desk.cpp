@@ -3,7 +3,6 @@
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/sources/source.h"
-#include "widgets/value_change.h"
 
 #include <algorithm>
 #include <set>
@@ -14,9 +13,6 @@ namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Steps that follow each other and are of one kind are undone together.
-enum MergeId { kRadius = 5'000'000, kOperator, kGrips = 5'100'000 };
 
 fs::path file_of(const fs::path& folder, const std::string& name) {
   return folder / kPressFolder / (name + ".png");
@@ -47,6 +43,11 @@ bool before(const DeskPress& a, const DeskPress& b) {
 
 QString text_of(const std::string& text) {
   return QString::fromStdString(text);
+}
+
+/// Of the ball that a press is searched for; 0: not told, or there is none.
+double sought_mm(const PressNotes& notes, const std::string& press) {
+  return said_of(notes.steps, press) != nullptr ? 0.0 : notes.radius_of(press);
 }
 
 /// Everything that is in the folder, as a background thread found it.
@@ -169,7 +170,7 @@ void PressDesk::look_at_next() {
                   given = next->frame,
                   file = file_of(folder_, next->name),
                   looker = looker_,
-                  radius = notes_.radius_of(next->name)](const Job&) {
+                  radius = sought_mm(notes_, next->name)](const Job&) {
     FramePtr frame = given;
     LookedAt looked;
     if (!frame) {
@@ -187,7 +188,7 @@ void PressDesk::look_at_next() {
       if (press == presses_.end()) return;
       press->frame = frame;
       press->looked = looked;
-      press->is_looked_at = radius == notes_.radius_of(name);
+      press->is_looked_at = radius == sought_mm(notes_, name);
     });
   });
 }
@@ -206,29 +207,32 @@ const ExcludedPress* PressDesk::exclusion(const std::string& name) const {
   return said_of(notes_.excluded, name);
 }
 
-int PressDesk::usable_count() const {
-  return static_cast<int>(
-      std::count_if(presses_.begin(), presses_.end(), [&](const DeskPress& press) {
-        return exclusion(press.name) == nullptr &&
-               (press.looked.found_mm || placed(press.name) != nullptr);
-      }));
+const PressDepth* PressDesk::measured(const std::string& name) const {
+  return said_of(notes_.depths, name);
 }
 
-void PressDesk::change(const QString& text, PressNotes notes, int merge_id) {
-  if (notes == notes_ || folder_.empty()) return;
-  undo_.push(new ValueChange<PressNotes>(
-      text,
-      notes_,
-      std::move(notes),
-      [this, folder = folder_](const PressNotes& value) {
-        if (folder == folder_) set_notes(value);
-      },
-      merge_id));
+const PressStep* PressDesk::punch(const std::string& name) const {
+  return said_of(notes_.steps, name);
+}
+
+bool PressDesk::has_ball(const DeskPress& press) const {
+  return punch(press.name) == nullptr && (press.looked.found_mm || placed(press.name) != nullptr);
+}
+
+bool PressDesk::is_usable(const DeskPress& press) const {
+  if (exclusion(press.name) != nullptr) return false;
+  const bool has_face = !press.is_looked_at || !press.looked.problem;
+  return has_ball(press) || (punch(press.name) != nullptr && has_face);
+}
+
+int PressDesk::usable_count() const {
+  return static_cast<int>(std::count_if(
+      presses_.begin(), presses_.end(), [&](const DeskPress& press) { return is_usable(press); }));
 }
 
 void PressDesk::set_notes(const PressNotes& notes) {
   for (DeskPress& press : presses_)
-    if (notes.radius_of(press.name) != notes_.radius_of(press.name)) press.is_looked_at = false;
+    if (sought_mm(notes, press.name) != sought_mm(notes_, press.name)) press.is_looked_at = false;
   notes_ = notes;
   bool is_waiting = false;
   {
@@ -246,60 +250,6 @@ void PressDesk::set_notes(const PressNotes& notes) {
       return latest ? latest->save(folder) : Status();
     });
   look_at_next();
-}
-
-void PressDesk::change_radii(const QString& text, PressNotes notes, int merge_id) {
-  // Outlines drawn by hand stay where they are: the same cone, another ball.
-  if (looker_ && looker_->is_perspective())
-    for (PlacedBall& ball : notes.balls)
-      if (const double before = notes_.radius_of(ball.name); before > 0)
-        ball.centre_mm *= notes.radius_of(ball.name) / before;
-  change(text, std::move(notes), merge_id);
-}
-
-void PressDesk::set_radius(double radius_mm) {
-  if (!(radius_mm > 0)) return;
-  PressNotes notes = notes_;
-  notes.ball_radius_mm = radius_mm;
-  change_radii(tr("change the ball's radius"), std::move(notes), kRadius);
-}
-
-void PressDesk::set_radius_of(const std::string& name, double radius_mm) {
-  PressNotes notes = notes_;
-  unsay(notes.other_balls, name);
-  if (radius_mm > 0 && radius_mm != notes.ball_radius_mm)
-    notes.other_balls.push_back({name, radius_mm});
-  change_radii(tr("change the ball's radius of %1").arg(text_of(name)), std::move(notes), -1);
-}
-
-void PressDesk::set_operator(const std::string& name) {
-  PressNotes notes = notes_;
-  notes.operator_name = name;
-  change(tr("change the operator"), std::move(notes), kOperator);
-}
-
-void PressDesk::place_ball(const std::string& name, const Eigen::Vector3d& centre_mm, int grip) {
-  PressNotes notes = notes_;
-  say(notes.balls, PlacedBall{name, centre_mm});
-  change(tr("move the outline of %1").arg(text_of(name)), std::move(notes), kGrips + grip);
-}
-
-void PressDesk::find_again(const std::string& name) {
-  PressNotes notes = notes_;
-  unsay(notes.balls, name);
-  change(tr("find the ball of %1").arg(text_of(name)), std::move(notes));
-}
-
-void PressDesk::take_out(const std::string& name, const std::string& because) {
-  PressNotes notes = notes_;
-  say(notes.excluded, ExcludedPress{name, because});
-  change(tr("take out %1").arg(text_of(name)), std::move(notes));
-}
-
-void PressDesk::put_back(const std::string& name) {
-  PressNotes notes = notes_;
-  unsay(notes.excluded, name);
-  change(tr("put back %1").arg(text_of(name)), std::move(notes));
 }
 
 std::string PressDesk::add(std::vector<FramePtr> frames) {

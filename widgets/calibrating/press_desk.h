@@ -49,7 +49,12 @@ class PressDesk : public QObject {
   [[nodiscard]] const DeskPress* find(const std::string& name) const;
   [[nodiscard]] const PlacedBall* placed(const std::string& name) const;
   [[nodiscard]] const ExcludedPress* exclusion(const std::string& name) const;
-  /// Not taken out, and with a ball.
+  [[nodiscard]] const PressDepth* measured(const std::string& name) const;
+  [[nodiscard]] const PressStep* punch(const std::string& name) const;
+  /// Found, or put there by hand; a punch is none.
+  [[nodiscard]] bool has_ball(const DeskPress& press) const;
+  /// Not taken out, and with a ball or a punch.
+  [[nodiscard]] bool is_usable(const DeskPress& press) const;
   [[nodiscard]] int usable_count() const;
   [[nodiscard]] bool is_looking() const { return looking_.is_running(); }
 
@@ -57,6 +62,11 @@ class PressDesk : public QObject {
   void set_radius(double radius_mm);
   /// Of the ball of this press alone; 0: the same as of all others.
   void set_radius_of(const std::string& name, double radius_mm);
+  /// As a stage or a gauge tells it; 0 mm: not measured.
+  void set_depth_of(const std::string& name, const ToldDepth& depth);
+  /// Of a punch that was pressed in place of a ball; 0: it was a ball. What is said of its ball
+  /// stays for when it is one again.
+  void set_step_of(const std::string& name, double step_mm);
   void set_operator(const std::string& name);
   /// `grip`: see OutlineEditor::ball_moved.
   void place_ball(const std::string& name, const Eigen::Vector3d& centre_mm, int grip);

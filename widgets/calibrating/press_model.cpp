@@ -18,6 +18,25 @@ QString text_of(const std::string& text) {
   return QString::fromStdString(text);
 }
 
+QString punch_state_text(const PressStep& punch, const DeskPress& press, const StepFit* fit) {
+  if (fit != nullptr && fit->step_mm == punch.step_mm)
+    return PressModel::tr("a step of %1 mm reads %2 mm")
+        .arg(mm(fit->step_mm, 3), mm(fit->reads_mm, 3));
+  if (press.is_looked_at && press.looked.problem)
+    return in_window_language(press.looked.problem->what);
+  return PressModel::tr("a punch with a step of %1 mm").arg(mm(punch.step_mm, 3));
+}
+
+QString ball_state_text(const BallFit& ball) {
+  const QString found = PressModel::tr("%1 mm deep, error %2 mm")
+                            .arg(mm(ball.depth_mm, 2),
+                                 mm(ball.held_out_mm > 0 ? ball.held_out_mm : ball.residual_mm, 3));
+  if (!ball.told_depth) return found;
+  return found + QLatin1Char('\n') +
+         PressModel::tr("measured %1 mm deep, the solution has %2 mm")
+             .arg(mm(ball.told_depth->mm, 3), mm(ball.pressed_in_mm, 3));
+}
+
 }  // namespace
 
 const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press) {
@@ -27,14 +46,20 @@ const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press) 
   return nullptr;
 }
 
+const StepFit* fitted_step(const CalibrationRun& run, const std::string& press) {
+  if (!run.result()) return nullptr;
+  for (const StepFit& step : run.result()->calibration.steps)
+    if (step.press == press) return &step;
+  return nullptr;
+}
+
 QString press_state_text(const DeskPress& press, const PressDesk& desk, const CalibrationRun& run) {
   if (const ExcludedPress* out = desk.exclusion(press.name))
     return out->because.empty() ? PressModel::tr("taken out")
                                 : PressModel::tr("taken out: %1").arg(text_of(out->because));
-  if (const BallFit* ball = fitted_ball(run, press.name))
-    return PressModel::tr("%1 mm deep, error %2 mm")
-        .arg(mm(ball->depth_mm, 2),
-             mm(ball->held_out_mm > 0 ? ball->held_out_mm : ball->residual_mm, 3));
+  if (const PressStep* punch = desk.punch(press.name))
+    return punch_state_text(*punch, press, fitted_step(run, press.name));
+  if (const BallFit* ball = fitted_ball(run, press.name)) return ball_state_text(*ball);
   if (desk.placed(press.name) != nullptr) return PressModel::tr("ball put by hand");
   if (!press.is_looked_at) return PressModel::tr("being looked at");
   if (press.looked.found_mm) return PressModel::tr("ball found");

@@ -13,6 +13,7 @@ namespace alltact {
                                        const CalibrationRun& run);
 /// nullptr where the press is not part of the calibration whose figures are known.
 [[nodiscard]] const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press);
+[[nodiscard]] const StepFit* fitted_step(const CalibrationRun& run, const std::string& press);
 
 class PressModel : public QAbstractListModel {
   Q_OBJECT

@@ -1,6 +1,7 @@
 #include "widgets/calibrating/presses_page.h"
 
 #include "widgets/live/source_runner.h"
+#include "widgets/places/side_panel.h"
 
 #include <QApplication>
 #include <QButtonGroup>
@@ -13,7 +14,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kListWidth = 270, kSideWidth = 270;
+constexpr int kListWidth = 270, kSideWidth = 284;
 
 QString text_of(const std::string& text) {
   return QString::fromStdString(text);
@@ -46,10 +47,9 @@ PressesPage::PressesPage(LiveSession& session,
       press_group_(new QGroupBox),
       radius_label_(new QLabel),
       operator_label_(new QLabel),
-      own_radius_label_(new QLabel),
       radius_(new QDoubleSpinBox),
-      own_radius_(new QDoubleSpinBox),
       operator_(new QLineEdit),
+      form_(new PressForm(desk)),
       take_(new QPushButton),
       find_(new QPushButton),
       by_itself_(new QCheckBox),
@@ -147,18 +147,12 @@ QWidget* PressesPage::make_middle() {
 }
 
 QWidget* PressesPage::make_side() {
-  auto* side = new QWidget;
-  side->setFixedWidth(kSideWidth);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(6, 0, 0, 0);
+  const SidePanel side(kSideWidth);
   auto* take = new QVBoxLayout(take_group_);
-  for (QDoubleSpinBox* field : {radius_, own_radius_}) {
-    field->setRange(0, 1000);
-    field->setDecimals(3);
-    field->setSingleStep(0.1);
-    field->setKeyboardTracking(false);
-  }
-  own_radius_label_->setBuddy(own_radius_);
+  radius_->setRange(0, kLargestBallMm);
+  radius_->setDecimals(3);
+  radius_->setSingleStep(0.1);
+  radius_->setKeyboardTracking(false);
   radius_label_->setBuddy(radius_);
   operator_label_->setBuddy(operator_);
   auto* form = new QFormLayout;
@@ -170,21 +164,16 @@ QWidget* PressesPage::make_side() {
   take->addWidget(take_reason_);
   take->addWidget(by_itself_);
   take->addWidget(taken_);
-  column->addWidget(take_group_);
+  side.column->addWidget(take_group_);
   auto* press = new QVBoxLayout(press_group_);
   press->addWidget(press_text_);
-  auto* own = new QFormLayout;
-  own->addRow(own_radius_label_, own_radius_);
-  press->addLayout(own);
+  press->addWidget(form_);
   press->addWidget(find_);
   press->addWidget(legend_);
-  column->addWidget(press_group_);
-  column->addStretch();
+  side.column->addWidget(press_group_);
+  side.column->addStretch();
   connect(radius_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     desk_.set_radius(value);
-  });
-  connect(own_radius_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    desk_.set_radius_of(shown_, value);
   });
   connect(operator_, &QLineEdit::editingFinished, this, [this] {
     desk_.set_operator(operator_->text().trimmed().toStdString());
@@ -195,7 +184,7 @@ QWidget* PressesPage::make_side() {
     show_take();
   });
   connect(find_, &QPushButton::clicked, this, [this] { desk_.find_again(shown_); });
-  return side;
+  return side.whole;
 }
 
 void PressesPage::name_parts() {
@@ -210,10 +199,6 @@ void PressesPage::name_parts() {
   radius_->setAccessibleName(tr("Ball's radius"));
   radius_->setSuffix(tr(" mm"));
   radius_->setSpecialValueText(tr("unknown"));
-  own_radius_label_->setText(tr("&Its ball"));
-  own_radius_->setAccessibleName(tr("Radius of this press' ball"));
-  own_radius_->setToolTip(tr("Where this press was made with a ball of another radius"));
-  own_radius_->setSuffix(tr(" mm"));
   operator_label_->setText(tr("&Operator"));
   operator_->setAccessibleName(tr("Operator"));
   operator_->setPlaceholderText(tr("for the record"));
@@ -238,7 +223,11 @@ QString PressesPage::missing() const {
   if (!desk_.is_ready()) return tr("The presses are being read.");
   if (!(desk_.notes().ball_radius_mm > 0)) return tr("The ball's radius is missing.");
   if (desk_.presses().empty()) return tr("Take a press first; six at different places are good.");
-  if (desk_.usable_count() == 0) return tr("In no press a ball was found yet.");
+  const auto has_ball = [this](const DeskPress& press) {
+    return desk_.is_usable(press) && desk_.has_ball(press);
+  };
+  if (std::none_of(desk_.presses().begin(), desk_.presses().end(), has_ball))
+    return tr("In no press a ball was found yet.");
   return {};
 }
 
@@ -254,9 +243,30 @@ QString PressesPage::why_not_take() const {
 
 void PressesPage::take() {
   if (!why_not_take().isEmpty()) return;
-  const std::string name = desk_.add({session_.view()->watched.result.frame});
-  taken_->setText(tr("%1 is taken.").arg(text_of(name)));
+  const FramePtr& frame = session_.view()->watched.result.frame;
+  const auto alike = frame == newest_held_ ? held_.alike() : std::vector<FramePtr>{frame};
+  taken_name_ = text_of(desk_.add({mean_frame(alike)}));
+  taken_of_ = alike.size();
   show_take();
+}
+
+void PressesPage::hold(const FramePtr& frame) {
+  if (!frame || frame == newest_held_) return;
+  const bool goes_on = newest_held_ && frame->origin == newest_held_->origin &&
+                       frame->sequence > newest_held_->sequence;
+  if (!goes_on) held_.clear();  // another source, or the same from its beginning
+  held_.add(frame);
+  newest_held_ = frame;
+}
+
+void PressesPage::forget_held() {
+  held_.clear();
+  newest_held_.reset();
+}
+
+void PressesPage::hideEvent(QHideEvent* event) {
+  forget_held();
+  StepPage::hideEvent(event);
 }
 
 void PressesPage::press_pedal() {
@@ -273,6 +283,7 @@ void PressesPage::keyPressEvent(QKeyEvent* event) {
 
 void PressesPage::watch_contact() {
   if (!isVisible()) return;
+  hold(session_.view()->watched.result.frame);
   show_take();
   if (!by_itself_->isChecked() || !why_not_take().isEmpty()) return;
   const FrameResult& result = session_.view()->watched.result;
@@ -326,10 +337,18 @@ void PressesPage::show_take() {
   take_->setEnabled(reason.isEmpty());
   take_reason_->setText(reason);
   take_reason_->setVisible(!reason.isEmpty());
-  taken_->setVisible(!taken_->text().isEmpty());
+  taken_->setText(
+      taken_of_ > 1
+          ? tr("%1 is taken: the mean of %2 pictures held still.").arg(taken_name_).arg(taken_of_)
+          : tr("%1 is taken from a single picture; hold ball and finger still for half "
+               "a second, and its noise falls to a quarter.")
+                .arg(taken_name_));
+  taken_->setVisible(!taken_name_.isEmpty());
 }
 
 void PressesPage::show_status() {
+  if (held_for_ != desk_.folder()) forget_held();
+  held_for_ = desk_.folder();
   if (const auto problem = desk_.problem()) problems_->set_problems({Problem::of(*problem)});
   const PressNotes& notes = desk_.notes();
   if (!radius_->hasFocus() || radius_->value() != notes.ball_radius_mm) {

@@ -2,6 +2,8 @@
 // it, to be moved, taken out and put back.
 #pragma once
 
+#include "calibration/held_frames.h"
+#include "widgets/calibrating/press_form.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/calibrating/still_watch.h"
@@ -37,6 +39,7 @@ class PressesPage : public StepPage {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   [[nodiscard]] QWidget* make_list();
@@ -46,6 +49,8 @@ class PressesPage : public StepPage {
   void take();
   [[nodiscard]] QString why_not_take() const;
   void watch_contact();
+  void hold(const FramePtr& frame);
+  void forget_held();
   void choose_files();
   void take_out_or_put_back();
   void show_list();
@@ -60,7 +65,12 @@ class PressesPage : public StepPage {
   const CalibrationRun& run_;
   PressModel model_;
   StillWatch still_;
-  std::string shown_;  // empty: live
+  HeldFrames held_;                 // of the live picture, for as long as it is watched
+  FramePtr newest_held_;            // null: none
+  std::filesystem::path held_for_;  // the finger's folder
+  std::string shown_;               // empty: live
+  QString taken_name_;              // of the press taken last; empty: none
+  std::size_t taken_of_ = 0;        // frames
   ProblemList* problems_;
   QLabel* count_;
   QListView* list_;
@@ -71,9 +81,10 @@ class PressesPage : public StepPage {
   OutlineEditor* editor_;
   QLabel* place_;
   QGroupBox *take_group_, *press_group_;
-  QLabel *radius_label_, *operator_label_, *own_radius_label_;
-  QDoubleSpinBox *radius_, *own_radius_;
+  QLabel *radius_label_, *operator_label_;
+  QDoubleSpinBox* radius_;
   QLineEdit* operator_;
+  PressForm* form_;
   QPushButton *take_, *find_;
   QCheckBox* by_itself_;
   QLabel *take_reason_, *taken_, *press_text_, *legend_;

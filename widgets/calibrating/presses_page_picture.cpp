@@ -38,7 +38,8 @@ Overlay contact_overlay(const std::vector<Eigen::Vector2d>& rim) {
 
 std::optional<ShownBall> PressesPage::ball_of(const DeskPress& press) const {
   const double radius = desk_.notes().radius_of(press.name);
-  if (desk_.looker() == nullptr || !(radius > 0)) return std::nullopt;
+  if (desk_.looker() == nullptr || !(radius > 0) || desk_.punch(press.name) != nullptr)
+    return std::nullopt;
   const Camera& camera = desk_.looker()->camera();
   const Face& face = desk_.looker()->finger().face;
   const auto shown = [&](const Eigen::Vector3d& centre, bool is_by_hand) {
@@ -75,7 +76,7 @@ std::vector<Overlay> PressesPage::overlays_of(const DeskPress& press) const {
 
 QString PressesPage::advice_for(const DeskPress& press) const {
   QStringList lines{press_state_text(press, desk_, run_)};
-  if (press.looked.problem && desk_.placed(press.name) == nullptr &&
+  if (press.is_looked_at && press.looked.problem && !desk_.has_ball(press) &&
       !press.looked.problem->advice.empty())
     lines << tr("Try: %1.").arg(in_window_language(press.looked.problem->advice));
   const auto ball = ball_of(press);
@@ -109,9 +110,10 @@ void PressesPage::show_shown() {
     editor_->set_ball(std::nullopt);
     return;
   }
-  find_->setEnabled(desk_.placed(press->name) != nullptr);
-  const QSignalBlocker quiet(own_radius_);
-  own_radius_->setValue(desk_.notes().radius_of(press->name));
+  const bool is_ball = desk_.punch(press->name) == nullptr;
+  find_->setEnabled(is_ball && desk_.placed(press->name) != nullptr);
+  legend_->setVisible(is_ball);
+  form_->show_press(press->name);
   press_text_->setText(advice_for(*press));
   if (press->looked.grey.empty()) {
     editor_->set_ball(std::nullopt);

@@ -81,6 +81,7 @@ class Pages {
   void add_zones();
   void add_facts();
   [[nodiscard]] QString press_words(const BallFit& ball) const;
+  static QString punch_words(const StepFit& step);
   void add_presses();
   void add_left_out();
   void add_mapping();
@@ -179,7 +180,9 @@ void Pages::add_facts() {
       tr("radius %1 mm").arg(inputs.ball_radius_mm) +
           (inputs.other_balls.empty() ? "" : tr("; other balls stand beside their presses")));
   add(tr("Presses"),
-      tr("%1 used of %2 given").arg(done_.calibration.balls.size()).arg(done_.presses.size()));
+      tr("%1 used of %2 given")
+          .arg(done_.calibration.balls.size() + done_.calibration.steps.size())
+          .arg(done_.presses.size()));
   add(tr("Camera"),
       tr("%1, %2 x %3 px")
           .arg(QString::fromUtf8(to_string(finger.camera.model).data()))
@@ -211,7 +214,17 @@ QString Pages::press_words(const BallFit& ball) const {
   QString words = as_text(ball.press);
   if (!done_.inputs.other_balls.empty()) words += "\n" + tr("ball %1 mm").arg(ball.radius_mm);
   if (ball.cut_by_edge) words += "\n" + tr("cut by the edge");
+  if (ball.told_depth)
+    words += "\n" +
+             tr("measured %1 ± %2 mm deep, the solution has %3 mm")
+                 .arg(mm(ball.told_depth->mm), mm(ball.told_depth->sd_mm), mm(ball.pressed_in_mm));
   return words;
+}
+
+QString Pages::punch_words(const StepFit& step) {
+  return as_text(step.press) + "\n" +
+         tr("a punch with a step of %1 mm, which reads %2 ± %3 mm")
+             .arg(mm(step.step_mm), mm(step.reads_mm), mm(step.sd_mm));
 }
 
 void Pages::add_presses() {
@@ -243,6 +256,17 @@ void Pages::add_presses() {
          {ball->held_out_mm > 0 ? mm(ball->held_out_mm) : tr("none"), {}, 0},
          {mm(ball->centre_sd_mm.z()), {}, 0},
          {press == taken.end() ? QString() : percent(press->second->sign.light_change), {}, 0}});
+  }
+  for (const StepFit& step : done_.calibration.steps) {
+    const auto press = taken.find(step.press);
+    if (press == taken.end()) continue;
+    rows.push_back({{QString(), whole_picture(press->second->grey, size), kPictureWidth},
+                    {punch_words(step), {}, 0},
+                    {tr("none"), {}, 0},
+                    {tr("none"), {}, 0},
+                    {tr("none"), {}, 0},
+                    {tr("none"), {}, 0},
+                    {percent(press->second->sign.light_change), {}, 0}});
   }
   document_.pictured_table({tr("Picture"),
                             tr("Press"),

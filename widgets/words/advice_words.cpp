@@ -52,6 +52,9 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "is not the centre of a ball before the camera"),
     QT_TRANSLATE_NOOP("Library", "x, y, z in mm"),
     QT_TRANSLATE_NOOP("Library", "the balls' radii in mm"),
+    QT_TRANSLATE_NOOP("Library", "must be above 0 and at most 100"),
+    QT_TRANSLATE_NOOP("Library", "a depth and its standard deviation in mm"),
+    QT_TRANSLATE_NOOP("Library", "the steps' heights in mm"),
     QT_TRANSLATE_NOOP("Library", "%1 mm of depth error on the very presses it was made from"),
     QT_TRANSLATE_NOOP("Library",
                       "%1 mm of depth error to be expected (%2 mm in shape, on presses it had not "

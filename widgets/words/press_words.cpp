@@ -49,6 +49,33 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP(
         "Library",
         "pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face"),
+    QT_TRANSLATE_NOOP("Library", "there are only presses of a punch with a step"),
+    QT_TRANSLATE_NOOP("Library",
+                      "pressing a ball as well, once at least: a step tells how far apart two "
+                      "depths are, not where they begin"),
+    QT_TRANSLATE_NOOP("Library", "the punch touches too little of the face"),
+    QT_TRANSLATE_NOOP("Library", "one of the punch's levels touches too little of the face"),
+    QT_TRANSLATE_NOOP("Library", "no step is to be seen"),
+    QT_TRANSLATE_NOOP("Library",
+                      "pressing the punch in until the skin lies on both of its levels, each 4 mm "
+                      "wide or more"),
+    QT_TRANSLATE_NOOP("Library",
+                      "its measured depth of %1 +- %2 mm was left out, because the pictures say %3 "
+                      "+- %4 mm; it counts from where the ball first touches, normal to the face"),
+    QT_TRANSLATE_NOOP("Library",
+                      "its step of %1 mm was left out, because the balls say %2 +- %3 mm; is the "
+                      "balls' radius right"),
+    QT_TRANSLATE_NOOP("Library",
+                      "the finger moves: no more than %1 of %2 frames in a row show the same"),
+    QT_TRANSLATE_NOOP("Library",
+                      "holding ball and finger still for half a second, at a steady light"),
+    QT_TRANSLATE_NOOP("Library", "the mean of %1 frames held still, of %2 read"),
+    QT_TRANSLATE_NOOP("Library", "'%1' is not NAME=R, a press and its ball's radius in mm"),
+    QT_TRANSLATE_NOOP("Library",
+                      "'%1' is not NAME=MM+-SD, a press, how deep its ball was pressed in and how "
+                      "well that is known, in mm"),
+    QT_TRANSLATE_NOOP("Library",
+                      "'%1' is not NAME=MM, a press and the height of its punch's step in mm"),
     QT_TRANSLATE_NOOP("Library", "no face was found"),
     QT_TRANSLATE_NOOP("Library", "two presses are called '%1'"),
     QT_TRANSLATE_NOOP("Library",

@@ -79,6 +79,25 @@ TEST(CalibrationPages, SayWhatALabBookNeeds) {
   EXPECT_LT(html.find("of depth error to be expected"), html.find("What it was made with"));
 }
 
+TEST(CalibrationPages, ShowMeasuredDepthsAndStepsBesideTheirPresses) {
+  FingerCalibration done = some_calibration();
+  BallFit& ball = done.calibration.balls[1];
+  ball.told_depth = ToldDepth{1.0, 0.02};
+  ball.pressed_in_mm = 1.012;
+  done.presses.push_back({"punch_1", cv::Mat(180, 240, CV_8UC1, cv::Scalar(100)), {}, "", {}});
+  done.calibration.steps.push_back({"punch_1", 0.5, 0.503, 0.004});
+  const std::string html = pages_of(done).html;
+  EXPECT_THAT(html, HasSubstr("5 used of 6 given"));
+  const std::size_t measured =
+      html.find("measured 1.000 ± 0.020 mm deep, the solution has 1.012 mm");
+  ASSERT_NE(measured, std::string::npos);
+  EXPECT_LT(measured - html.rfind(ball.press + "<", measured), 40U);
+  const std::size_t step =
+      html.find("a punch with a step of 0.500 mm, which reads 0.503 ± 0.004 mm");
+  ASSERT_NE(step, std::string::npos);
+  EXPECT_LT(step - html.rfind("punch_1<", step), 40U);
+}
+
 TEST(CalibrationPages, StandAlone) {
   const std::string html = pages_of(some_calibration()).html;
   for (const char* outside : {"http:", "https:", "file:", "picture:", "<script", "<link", "url("})

@@ -1,0 +1,103 @@
+#include "widgets/calibrating/press_form.h"
+
+#include <QFormLayout>
+#include <QSignalBlocker>
+
+namespace alltact {
+namespace {
+
+constexpr double kLeastSdMm = 0.001;  // what the field can show
+
+/// Leaves alone what is being typed.
+void show_value(QDoubleSpinBox* field, double value) {
+  const QSignalBlocker quiet(field);
+  if (field->value() != value) field->setValue(value);
+}
+
+}  // namespace
+
+PressForm::PressForm(PressDesk& desk, QWidget* parent)
+    : Translated(parent),
+      desk_(desk),
+      radius_label_(new QLabel),
+      depth_label_(new QLabel),
+      depth_sd_label_(new QLabel),
+      step_label_(new QLabel),
+      radius_(new QDoubleSpinBox),
+      depth_(new QDoubleSpinBox),
+      depth_sd_(new QDoubleSpinBox),
+      step_(new QDoubleSpinBox) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  const auto add = [form](QLabel* label, QDoubleSpinBox* field, double most, double step) {
+    field->setRange(0, most);
+    field->setDecimals(3);
+    field->setSingleStep(step);
+    field->setKeyboardTracking(false);
+    label->setBuddy(field);
+    form->addRow(label, field);
+  };
+  add(radius_label_, radius_, kLargestBallMm, 0.1);
+  add(depth_label_, depth_, kDeepestMm, 0.1);
+  add(depth_sd_label_, depth_sd_, kDeepestMm, 0.005);
+  depth_sd_->setMinimum(kLeastSdMm);
+  add(step_label_, step_, kDeepestMm, 0.1);
+  connect(radius_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    desk_.set_radius_of(shown_, value);
+  });
+  connect(depth_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    const PressDepth* before = desk_.measured(shown_);
+    desk_.set_depth_of(shown_, {value, before != nullptr ? before->depth.sd_mm : kUsualDepthSdMm});
+  });
+  connect(depth_sd_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    if (const PressDepth* before = desk_.measured(shown_))
+      desk_.set_depth_of(shown_, {before->depth.mm, value});
+  });
+  connect(step_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    desk_.set_step_of(shown_, value);
+  });
+  say([this] { name_parts(); });
+}
+
+void PressForm::name_parts() {
+  for (QDoubleSpinBox* field : {radius_, depth_, depth_sd_, step_}) field->setSuffix(tr(" mm"));
+  radius_label_->setText(tr("&Its ball"));
+  radius_->setAccessibleName(tr("Radius of this press' ball"));
+  radius_->setToolTip(tr("Where this press was made with a ball of another radius"));
+  depth_label_->setText(tr("Measured &depth"));
+  depth_->setAccessibleName(tr("Measured depth of this press"));
+  depth_->setSpecialValueText(tr("not measured"));
+  depth_->setToolTip(
+      tr("How deep the ball was pressed in, normal to the face, from where it first "
+         "touches, as a stage or a feeler gauge tells it"));
+  depth_sd_label_->setText(tr("&Give or take"));
+  depth_sd_->setAccessibleName(tr("Standard deviation of the measured depth"));
+  depth_sd_->setToolTip(tr("How well the depth is known: the standard deviation of measuring it"));
+  step_label_->setText(tr("&Step of a punch"));
+  step_->setAccessibleName(tr("Step of a punch"));
+  step_->setSpecialValueText(tr("a ball"));
+  step_->setToolTip(
+      tr("Height of the step of a flat punch that was pressed in instead of a ball; no ball is "
+         "looked for then"));
+}
+
+void PressForm::show_press(const std::string& name) {
+  shown_ = name;
+  const PressDepth* told = desk_.measured(name);
+  const PressStep* punch = desk_.punch(name);
+  const bool is_ball = punch == nullptr;
+  show_value(radius_, desk_.notes().radius_of(name));
+  show_value(depth_, told != nullptr ? told->depth.mm : 0.0);
+  show_value(depth_sd_, told != nullptr ? told->depth.sd_mm : kUsualDepthSdMm);
+  show_value(step_, is_ball ? 0.0 : punch->step_mm);
+  const auto enable = [](QLabel* label, QDoubleSpinBox* field, bool is_enabled) {
+    label->setEnabled(is_enabled);
+    field->setEnabled(is_enabled);
+  };
+  enable(radius_label_, radius_, is_ball);
+  enable(depth_label_, depth_, is_ball);
+  enable(depth_sd_label_, depth_sd_, is_ball && told != nullptr);
+  enable(step_label_, step_, !is_ball || told == nullptr);
+}
+
+}  // namespace alltact
