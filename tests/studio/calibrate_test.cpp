@@ -547,7 +547,9 @@ TEST(Calibrate, AFirstTimeUserComesFromAnEmptyFolderToAVerdict) {
   EXPECT_TRUE(wait_until(look, 60000));
   wait_until([&] { return !look(); }, 1500);  // to the depth at which the ball stays
   std::printf("[ figures  ] deepest %.3f mm; %s\n", deepest_mm, verdict.sentence.c_str());
-  EXPECT_NEAR(deepest_mm, 0.9, 0.1 + 2 * verdict.error_mm);
+  // Which eight moments were caught decides; one calibration of them is a draw, and so is a
+  // reading.
+  EXPECT_NEAR(deepest_mm, 0.9, 0.15 + 2 * verdict.error_mm);
 }
 
 }  // namespace
