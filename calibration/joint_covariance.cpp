@@ -232,6 +232,7 @@ void add_known(const Eigen::VectorXd& row,
   spread->block(first, first, n, n) += kRootWeightOfKnown * kRootWeightOfKnown * square;
 }
 
+/// ring_mm: what rings are off by in all presses alike; 0: nothing that they share counts.
 JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
                           const JointFit& fit,
                           const JointOptions& options,
@@ -309,8 +310,8 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
       (void)StepCost(step, fit.curve, options.along).Evaluate(at, &residual, by_values);
       add_known(row, 0, &hessian, &spread);
     }
-  spread += ring_pull * ring_pull.transpose() + lift_pull * lift_pull.transpose() +
-            optics_pull * optics_pull.transpose();
+  spread += ring_pull * ring_pull.transpose() + lift_pull * lift_pull.transpose();
+  if (ring_mm > 0.0) spread += optics_pull * optics_pull.transpose();
   if (fit.curve.family().absorbs()) {
     // What is known of the absorption beforehand, and is off by as much as it claims.
     add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown / AbsorptionCost::kSd),

@@ -161,7 +161,7 @@ struct JointCovariance {
 [[nodiscard]] JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
                                             const JointFit& fit,
                                             const JointOptions& options);
-/// The same without what rings are off by in all presses alike.
+/// The same without what rings and optics are off by in all presses alike.
 [[nodiscard]] JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
                                                    const JointFit& fit,
                                                    const JointOptions& options);

@@ -159,11 +159,12 @@ void expect_checked_well(const Day& day) {
                                               "--json"})
                                      .output);
   };
-  EXPECT_NEAR(check_small().at("factor").get<double>(), 1, 0.02);
+  // Sharper than any lens: the fits reckon with half a square pixel of blur.
+  EXPECT_NEAR(check_small().at("factor").get<double>(), 1, 0.03);
   const ProgramRun wrong =
       run_alltact({"calibrate", day.file("finger"), "--again", "--ball-radius-mm", "4.4"});
   EXPECT_THAT(wrong.output, testing::HasSubstr("Verdict: good"));
-  EXPECT_NEAR(check_small().at("factor").get<double>(), 1.1, 0.03);
+  EXPECT_NEAR(check_small().at("factor").get<double>(), 1.1, 0.04);
 }
 
 /// Another program, with what was exported for it. The bounds stand in packaging/python/README.md.
