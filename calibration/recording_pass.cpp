@@ -42,7 +42,7 @@ class ReferenceVideo {
 
 FrameDots look_at(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
   FrameDots found;
-  const auto edges = FaceEdgeFinder()(grey);
+  const auto edges = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
   if (!edges) {
     found.problem = edges.error().what;
     return found;

@@ -31,7 +31,7 @@ struct Looked {
 };
 
 std::optional<Looked> look(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
-  const auto edges = FaceEdgeFinder()(grey);
+  const auto edges = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
   if (!edges) return std::nullopt;
   auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
   if (!shape) return std::nullopt;

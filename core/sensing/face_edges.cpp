@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -17,6 +18,8 @@ namespace {
 constexpr int kWide = 19;     // rows searched on each side of the rough path
 constexpr int kSeedStep = 6;  // of the samples, these may be where following an edge begins
 constexpr int kTight = 7;     // and of where the edge goes on
+// At which what is expected follows what is found, and where a dot seems to be found.
+constexpr float kRate = 0.3F, kDotRate = 0.1F;
 // Rows of a transition on each side of its middle; the levels are read from there to the far ones.
 constexpr int kNear = 3, kFar = 8;
 constexpr int kNearBlurred = 6, kFarBlurred = 11;
@@ -85,12 +88,20 @@ struct Crossing {
   double contrast;     // grey levels
   double outside = 0;  // brightness beside the face, grey levels
   double slope = 0;    // grey levels a row
+  float rise = 0;      // of the step, as innermost_step() reckons it
+};
+
+/// What surrounding samples tell of one.
+struct Expected {
+  std::optional<float> beside;                          // brightness beside the face, grey levels
+  float rise = std::numeric_limits<float>::infinity();  // of the face's edge
 };
 
 /// Row before the step that is the face's edge: of all steps of the right sign that are steep
 /// enough, the innermost. Beside a narrow side face its outer border and the dots on it are as
-/// steep, but further out.
-std::optional<int> innermost_step(const Profile& profile, float sign, bool face_below, int reach) {
+/// steep, but further out; dots on it may be steeper than the edge is expected to be.
+std::optional<std::pair<int, float>> innermost_step(
+    const Profile& profile, float sign, bool face_below, int reach, float expected_rise) {
   constexpr float kSteepEnough = 0.4F;  // of the steepest
   const int first = kReach - reach, last = kReach + reach - 1;
   const auto rise = [&](int i) {
@@ -100,10 +111,11 @@ std::optional<int> innermost_step(const Profile& profile, float sign, bool face_
   float most = 0;
   for (int i = first; i <= last; ++i) most = std::max(most, rise(i));
   if (!(most > 0)) return std::nullopt;
+  most = std::min(most, expected_rise);
   for (int n = 0; n <= last - first; ++n) {
     const int i = face_below ? last - n : first + n;
     if (rise(i) >= kSteepEnough * most && rise(i) >= rise(i - 1) && rise(i) >= rise(i + 1))
-      return i;
+      return std::pair(i, rise(i));
   }
   return std::nullopt;
 }
@@ -126,18 +138,21 @@ Level level_of(const Profile& profile, int from, int to) {
 
 /// The crossing nearest to half of the row `twice_middle`, half-way between the levels on both
 /// sides of that. Brightness changes along both sides of the step, so that the levels are lines,
-/// continued to it: constants would draw the crossing towards the side that changes more.
+/// continued to it: constants would draw the crossing towards the side that changes more. `beside`:
+/// the level beside the face, where a dot hides it.
 std::optional<Crossing> crossing_between_levels(const Profile& profile,
                                                 float sign,
                                                 bool face_below,
                                                 int twice_middle,
                                                 bool blurred,
-                                                double noise) {
+                                                double noise,
+                                                std::optional<float> beside) {
   const int near = blurred ? kNearBlurred : kNear, far = blurred ? kFarBlurred : kFar;
   const int inner = (twice_middle + 2 * near) / 2;  // first row of the far side
   const int outer = (twice_middle + 2 * far - 1) / 2;
-  const Level before = level_of(profile, twice_middle - outer, twice_middle - inner);
-  const Level after = level_of(profile, inner, outer);
+  Level before = level_of(profile, twice_middle - outer, twice_middle - inner);
+  Level after = level_of(profile, inner, outer);
+  if (beside) (face_below ? before : after) = {*beside, 0.0F, 0.0F};
   const float contrast = sign * (after.mean - before.mean);
   if (contrast < std::max(3.0, 8.0 * noise)) return std::nullopt;
   const auto above = [&](int i) {
@@ -159,22 +174,29 @@ std::optional<Crossing> crossing_between_levels(const Profile& profile,
 }
 
 /// sign: +1 when brightness rises with v; face_below: the face lies at larger v.
-std::optional<Crossing> half_way_crossing(
-    const Profile& profile, float sign, bool face_below, int reach, double noise_sd, int columns) {
-  const auto step = innermost_step(profile, sign, face_below, reach);
+std::optional<Crossing> half_way_crossing(const Profile& profile,
+                                          float sign,
+                                          bool face_below,
+                                          int reach,
+                                          double noise_sd,
+                                          int columns,
+                                          const Expected& expected) {
+  const auto step = innermost_step(profile, sign, face_below, reach, expected.rise);
   if (!step) return std::nullopt;
   const double noise = noise_sd / std::sqrt(static_cast<double>(columns));
   std::optional<Crossing> crossing;
-  int twice_middle = 2 * *step + 1;  // the step lies between this row and the next
+  int twice_middle = 2 * step->first + 1;  // the step lies between this row and the next
   // Blur reaches to the rows that the levels are read from. It takes as much from one as it gives
   // the other only where both are as far from the crossing, so that is looked for again.
   bool blurred = false;
   for (int round = 0; round < 2; ++round) {
-    crossing = crossing_between_levels(profile, sign, face_below, twice_middle, blurred, noise);
+    crossing = crossing_between_levels(
+        profile, sign, face_below, twice_middle, blurred, noise, expected.beside);
     if (!crossing) return std::nullopt;
     blurred = crossing->contrast > kBlurred * crossing->slope;
     twice_middle = static_cast<int>(std::lround(2.0 * (crossing->offset + kReach)));
   }
+  crossing->rise = step->second;
   return crossing;
 }
 
@@ -204,13 +226,16 @@ class EdgeReader {
              bool face_below)
       : grey_(grey), options_(options), noise_sd_(noise_sd), sign_(sign), face_below_(face_below) {}
 
-  [[nodiscard]] std::optional<Crossing> at(double u, double v, double slope, int reach) const {
+  [[nodiscard]] std::optional<Crossing> at(
+      double u, double v, double slope, int reach, const Expected& expected = {}) const {
     if (options_.method == EdgeMethod::kInteger) return integer_step(grey_, u, v, sign_, reach);
     Profile profile;
     if (!read_profile(grey_, u, v, slope, options_.columns, Band(reach), profile))
       return std::nullopt;
-    return half_way_crossing(profile, sign_, face_below_, reach, noise_sd_, options_.columns);
+    return half_way_crossing(
+        profile, sign_, face_below_, reach, noise_sd_, options_.columns, expected);
   }
+  [[nodiscard]] bool reads_levels() const { return options_.method != EdgeMethod::kInteger; }
 
  private:
   const cv::Mat& grey_;
@@ -247,7 +272,8 @@ class Ahead {
 /// A sample where following an edge may begin.
 struct Seed {
   int sample = 0;
-  double v = 0, slope = 0, contrast = 0;
+  double v = 0, slope = 0, contrast = 0, outside = 0;
+  float rise = 0;
 };
 
 Edge unseen(std::size_t samples) {
@@ -256,25 +282,66 @@ Edge unseen(std::size_t samples) {
           std::vector<char>(samples, 0)};
 }
 
-/// A dot near the edge changes the brightness beside the face and with it half of the height: where
-/// that differs from its surroundings', nothing is read.
-void leave_dots_out(const std::vector<double>& outside,
-                    const std::vector<double>& contrast,
-                    Edge& edge) {
-  constexpr int kReachSamples = 5;
+/// Where an edge was read, sample by sample, with what lies on both sides of it.
+struct Followed {
+  Edge edge;
+  std::vector<double> outside, contrast;  ///< grey levels, of samples that were seen
+  std::vector<double> slope;              ///< of the edge, where it was looked for
+  std::vector<float> rise;                ///< expected there
+};
+
+/// True when the brightness beside the face is not what it is around.
+bool is_by_dot(double outside, double contrast, double around) {
   constexpr double kPart = 0.08, kLeast = 2.0;  // of the contrast; grey levels
-  const std::vector<char> seen = edge.valid;
-  const auto count = static_cast<int>(seen.size());
-  std::vector<double> around;
+  return !(std::abs(outside - around) <= std::max(kLeast, kPart * contrast));
+}
+
+/// Brightness beside the face between dots, by sample: what surrounding samples have that lie on
+/// the side where most agree, since dots are all brighter or all darker; NaN without surroundings.
+std::vector<double> between_dots(const Followed& followed) {
+  constexpr int kReachSamples = 5;
+  const auto count = static_cast<int>(followed.outside.size());
+  std::vector<double> dark(followed.outside.size(), NAN), bright = dark, around;
+  double spread_dark = 0, spread_bright = 0;
   for (int i = 0; i < count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (!seen[k]) continue;
     around.clear();
     const int first = std::max(0, i - kReachSamples), last = std::min(count - 1, i + kReachSamples);
     for (int j = first; j <= last; ++j)
-      if (seen[static_cast<std::size_t>(j)]) around.push_back(outside[static_cast<std::size_t>(j)]);
-    const double off = std::abs(outside[k] - upper_median(around));
-    if (off > std::max(kLeast, kPart * contrast[k])) edge.valid[k] = 0;
+      if (followed.edge.valid[static_cast<std::size_t>(j)])
+        around.push_back(followed.outside[static_cast<std::size_t>(j)]);
+    if (around.empty()) continue;
+    std::sort(around.begin(), around.end());
+    const auto at = [&](double part) {
+      return around[static_cast<std::size_t>(
+          std::lround(part * (static_cast<double>(around.size()) - 1.0)))];
+    };
+    constexpr double kThird = 1.0 / 3.0, kMiddle = 0.5 * kThird;
+    dark[static_cast<std::size_t>(i)] = at(kMiddle);
+    bright[static_cast<std::size_t>(i)] = at(1.0 - kMiddle);
+    spread_dark += at(kThird) - around.front();
+    spread_bright += around.back() - at(1.0 - kThird);
+  }
+  return spread_dark <= spread_bright ? dark : bright;
+}
+
+/// A dot near the edge changes the brightness beside the face and with it half of the height: there
+/// the edge is read again with the brightness that its surroundings have beside it.
+void read_beside_dots(const EdgeReader& reader,
+                      const std::vector<double>& columns,
+                      Followed& followed) {
+  constexpr double kDotSdPx = 0.1;  // what a dot's own blur moves
+  Edge& edge = followed.edge;
+  const std::vector<double> level = between_dots(followed);
+  for (std::size_t k = 0; k < level.size(); ++k) {
+    if (edge.valid[k] && !is_by_dot(followed.outside[k], followed.contrast[k], level[k])) continue;
+    edge.valid[k] = 0;
+    if (!std::isfinite(level[k]) || !reader.reads_levels()) continue;
+    const Expected expected{static_cast<float>(level[k]), followed.rise[k]};
+    const auto crossing = reader.at(columns[k], edge.v[k], followed.slope[k], kTight, expected);
+    if (!crossing) continue;
+    edge.v[k] += crossing->offset;
+    edge.sd[k] = std::hypot(crossing->sd, kDotSdPx);
+    edge.valid[k] = 1;
   }
 }
 
@@ -304,35 +371,59 @@ int follow(const EdgeReader& reader,
            const std::vector<double>& columns,
            Edge& edge) {
   const auto count = static_cast<int>(columns.size());
-  edge = unseen(columns.size());
-  std::vector<double> outside(columns.size()), contrast(columns.size());
+  const std::vector<double> none(columns.size());
+  Followed followed{
+      unseen(columns.size()), none, none, none, std::vector<float>(columns.size(), 0.0F)};
+  edge = followed.edge;
   int seen = 0;
   for (const int direction : {-1, 1}) {
     Ahead ahead;
     ahead.add(columns[static_cast<std::size_t>(seed.sample)], seed.v);
+    Expected expected{static_cast<float>(seed.outside), seed.rise};
     for (int i = direction < 0 ? seed.sample : seed.sample + 1; i >= 0 && i < count;
          i += direction) {
       const auto k = static_cast<std::size_t>(i);
       const auto [v, slope] = ahead.at(columns[k], seed.slope);
       edge.v[k] = v;
-      const auto crossing = reader.at(columns[k], v, slope, kTight);
+      followed.slope[k] = slope;
+      followed.rise[k] = expected.rise;
+      const auto crossing = reader.at(columns[k], v, slope, kTight, {std::nullopt, expected.rise});
+      auto ahead_of = crossing;  // what tells where the edge goes on
+      if (!crossing || is_by_dot(crossing->outside, crossing->contrast, *expected.beside))
+        ahead_of = reader.at(columns[k], v, slope, kTight, expected);
+      if (ahead_of && i != seed.sample) ahead.add(columns[k], v + ahead_of->offset);
       if (!crossing) continue;
       edge.v[k] = v + crossing->offset;
       edge.sd[k] = crossing->sd;
       edge.valid[k] = 1;
-      outside[k] = crossing->outside, contrast[k] = crossing->contrast;
+      followed.outside[k] = crossing->outside, followed.contrast[k] = crossing->contrast;
       ++seen;
-      if (i != seed.sample) ahead.add(columns[k], edge.v[k]);
+      const bool by_dot = is_by_dot(crossing->outside, crossing->contrast, *expected.beside);
+      *expected.beside +=
+          (by_dot ? kDotRate : kRate) * (static_cast<float>(crossing->outside) - *expected.beside);
+      if (!by_dot) expected.rise += kRate * (crossing->rise - expected.rise);
     }
   }
-  leave_dots_out(outside, contrast, edge);
+  followed.edge = std::move(edge);
+  read_beside_dots(reader, columns, followed);
+  edge = std::move(followed.edge);
   leave_strays_out(edge);
   return seen;
 }
 
+/// True where more than a few samples between the first and the last one were not seen: an edge
+/// that was followed from one dot's border to the next.
+bool has_gaps(const Edge& edge) {
+  constexpr std::ptrdiff_t kPart = 12;  // one in so many
+  const auto first = std::find(edge.valid.begin(), edge.valid.end(), 1);
+  const auto last = std::find(edge.valid.rbegin(), edge.valid.rend(), 1).base();
+  if (first >= last) return true;
+  return kPart * std::count(first, last, 0) > last - first;
+}
+
 /// Follows the edge from the sample of most contrast; from the next, some way off, where that leads
-/// along only a part of the picture, as a dot's own border does. The rough path alone may leave the
-/// face for a side face's outer border where that has more contrast.
+/// along only a part of the picture or leaves gaps, as dots' own borders do. The rough path alone
+/// may leave the face for a side face's outer border where that has more contrast.
 void find_edge(const EdgeReader& reader,
                const RoughEdges& rough,
                const RoughEdges::Path& path,
@@ -347,14 +438,17 @@ void find_edge(const EdgeReader& reader,
     if (!rough.sure[std::min(small, rough.sure.size() - 1)]) continue;
     const auto [v, slope] = RoughEdges::place(path, rough.block, u);
     const auto crossing = reader.at(u, v, slope, kWide);
-    if (crossing) seeds.push_back({i, v + crossing->offset, slope, crossing->contrast});
+    if (crossing)
+      seeds.push_back(
+          {i, v + crossing->offset, slope, crossing->contrast, crossing->outside, crossing->rise});
   }
   std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
     return a.contrast > b.contrast;
   });
   edge = unseen(columns.size());
   int most = -1;
-  for (int tries = 0; tries < kMostTries && !seeds.empty() && 2 * most < count; ++tries) {
+  const auto is_done = [&] { return 2 * most >= count && !has_gaps(edge); };
+  for (int tries = 0; tries < kMostTries && !seeds.empty() && !is_done(); ++tries) {
     const Seed seed = seeds.front();
     Edge tried;
     const int seen = follow(reader, seed, columns, tried);
@@ -403,7 +497,7 @@ Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
             rough->lower,
             edges.u,
             edges.lower);
-  edges.ends = find_face_ends(grey, edges);
+  edges.ends = find_face_ends(grey, edges, options_.view ? &*options_.view : nullptr);
   forget_beyond(edges.ends, 0.25 * step, edges);
 
   std::size_t both = 0;

@@ -4,6 +4,8 @@
 #include "core/result.h"
 #include "core/sensing/face_ends.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -41,9 +43,11 @@ class FaceEdgeFinder {
   struct Options {
     EdgeMethod method = EdgeMethod::kCrossing;
     int columns = 8;  ///< columns averaged into one sample
+    std::optional<FaceView> view =
+        std::nullopt;  ///< for the ends; none: as if lines stayed straight
   };
   FaceEdgeFinder() = default;
-  explicit FaceEdgeFinder(Options options) : options_(options) {}
+  explicit FaceEdgeFinder(Options options) : options_(std::move(options)) {}
 
   /// Error: no pair of edges could be followed along at least a fifth of the picture.
   [[nodiscard]] Result<FaceEdges> operator()(const cv::Mat& grey) const;

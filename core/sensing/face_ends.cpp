@@ -19,6 +19,10 @@ constexpr double kMostSlope = 0.7;
 constexpr double kOnLinePx = 1.2;
 constexpr int kLeastStrips = 4;
 
+double square(double x) {
+  return x * x;
+}
+
 /// A straight line through the outermost samples of an edge: v = v0 + slope (u - u0).
 struct EdgeLine {
   double u0 = 0, v0 = 0, slope = 0;
@@ -42,21 +46,40 @@ EdgeLine line_through(const std::vector<double>& u,
 /// The outermost samples, outermost first, of which both edges were seen; few when there is no
 /// stretch of them.
 std::vector<std::size_t> outermost(const FaceEdges& edges, bool at_last) {
-  constexpr std::size_t kSamples = 8, kLeast = 5;
+  constexpr std::size_t kSamples = 8, kStretch = 12, kLeast = 5;
   const std::size_t count = edges.u.size();
   const auto sample = [&](std::size_t n) { return at_last ? count - 1 - n : n; };
-  for (std::size_t first = 0; first + kSamples <= count; ++first) {
+  for (std::size_t first = 0; first + kLeast <= count; ++first) {
     std::vector<std::size_t> seen;
-    for (std::size_t n = first; n < first + kSamples; ++n)
+    const std::size_t end = std::min(first + kStretch, count);
+    for (std::size_t n = first; n < end && seen.size() < kSamples; ++n)
       if (edges.upper.valid[sample(n)] && edges.lower.valid[sample(n)]) seen.push_back(sample(n));
     if (seen.size() >= kLeast && seen.front() == sample(first)) return seen;
   }
   return {};
 }
 
+/// How a straight line across the face that meets both edges in column u is bent in the picture:
+/// bow of FaceEnd about the middle of both. 0 for a line that the camera cannot have seen.
+double bow_per_px(const FaceView& view, double u, double upper_v, double lower_v) {
+  const double half = 0.5 * (lower_v - upper_v);
+  const auto upper = view.camera.unproject({u, upper_v}),
+             lower = view.camera.unproject({u, lower_v});
+  if (!(half >= 1.0) || !upper || !lower) return 0.0;
+  // Both corners at one z: where the rays are as far apart as the face is wide.
+  const Eigen::Vector3d a = upper->direction / upper->direction.z();
+  const Eigen::Vector3d b = lower->direction / lower->direction.z();
+  const Eigen::Vector3d from_a = upper->origin_mm - upper->origin_mm.z() * a;
+  const Eigen::Vector3d from_b = lower->origin_mm - lower->origin_mm.z() * b;
+  const double z_mm = (view.width_mm - (from_b - from_a).y()) / (b - a).y();
+  if (!(z_mm > 0.0) || !std::isfinite(z_mm)) return 0.0;
+  const auto middle = view.camera.project(0.5 * (from_a + from_b + z_mm * (a + b)));
+  return middle ? (u - middle->x()) / (half * half) : 0.0;
+}
+
 /// A step of brightness along a strip.
 struct Step {
-  double u = 0, v = 0;
+  double u = 0, v = 0;  // u of the straight line that the view bends
   double contrast = 0;  // grey levels, > 0
 };
 
@@ -77,8 +100,8 @@ Level level_of(const std::vector<float>& values, int centre, int first, int last
 /// Reads one end.
 class EndReader {
  public:
-  EndReader(const cv::Mat& grey, const FaceEdges& edges, bool at_last)
-      : grey_(grey), edges_(edges), outwards_(at_last ? 1 : -1) {}
+  EndReader(const cv::Mat& grey, const FaceEdges& edges, const FaceView* view, bool at_last)
+      : grey_(grey), edges_(edges), view_(view), outwards_(at_last ? 1 : -1) {}
 
   [[nodiscard]] std::optional<FaceEnd> operator()() {
     const std::vector<std::size_t> samples = outermost(edges_, outwards_ > 0);
@@ -86,9 +109,11 @@ class EndReader {
     upper_ = line_through(edges_.u, edges_.upper.v, samples);
     lower_ = line_through(edges_.u, edges_.lower.v, samples);
     const int from = static_cast<int>(std::lround(edges_.u[samples.front()]));
-    start_ = from - outwards_ * (kInside + kFar);
+    const double half = 0.5 * (lower_.at(from) - upper_.at(from));
+    const int bow = static_cast<int>(std::abs(bow_at(from)) * square(half));
+    start_ = from - outwards_ * (kInside + kFar + bow);
     const int border = outwards_ > 0 ? grey_.cols - 1 - start_ : start_;
-    count_ = std::min(kInside + kFar + kBeyond + kFar, border + 1);
+    count_ = std::min(kInside + kFar + bow + kBeyond + kFar, border + 1);
     if (start_ < 0 || start_ >= grey_.cols || count_ < 4 * kFar) return std::nullopt;
     for (int strip = 0; strip < kStrips; ++strip) read_steps(strip);
     return straightest();
@@ -134,6 +159,12 @@ class EndReader {
       return a.contrast > b.contrast;
     });
     if (found.size() > kMostSteps) found.resize(kMostSteps);
+    for (Step& step : found) step.u -= bow_at(step.u) * square(step.v - middle_at(step.u));
+  }
+
+  [[nodiscard]] double middle_at(double u) const { return 0.5 * (upper_.at(u) + lower_.at(u)); }
+  [[nodiscard]] double bow_at(double u) const {
+    return view_ != nullptr ? bow_per_px(*view_, u, upper_.at(u), lower_.at(u)) : 0.0;
   }
 
   /// Half-way between the levels on both sides, each a line: the face darkens towards its end.
@@ -197,16 +228,17 @@ class EndReader {
       suv += (step->u - mean_u) * (step->v - mean_v);
     }
     const double slope = svv > 0.0 ? suv / svv : 0.0;
-    double square = 0;
-    for (const Step* step : steps) {
-      const double off = step->u - mean_u - slope * (step->v - mean_v);
-      square += off * off;
-    }
-    return {mean_u, mean_v, slope, std::hypot(0.02, std::sqrt(square / (n - 2.0) / n))};
+    double sum = 0;
+    for (const Step* step : steps) sum += square(step->u - mean_u - slope * (step->v - mean_v));
+    const double sd_px = std::hypot(0.02, std::sqrt(sum / (n - 2.0) / n));
+    if (view_ == nullptr) return {mean_u, mean_v, slope, 0.0, sd_px};
+    const double middle = middle_at(mean_u);
+    return {mean_u + slope * (middle - mean_v), middle, slope, bow_at(mean_u), sd_px};
   }
 
   const cv::Mat& grey_;
   const FaceEdges& edges_;
+  const FaceView* view_;
   int outwards_;
   EdgeLine upper_, lower_;
   int start_ = 0, count_ = 0;  // columns read, from the inside outwards
@@ -215,8 +247,10 @@ class EndReader {
 
 }  // namespace
 
-FaceEnds find_face_ends(const cv::Mat& grey, const FaceEdges& edges) {
-  return {EndReader(grey, edges, false)(), EndReader(grey, edges, true)()};
+FaceEnds find_face_ends(const cv::Mat& grey, const FaceEdges& edges, const FaceView* view) {
+  if (view != nullptr && (view->camera.is_linear() || !view->camera.is_perspective()))
+    view = nullptr;  // shows straight lines straight
+  return {EndReader(grey, edges, view, false)(), EndReader(grey, edges, view, true)()};
 }
 
 }  // namespace alltact

@@ -17,10 +17,14 @@ constexpr double kWidthBiasPx = 0.03;    // of an edge that is not quite a blurr
 constexpr int kLensDegrees = 4;
 constexpr int kMostWindowSteps = 60;  // each brings z nearer by a factor of 5 or more
 
-/// The column where an end reaches furthest out, at one of the face's corners.
+/// The column where an end reaches furthest out: at one of the face's corners, or where it turns.
 double outermost(const FaceEnd& end, double upper_v, double lower_v, int outwards) {
-  const double a = end.at(upper_v), b = end.at(lower_v);
-  return outwards > 0 ? std::max(a, b) : std::min(a, b);
+  const double turn =
+      end.bow_per_px != 0.0
+          ? std::clamp(end.v_px - 0.5 * end.slope / end.bow_per_px, upper_v, lower_v)
+          : upper_v;
+  const auto [least, most] = std::minmax({end.at(upper_v), end.at(lower_v), end.at(turn)});
+  return outwards > 0 ? most : least;
 }
 
 Error no_shape(std::string what) {

@@ -16,22 +16,45 @@ double part_of_length(const FaceShape& shape, double u) {
 }  // namespace
 namespace {
 
-/// Narrows rows [first, last] of column u to those on the face's side of an end, `margin_px` off.
+/// Narrows rows [first, last] of column u to those on the face's side of an end, `margin_px` off;
+/// where a bent end leaves rows at both edges, to the more.
 void stop_at(const FaceEnd& end, int outwards, int u, double margin_px, int& first, int& last) {
-  // outwards (end.at(v) - u) >= off
-  const double off = 0.5 + margin_px;
-  const double slope = outwards * end.slope;
-  const double here = outwards * (end.u_px - u) - off;  // at v_px
-  constexpr double kUpright = 1e-9;
-  if (std::abs(slope) < kUpright) {
-    if (here < 0.0) last = first - 1;
+  // outwards (end.at(v) - u) >= 0.5 + margin_px, with x = v - v_px: a + b x + c x^2 >= 0
+  const double a = outwards * (end.u_px - u) - 0.5 - margin_px;
+  const double b = outwards * end.slope, c = outwards * end.bow_per_px;
+  const auto keep_from = [&](double x) {
+    first = std::max(first, static_cast<int>(std::ceil(std::clamp(end.v_px + x, -1e6, 1e6))));
+  };
+  const auto keep_to = [&](double x) {
+    last = std::min(last, static_cast<int>(std::floor(std::clamp(end.v_px + x, -1e6, 1e6))));
+  };
+  constexpr double kUpright = 1e-9, kStraight = 1e-12;
+  if (std::abs(c) < kStraight) {
+    if (std::abs(b) < kUpright) {
+      if (a < 0.0) last = first - 1;
+    } else if (b > 0.0) {
+      keep_from(-a / b);
+    } else {
+      keep_to(-a / b);
+    }
     return;
   }
-  const double v = std::clamp(end.v_px - here / slope, -1e6, 1e6);
-  if (slope > 0.0)
-    first = std::max(first, static_cast<int>(std::ceil(v)));
-  else
-    last = std::min(last, static_cast<int>(std::floor(v)));
+  const double square = b * b - 4.0 * a * c;
+  if (!(square > 0.0)) {
+    if (c < 0.0) last = first - 1;
+    return;
+  }
+  // The sum of equal signs first: no digits are lost.
+  const double sum = -0.5 * (b + std::copysign(std::sqrt(square), b));
+  const auto [low, high] = std::minmax({sum / c, sum != 0.0 ? a / sum : 0.0});
+  if (c < 0.0) {
+    keep_from(low);
+    keep_to(high);
+  } else if (end.v_px + low - first >= last - end.v_px - high) {
+    keep_to(low);
+  } else {
+    keep_from(high);
+  }
 }
 
 }  // namespace

@@ -203,15 +203,16 @@ Result<Pipeline> Pipeline::create(const Finger& finger,
     if (!made) return made.error();
     mapping = std::move(made).value();
   }
-  auto state =
-      std::make_unique<State>(State{finger,
-                                    settings,
-                                    *camera,
-                                    std::move(library),
-                                    std::move(mapping),
-                                    FaceEdgeFinder({settings.edge_method, settings.edge_columns}),
-                                    std::nullopt,
-                                    std::nullopt});
+  auto state = std::make_unique<State>(State{
+      finger,
+      settings,
+      *camera,
+      std::move(library),
+      std::move(mapping),
+      FaceEdgeFinder(
+          {settings.edge_method, settings.edge_columns, FaceView{*camera, finger.face.width_mm}}),
+      std::nullopt,
+      std::nullopt});
   if (finger.face.kind == FaceKind::kFlat) state->plane = FaceShape::plane(*camera, finger.face);
   const bool by_shape = finger.reference && finger.reference->places;
   if (const MarkerModel* model = state->library.marker_model(); model && !by_shape)

@@ -195,7 +195,7 @@ struct Reading {
   const MarkerTable& table;
   const Finger& finger;
   const Camera& camera;
-  FaceEdgeFinder finder = {};
+  FaceEdgeFinder finder{{.view = FaceView{camera, finger.face.width_mm}}};
 
   [[nodiscard]] Result<cv::Mat> picture(std::size_t row) const {
     const auto number = static_cast<std::size_t>(table.frames[row]);
