@@ -3251,6 +3251,10 @@
         <translation>das Bild ist zu hell: %1 % davon sind gesättigt; kürzer belichten oder die Lampen dimmen</translation>
     </message>
     <message>
+        <source>the picture is blank: all of it has %1 of 255 grey levels, without even a camera&apos;s noise; plug the camera in again</source>
+        <translation>das Bild ist leer: Es hat überall %1 von 255 Graustufen, ohne auch nur das Rauschen einer Kamera; die Kamera neu einstecken</translation>
+    </message>
+    <message>
         <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
         <translation>das Bild gleicht dem vorigen bis auf die letzte Graustufe: Die Kamera steht; sie neu einstecken</translation>
     </message>

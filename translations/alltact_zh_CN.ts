@@ -3251,6 +3251,10 @@
         <translation>画面过亮:%1 % 已饱和;请缩短曝光或调暗灯光</translation>
     </message>
     <message>
+        <source>the picture is blank: all of it has %1 of 255 grey levels, without even a camera&apos;s noise; plug the camera in again</source>
+        <translation>画面空白:处处都是 255 级灰度中的 %1,连相机噪声都没有;请重新插拔相机</translation>
+    </message>
+    <message>
         <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
         <translation>画面与上一帧逐级灰度完全相同:相机已停住;请重新插拔相机</translation>
     </message>

@@ -12,6 +12,7 @@ namespace {
 constexpr int kEvery = 8;
 constexpr int kSaturatedFrom = 250, kBlackBelow = 16;
 constexpr double kBrightest = 0.001;  // part of the picture that may be brighter
+constexpr int kBlankLevels = 2;       // from the darkest to the brightest of a blank picture
 constexpr double kSaturatedPicture = 1.0 / 3;
 constexpr double kWorthTelling = 0.02;  // part of the face
 constexpr double kMuchDarker = 0.5, kMuchBrighter = 1.0 / 3;
@@ -34,9 +35,11 @@ std::optional<std::string> picture_fault(const cv::Mat& grey) {
     for (int u = kEvery / 2; u < grey.cols; u += kEvery) ++histogram[row[u]], ++all;
   }
   if (all == 0) return std::nullopt;
-  int level = 255;
+  int level = 255, darkest = 0;
   for (int above = histogram[255]; level > 0 && above <= kBrightest * all;)
     above += histogram[static_cast<std::size_t>(--level)];
+  for (int below = histogram[0]; darkest < 255 && below <= kBrightest * all;)
+    below += histogram[static_cast<std::size_t>(++darkest)];
   if (level < kBlackBelow)
     return fmt::format(
         "the picture is black: its brightest parts reach {} of 255 grey levels; take the cap off "
@@ -44,10 +47,22 @@ std::optional<std::string> picture_fault(const cv::Mat& grey) {
         level);
   int saturated = 0;
   for (std::size_t i = kSaturatedFrom; i < histogram.size(); ++i) saturated += histogram[i];
-  if (saturated <= kSaturatedPicture * all) return std::nullopt;
-  return fmt::format(
-      "the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps",
-      100.0 * saturated / all);
+  if (saturated > kSaturatedPicture * all)
+    return fmt::format(
+        "the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps",
+        100.0 * saturated / all);
+  if (level - darkest <= kBlankLevels)
+    return fmt::format(
+        "the picture is blank: all of it has {} of 255 grey levels, without even a camera's noise; "
+        "plug the camera in again",
+        level);
+  return std::nullopt;
+}
+
+bool is_same_frame(const Frame& before, const Frame& now) {
+  if (before.grey.data == now.grey.data) return true;
+  return !now.origin.empty() && before.origin == now.origin && before.name == now.name &&
+         before.sequence == now.sequence && before.time_ns == now.time_ns;
 }
 
 bool is_same_picture(const cv::Mat& a, const cv::Mat& b) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/sensing/local_depth.h"
+#include "core/sources/frame.h"
 
 #include <optional>
 #include <string>
@@ -12,9 +13,15 @@
 namespace alltact {
 
 /// Of a picture in which nothing was found yet: black (its brightest thousandth below 16 grey
-/// levels), or saturated (250 and above) over more than a third. Looks at every eighth pixel of
-/// every eighth row. grey: CV_8UC1.
+/// levels), saturated (250 and above) over more than a third, or blank (but for a thousandth on
+/// either side all of it within 3 neighbouring grey levels, where noise alone spans more). Looks at
+/// every eighth pixel of every eighth row. grey: CV_8UC1.
 [[nodiscard]] std::optional<std::string> picture_fault(const cv::Mat& grey);
+
+/// True when `now` is `before` looked at again rather than the camera's next: it shares its memory,
+/// or both say where they come from and agree in origin, name, number and time of capture (a
+/// recording's frame that was read a second time).
+[[nodiscard]] bool is_same_frame(const Frame& before, const Frame& now);
 
 /// True when both pictures are the same to the last grey level, which no two exposures are.
 [[nodiscard]] bool is_same_picture(const cv::Mat& a, const cv::Mat& b);

@@ -45,7 +45,7 @@ struct Pipeline::State {
   std::optional<FaceShape> plane;        // flat sensors: known beforehand
   std::optional<MarkerTracker> tracker;  // fingers with markers
   double plane_noise_sd = 1.0;
-  cv::Mat last = {};  // picture of a continuous source
+  FramePtr last = nullptr;  // of a continuous source
 
   void look_at_picture(FrameResult& result);
   void find_shape(FrameResult& result, StopWatch& watch) const;
@@ -79,12 +79,12 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
 
 void Pipeline::State::look_at_picture(FrameResult& result) {
   if (auto fault = picture_fault(result.grey)) result.problems.push_back(std::move(*fault));
-  // The same memory is the same frame, looked at again.
-  if (last.data != result.grey.data && is_same_picture(last, result.grey))
+  if (last && !is_same_frame(*last, *result.frame) &&
+      is_same_picture(last->grey, result.frame->grey))
     result.problems.emplace_back(
         "the picture is the same as the one before to the last grey level: the camera stands "
         "still; plug it in again");
-  last = result.grey;
+  last = result.frame;
 }
 
 void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
@@ -227,7 +227,7 @@ Pipeline::~Pipeline() = default;
 
 void Pipeline::forget() {
   if (state_->tracker) state_->tracker->forget();
-  state_->last.release();
+  state_->last.reset();
 }
 const Finger& Pipeline::finger() const {
   return state_->finger;

@@ -44,8 +44,10 @@ struct FrameResult {
   std::vector<std::string> problems;
 };
 
-/// Built once from a finger; turns frames into results. Remembers only where the markers were
-/// (between frames of one continuous source); everything else depends on the frame alone.
+/// Built once from a finger; turns frames into results. Remembers only where the markers were and
+/// the last picture (between frames of one continuous source); everything else depends on the frame
+/// alone. Another frame of the source (is_same_frame in frame_faults.h) whose picture is the last
+/// one to the grey level is named as that of a camera that stands still.
 class Pipeline {
  public:
   /// Reads the finger's reference recording. A finger without a mapping works up to `difference`.

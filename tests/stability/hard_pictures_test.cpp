@@ -145,6 +145,21 @@ TEST_F(HardPictures, TheSameOneTwiceIsNamedAsFrozen) {
   EXPECT_THAT(problems(again), AnyOf(HasSubstr("same"), HasSubstr("frozen")));
 }
 
+TEST_F(HardPictures, OneThatIsReadAgainIsNotTakenForFrozen) {
+  ALLTACT_SKIP_IF_AWAITED();
+  // A recording's frame that is looked at twice is read from the file twice.
+  Frame read;
+  read.grey = test::untouched_picture(12);
+  read.name = "frame_00007", read.origin = "recording.mkv", read.sequence = 7;
+  Frame again = read;
+  again.grey = read.grey.clone();
+  static_cast<void>(pipeline_(std::make_shared<Frame>(read)));
+  EXPECT_EQ(problems(*pipeline_(std::make_shared<Frame>(again))), "");
+  again.grey = again.grey.clone();
+  again.name = "frame_00008", again.sequence = 8;
+  EXPECT_THAT(problems(*pipeline_(std::make_shared<Frame>(again))), HasSubstr("same"));
+}
+
 TEST_F(HardPictures, AContactOverFourFifthsOfTheFaceIsMeasured) {
   ALLTACT_SKIP_IF_AWAITED();
   cv::Mat_<float> depth(FlatSensor::kHeight, FlatSensor::kWidth, 0.0F);

@@ -107,6 +107,9 @@ constexpr const char* kAll[] = {
         "Library",
         "the picture is too bright: %1 % of it is saturated; expose shorter, or dim the lamps"),
     QT_TRANSLATE_NOOP("Library",
+                      "the picture is blank: all of it has %1 of 255 grey levels, without even a "
+                      "camera's noise; plug the camera in again"),
+    QT_TRANSLATE_NOOP("Library",
                       "the picture is the same as the one before to the last grey level: the "
                       "camera stands still; plug it in again"),
     QT_TRANSLATE_NOOP(

@@ -5,7 +5,7 @@
 namespace alltact {
 namespace {
 
-TEST(PictureFault, NamesABlackAndASaturatedPictureAndNoOther) {
+TEST(PictureFault, NamesABlackASaturatedAndABlankPictureAndNoOther) {
   cv::Mat picture(300, 480, CV_8UC1, cv::Scalar(3));
   EXPECT_NE(picture_fault(picture).value().find("black"), std::string::npos);
   picture(cv::Rect(100, 100, 120, 80)).setTo(120);  // a face with nothing around it
@@ -14,6 +14,25 @@ TEST(PictureFault, NamesABlackAndASaturatedPictureAndNoOther) {
   EXPECT_FALSE(picture_fault(picture));
   picture(cv::Rect(0, 0, 480, 120)).setTo(255);
   EXPECT_NE(picture_fault(picture).value().find("% of it is saturated"), std::string::npos);
+  picture.setTo(120);
+  EXPECT_NE(picture_fault(picture).value().find("blank"), std::string::npos);
+  cv::randn(picture, 120, 1.0);  // an even field, with the noise of a quiet camera
+  EXPECT_FALSE(picture_fault(picture));
+}
+
+TEST(IsSameFrame, IsTheOneReadAgainAndNotTheCamerasNext) {
+  Frame first;
+  first.grey = cv::Mat(40, 60, CV_8UC1, cv::Scalar(7));
+  Frame again = first;
+  EXPECT_TRUE(is_same_frame(first, again));
+  again.grey = first.grey.clone();
+  EXPECT_FALSE(is_same_frame(first, again)) << "they do not say where they come from";
+  first.origin = again.origin = "reference.mkv";
+  first.name = again.name = "frame_00007";
+  first.sequence = again.sequence = 7;
+  EXPECT_TRUE(is_same_frame(first, again));
+  again.sequence = 8;
+  EXPECT_FALSE(is_same_frame(first, again));
 }
 
 TEST(IsSamePicture, SeesOneGreyLevelOfOnePixel) {
