@@ -1,3 +1,4 @@
+#include "calibration/measured_pixels.h"
 #include "calibration/press.h"
 #include "core/geometry/circle_fit.h"
 
@@ -26,7 +27,7 @@ Error refuse(const Press& press, std::string what, std::string advice) {
 
 /// The difference smoothed over what was measured, NaN off the face.
 cv::Mat smoothed(const cv::Mat& x) {
-  const cv::Mat known = x == x;
+  const cv::Mat known = measured_pixels(x);
   cv::Mat filled = x.clone();
   filled.setTo(0.0F, ~known);
   cv::Mat weight;

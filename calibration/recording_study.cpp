@@ -1,5 +1,6 @@
 #include "calibration/recording_study.h"
 
+#include "calibration/measured_pixels.h"
 #include "core/numerics/median.h"
 #include "core/sensing/face_edges.h"
 #include "core/sensing/face_shape.h"
@@ -41,7 +42,7 @@ std::optional<Looked> look(const cv::Mat& grey, const Camera& camera, const Fing
 /// Means of a picture over squares, of what is known of it.
 class Means {
  public:
-  explicit Means(const cv::Mat& x) : known_(x == x) {
+  explicit Means(const cv::Mat& x) : known_(measured_pixels(x)) {
     known_.convertTo(weight_, CV_32FC1, 1.0 / 255.0);
     filled_ = x.clone();
     filled_.setTo(0.0F, ~known_);

@@ -1,5 +1,6 @@
 #include "calibration/step_press.h"
 
+#include "calibration/measured_pixels.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ constexpr double kFlatSdMm = 0.005;
 constexpr double kUnevenPart = 0.3;  // of what plateaus are not flat by: what that may shift them
 
 int block_for(const Press& press) {
-  const double finite = cv::countNonZero(press.difference.x == press.difference.x);
+  const double finite = cv::countNonZero(measured_pixels(press.difference.x));
   return std::max(2, static_cast<int>(std::ceil(std::sqrt(finite / kMostSamples))));
 }
 
