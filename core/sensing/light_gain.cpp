@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -23,6 +24,9 @@ constexpr double kAlike = 2.0;   // times the shortest stretch of ratios
 constexpr double kPatches = 30;  // of the face, over each of which references are off alike
 constexpr int kLeastBlocks = 20;
 constexpr double kBrighter = 0.05;  // than any halo around a contact
+// A second light, told by what the first makes brighter than its reference: from such a part of the
+// face on it is looked for, such a part of that must agree on it, and it must leave no more over.
+constexpr double kMuchBrighter = 0.1, kAgreeing = 0.6, kLeftBrighter = 0.02;
 
 using Terms = Eigen::Matrix<double, LightGain::kTerms, 1>;
 
@@ -164,13 +168,52 @@ double shared_part(const std::vector<Block>& blocks, double noise_ratio) {
   return (noise * noise + shared * kFloor * kFloor) / (noise * noise + kFloor * kFloor);
 }
 
-double brighter_part(const std::vector<Block>& blocks, const Terms& terms) {
-  double brighter = 0;
+/// The blocks that are clearly brighter than their reference under the light of `terms`.
+std::vector<Block> brighter_blocks(const std::vector<Block>& blocks, const Terms& terms) {
+  std::vector<Block> brighter;
   for (const Block& block : blocks) {
     const double above = block.ratio * (1.0 + block.basis.dot(terms)) - 1.0;
-    if (above > kBrighter + 5.0 * block.sd) ++brighter;
+    if (above > kBrighter + 5.0 * block.sd) brighter.push_back(block);
   }
-  return brighter / static_cast<double>(blocks.size());
+  return brighter;
+}
+
+struct LightFit {
+  Terms terms = Terms::Zero();
+  LightGain::Covariance covariance = LightGain::Covariance::Zero();
+  double believed = 0.5;        ///< part of the blocks
+  std::vector<Block> brighter;  ///< see brighter_blocks()
+  double brighter_part = 0;     ///< of the blocks
+};
+
+/// Fits all `blocks`, starting from the ratio that `untouched` have in common.
+std::optional<LightFit> fit_light(const std::vector<Block>& blocks,
+                                  const std::vector<Block>& untouched) {
+  const auto [ratio, spread] = untouched_ratio(untouched);
+  if (!(ratio > 0.0)) return std::nullopt;
+  LightFit fit;
+  fit.terms[0] = 1.0 / ratio - 1.0;
+  // From wide to narrow: a change that tilts over the face must not look like a contact.
+  for (double widening = spread; widening > 0.5 * kFloor; widening *= 0.5)
+    fit.believed = refit(blocks, widening, fit.believed, &fit.terms, &fit.covariance);
+  for (int last = 0; last < 2; ++last)
+    fit.believed = refit(blocks, 0.0, fit.believed, &fit.terms, &fit.covariance);
+  if (!fit.terms.allFinite() || !fit.covariance.allFinite()) return std::nullopt;
+  fit.brighter = brighter_blocks(blocks, fit.terms);
+  fit.brighter_part = static_cast<double>(fit.brighter.size()) / static_cast<double>(blocks.size());
+  return fit;
+}
+
+/// What presses only darkens. Where the light that most of the face tells makes another part
+/// brighter, and that part agrees on a light of its own, that one is the light and most of the face
+/// is pressed. On another finger the brighter parts do not agree.
+LightFit brightest_light(const std::vector<Block>& blocks, LightFit first) {
+  if (first.brighter_part < kMuchBrighter || static_cast<int>(first.brighter.size()) < kLeastBlocks)
+    return first;
+  const auto second = fit_light(blocks, first.brighter);
+  const bool is_the_light = second && second->believed > kAgreeing * first.brighter_part &&
+                            second->brighter_part < kLeftBrighter;
+  return is_the_light ? *second : first;
 }
 
 }  // namespace
@@ -221,26 +264,18 @@ LightGain light_gain(const cv::Mat& grey,
   if (bounds.empty()) return {};
   const auto blocks = blocks_of(grey, reference, face, bounds, noise_sd, noise_gain);
   if (static_cast<int>(blocks.size()) < kLeastBlocks) return {};
-  const auto [ratio, spread] = untouched_ratio(blocks);
-  if (!(ratio > 0.0)) return {};
-  Terms terms = Terms::Zero();
-  terms[0] = 1.0 / ratio - 1.0;
-  double believed = 0.5;
-  LightGain::Covariance covariance;
-  // From wide to narrow: a change that tilts over the face must not look like a contact.
-  for (double widening = spread; widening > 0.5 * kFloor; widening *= 0.5)
-    believed = refit(blocks, widening, believed, &terms, &covariance);
-  for (int last = 0; last < 2; ++last) believed = refit(blocks, 0.0, believed, &terms, &covariance);
-  if (!terms.allFinite() || !covariance.allFinite()) return {};
+  auto first = fit_light(blocks, blocks);
+  if (!first) return {};
+  const LightFit fit = brightest_light(blocks, std::move(*first));
   std::array<double, LightGain::kTerms> values;
-  std::copy(terms.begin(), terms.end(), values.begin());
-  const double ratio_of_noise = noise_ratio(blocks, terms);
+  std::copy(fit.terms.begin(), fit.terms.end(), values.begin());
+  const double ratio_of_noise = noise_ratio(blocks, fit.terms);
   return {bounds,
           values,
-          believed,
-          brighter_part(blocks, terms),
+          fit.believed,
+          fit.brighter_part,
           ratio_of_noise,
-          ratio_of_noise * ratio_of_noise * shared_part(blocks, ratio_of_noise) * covariance};
+          ratio_of_noise * ratio_of_noise * shared_part(blocks, ratio_of_noise) * fit.covariance};
 }
 
 }  // namespace alltact

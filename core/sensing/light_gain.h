@@ -56,9 +56,11 @@ class LightGain {
 };
 
 /// Fits q robustly to the ratio of both pictures, in blocks of some pixels. Skin that is pressed or
-/// bulges stands out and does not count, as long as a third of the face is untouched; the smaller
-/// the untouched part, the simpler the change is taken to be. A change of the light that looks like
-/// a contact is not seen, nor a contact that is as wide and as even as a change of the light.
+/// bulges stands out and does not count, as long as a third of the face is untouched; where it
+/// darkens by more than 5 %, a tenth is enough: what presses only darkens, so that no light may
+/// leave so much of the face brighter than its reference. The smaller the untouched part, the
+/// simpler the change is taken to be. A change of the light that looks like a contact is not seen,
+/// nor a contact that is as wide and as even as a change of the light.
 /// grey: CV_8UC1 of the reference's size. noise_sd, noise_gain: grey levels of one picture, and the
 /// reference's against it. No change where the face cannot be compared.
 [[nodiscard]] LightGain light_gain(const cv::Mat& grey,

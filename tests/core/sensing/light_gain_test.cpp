@@ -131,6 +131,41 @@ TEST(LightGain, AContactOnMoreThanHalfOfTheFaceIsNoChangeOfTheLight) {
   EXPECT_LT(error_of(gain_of(pictures), change), 0.02);
 }
 
+TEST(LightGain, AContactOnFourFifthsOrMoreIsNoChangeOfTheLight) {
+  std::mt19937_64 random(5);
+  for (const double untouched : {0.12, 0.15, 0.2, 0.25})
+    for (const double darker : {0.1, 0.25, 0.5})
+      for (const double relief : {0.0, 0.1}) {
+        const Change change{0.9, 0.004, 0.0, 0.0};
+        Pictures pictures(change, {}, random);
+        const int first = static_cast<int>(untouched * kWidth);
+        for (int v = 0; v < kHeight; ++v)
+          for (int u = first; u < kWidth; ++u) {
+            auto& level = pictures.live.at<std::uint8_t>(v, u);
+            const double x = darker + relief * (u - first) / (kWidth - first);
+            level = cv::saturate_cast<std::uint8_t>(level * (1.0 - x));
+          }
+        const LightGain light = gain_of(pictures);
+        EXPECT_LT(error_of(light, change), 0.01) << untouched << ", " << darker << ", " << relief;
+        EXPECT_LT(light.brighter(), 0.01);
+      }
+}
+
+TEST(LightGain, ASpotThatIsBrighterIsNotTheLight) {
+  // A reflection, a twentieth of the face; and skin of another finger, bright and dark in patches.
+  std::mt19937_64 random(6);
+  Pictures spot({}, {}, random);
+  spot.live(cv::Rect(0, 0, kWidth / 4, kHeight / 5)) *= 1.15;
+  EXPECT_LT(error_of(gain_of(spot), {}), 0.003);
+  Pictures other({}, {}, random);
+  for (int v = 0; v < kHeight; v += 20)
+    for (int u = 0; u < kWidth; u += 20)
+      other.live(cv::Rect(u, v, 20, 20)) *= std::normal_distribution<double>(1.0, 0.15)(random);
+  const LightGain light = gain_of(other);
+  EXPECT_GT(light.brighter(), 0.1);
+  EXPECT_LT(std::abs(light.change()), 0.15);
+}
+
 TEST(LightGain, RowsAndPlacesAgree) {
   const LightGain light({20, 10, 300, 200}, {0.03, -0.02, 0.01, 0.015, -0.01, 0.02}, 1.0);
   for (int v = 0; v < 240; v += 7) {
