@@ -3155,6 +3155,14 @@
         <translation>keine glatte Form passt zu ihnen</translation>
     </message>
     <message>
+        <source>no smooth shape fits the outline of the face: it jumps at column %1</source>
+        <translation>keine glatte Form passt zum Umriss der Fläche: Er springt bei Spalte %1</translation>
+    </message>
+    <message>
+        <source>bending the finger less, until no part of it hides another</source>
+        <translation>den Finger weniger biegen, bis kein Teil von ihm einen anderen verdeckt</translation>
+    </message>
+    <message>
         <source>the distance of the face is too uncertain in every column</source>
         <translation>der Abstand der Fläche ist in jeder Spalte zu unsicher</translation>
     </message>

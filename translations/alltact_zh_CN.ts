@@ -3155,6 +3155,14 @@
         <translation>没有平滑的形状与之相符</translation>
     </message>
     <message>
+        <source>no smooth shape fits the outline of the face: it jumps at column %1</source>
+        <translation>没有平滑的形状与接触面的轮廓相符:轮廓在第 %1 列处跳变</translation>
+    </message>
+    <message>
+        <source>bending the finger less, until no part of it hides another</source>
+        <translation>让手指弯得少一些,直到没有一部分遮住另一部分</translation>
+    </message>
+    <message>
         <source>the distance of the face is too uncertain in every column</source>
         <translation>面的距离在每一列都太不确定</translation>
     </message>

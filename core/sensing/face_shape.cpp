@@ -3,6 +3,7 @@
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/least_squares.h"
 #include "core/numerics/robust_polynomial.h"
+#include "core/sensing/outline_jump.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,8 @@ namespace {
 constexpr double kMinimumWidthPx = 8.0;  // below, 1/width is biased by percents
 constexpr double kWidthBiasPx = 0.03;    // of an edge that is not quite a blurred step
 constexpr int kLensDegrees = 4;
-constexpr int kMostWindowSteps = 60;  // each brings z nearer by a factor of 5 or more
+constexpr double kShortPart = 1.0 / 12;  // of the columns: beyond a jump, such a part is left out
+constexpr int kMostWindowSteps = 60;     // each brings z nearer by a factor of 5 or more
 
 /// The column where an end reaches furthest out: at one of the face's corners, or where it turns.
 double outermost(const FaceEnd& end, double upper_v, double lower_v, int outwards) {
@@ -43,6 +45,15 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
                                  double z_sd_limit_mm) {
   if (!camera.is_perspective())
     return no_shape("the shape of a Fin Ray needs a perspective camera, not an orthographic one");
+  if (const auto jump = outline_jump(edges)) {
+    if (jump->shorter_part < kShortPart)
+      return fit(longer_side(edges, *jump), camera, face, degree, z_sd_limit_mm);
+    return Error{
+        fmt::format("no smooth shape fits the outline of the face: it jumps at column {:.0f}",
+                    jump->u_px),
+        "the face's edges",
+        "bending the finger less, until no part of it hides another"};
+  }
   const CameraParameters& lens = camera.parameters();
   const int width = lens.width_px;
 

@@ -37,7 +37,8 @@ class FaceShape {
   /// (Tukey), and takes 1/z = (width of the face in the picture) / (f W) from them:
   /// linear, unbiased in the width, never an average of z. A column is valid when it lies between
   /// the face's ends, or between trusted edges where an end was not seen, and its z_sd_mm is below
-  /// `z_sd_limit_mm`. Errors: too few trusted columns; a fit whose z is not positive and finite.
+  /// `z_sd_limit_mm`. Errors: an outline that jumps, since the finger hides a part of itself
+  /// (outline_jump.h); too few trusted columns; a fit whose z is not positive and finite.
   static Result<FaceShape> fit(const FaceEdges& edges,
                                const Camera& camera,
                                const Face& face,

@@ -279,6 +279,38 @@ TEST(HardShapes, OneThatIsBentUntilItsPictureFolds) {
   EXPECT_LE(told.worst_mm, 0.5) << told.told << " of " << told.asked;
 }
 
+TEST(HardShapes, OnesThatAreBentMoreAndMore) {
+  ALLTACT_SKIP_IF_AWAITED();
+  // From an arc that just turns away from sight to one whose tip hides all that lies behind it.
+  const Camera camera = Camera::create(pinhole()).value();
+  Face description;
+  description.width_mm = 24;
+  description.layer_mm = 1.5;
+  int refused = 0, measured = 0;
+  for (const double radius_mm : {25.0, 30.0})
+    for (double bent_deg = 80; bent_deg <= 170; bent_deg += 5) {
+      Ruled face;
+      face.xz_mm = [&](double share) {
+        const double angle = share * bent_deg * M_PI / 180;
+        return Eigen::Vector2d(-22 + radius_mm * std::sin(angle),
+                               110 - radius_mm * (1 - std::cos(angle)));
+      };
+      const auto shape = FaceShape::fit(edges_of(face, camera, 0.03), camera, description, 7);
+      if (!shape) {
+        ++refused;
+        EXPECT_THAT(shape.error().sentence(), HasSubstr("no smooth shape")) << bent_deg;
+        EXPECT_GT(bent_deg, 90);
+        continue;
+      }
+      ++measured;
+      const Told told = compare(*shape, face, camera);
+      EXPECT_LE(told.worst_mm, 1.0) << radius_mm << " mm, " << bent_deg << " degrees";
+      EXPECT_GE(told.told, 0.8 * told.asked) << radius_mm << " mm, " << bent_deg << " degrees";
+    }
+  EXPECT_GE(refused, 10);
+  EXPECT_GE(measured, 15);
+}
+
 TEST(HardShapes, OneThatIsTwistedByFiveDegrees) {
   ALLTACT_SKIP_IF_AWAITED();
   const Camera camera = Camera::create(pinhole()).value();
