@@ -19,9 +19,8 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kLeastSamples = 24;  // of a press, for its ball and a part of the mapping
-constexpr int kFineSamples = 1500;         // a press, for the solution
-constexpr int kCoarseSamples = 400;        // a press, for choosing what to fit
+constexpr int kFineSamples = 1500;   // a press, for the solution
+constexpr int kCoarseSamples = 400;  // a press, for choosing what to fit
 
 /// A press whose ball was found.
 struct Found {
@@ -83,7 +82,7 @@ std::vector<Found> find_balls(const std::vector<Press>& presses,
               *guess,
               sample_around(press, face, centre, reach, kFineSamples),
               sample_around(press, face, centre, reach, kCoarseSamples)};
-    if (one.coarse.samples.size() < kLeastSamples) {
+    if (one.coarse.samples.size() < 60) {
       left_out->push_back(fmt::format(
           "{}: the contact covers too few pixels. Try: pressing deeper, or a larger picture.",
           press.name));
