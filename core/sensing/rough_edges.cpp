@@ -40,16 +40,25 @@ cv::Mat block_columns(const cv::Mat& grey, int block) {
   return small;
 }
 
-/// Change of brightness downwards across the border below each row, in parts of the column's range.
-/// Columns are rows of both pictures.
+/// Change of brightness downwards across the border below each row, in parts of the column's range:
+/// the face is darker at its tip, and its edges are worth as much there. A column of hardly any
+/// range beside the others' shows no face. Columns are rows of both pictures.
 cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
+  constexpr float kLeastRange = 0.1F;  // of the greatest one
   const int rows = small.cols;
+  std::vector<float> ranges;
+  for (int c = 0; c < small.rows; ++c) {
+    const float* column = small.ptr<float>(c);
+    const auto [low, high] = std::minmax_element(column, column + rows);
+    ranges.push_back(*high - *low);
+  }
+  const float least = std::max(static_cast<float>(4.0 * noise_sd),
+                               kLeastRange * *std::max_element(ranges.begin(), ranges.end()));
   cv::Mat contrast(small.rows, rows - 1, CV_32FC1);
   for (int c = 0; c < small.rows; ++c) {
     const float* column = small.ptr<float>(c);
     float* out = contrast.ptr<float>(c);
-    const auto [low, high] = std::minmax_element(column, column + rows);
-    const float range = std::max(*high - *low, static_cast<float>(4.0 * noise_sd));
+    const float range = std::max(ranges[static_cast<std::size_t>(c)], least);
     for (int r = 0; r + 1 < rows; ++r) {
       const float above = column[r] + column[std::max(r - 1, 0)];
       const float below = column[r + 1] + column[std::min(r + 2, rows - 1)];

@@ -128,6 +128,52 @@ TEST(FaceEdges, DotsThatTouchThemAreLeftOut) {
   }
 }
 
+TEST(FaceEdges, DotsThatStandCloseLeaveRoomForThemInBetween) {
+  std::mt19937 engine(53);
+  for (unsigned run = 0; run < 4; ++run) {
+    SyntheticFace face = random_face(engine);
+    face.beside = 15.0;
+    cv::Mat picture = face.draw(run);
+    for (int u = 10; u < face.width; u += 19)
+      for (const double v : {face.upper(u) - 8.0, face.lower(u) + 8.0})
+        cv::circle(picture, {u, static_cast<int>(std::lround(v))}, 4, cv::Scalar(70), -1);
+    const auto edges = FaceEdgeFinder()(picture);
+    ASSERT_TRUE(edges.ok()) << "run " << run;
+    for (const auto& [edge, truth] :
+         {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {
+      const Errors e = errors(*edges, *edge, *truth);
+      EXPECT_GT(e.valid, 0.3 * e.count) << "run " << run;
+      EXPECT_LT(e.rms, 0.45) << "run " << run;  // dots this near reach into every sample
+    }
+  }
+}
+
+// A table that reflects a little light shows two edges as well, of a few grey levels.
+TEST(FaceEdges, WhatGlimmersBeyondTheTipIsNoPartOfTheFace) {
+  std::mt19937 engine(54);
+  for (unsigned run = 0; run < 12; ++run) {
+    SyntheticFace face = random_face(engine);
+    face.beside = 6.0, face.noise_sd = 0.7;
+    const bool base_at_low_u =
+        face.lower(0) - face.upper(0) > face.lower(face.width) - face.upper(face.width);
+    const int tip = face.width * (base_at_low_u ? 4 : 1) / 5;
+    (base_at_low_u ? face.last_u : face.first_u) = tip;
+    cv::Mat picture = face.draw(run);
+    const int middle = static_cast<int>(0.5 * (face.upper(tip) + face.lower(tip)));
+    const cv::Range beyond =
+        base_at_low_u ? cv::Range(tip + 12, face.width) : cv::Range(0, tip - 12);
+    picture(cv::Range(middle - 30, middle + 30), beyond) += cv::Scalar(4);
+    const auto edges = FaceEdgeFinder()(picture);
+    ASSERT_TRUE(edges.ok()) << "run " << run;
+    for (const auto& [edge, truth] :
+         {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {
+      const Errors e = errors(*edges, *edge, *truth);
+      EXPECT_GT(e.valid, 0.75 * e.count) << "run " << run;
+      EXPECT_LT(e.rms, 0.1) << "run " << run;
+    }
+  }
+}
+
 TEST(FaceEdges, IntegerStepIsThePapersFloor) {
   std::mt19937 engine(6);
   const SyntheticFace face = random_face(engine);
