@@ -3963,26 +3963,6 @@
         <translation>ein flacher Sensor bekommt ein unberührtes Bild</translation>
     </message>
     <message>
-        <source>the finger has no reference recording, so no rest can be set</source>
-        <translation>der Finger hat keine Referenzaufnahme, also lässt sich keine Ruhelage setzen</translation>
-    </message>
-    <message>
-        <source>record the bending, untouched finger first</source>
-        <translation>zuerst den sich biegenden, unberührten Finger aufnehmen</translation>
-    </message>
-    <message>
-        <source>%1 markers were found, but the finger has %2</source>
-        <translation>%1 Marken wurden gefunden, aber der Finger hat %2</translation>
-    </message>
-    <message>
-        <source>a marker has no place in the picture</source>
-        <translation>eine Marke hat keinen Platz im Bild</translation>
-    </message>
-    <message>
-        <source>a picture in which the markers are found</source>
-        <translation>ein Bild, in dem die Marken gefunden werden</translation>
-    </message>
-    <message>
         <source>lines: edges of the face</source>
         <translation>Linien: Kanten der Fläche</translation>
     </message>

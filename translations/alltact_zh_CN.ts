@@ -3963,26 +3963,6 @@
         <translation>平面传感器使用一张未接触的图像</translation>
     </message>
     <message>
-        <source>the finger has no reference recording, so no rest can be set</source>
-        <translation>手指没有参考录像,无法设定静止姿态</translation>
-    </message>
-    <message>
-        <source>record the bending, untouched finger first</source>
-        <translation>先录制弯曲而未接触的手指</translation>
-    </message>
-    <message>
-        <source>%1 markers were found, but the finger has %2</source>
-        <translation>找到 %1 个标记点,但手指有 %2 个</translation>
-    </message>
-    <message>
-        <source>a marker has no place in the picture</source>
-        <translation>有标记点在图像中没有位置</translation>
-    </message>
-    <message>
-        <source>a picture in which the markers are found</source>
-        <translation>一张能找到标记点的图像</translation>
-    </message>
-    <message>
         <source>lines: edges of the face</source>
         <translation>线:面的边缘</translation>
     </message>

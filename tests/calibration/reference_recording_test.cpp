@@ -1,6 +1,5 @@
 #include "calibration/reference_recording.h"
 
-#include "calibration/rest_pose.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/reference_library.h"
 #include "tests/support/marked_recording.h"
@@ -325,14 +324,6 @@ TEST(InstallReference, RestIsTheMiddleOfTheRecordingOrTheFrameAskedFor) {
   const auto beyond = install(40, finger);
   ASSERT_FALSE(beyond.ok());
   EXPECT_NE(beyond.error().what.find("frame 40 cannot be"), std::string::npos);
-
-  Markers now;
-  for (const Eigen::Vector2d& at : finger.contact->rest_markers)
-    now.push_back({at.x() + 1, at.y(), true, 0.02});
-  ASSERT_TRUE(set_rest_pose(now, finger));
-  EXPECT_EQ(finger.contact->rest_markers[0].x(), now[0].u);
-  now.pop_back();
-  EXPECT_FALSE(set_rest_pose(now, finger));
 }
 
 }  // namespace
