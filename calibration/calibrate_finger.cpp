@@ -81,7 +81,8 @@ TakenPress press_of(const Frame& frame, FrameResult& result, const CalibrationIn
   TakenPress press{frame.name, result.grey, std::nullopt, "", {}};
   if (result.difference) press.sign.light_change = result.difference->light.change();
   if (result.reference) press.sign.known_pose = result.reference->known_pose;
-  if (result.difference && result.shape && result.reference) {
+  // A press tells the mapping: one whose markers are hidden is not worth its less sure reference.
+  if (result.difference && result.shape && !result.reference->by_shape) {
     press.press = Press{frame.name,
                         std::move(*result.difference),
                         std::move(*result.shape),

@@ -155,7 +155,7 @@ Result<Measured> measure_all(const std::vector<fs::path>& pictures,
     pipeline.forget();  // no press knows of another
     auto result = pipeline(*frame);
     if (!result) return result.error();
-    if (!result->difference || !result->shape) {
+    if (!result->difference || !result->shape || result->reference->by_shape) {
       all.left_out.push_back(
           fmt::format("{}: {}",
                       (*frame)->name,

@@ -79,7 +79,7 @@ Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
     if (!(*source)->is_continuous()) pipeline->forget();
     const auto result = (*pipeline)(*frame);
     if (!result) return result.error();
-    if (!result->depth || !result->reference->known_pose) {
+    if (!result->depth || !result->reference->known_pose || result->reference->by_shape) {
       check.left_out.push_back(
           (*frame)->name + ": " +
           (result->problems.empty() ? "nothing could be measured" : result->problems.front()));

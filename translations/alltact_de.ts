@@ -3243,6 +3243,10 @@
         <translation>%1 Punkte wurden neben der Fläche gefunden, aber kein Drittel der %2 Marken darunter passt zu einer Haltung der Referenzaufnahme</translation>
     </message>
     <message>
+        <source>the markers were not found: the face&apos;s shape alone tells this pose, so that depth is less sure and neither twist nor what touches the finger is told; uncover and light the dots on the side faces</source>
+        <translation>die Marken wurden nicht gefunden: nur die Form der Fläche verrät diese Haltung, sodass die Tiefe weniger sicher ist und weder Verdrehung noch was den Finger berührt angegeben wird; die Punkte auf den Seitenflächen freilegen und beleuchten</translation>
+    </message>
+    <message>
         <source>a picture at the size that the finger was calibrated with</source>
         <translation>ein Bild in der Größe, mit der der Finger kalibriert wurde</translation>
     </message>

@@ -3243,6 +3243,10 @@
         <translation>在面旁找到 %1 个点,但其中没有三分之一的标记点(共 %2 个)与参考录像的任何姿态相符</translation>
     </message>
     <message>
+        <source>the markers were not found: the face&apos;s shape alone tells this pose, so that depth is less sure and neither twist nor what touches the finger is told; uncover and light the dots on the side faces</source>
+        <translation>未找到标记点：只能由接触面的形状判断该姿态，因此深度不太可靠，也无法给出扭转以及手指被什么触碰；请露出并照亮侧面上的圆点</translation>
+    </message>
+    <message>
         <source>a picture at the size that the finger was calibrated with</source>
         <translation>使用与标定时尺寸相同的图片</translation>
     </message>

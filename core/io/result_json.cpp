@@ -53,6 +53,7 @@ Json reference_json(const Reference& reference, bool searched, ReferenceMethod m
   entry["frame"] = reference.frame;
   put(entry, "distance_px", reference.distance_px, 3);
   entry["known_pose"] = reference.known_pose;
+  if (reference.by_shape) entry["by_shape"] = true;
   return entry;
 }
 

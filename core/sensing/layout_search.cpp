@@ -63,4 +63,10 @@ double LayoutSearch::median_step_px() const {
   return upper_median(steps);
 }
 
+double known_distance_px(const LayoutSearch& search) {
+  constexpr double kSteps = 3.0;    // of the recording's own median step
+  constexpr double kFloorPx = 1.5;  // a recording cannot be told apart more finely than this
+  return std::max(kFloorPx, kSteps * search.median_step_px());
+}
+
 }  // namespace alltact

@@ -32,4 +32,8 @@ class LayoutSearch {
       places_;  // u0 of all frames, v0 of all frames, u1 ...: the loops run along frames
 };
 
+/// How far the nearest layout may be of a pose that counts as recorded: three times the median
+/// step, at least 1.5 px, px.
+[[nodiscard]] double known_distance_px(const LayoutSearch& search);
+
 }  // namespace alltact

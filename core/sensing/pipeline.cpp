@@ -5,6 +5,7 @@
 #include "core/sensing/pose_places.h"
 #include "core/sensing/smoothing.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -33,6 +34,17 @@ class StopWatch {
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
+std::string never_recorded(double distance_px) {
+  return fmt::format(
+      "this pose was never recorded: the nearest reference frame is {:.1f} px away; record the "
+      "finger bending further in this direction",
+      distance_px);
+}
+
+bool any_seen(const Markers& markers) {
+  return std::any_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
+}
+
 }  // namespace
 
 struct Pipeline::State {
@@ -50,6 +62,7 @@ struct Pipeline::State {
   void look_at_picture(FrameResult& result);
   void find_shape(FrameResult& result, StopWatch& watch) const;
   bool find_markers(FrameResult& result);
+  void find_markers_by_shape(FrameResult& result) const;
   void find_reference(FrameResult& result, StopWatch& watch);
   void find_depth(FrameResult& result, StopWatch& watch) const;
   void find_contact(FrameResult& result, StopWatch& watch) const;
@@ -121,27 +134,38 @@ bool Pipeline::State::find_markers(FrameResult& result) {
     return true;
   }
   if (!result.markers) result.problems.push_back(problem);
+  if (!result.markers && tracker) find_markers_by_shape(result);
   return result.markers.has_value();
+}
+
+void Pipeline::State::find_markers_by_shape(FrameResult& result) const {
+  const ShapePoses* poses = library.shape_poses();
+  auto told = poses ? (*poses)(*result.shape) : std::nullopt;
+  if (!told) return;
+  result.problems.emplace_back(
+      "the markers were not found: the face's shape alone tells this pose, so that depth is less "
+      "sure and neither twist nor what touches the finger is told; uncover and light the dots on "
+      "the side faces");
+  if (!told->known_pose) result.problems.push_back(never_recorded(told->distance_px));
+  result.markers = std::move(told->markers);
 }
 
 void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
   const bool found = find_markers(result);
   watch.lap(result.times_ms.markers);
   if (!found) return;
-  if (tracker) {
+  const bool seen = result.markers && any_seen(*result.markers);
+  if (tracker && seen) {
     if (const TwistModel* model = library.twist_model())
       if (auto turned = model->twisted(*result.markers, *result.shape))
         result.shape = std::move(*turned);
   }
-  if (result.markers && finger.contact)
+  if (seen && finger.contact)
     result.touch = touch(*result.markers, *finger.contact, result.shape->base_at_low_u());
   result.reference = library.reference_for(
       result.markers ? *result.markers : Markers{}, *result.shape, settings.reference);
   if (!result.reference->known_pose) {
-    result.problems.push_back(
-        fmt::format("this pose was never recorded: the nearest reference frame is {:.1f} px away; "
-                    "record the finger bending further in this direction",
-                    result.reference->distance_px));
+    result.problems.push_back(never_recorded(result.reference->distance_px));
   }
   constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
   if (result.reference->known_pose && result.reference->error_factor > kFarBeyond)

@@ -26,8 +26,6 @@ constexpr int kNeighbours = 8;  // of the local regression: more gain little and
 constexpr double kMismatchPx = 0.2;    // of every marker, that is worth no more noise to avoid
 constexpr double kMostWeight = 2.9;    // sum of |w|: noise and model error grow with it
 constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
-constexpr double kKnownSteps = 3.0;    // of the recording's own median step
-constexpr double kKnownFloorPx = 1.5;  // a recording cannot be told apart more finely than this
 
 constexpr const char* kAdvice = "make the reference anew from the recording";
 
@@ -56,6 +54,7 @@ struct ReferenceLibrary::Content {
   std::size_t bytes = 0;
   std::optional<MarkerModel> model;
   std::optional<TwistModel> twist;
+  std::optional<ShapePoses> shape_poses;
   std::optional<LayoutSearch> search;
   Eigen::MatrixXd modes;  // of the frames, px, a row each
   Eigen::VectorXd mode_sd;
@@ -255,12 +254,19 @@ Result<Rest> find_rest(const Reading& reading) {
                reading.video);
 }
 
+/// The edges of every recorded face, and the row of the marker table that is of the same frame.
+struct RecordedShapes {
+  std::vector<EdgeCurves> curves;
+  std::vector<Eigen::Index> rows;
+};
+
 Status read_faces(const Reading& reading,
                   const FaceGrid& grid,
                   const SkinPlaces& places,
                   const Job& job,
                   Keeper& keeper,
-                  std::vector<TwistModel::Pose>& poses) {
+                  std::vector<TwistModel::Pose>& poses,
+                  RecordedShapes& shapes) {
   const std::size_t count = reading.table.frames.size();
   const std::size_t every = count / kMostPoses + 1;
   for (std::size_t row = 0; row < count; ++row) {
@@ -275,9 +281,18 @@ Status read_faces(const Reading& reading,
     if (!looked || looked->chart.base_at_low_u != grid.chart.base_at_low_u) continue;
     lay_on(places, looked->shape, reading.markers(row), &looked->chart);
     keeper.add(row, keep_face(*grey, looked->chart, grid));
+    shapes.rows.push_back(static_cast<Eigen::Index>(row));
+    shapes.curves.push_back(edge_curves(looked->shape));
     if (row % every == 0) poses.push_back({reading.markers(row), std::move(looked->shape)});
   }
   return {};
+}
+
+/// How far off a pose may be, in squares, that is told by estimates of the markers, px^2.
+double squares_of_sds(const Markers& markers) {
+  double square = 0;
+  for (const Marker& marker : markers) square += 2.0 * marker.sd_px * marker.sd_px;
+  return square;
 }
 
 Eigen::MatrixXd seen_layouts(const MarkerTable& table, const std::vector<int>& missing) {
@@ -364,13 +379,15 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
   auto content = std::make_shared<Content>();
   Keeper keeper(table, memory_limit_bytes);
   std::vector<TwistModel::Pose> poses;
+  RecordedShapes shapes;
   try {
     const Reading reading{frame, frame_count, video_file, table, finger, camera};
     const auto rest = find_rest(reading);
     if (!rest) return rest.error();
     content->grid = face_grid(rest->chart, kBeyondRest);
     content->places = rest->places;
-    const Status read = read_faces(reading, content->grid, content->places, job, keeper, poses);
+    const Status read =
+        read_faces(reading, content->grid, content->places, job, keeper, poses, shapes);
     if (!read) return read.error();
   } catch (const std::exception& problem) {
     return wrong(fmt::format("the recording cannot be read ({})", problem.what()), video_file);
@@ -391,7 +408,10 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
     content->faces.push_back(keeper.take(rows[i]));
   }
   const bool has_dots = !finger.reference || !finger.reference->places;
-  if (has_dots) content->twist = TwistModel::learn(poses);
+  if (has_dots) {
+    content->twist = TwistModel::learn(poses);
+    content->shape_poses = ShapePoses::learn(shapes.curves, table.layouts(shapes.rows, Eigen::all));
+  }
   content->model = std::move(*model);
   content->mode_sd = content->model->mode_sd_px();
   content->modes.resize(layouts.rows(), content->mode_sd.size());
@@ -407,7 +427,7 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
     without[static_cast<std::size_t>(i)] = 1;
     return content->neighbours(content->modes.row(i).transpose(), without);
   });
-  content->known_px = std::max(kKnownFloorPx, kKnownSteps * content->search->median_step_px());
+  content->known_px = known_distance_px(*content->search);
   ReferenceLibrary library;
   library.content_ = std::move(content);
   return library;
@@ -444,6 +464,10 @@ const TwistModel* ReferenceLibrary::twist_model() const {
   return content_->twist ? &*content_->twist : nullptr;
 }
 
+const ShapePoses* ReferenceLibrary::shape_poses() const {
+  return content_->shape_poses ? &*content_->shape_poses : nullptr;
+}
+
 const std::vector<int>& ReferenceLibrary::frame_numbers() const {
   return content_->frames;
 }
@@ -472,6 +496,8 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   reference.frame = content.frames[static_cast<std::size_t>(found.index)];
   reference.distance_px = found.distance_px;
   reference.known_pose = found.distance_px <= content.known_px;
+  reference.by_shape =
+      std::none_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
   auto now = chart_of(shape);
   if (now && now->base_at_low_u == content.grid.chart.base_at_low_u)
     lay_on(content.places, shape, markers, &*now);
@@ -482,13 +508,15 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   if (method == ReferenceMethod::kLocal) {
     const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
     const Neighbours near = content.neighbours(place, without);
+    const double unsure_px2 = reference.by_shape ? squares_of_sds(markers) : 0.0;
     mixes = {content.mix_of(near)};
-    reference.error_factor = reference.outer_error_factor = content.error.factor(near.reach_px2);
+    reference.error_factor = reference.outer_error_factor =
+        content.error.factor(near.reach_px2 + unsure_px2);
     const auto hiding = content.hiding(warp, mixes.front().shown(content.grid), without);
     if (!hiding.empty()) {
       const Neighbours further = content.neighbours(place, hiding);
       mixes.push_back(content.mix_of(further));
-      reference.outer_error_factor = content.error.factor(further.reach_px2);
+      reference.outer_error_factor = content.error.factor(further.reach_px2 + unsure_px2);
     }
   }
   double square = 0;

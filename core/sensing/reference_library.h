@@ -7,6 +7,7 @@
 #include "core/sensing/face_shape.h"
 #include "core/sensing/markers.h"
 #include "core/sensing/reference_picture.h"
+#include "core/sensing/shape_poses.h"
 #include "core/sensing/twist_model.h"
 
 #include <cstdint>
@@ -33,6 +34,7 @@ struct Reference {
   int frame = -1;            ///< number of the nearest frame in the recording
   double distance_px = 0;    ///< mean distance of the seen markers to that frame's
   bool known_pose = true;    ///< false: further away than the recording's own frames are apart
+  bool by_shape = false;     ///< no marker was seen: the face's shape alone tells the pose
   double noise_gain = 1;     ///< standard deviation of the reference's noise / that of one frame
   /// What the recording says that references are off by (reference_error.h), over cells of its
   /// grid; empty for a single picture.
@@ -103,6 +105,9 @@ class ReferenceLibrary {
   [[nodiscard]] const MarkerModel* marker_model() const;
   /// nullptr for a single picture, and where the recording does not tell of one.
   [[nodiscard]] const TwistModel* twist_model() const;
+  /// For frames in which the markers are not found. nullptr for a single picture, for a finger
+  /// without markers, and where the recording does not tell it.
+  [[nodiscard]] const ShapePoses* shape_poses() const;
 
   /// Index into the library (not the video) of the frame with the least mean distance over the
   /// markers that are seen, by brute force; and that distance.
@@ -117,8 +122,9 @@ class ReferenceLibrary {
   [[nodiscard]] const std::vector<int>& frame_numbers() const;
 
   /// The reference for a pose, laid over the skin as `shape` and `markers` say that it lies
-  /// (face_chart.h). Both are ignored by a single picture. `without` marks frames (by index) that
-  /// take no part, as if they had not been recorded; empty: all do. At least two must.
+  /// (face_chart.h). Both are ignored by a single picture. Where no marker is seen, their sd_px
+  /// tells how much less sure the reference is. `without` marks frames (by index) that take no
+  /// part, as if they had not been recorded; empty: all do. At least two must.
   ///
   /// kLocal: local linear regression over the 8 frames nearest in the finger's modes of motion.
   /// known_pose: distance_px is at most three times the median distance of the recording's frames

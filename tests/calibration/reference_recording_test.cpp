@@ -220,6 +220,13 @@ std::shared_ptr<Frame> as_frame(const cv::Mat& grey) {
   return frame;
 }
 
+// Half-way between two frames of a recording as pose() bends it.
+Bend between_frames(double at, int frames) {
+  const double t = 2 * M_PI * at / frames;
+  return {
+      0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0.03 * std::sin(5 * t)};
+}
+
 TEST(InstallReference, AMarkerThatWasNeverEngravedIsSaidToBeMissingAndTheOthersWork) {
   const MarkedFinger f = small_finger();
   std::mt19937 random(21);
@@ -280,11 +287,7 @@ TEST(InstallReference, WithoutMarkersTheShapeOfTheFaceTellsThePose) {
     double steps = 0;
     int looked = 0;
     for (double at = 2.5; at < kFrames; at += 9, ++looked) {
-      const double t = 2 * M_PI * at / kFrames;
-      const Bend bend{0.35 * std::sin(t),
-                      0.2 * std::sin(2 * t + 1),
-                      6 * std::cos(3 * t),
-                      0.03 * std::sin(5 * t)};
+      const Bend bend = between_frames(at, kFrames);
       const auto result = (*pipeline)(as_frame(f.with_noise(f.clean(bend, all), random)));
       ASSERT_TRUE(result.ok() && result->reference) << at;
       EXPECT_TRUE(result->reference->known_pose) << at;
@@ -293,6 +296,57 @@ TEST(InstallReference, WithoutMarkersTheShapeOfTheFaceTellsThePose) {
     std::printf("[ figures  ] by shape: nearest frame %.1f frames away on average\n",
                 steps / looked);
     EXPECT_LT(steps / looked, 4.0);
+  }
+}
+
+TEST(InstallReference, AFrameWhoseMarkersAreHiddenIsMeasuredByTheShapeOfItsFace) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(23);
+  MemorySource source;
+  constexpr int kFrames = 80;
+  for (int i = 0; i < kFrames; ++i)
+    source.pictures.push_back(f.with_noise(f.clean(pose(i, kFrames)), random));
+  Finger finger = described(f);
+  const fs::path folder = scratch_folder("hidden_markers");
+  ASSERT_TRUE(install_reference(source, folder, finger, Job{}).ok());
+  const Finger again = read_again(finger);
+  auto pipeline = Pipeline::create(folder, again, PipelineSettings{}, Job{});
+  ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
+  const auto library = ReferenceLibrary::load(folder, again, pipeline->camera(), Job{});
+  ASSERT_TRUE(library.ok());
+  const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  for (double at = 2.5; at < kFrames; at += 9) {
+    const Bend bend = between_frames(at, kFrames);
+    pipeline->forget();
+    const auto seen = (*pipeline)(as_frame(f.with_noise(f.clean(bend), random)));
+    ASSERT_TRUE(seen.ok() && seen->reference && seen->difference) << at;
+    EXPECT_FALSE(seen->reference->by_shape);
+    EXPECT_TRUE(seen->touch.has_value());
+    pipeline->forget();
+    const auto hidden = (*pipeline)(as_frame(f.with_noise(f.clean(bend, all), random)));
+    ASSERT_TRUE(hidden.ok() && hidden->reference && hidden->difference) << at;
+    EXPECT_TRUE(hidden->reference->by_shape);
+    EXPECT_TRUE(hidden->reference->known_pose);
+    // An estimate that may lie further off makes the reference less sure.
+    Markers vague = *hidden->markers;
+    for (Marker& marker : vague) marker.sd_px += 2.0;
+    const Reference less_sure =
+        library->reference_for(vague, *hidden->shape, ReferenceMethod::kLocal);
+    EXPECT_GT(less_sure.error_factor, 1.1 * hidden->reference->error_factor);
+    EXPECT_FALSE(hidden->touch.has_value());
+    // Why there are no markers, what that costs, and that the finger is not calibrated.
+    ASSERT_EQ(hidden->problems.size(), 3U);
+    EXPECT_NE(hidden->problems[1].find("the markers were not found"), std::string::npos);
+    const Eigen::VectorXd truth = f.layout(bend);
+    for (std::size_t m = 0; m < 12; ++m) {
+      const Marker& marker = (*hidden->markers)[m];
+      EXPECT_FALSE(marker.seen);
+      EXPECT_NEAR(marker.u, truth[2 * static_cast<Eigen::Index>(m)], 3.0) << at << " " << m;
+      EXPECT_NEAR(marker.v, truth[2 * static_cast<Eigen::Index>(m) + 1], 3.0) << at << " " << m;
+    }
+    // Nothing presses: the reference is the picture.
+    cv::Mat measured = hidden->difference->flags == kMeasured;
+    EXPECT_LT(cv::mean(cv::abs(hidden->difference->x), measured)[0], 0.01) << at;
   }
 }
 

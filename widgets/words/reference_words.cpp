@@ -99,6 +99,11 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library",
                       "%1 dots were found beside the face, but no third of the %2 markers among "
                       "them fits a pose of the reference recording"),
+    QT_TRANSLATE_NOOP(
+        "Library",
+        "the markers were not found: the face's shape alone tells this pose, so that depth is less "
+        "sure and neither twist nor what touches the finger is told; uncover and light the dots on "
+        "the side faces"),
     QT_TRANSLATE_NOOP("Library", "a picture at the size that the finger was calibrated with"),
     QT_TRANSLATE_NOOP("Library",
                       "this pose was never recorded: the nearest reference frame is %1 px away; "

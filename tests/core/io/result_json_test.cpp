@@ -77,6 +77,10 @@ TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
       "volume_mm3": 4.1}])"))
       << "a round contact has no angle";
   EXPECT_FALSE(json.contains("problems"));
+  result.reference->by_shape = true;
+  EXPECT_EQ(
+      Json::parse(result_line(result, 3, ReferenceMethod::kNearest)).at("reference").at("by_shape"),
+      true);
 }
 
 TEST(ResultLine, NumbersThatAreNoneAreLeftOut) {
