@@ -4459,7 +4459,7 @@
     </message>
 </context>
 <context>
-    <name>alltact::FaceView</name>
+    <name>alltact::FacePane</name>
     <message>
         <source>Face in 3D</source>
         <translation>Fläche in 3D</translation>

@@ -4458,7 +4458,7 @@
     </message>
 </context>
 <context>
-    <name>alltact::FaceView</name>
+    <name>alltact::FacePane</name>
     <message>
         <source>Face in 3D</source>
         <translation>接触面三维视图</translation>

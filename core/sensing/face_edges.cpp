@@ -164,6 +164,13 @@ std::optional<Crossing> crossing_between_levels(const Profile& profile,
       const float a = above(i), b = above(i + 1);
       if (a > 0.0F || b <= 0.0F) continue;
       const double slope = static_cast<double>(b - a);
+      // A dot that touches the edge leaves no level beside it to cross from.
+      constexpr int kGap = 2;
+      constexpr float kPartOfContrast = 0.2F;
+      const int gap = face_below ? i - kGap : i + 1 + kGap;
+      if (beside &&
+          std::abs(profile[static_cast<std::size_t>(gap)] - *beside) > kPartOfContrast * contrast)
+        return std::nullopt;
       return Crossing{i + static_cast<double>(-a) / slope - kReach,
                       std::hypot(kCrossingNoise * noise / slope, 0.02),
                       static_cast<double>(contrast),

@@ -57,8 +57,8 @@ void shown_in_3d(benchmark::State& state) {
   std::size_t next = 0;
   const auto show_next = [&] {
     pane.show_frame(frames[next++ % frames.size()]);
-    const int before = pane.face_view() == nullptr ? 0 : pane.face_view()->renders();
-    while (pane.face_view()->renders() == before) QCoreApplication::processEvents();
+    const int before = pane.face_pane() == nullptr ? 0 : pane.face_pane()->renders();
+    while (pane.face_pane()->renders() == before) QCoreApplication::processEvents();
   };
   for (int i = 0; i < 5; ++i) show_next();  // shaders are made once
   for (auto step : state) show_next();

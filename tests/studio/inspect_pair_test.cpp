@@ -307,12 +307,12 @@ class InspectIn3D : public InspectPair {
   void SetUp() override {
     if (!VtkView::is_supported()) GTEST_SKIP() << "needs a screen with OpenGL: xvfb-run";
   }
-  FaceView& view() { return *studio_.window().findChild<FaceView*>(); }
+  FacePane& view() { return *studio_.window().findChild<FacePane*>(); }
   bool open_one() {
     place().open(two_.left_video());
     const bool is_shown = wait_until(
         [&] {
-          auto* view = studio_.window().findChild<FaceView*>();
+          auto* view = studio_.window().findChild<FacePane*>();
           return view != nullptr && view->isVisible() && view->renders() > 0;
         },
         20000);

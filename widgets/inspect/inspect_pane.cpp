@@ -25,14 +25,14 @@ InspectPane::InspectPane(PaneContent content, QWidget* parent)
   map_->installEventFilter(this);
 }
 
-void InspectPane::make_face_view() {
+void InspectPane::make_face_pane() {
   if (face_ != nullptr || !VtkView::is_supported()) return;
-  face_ = new FaceView;
+  face_ = new FacePane;
   stack_->addWidget(face_);
-  connect(face_, &FaceView::clicked, this, &InspectPane::clicked);
-  connect(face_, &FaceView::looked, this, &InspectPane::looked);
-  connect(face_, &FaceView::turned, this, &InspectPane::turned);
-  connect(face_, &FaceView::all_wanted, this, &InspectPane::all_wanted);
+  connect(face_, &FacePane::clicked, this, &InspectPane::clicked);
+  connect(face_, &FacePane::looked, this, &InspectPane::looked);
+  connect(face_, &FacePane::turned, this, &InspectPane::turned);
+  connect(face_, &FacePane::all_wanted, this, &InspectPane::all_wanted);
   face_->change().set_options(options_.scene);
   look();
 }
@@ -88,7 +88,7 @@ void InspectPane::show_message(const QString& message) {
 void InspectPane::show_all() {
   if (!isVisible()) return;
   const bool has_face = frame_ && frame_->surface;
-  if (options_.shown_as == ShownAs::k3d && has_face) make_face_view();
+  if (options_.shown_as == ShownAs::k3d && has_face) make_face_pane();
   if (options_.shown_as == ShownAs::k3d && has_face && face_ != nullptr)
     show_3d();
   else

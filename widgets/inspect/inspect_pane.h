@@ -1,7 +1,7 @@
 // One measurement of a face, in 3D or as a height map.
 #pragma once
 
-#include "widgets/inspect/face_view.h"
+#include "widgets/inspect/face_pane.h"
 #include "widgets/inspect/finger_pair.h"
 #include "widgets/inspect/inspect_options.h"
 #include "widgets/picture/image_view.h"
@@ -31,7 +31,7 @@ class InspectPane : public Translated<QWidget> {
   /// As it is seen now.
   [[nodiscard]] QImage picture();
   /// Null where there is no OpenGL, or before the pane was shown in 3D.
-  [[nodiscard]] FaceView* face_view() const { return face_; }
+  [[nodiscard]] FacePane* face_pane() const { return face_; }
   [[nodiscard]] ImageView& height_map() const { return *map_; }
 
  Q_SIGNALS:
@@ -45,7 +45,7 @@ class InspectPane : public Translated<QWidget> {
   void showEvent(QShowEvent* event) override;
 
  private:
-  void make_face_view();
+  void make_face_pane();
   void show_all();
   void show_3d();
   void show_map();
@@ -64,7 +64,7 @@ class InspectPane : public Translated<QWidget> {
   QLabel* title_;
   QStackedWidget* stack_;
   ImageView* map_;
-  FaceView* face_ = nullptr;
+  FacePane* face_ = nullptr;
   std::optional<QPointF> pressed_;
 };
 

@@ -174,7 +174,7 @@ void InspectPlace::keep_look(const InspectPane& pane, bool is_drag) {
   else
     since_turn_.start();
   InspectOptions next = options_;
-  next.look = pane.face_view()->scene().look();
+  next.look = pane.face_pane()->scene().look();
   change_options(next, tr("turn the 3D view"), is_drag ? -1 : kFirstTurn + turns_ % kTurns);
 }
 

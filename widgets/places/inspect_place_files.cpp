@@ -79,7 +79,7 @@ BackgroundWork::Work InspectPlace::saving_work(const std::filesystem::path& file
     film.input = options_.recording;
     film.view = options_;
     film.colours = scene_colours(palette());
-    if (first_->face_view() != nullptr) film.look = first_->face_view()->scene().look();
+    if (first_->face_pane() != nullptr) film.look = first_->face_pane()->scene().look();
     return [=](const Job& job) { return ended(save_film(film, file, job), {file}); };
   }
   if (const auto frames = pair_.frames(); frames && pair_.is_placed()) {

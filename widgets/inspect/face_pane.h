@@ -14,11 +14,11 @@ namespace alltact {
 /// Only where VtkView::is_supported(). Mouse: dragging turns, with Shift or the middle button it
 /// moves, the wheel comes closer; a click without dragging chooses a place. Keys: arrows turn,
 /// Shift and arrows move, + and - come closer, 0 shows all.
-class FaceView : public Translated<VtkView> {
+class FacePane : public Translated<VtkView> {
   Q_OBJECT
  public:
-  explicit FaceView(QWidget* parent = nullptr);
-  ~FaceView() override;
+  explicit FacePane(QWidget* parent = nullptr);
+  ~FacePane() override;
 
   /// Draws soon after.
   [[nodiscard]] FaceScene& change();

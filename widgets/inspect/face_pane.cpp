@@ -1,4 +1,4 @@
-#include "widgets/inspect/face_view.h"
+#include "widgets/inspect/face_pane.h"
 
 #include "widgets/accessible.h"
 
@@ -22,37 +22,37 @@ SceneColours scene_colours(const QPalette& palette) {
   return {colour_of(palette.color(QPalette::Base)), colour_of(palette.color(QPalette::Text))};
 }
 
-FaceView::FaceView(QWidget* parent)
+FacePane::FacePane(QWidget* parent)
     : Translated(parent), scene_(std::make_unique<FaceScene>(scene_window())) {
   set_accessible_role(*this, QAccessible::Graphic);
   dress();
   say([this] { setAccessibleName(tr("Face in 3D")); });
 }
 
-FaceView::~FaceView() = default;
+FacePane::~FacePane() = default;
 
-FaceScene& FaceView::change() {
+FaceScene& FacePane::change() {
   draw_later();
   return *scene_;
 }
 
-void FaceView::dress() {
+void FacePane::dress() {
   change().set_colours(scene_colours(palette()));
   scene_->set_scale(devicePixelRatioF());
 }
 
-void FaceView::changeEvent(QEvent* event) {
+void FacePane::changeEvent(QEvent* event) {
   Translated::changeEvent(event);
   if (event->type() == QEvent::PaletteChange && scene_) dress();
 }
 
-void FaceView::resizeEvent(QResizeEvent* event) {
+void FacePane::resizeEvent(QResizeEvent* event) {
   Translated::resizeEvent(event);
   dress();
   scene_->fit();
 }
 
-bool FaceView::event(QEvent* event) {
+bool FacePane::event(QEvent* event) {
   const bool is_wheel = event->type() == QEvent::Wheel;
   const auto before = is_wheel ? std::optional(scene_->look()) : std::nullopt;
   const bool is_taken = Translated::event(event);
@@ -64,7 +64,7 @@ bool FaceView::event(QEvent* event) {
   return is_taken;
 }
 
-void FaceView::keyPressEvent(QKeyEvent* event) {
+void FacePane::keyPressEvent(QKeyEvent* event) {
   const bool moves = event->modifiers().testFlag(Qt::ShiftModifier);
   const auto steer = [&](double right, double up) {
     if (moves)
@@ -101,11 +101,11 @@ void FaceView::keyPressEvent(QKeyEvent* event) {
   Q_EMIT turned(false);
 }
 
-void FaceView::mousePressEvent(QMouseEvent* event) {
+void FacePane::mousePressEvent(QMouseEvent* event) {
   if (!pressed_) pressed_ = Press{event->position(), scene_->look()};
 }
 
-void FaceView::mouseReleaseEvent(QMouseEvent* event) {
+void FacePane::mouseReleaseEvent(QMouseEvent* event) {
   constexpr double kStill = 3;  // logical pixels that a hand may tremble
   if (!pressed_ || event->buttons() != Qt::NoButton) return;
   const Press press = *pressed_;
