@@ -1,6 +1,5 @@
 #include "core/sensing/face_edges.h"
 
-#include "core/numerics/median.h"
 #include "core/numerics/picture_noise.h"
 #include "core/sensing/rough_edges.h"
 
@@ -9,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace alltact {
@@ -376,12 +374,12 @@ void leave_strays_out(Edge& edge) {
 int follow(const EdgeReader& reader,
            const Seed& seed,
            const std::vector<double>& columns,
-           Edge& edge) {
+           Edge& found) {
   const auto count = static_cast<int>(columns.size());
   const std::vector<double> none(columns.size());
   Followed followed{
       unseen(columns.size()), none, none, none, std::vector<float>(columns.size(), 0.0F)};
-  edge = followed.edge;
+  Edge& edge = followed.edge;
   int seen = 0;
   for (const int direction : {-1, 1}) {
     Ahead ahead;
@@ -395,9 +393,10 @@ int follow(const EdgeReader& reader,
       followed.slope[k] = slope;
       followed.rise[k] = expected.rise;
       const auto crossing = reader.at(columns[k], v, slope, kTight, {std::nullopt, expected.rise});
+      const bool by_dot =
+          crossing && is_by_dot(crossing->outside, crossing->contrast, *expected.beside);
       auto ahead_of = crossing;  // what tells where the edge goes on
-      if (!crossing || is_by_dot(crossing->outside, crossing->contrast, *expected.beside))
-        ahead_of = reader.at(columns[k], v, slope, kTight, expected);
+      if (!crossing || by_dot) ahead_of = reader.at(columns[k], v, slope, kTight, expected);
       if (ahead_of && i != seed.sample) ahead.add(columns[k], v + ahead_of->offset);
       if (!crossing) continue;
       edge.v[k] = v + crossing->offset;
@@ -405,16 +404,14 @@ int follow(const EdgeReader& reader,
       edge.valid[k] = 1;
       followed.outside[k] = crossing->outside, followed.contrast[k] = crossing->contrast;
       ++seen;
-      const bool by_dot = is_by_dot(crossing->outside, crossing->contrast, *expected.beside);
       *expected.beside +=
           (by_dot ? kDotRate : kRate) * (static_cast<float>(crossing->outside) - *expected.beside);
       if (!by_dot) expected.rise += kRate * (crossing->rise - expected.rise);
     }
   }
-  followed.edge = std::move(edge);
   read_beside_dots(reader, columns, followed);
-  edge = std::move(followed.edge);
   leave_strays_out(edge);
+  found = std::move(edge);
   return seen;
 }
 

@@ -67,13 +67,12 @@ double bow_per_px(const FaceView& view, double u, double upper_v, double lower_v
              lower = view.camera.unproject({u, lower_v});
   if (!(half >= 1.0) || !upper || !lower) return 0.0;
   // Both corners at one z: where the rays are as far apart as the face is wide.
-  const Eigen::Vector3d a = upper->direction / upper->direction.z();
-  const Eigen::Vector3d b = lower->direction / lower->direction.z();
-  const Eigen::Vector3d from_a = upper->origin_mm - upper->origin_mm.z() * a;
-  const Eigen::Vector3d from_b = lower->origin_mm - lower->origin_mm.z() * b;
-  const double z_mm = (view.width_mm - (from_b - from_a).y()) / (b - a).y();
+  const Eigen::Vector3d begin_mm = lower->origin_mm - upper->origin_mm;
+  const Eigen::Vector3d apart = lower->direction - upper->direction;
+  const double z_mm = (view.width_mm - begin_mm.y()) / apart.y();
   if (!(z_mm > 0.0) || !std::isfinite(z_mm)) return 0.0;
-  const auto middle = view.camera.project(0.5 * (from_a + from_b + z_mm * (a + b)));
+  const auto middle = view.camera.project(upper->origin_mm + z_mm * upper->direction +
+                                          0.5 * (begin_mm + z_mm * apart));
   return middle ? (u - middle->x()) / (half * half) : 0.0;
 }
 

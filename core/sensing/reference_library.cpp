@@ -6,7 +6,6 @@
 #include "core/sensing/face_edges.h"
 #include "core/sensing/face_picture.h"
 #include "core/sensing/layout_search.h"
-#include "core/sensing/local_layout.h"
 #include "core/sensing/reference_error.h"
 #include "core/sensing/reference_weights.h"
 
@@ -22,10 +21,7 @@ constexpr double kBeyondRest = 0.15;  // of the rest frame's face: how much more
 constexpr int kProfileDegree = 7;
 constexpr std::size_t kMostPoses = 160;  // that the finger's twist is learnt from
 constexpr double kMarkerSdPx = 0.1;      // of recorded markers, as measured
-constexpr int kNeighbours = 8;  // of the local regression: more gain little and cost their share
-constexpr double kMismatchPx = 0.2;    // of every marker, that is worth no more noise to avoid
-constexpr double kMostWeight = 2.9;    // sum of |w|: noise and model error grow with it
-constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
+constexpr double kLeastWeight = 2e-3;    // below, a frame says nothing but narrows what is valid
 
 constexpr const char* kAdvice = "make the reference anew from the recording";
 
@@ -65,21 +61,17 @@ struct ReferenceLibrary::Content {
 
 Neighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& place,
                                                  const std::vector<char>& without) const {
-  const auto rows = nearest_rows(modes, place, kNeighbours, without);
-  Eigen::MatrixXd points(static_cast<Eigen::Index>(rows.size()), place.size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    points.row(static_cast<Eigen::Index>(i)) = modes.row(rows[i]);
-  const double ridge_px = kMismatchPx * std::sqrt(static_cast<double>(model->marker_count()));
-  const Eigen::VectorXd w = local_linear_weights(points, place, ridge_px, kMostWeight);
+  const PoseNeighbours near = pose_neighbours(modes, place, model->marker_count(), without);
+  const Eigen::VectorXd& w = near.weights;
   Neighbours found;
-  found.reach_px2 = reach_px2(points, place, w);
+  found.reach_px2 = reach_px2(near.points, place, w);
   double kept = 0;
   for (Eigen::Index i = 0; i < w.size(); ++i)
     if (std::abs(w[i]) >= kLeastWeight) kept += w[i];
   std::vector<double> weights;
   for (Eigen::Index i = 0; i < w.size(); ++i) {
     if (std::abs(w[i]) < kLeastWeight) continue;
-    found.rows.push_back(rows[static_cast<std::size_t>(i)]);
+    found.rows.push_back(near.rows[static_cast<std::size_t>(i)]);
     weights.push_back(w[i] / kept);
   }
   found.weights =
@@ -111,7 +103,7 @@ std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
     firsts.push_back(faces[i].first);
     ends.push_back(faces[i].end);
   }
-  constexpr std::size_t kEnough = 2 * kNeighbours;
+  constexpr std::size_t kEnough = 2 * kPoseNeighbours;
   if (firsts.size() < kEnough) return {};
   std::nth_element(firsts.begin(), firsts.begin() + kEnough - 1, firsts.end());
   std::nth_element(ends.begin(), ends.end() - kEnough, ends.end());
@@ -123,7 +115,7 @@ std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
     hidden[i] = faces[i].first > first || faces[i].end < end || (!without.empty() && without[i]);
     left += !hidden[i];
   }
-  return left >= kEnough / 2 ? hidden : std::vector<char>();
+  return left >= kPoseNeighbours ? hidden : std::vector<char>();
 }
 
 namespace {

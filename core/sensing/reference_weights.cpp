@@ -1,5 +1,7 @@
 #include "core/sensing/reference_weights.h"
 
+#include "core/sensing/local_layout.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,6 +44,22 @@ Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points,
     w = weights_with(offsets, kernel, ridge);
   }
   return w;
+}
+
+PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,
+                               const Eigen::VectorXd& place,
+                               int marker_count,
+                               const std::vector<char>& without) {
+  constexpr double kMismatchPx = 0.2;  // of every marker, that is worth no more noise to avoid
+  constexpr double kMostWeight = 2.9;  // sum of |w|: noise and model error grow with it
+  PoseNeighbours found;
+  found.rows = nearest_rows(modes, place, kPoseNeighbours, without);
+  found.points.resize(static_cast<Eigen::Index>(found.rows.size()), place.size());
+  for (std::size_t i = 0; i < found.rows.size(); ++i)
+    found.points.row(static_cast<Eigen::Index>(i)) = modes.row(found.rows[i]);
+  const double ridge_px = kMismatchPx * std::sqrt(static_cast<double>(marker_count));
+  found.weights = local_linear_weights(found.points, place, ridge_px, kMostWeight);
+  return found;
 }
 
 }  // namespace alltact

@@ -1,6 +1,8 @@
 // How much each recorded neighbour counts in the reference of a pose.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 namespace alltact {
@@ -16,5 +18,22 @@ namespace alltact {
                                                    const Eigen::VectorXd& query,
                                                    double ridge_px,
                                                    double most);
+
+inline constexpr int kPoseNeighbours = 8;  ///< more gain little and cost their share
+
+/// Recorded frames that tell a pose together, and how much each counts.
+struct PoseNeighbours {
+  std::vector<int> rows;    ///< nearest first
+  Eigen::MatrixXd points;   ///< their modes, a row each, px
+  Eigen::VectorXd weights;  ///< local_linear_weights()
+};
+
+/// The kPoseNeighbours rows of `modes` (a row a frame, px) nearest to the pose `place`.
+/// marker_count: of the layouts that the modes are of. `without` (by row) marks frames that take no
+/// part, empty: all do.
+[[nodiscard]] PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,
+                                             const Eigen::VectorXd& place,
+                                             int marker_count,
+                                             const std::vector<char>& without);
 
 }  // namespace alltact

@@ -1,17 +1,14 @@
 #include "core/sensing/shape_poses.h"
 
-#include "core/sensing/local_layout.h"
 #include "core/sensing/reference_weights.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace alltact {
 namespace {
 
 constexpr std::size_t kLeastFrames = 8;
-constexpr int kNeighbours = 8;
-constexpr double kRidgePx = 0.2;  // of every place, that is worth no more noise to avoid
-constexpr double kMostWeight = 2.9;
 constexpr Eigen::Index kMostTries = 100;  // frames that the standard deviation is learnt from
 
 bool all_seen(const Markers& markers) {
@@ -62,15 +59,10 @@ std::optional<ShapePoses> ShapePoses::learn(const std::vector<EdgeCurves>& faces
 
 Eigen::VectorXd ShapePoses::layout_at(const Eigen::VectorXd& place,
                                       const std::vector<char>& without) const {
-  const auto rows = nearest_rows(modes_, place, kNeighbours, without);
-  Eigen::MatrixXd points(static_cast<Eigen::Index>(rows.size()), place.size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    points.row(static_cast<Eigen::Index>(i)) = modes_.row(rows[i]);
-  const double ridge_px = kRidgePx * std::sqrt(static_cast<double>(model_.marker_count()));
-  const Eigen::VectorXd w = local_linear_weights(points, place, ridge_px, kMostWeight);
+  const PoseNeighbours near = pose_neighbours(modes_, place, model_.marker_count(), without);
   Eigen::VectorXd layout = Eigen::VectorXd::Zero(layouts_.cols());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    layout += w[static_cast<Eigen::Index>(i)] * layouts_.row(rows[i]).transpose();
+  for (std::size_t i = 0; i < near.rows.size(); ++i)
+    layout += near.weights[static_cast<Eigen::Index>(i)] * layouts_.row(near.rows[i]).transpose();
   return layout;
 }
 
