@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace alltact {
 namespace {
@@ -15,6 +16,7 @@ constexpr double kMissing = 2.5;  // that a missing dot costs
 constexpr double kStepSd = 0.12;  // of a step's logarithm against the law
 constexpr double kSizeSd = 0.3, kContrastSd = 0.6, kOffSd = 0.06;  // from one dot to the next
 constexpr double kGrowthSd = 0.4;  // of a step against the one before
+constexpr double kUnlikeSd = 0.2;  // of that on one side against the other
 constexpr double kLeastStepMm = 0.2;
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 
@@ -134,23 +136,47 @@ class RowSearch {
   std::vector<State> best_;
 };
 
-Row best_row(const std::vector<DotTrack>& tracks, bool upper, int per_row) {
+constexpr double kLawStep = 0.04;
+constexpr int kLaws = 12;  // to each side of the even one
+
+double growth_of(int law) {
+  return kLawStep * (law - kLaws);
+}
+
+/// The best row of one side for each law.
+std::vector<Row> rows_by_law(const std::vector<DotTrack>& tracks, bool upper, int per_row) {
   std::vector<int> side;
   for (std::size_t t = 0; t < tracks.size(); ++t)
     if (tracks[t].upper == upper) side.push_back(static_cast<int>(t));
-  Row best;
-  if (side.empty()) return best;
+  std::vector<Row> rows(2 * kLaws + 1);
+  if (side.empty()) return rows;
   RowSearch search(tracks, side, per_row);
-  constexpr double kStep = 0.04;
-  constexpr int kLaws = 12;  // to each side
   for (int law = 0; law <= 2 * kLaws; ++law) {
-    // From the even law outwards: the first of equals stays.
-    const double growth = kStep * (law % 2 == 0 ? -law / 2 : (law + 1) / 2);
-    Row row = search(growth);
-    row.worth -= 0.5 * square(growth / kGrowthSd);
-    if (row.worth > best.worth) best = std::move(row);
+    Row& row = rows[static_cast<std::size_t>(law)];
+    row = search(growth_of(law));
+    row.worth -= 0.5 * square(growth_of(law) / kGrowthSd);
   }
-  return best;
+  return rows;
+}
+
+/// The best rows of both sides, which were made to nearly the same law: where so many dots are
+/// missing on one that several laws fit them, the other tells. Of equals those nearest to the even
+/// law.
+std::pair<Row, Row> best_rows(const std::vector<DotTrack>& tracks, int per_row) {
+  auto upper = rows_by_law(tracks, true, per_row), lower = rows_by_law(tracks, false, per_row);
+  std::pair<std::size_t, std::size_t> best(kLaws, kLaws);
+  double most = kNone;
+  const auto by_law = [](int n) {  // from the even law outwards
+    return kLaws + (n % 2 == 0 ? -n / 2 : (n + 1) / 2);
+  };
+  for (int n = 0; n <= 2 * kLaws; ++n)
+    for (int m = 0; m <= 2 * kLaws; ++m) {
+      const auto a = static_cast<std::size_t>(by_law(n)), b = static_cast<std::size_t>(by_law(m));
+      const double unlike = (growth_of(by_law(n)) - growth_of(by_law(m))) / kUnlikeSd;
+      const double worth = upper[a].worth + lower[b].worth - 0.5 * square(unlike);
+      if (worth > most) most = worth, best = {a, b};
+    }
+  return {std::move(upper[best.first]), std::move(lower[best.second])};
 }
 
 /// How well the rows lie beside each other when they begin at these numbers.
@@ -169,7 +195,9 @@ double symmetry(const std::vector<DotTrack>& tracks,
     const int other = static_cast<int>(i) + first_upper - first_lower;
     if (other < 0 || other >= static_cast<int>(b.size()) || a[i] < 0) continue;
     const int track = b[static_cast<std::size_t>(other)];
-    if (track >= 0) sum += 0.3 - std::abs(along(a[i]) - along(track)) / std::max(spacing, 1e-3);
+    // Rows of different steps lie beside each other nowhere: the fewest bad pairs say nothing.
+    if (track >= 0)
+      sum += std::max(0.0, 0.3 - std::abs(along(a[i]) - along(track)) / std::max(spacing, 1e-3));
   }
   return sum;
 }
@@ -179,7 +207,7 @@ double symmetry(const std::vector<DotTrack>& tracks,
 NumberedRows choose_rows(const std::vector<DotTrack>& tracks, int per_row) {
   NumberedRows rows;
   rows.track_of.assign(static_cast<std::size_t>(2 * per_row), -1);
-  const Row upper = best_row(tracks, true, per_row), lower = best_row(tracks, false, per_row);
+  const auto [upper, lower] = best_rows(tracks, per_row);
   int first_upper = 0, first_lower = 0;
   if (!upper.track_of.empty() && !lower.track_of.empty()) {
     double best = kNone;
