@@ -19,6 +19,8 @@ constexpr double kMinimumRimDeg = 60.0;
 constexpr double kRoughRim = 0.16;  // rms distance from the circle / radius
 constexpr double kRagged = 0.72;    // least share of the circle's inside that is dark
 constexpr int kMinimumPixels = 60;
+constexpr double kLeastContrast = 0.012;  // of the brightness: a tenth of a millimetre or so
+constexpr double kSurely = 5.0;           // times the scatter of what is untouched
 
 Error refuse(const Press& press, std::string what, std::string advice) {
   return {std::move(what), press.name, std::move(advice)};
@@ -217,7 +219,7 @@ Result<BallGuess> find(const Press& press, const Face& face, const BallFinderOpt
                   "hardly any pixel of the face could be compared with the reference",
                   "a press and a reference of the same size in which the face is lit");
   const double contrast = levels->darkest - std::max(0.0, levels->untouched);
-  if (contrast < std::max(0.03, 4.0 * levels->spread))
+  if (contrast < std::max(kLeastContrast, kSurely * levels->spread))
     return refuse(press,
                   fmt::format("nothing on the face is clearly darker than in the reference (the "
                               "darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)",

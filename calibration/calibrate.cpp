@@ -19,8 +19,9 @@
 namespace alltact {
 namespace {
 
-constexpr int kFineSamples = 1500;   // a press, for the solution
-constexpr int kCoarseSamples = 400;  // a press, for choosing what to fit
+constexpr int kFineSamples = 1500;            // a press, for the solution
+constexpr int kCoarseSamples = 400;           // a press, for choosing what to fit
+constexpr std::ptrdiff_t kLeastSamples = 16;  // of these where the skin surely touches the ball
 
 /// A press whose ball was found.
 struct Found {
@@ -38,6 +39,13 @@ bool same_picture(const Press& a, const Press& b) {
     if (std::memcmp(x.ptr(row), y.ptr(row), static_cast<std::size_t>(x.cols) * x.elemSize()) != 0)
       return false;
   return true;
+}
+
+std::ptrdiff_t touching_samples(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
+  const ContactDisc disc(press, MappingAlong::kNormal, centre_mm);
+  return std::count_if(press.samples.begin(), press.samples.end(), [&](const Sample& sample) {
+    return disc.place_of(sample).radius < kSureZone;
+  });
 }
 
 /// An order that depends on what was measured only, so that results do not depend on the order the
@@ -82,7 +90,7 @@ std::vector<Found> find_balls(const std::vector<Press>& presses,
               *guess,
               sample_around(press, face, centre, reach, kFineSamples),
               sample_around(press, face, centre, reach, kCoarseSamples)};
-    if (one.coarse.samples.size() < 60) {
+    if (touching_samples(one.coarse, centre) < kLeastSamples) {
       left_out->push_back(fmt::format(
           "{}: the contact covers too few pixels. Try: pressing deeper, or a larger picture.",
           press.name));
@@ -376,8 +384,8 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
       choice_setting<S, AlongChoice>(
           "along",
           "which thickness of the layer brightness follows: along z, along its normal, or that "
-          "along "
-          "z projected onto the normal; auto: along z unless presses left out say otherwise",
+          "along z projected onto the normal; auto: along the normal unless presses left out say "
+          "otherwise",
           &S::along,
           {{"auto", AlongChoice::kAuto},
            {"z", AlongChoice::kZ},

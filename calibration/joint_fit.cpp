@@ -23,7 +23,7 @@ constexpr int kMostRounds = 60;    // of reweighting
 constexpr int kStepsARound = 20;
 constexpr double kLeftARound = 1e-8;       // of the sum of squares
 constexpr std::size_t kFewestForBall = 5;  // samples: its centre is three numbers
-constexpr std::size_t kFewestForAll = 10;
+constexpr std::size_t kFewestForAll = 6;
 
 /// Cosine of the angle at which a sample's line meets the ball; NaN where it misses. Along a line
 /// that grazes, a small error across the ball's surface is a large one of depth.

@@ -462,29 +462,48 @@ std::vector<double> held_out_along(const ChoiceInput& input,
   return hold_out(input, fit, options, job).errors_mm;
 }
 
-/// Along which thickness counts, and a remark where that is not z.
+double finite_mean_of(std::vector<double> errors) {
+  std::erase_if(errors, [](double e) { return !std::isfinite(e); });
+  return mean_of(errors);
+}
+
+/// Whether errors a are larger than b, and not by chance, on the presses of which both tell. How
+/// much larger depends on a press's incline, so that the scatter between presses is no measure of
+/// chance alone.
+bool is_surely_worse(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kPart = 0.25;  // of the better one
+  std::vector<double> a_told, b_told;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::isfinite(a[i]) && std::isfinite(b[i])) a_told.push_back(a[i]), b_told.push_back(b[i]);
+  if (a_told.size() < 2) return false;
+  const Excess excess = excess_of(a_told, b_told);
+  return excess.mean > std::max({kTieMm, kPart * mean_of(b_told), excess.standard_error});
+}
+
+/// Along which thickness counts, and a remark where that is not the normal. That is what a layer
+/// that scatters light does, so it is left only for what chance does not explain: one shallow press
+/// on a steep place would else decide, and the depth of all others change with the incline.
 MappingAlong choose_along(const ChoiceInput& input,
                           CurveFamily family,
                           std::string* remark,
                           const Job& job) {
-  const auto by_z = held_out_along(input, family, MappingAlong::kZ, job);
-  MappingAlong chosen = MappingAlong::kZ;
-  std::vector<double> best = by_z;
-  for (const MappingAlong along : {MappingAlong::kNormal, MappingAlong::kProjected}) {
+  const auto by_normal = held_out_along(input, family, MappingAlong::kNormal, job);
+  MappingAlong chosen = MappingAlong::kNormal;
+  std::vector<double> best = by_normal;
+  for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kProjected}) {
     const auto other = held_out_along(input, family, along, job);
-    if (job.stop_requested() || other.empty() || other.size() != best.size()) continue;
-    const Excess excess = excess_of(best, other);
-    if (!(excess.mean > excess.standard_error)) continue;
+    if (job.stop_requested() || other.size() < input.presses.size()) continue;
+    if (!best.empty() && !is_surely_worse(best, other)) continue;
     chosen = along;
     best = other;
   }
-  if (chosen != MappingAlong::kZ)
+  if (chosen != MappingAlong::kNormal && !by_normal.empty())
     *remark = fmt::format(
         "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
-        "{:.4f} mm along z",
-        chosen == MappingAlong::kNormal ? "along its normal" : "along z projected onto its normal",
-        mean_of(best),
-        mean_of(by_z));
+        "{:.4f} mm along its normal",
+        chosen == MappingAlong::kZ ? "along z" : "along z projected onto its normal",
+        finite_mean_of(best),
+        finite_mean_of(by_normal));
   return chosen;
 }
 
@@ -493,13 +512,13 @@ std::optional<ModelChoice> choose_along_and_family(const ChoiceInput& input,
                                                    const CalibrationSettings& settings,
                                                    const Job& job) {
   const auto families = families_for(settings, input.presses.size());
-  if (settings.along == AlongChoice::kNormal)
-    return choose_family(input, families, MappingAlong::kNormal, job);
+  if (settings.along == AlongChoice::kZ)
+    return choose_family(input, families, MappingAlong::kZ, job);
   if (settings.along == AlongChoice::kProjected)
     return choose_family(input, families, MappingAlong::kProjected, job);
   const bool told_apart = input.presses.size() > 1 && steepest_deg(input) > kInclineDeg;
-  if (settings.along == AlongChoice::kZ || !told_apart)
-    return choose_family(input, families, MappingAlong::kZ, job);
+  if (settings.along == AlongChoice::kNormal || !told_apart)
+    return choose_family(input, families, MappingAlong::kNormal, job);
   std::string remark;
   const MappingAlong along =
       choose_along(input, comparing_family(settings, families), &remark, job);

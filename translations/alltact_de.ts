@@ -307,8 +307,8 @@
         <translation>Grad des Polynoms; 0: durch Auslassen von Eindrücken gewählt</translation>
     </message>
     <message>
-        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along z unless presses left out say otherwise</source>
-        <translation>welcher Dicke der Schicht die Helligkeit folgt: längs z, längs ihrer Normalen, oder der längs z, auf die Normale projiziert; auto: längs z, wenn ausgelassene Eindrücke nichts anderes sagen</translation>
+        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out say otherwise</source>
+        <translation>welcher Dicke der Schicht die Helligkeit folgt: längs z, längs ihrer Normalen, oder der längs z, auf die Normale projiziert; auto: längs der Normalen, wenn ausgelassene Eindrücke nichts anderes sagen</translation>
     </message>
     <message>
         <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: when presses left out agree clearly better then</source>
@@ -595,12 +595,12 @@
         <translation>%1 mm bei ausgelassenen Eindrücken, vom besten nicht zu unterscheiden (%2, %3 mm) und einfacher</translation>
     </message>
     <message>
-        <source>brightness follows the layer&apos;s thickness %1: %2 mm on presses left out, against %3 mm along z</source>
-        <translation>die Helligkeit folgt der Dicke der Schicht %1: %2 mm bei ausgelassenen Eindrücken, gegen %3 mm längs z</translation>
+        <source>brightness follows the layer&apos;s thickness %1: %2 mm on presses left out, against %3 mm along its normal</source>
+        <translation>die Helligkeit folgt der Dicke der Schicht %1: %2 mm bei ausgelassenen Eindrücken, gegen %3 mm längs ihrer Normalen</translation>
     </message>
     <message>
-        <source>along its normal</source>
-        <translation>längs ihrer Normalen</translation>
+        <source>along z</source>
+        <translation>längs z</translation>
     </message>
     <message>
         <source>along z projected onto its normal</source>

@@ -25,7 +25,7 @@
     </message>
     <message>
         <source>along the normal</source>
-        <translation>沿法线</translation>
+        <translation>沿 z</translation>
     </message>
     <message>
         <source>projected</source>
@@ -307,8 +307,8 @@
         <translation>多项式的次数;0:通过留出按压来选择</translation>
     </message>
     <message>
-        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along z unless presses left out say otherwise</source>
-        <translation>亮度随层的哪种厚度变化:沿 z、沿法线,或沿 z 再投影到法线;auto:沿 z,除非留出的按压另有结论</translation>
+        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out say otherwise</source>
+        <translation>亮度随层的哪种厚度变化:沿 z、沿法线,或沿 z 再投影到法线;auto:沿法线,除非留出的按压另有结论</translation>
     </message>
     <message>
         <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: when presses left out agree clearly better then</source>
@@ -595,12 +595,12 @@
         <translation>留出按压误差 %1 mm,与最好的(%2,%3 mm)没有区别,而且更简单</translation>
     </message>
     <message>
-        <source>brightness follows the layer&apos;s thickness %1: %2 mm on presses left out, against %3 mm along z</source>
-        <translation>亮度随层%1的厚度变化:留出按压误差 %2 mm,沿 z 则为 %3 mm</translation>
+        <source>brightness follows the layer&apos;s thickness %1: %2 mm on presses left out, against %3 mm along its normal</source>
+        <translation>亮度随层%1的厚度变化:留出按压误差 %2 mm,沿法线则为 %3 mm</translation>
     </message>
     <message>
-        <source>along its normal</source>
-        <translation>沿法线</translation>
+        <source>along z</source>
+        <translation>沿 z</translation>
     </message>
     <message>
         <source>along z projected onto its normal</source>

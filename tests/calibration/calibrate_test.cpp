@@ -74,6 +74,36 @@ TEST(Calibrate, ThreePressesWithoutRollOffGiveTheMappingToAHundredth) {
   EXPECT_LT(mapping_error(calibration.mapping, layer), 0.01);
 }
 
+// On a layer so thick to the light that 0.2 mm darken it by 2 %, shallow presses are worth having
+// as well: left out, the mapping's beginning would rest on the others' rims.
+TEST(Calibrate, FaintPressesOnAStronglyScatteringLayerCount) {
+  std::mt19937 random(27);
+  const Layer layer{6.0, 0.02};
+  const double depths_mm[] = {0.2, 0.3, 0.45, 0.7, 0.9, 1.1};
+  ASSERT_LT(layer.difference_at(depths_mm[0]), 0.025);
+  std::vector<Press> presses;
+  std::vector<Eigen::Vector3d> centres_mm;
+  for (int i = 0; i < 6; ++i) {
+    const Made made = make_press(flat_scene(),
+                                 layer,
+                                 {},
+                                 {{120.0 + 30 * i, 100.0 + 20 * i, 4.0, depths_mm[i]}},
+                                 1.0,
+                                 random,
+                                 fmt::format("p{}", i));
+    presses.push_back(made.press);
+    centres_mm.push_back(made.centre_mm);
+  }
+  const Calibration calibration = run(presses);
+  EXPECT_LT(mapping_error(calibration.mapping, layer), 0.02);
+  ASSERT_EQ(calibration.balls.size(), 6U)
+      << (calibration.left_out.empty() ? "" : calibration.left_out.front());
+  for (const BallFit& ball : calibration.balls) {
+    const auto i = static_cast<std::size_t>(std::stoi(ball.press.substr(1)));
+    EXPECT_NEAR(ball.centre_mm.z(), centres_mm[i].z(), 0.02) << ball.press;
+  }
+}
+
 TEST(Calibrate, TellsHowTheSolutionSettlesAndThatChangesNothing) {
   std::mt19937 random(22);
   const std::vector<Press> presses = flat_presses({0.6, 0.02}, {}, 3, random);

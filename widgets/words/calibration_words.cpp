@@ -36,7 +36,8 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP(
         "Library",
         "which thickness of the layer brightness follows: along z, along its normal, or that along "
-        "z projected onto the normal; auto: along z unless presses left out say otherwise"),
+        "z projected onto the normal; auto: along the normal unless presses left out say "
+        "otherwise"),
     QT_TRANSLATE_NOOP("Library",
                       "whether the mapping may vary slowly over the face, for uneven light or an "
                       "uneven layer; auto: when presses left out agree clearly better then"),
@@ -157,8 +158,8 @@ constexpr const char* kAll[] = {
         "%1 mm on presses left out, not distinguishable from the best (%2, %3 mm) and simpler"),
     QT_TRANSLATE_NOOP("Library",
                       "brightness follows the layer's thickness %1: %2 mm on presses left out, "
-                      "against %3 mm along z"),
-    QT_TRANSLATE_NOOP("Library", "along its normal"),
+                      "against %3 mm along its normal"),
+    QT_TRANSLATE_NOOP("Library", "along z"),
     QT_TRANSLATE_NOOP("Library", "along z projected onto its normal"),
     QT_TRANSLATE_NOOP(
         "Library",
