@@ -44,6 +44,8 @@ Result<FingerWatch> FingerWatch::create(const std::filesystem::path& folder,
   auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
   watch.camera_ = *camera;
+  watch.edge_finder_ = FaceEdgeFinder(
+      {settings.edge_method, settings.edge_columns, FaceView{*camera, finger.face.width_mm}});
   watch.rows_.emplace(finger.markers);
   if (folder.empty() || !finger.reference) return watch;
   auto pipeline = Pipeline::create(folder, finger, settings, job);
@@ -82,7 +84,7 @@ WatchedFrame FingerWatch::operator()(const FramePtr& frame, bool is_next) {
     }
   }
   if (watched.problem) return watched;
-  auto edges = FaceEdgeFinder({settings_.edge_method, settings_.edge_columns})(result.grey);
+  auto edges = edge_finder_(result.grey);
   result.times_ms.edges = milliseconds_since(start);
   if (edges) {
     result.edges = std::move(*edges);

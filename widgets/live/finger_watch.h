@@ -5,6 +5,7 @@
 #include "calibration/dent_watch.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
+#include "core/sensing/face_edges.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/plain_rows.h"
 
@@ -61,6 +62,7 @@ class FingerWatch {
   std::optional<Pipeline> pipeline_;
   std::optional<PlainRows> rows_;
   DentWatch dents_;
+  FaceEdgeFinder edge_finder_;
   PipelineSettings settings_;
 };
 
