@@ -82,6 +82,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   double last = column_of(std::min(upper->last, lower->last));
   if (first <= edges.u.front()) first = std::max(0.0, first - step);
   if (last >= edges.u.back()) last = std::min(width - 1.0, last + step);
+  const double seen_first = first - step, seen_last = last + step;
   const auto corner = [&](const FaceEnd& end, int outwards) {
     const double t = scale.at(end.u_px);
     return outermost(end, upper->value(t), lower->value(t), outwards);
@@ -101,7 +102,8 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
   }
   shape.scale_ = scale;
-  if (!shape.fit_inverse_depth(first, last, edge_degree))
+  // Where a dark end is seen but not the edges up to it, these are extrapolated, to anywhere.
+  if (!shape.fit_inverse_depth(std::max(first, seen_first), std::min(last, seen_last), edge_degree))
     return no_shape("no smooth shape fits them");
 
   constexpr int kSdStep = 8;  // the error changes slowly along the face

@@ -74,19 +74,22 @@ double edge_distance_px(const EdgeCurves& a, const EdgeCurves& b) {
 }
 
 std::optional<PosePlaces> choose_places(const std::vector<EdgeCurves>& faces) {
+  // In a frame or two the nearer end may seem the farther one.
+  const auto at_low_u = std::count_if(
+      faces.begin(), faces.end(), [](const EdgeCurves& face) { return face.base_at_low_u; });
+  const bool base_at_low_u = 2 * static_cast<std::size_t>(at_low_u) >= faces.size();
+  const auto says_base = [&](const EdgeCurves& face) {
+    return face.u.size() >= 2 && face.base_at_low_u == base_at_low_u;
+  };
   std::vector<double> base_u, length_mm;
-  bool base_at_low_u = true;
-  for (const EdgeCurves& face : faces) {
-    if (face.u.size() < 2) continue;
-    base_at_low_u = face.base_at_low_u;
-    base_u.push_back(face.base_at_low_u ? face.u.front() : -face.u.back());
-  }
+  for (const EdgeCurves& face : faces)
+    if (says_base(face)) base_u.push_back(base_at_low_u ? face.u.front() : -face.u.back());
   if (base_u.empty()) return std::nullopt;
   PosePlaces places;
   const double base = value_below(base_u, kNearlyAll);
   places.from_u_px = base_at_low_u ? base : -base;
   for (const EdgeCurves& face : faces) {
-    if (face.u.size() < 2) continue;
+    if (!says_base(face)) continue;
     const double tip_mm = std::max(face.along_mm.front(), face.along_mm.back());
     length_mm.push_back(tip_mm - along_mm_at(face, places.from_u_px));
   }

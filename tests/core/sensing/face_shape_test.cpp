@@ -137,6 +137,33 @@ TEST(FaceShape, DistortedLensesGiveTheSameFace) {
   }
 }
 
+// The end of a face that darkens towards its tip may be seen where its edges are lost long before.
+TEST(FaceShape, AnEndSeenFarBeyondTheEdgesLeavesTheRestAlone) {
+  CameraParameters p = pinhole();
+  p.model = CameraModel::kFisheye;
+  p.distortion = {-0.026, -0.011, -0.004, 0.0};
+  const Camera camera = Camera::create(p).value();
+  const Plane plane;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    FaceEdges edges = edges_of(plane, camera, 0.1, seed);
+    for (Edge* edge : {&edges.upper, &edges.lower})
+      for (std::size_t i = 0; i < edges.u.size(); ++i)
+        if (edges.u[i] > 640.0) edge->valid[i] = 0;
+    edges.ends.last = FaceEnd{860.0, 269.5, 0.0, 0.05};
+    const auto shape = FaceShape::fit(edges, camera, fin_ray(), 7);
+    ASSERT_TRUE(shape.ok()) << shape.error().sentence();
+    int seen = 0;
+    for (int u = 60; u < 600; u += 11) {
+      const auto local = shape->at(u, 269.5);
+      if (!local) continue;
+      ++seen;
+      const Eigen::Vector3d& q = local->view_point_mm;
+      EXPECT_NEAR(q.z(), plane.z0 + plane.m * q.x(), 0.25) << "seed " << seed << " column " << u;
+    }
+    EXPECT_GT(seen, 40);
+  }
+}
+
 TEST(FaceShape, PromisesTheErrorItMakes) {
   const Camera camera = Camera::create(pinhole()).value();
   const Plane plane;
