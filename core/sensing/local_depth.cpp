@@ -124,6 +124,7 @@ class RowSmoother {
  public:
   RowSmoother(const std::vector<std::int16_t>& weights, int width)
       : weights_(weights),
+        halves_(halves_of(weights)),
         radius_(static_cast<int>(weights.size()) - 1),
         width_(width),
         step_(width + 2 * radius_),
@@ -143,26 +144,39 @@ class RowSmoother {
     return begin;
   }
 
-  /// A run of row `number` smoothed; valid until the next call. All rows up to `radius` below it
-  /// must have been given.
+  /// A run of row `number` as it was given.
+  const std::int16_t* raw(int number, const FaceRun& run) { return line(number) + run.first; }
+
+  /// A run of row `number` smoothed and halved; valid until the next call. All rows up to `radius`
+  /// below it must have been given.
   const std::int16_t* smoothed(int number, const FaceRun& run) {
     const int from = std::max(run.first - radius_, 0), to = std::min(run.end + radius_, width_);
     std::int16_t* sums = sums_.data() + radius_;
     // Beyond the picture there is nothing.
     std::fill(sums + run.first - radius_, sums + from, std::int16_t{0});
     std::fill(sums + to, sums + run.end + radius_, std::int16_t{0});
-    weigh(line(number) + from, to - from, sums + from, [&](int k) {
+    weigh(halves_, line(number) + from, to - from, sums + from, [&](int k) {
       return std::pair(line(number - k) + from, line(number + k) + from);
     });
-    weigh(sums + run.first, run.size(), smooth_.data() + run.first, [&](int k) {
+    weigh(weights_, sums + run.first, run.size(), smooth_.data() + run.first, [&](int k) {
       return std::pair(sums + run.first - k, sums + run.first + k);
     });
     return smooth_.data() + run.first;
   }
 
  private:
+  /// The outer weights are negative: where those pixels are missing, a column's sum is more than
+  /// the brightest pixel, and that of a pair would not fit. Halved it does, and cancels in the
+  /// ratio.
+  static std::vector<std::int16_t> halves_of(std::vector<std::int16_t> weights) {
+    for (std::int16_t& weight : weights)
+      weight = static_cast<std::int16_t>((weight + (weight > 0 ? 1 : 0)) / 2);
+    return weights;
+  }
+
   template <class Neighbours>
-  void weigh(const std::int16_t* middle,
+  void weigh(const std::vector<std::int16_t>& weights,
+             const std::int16_t* middle,
              int count,
              std::int16_t* out,
              Neighbours neighbours) const {
@@ -171,9 +185,9 @@ class RowSmoother {
       const auto [c, d] = neighbours(k + 1);
       const std::array<const std::int16_t*, 4> pairs{a, b, c, d};
       if (k == 1)
-        weigh_first(middle, pairs.data(), weights_.data(), count, out);
+        weigh_first(middle, pairs.data(), weights.data(), count, out);
       else
-        weigh_more(pairs.data(), weights_.data() + k, count, out);
+        weigh_more(pairs.data(), weights.data() + k, count, out);
     }
   }
   [[nodiscard]] std::size_t slot(int number) const {
@@ -184,22 +198,28 @@ class RowSmoother {
     return rows_.data() + slot(number) * static_cast<std::size_t>(step_) + radius_;
   }
 
-  std::vector<std::int16_t> weights_;  // of the middle and of each distance from it
+  std::vector<std::int16_t> weights_, halves_;  // of the middle and of each distance from it
   int radius_, width_, step_;
   std::vector<std::int16_t> rows_;  // a ring, each with radius_ zeros on both sides
   std::vector<std::vector<FaceRun>> filled_;
   std::vector<std::int16_t> sums_, smooth_;
 };
 
-/// `light`: what live pixels are to be multiplied with, in powers of u - first_column.
+/// `light`: what live pixels are to be multiplied with, in powers of u - first_column. `raw`: the
+/// reference before it was smoothed and halved. Amid pixels that could not be measured hardly any
+/// of the kernel is left, and its outer weights are negative: such a pixel takes the reason of
+/// those around it, by whether it is nearer to black or to clipped.
 ALLTACT_WIDE void divide_row(const std::int16_t* __restrict live,
                              const std::int16_t* __restrict reference,
-                             const std::uint8_t* __restrict flags,
+                             const std::int16_t* __restrict raw,
+                             std::uint8_t* __restrict flags,
                              const std::array<float, 3>& light,
                              int first_column,
                              int count,
                              float* __restrict x) {
-  constexpr float measured = kMeasured;
+  constexpr float measured = kMeasured, clipped = kSaturated, dark = kTooDark;
+  constexpr float kLeastPart = 0.5F * 0.2F;  // of the kernel: in a corner of the face 0.3 is left
+  constexpr float kMiddle = 0.5F * kCeiling;
   const float constant = light[0], slope = light[1], bow = light[2];
   in_blocks(
       count, [=](int first, auto size) __attribute__((always_inline)) {
@@ -207,9 +227,13 @@ ALLTACT_WIDE void divide_row(const std::int16_t* __restrict live,
           const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
           const auto column = static_cast<float>(first_column + u);
           const float correction = constant + column * (slope + column * bow);
-          const float below = flag == measured ? static_cast<float>(reference[u]) : 1.0F;
+          const auto here = static_cast<float>(raw[u]), smooth = static_cast<float>(reference[u]);
+          const float thin = here > kMiddle ? clipped : dark;
+          const float reason = flag == measured && !(smooth > kLeastPart * here) ? thin : flag;
+          const float below = reason == measured ? smooth : 1.0F;
           const float value = (below - correction * static_cast<float>(live[u])) / below;
-          x[u] = flag == measured ? value : kNaN;
+          x[u] = reason == measured ? value : kNaN;
+          flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(reason));
         }
       });
 }
@@ -369,6 +393,7 @@ void compare(const cv::Mat& grey,
     for (const FaceRun& run : runs)
       divide_row(live.smoothed(row, run),
                  untouched.smoothed(row, run),
+                 untouched.raw(row, run),
                  row_flags + run.first,
                  light_here,
                  run.first,

@@ -79,6 +79,47 @@ TEST(LocalDepth, EveryPairOfGreyLevelsIsFiniteOrFlagged) {
   }
 }
 
+// Nearly overexposed, noise clips every other pixel, and amid clipped ones hardly any of the
+// kernel is left: what remains measured must stay near the truth, which is that nothing touches.
+TEST(LocalDepth, SpecksAmidClippedPixelsAreNoMeasurement) {
+  constexpr int kWidth = 320, kHeight = 240;
+  constexpr double kNoiseGrey = 3.0;
+  const FaceShape shape = flat_shape(kWidth, kHeight);
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> noise(0.0, kNoiseGrey);
+    cv::Mat live(kHeight, kWidth, CV_8UC1), untouched(kHeight, kWidth, CV_8UC1);
+    for (int v = 0; v < kHeight; ++v)
+      for (int u = 0; u < kWidth; ++u) {
+        const double level = 225.0 + 40.0 * u / kWidth;
+        live.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(level + noise(engine));
+        untouched.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(level + noise(engine));
+      }
+    DifferenceOptions options;
+    options.smoothing = smoothing_of(1.0);
+    const Difference diff = difference(live, reference_of(untouched), shape, options);
+    int measured = 0, thin = 0;
+    for (int v = 0; v < kHeight; ++v)
+      for (int u = 0; u < kWidth; ++u) {
+        const auto x = static_cast<double>(diff.x.at<float>(v, u));
+        const auto flag = diff.flags.at<std::uint8_t>(v, u);
+        ASSERT_EQ(std::isfinite(x), flag == kMeasured) << u << ' ' << v;
+        const bool unclipped =
+            live.at<std::uint8_t>(v, u) < 250 && untouched.at<std::uint8_t>(v, u) < 250;
+        if (flag != kMeasured) {
+          EXPECT_EQ(flag, kSaturated);
+          thin += unclipped;
+          continue;
+        }
+        ++measured;
+        // A fifth of the kernel averages at least over a few pixels.
+        ASSERT_LT(std::abs(x), 8.0 * kNoiseGrey / 225.0) << u << ' ' << v << " seed " << seed;
+      }
+    EXPECT_GT(measured, kWidth * kHeight / 2);
+    EXPECT_GT(thin, 0);
+  }
+}
+
 TEST(LocalDepth, SmoothingDoesNotBendAtTheFacesEdge) {
   // a constant ratio over uneven light stays that ratio, up to the last pixel of the face
   const int width = 120, height = 90;
