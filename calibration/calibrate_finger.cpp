@@ -3,6 +3,7 @@
 #include "calibration/calibration_report.h"
 #include "calibration/contact_error.h"
 #include "calibration/held_frames.h"
+#include "calibration/press_problem.h"
 #include "calibration/reference_recording.h"
 #include "calibration/settings_record.h"
 #include "core/io/atomic_file.h"
@@ -366,10 +367,18 @@ Result<FingerCalibration> run(Work work, CalibrationInputs inputs, const Job& jo
   if (const Status status = take_presses(work, *pipeline, done, job); !status)
     return status.error();
   if (const Status status = check_names(done); !status) return status.error();
-  if (const Status status = solve(done, work.references, work.make_report != nullptr, job); !status)
-    return status.error();
+  if (const Status status = solve(done, work.references, work.make_report != nullptr, job);
+      !status) {
+    if (job.stop_requested()) return status.error();
+    Error refused = status.error();
+    const fs::path picture = leave_press_problem(work.folder, done, refused.what);
+    if (!picture.empty())
+      refused.advice += fmt::format("; {} shows what was found", picture.string());
+    return refused;
+  }
   work.references.clear();
   if (const Status status = write(work, done, job); !status) return status.error();
+  done.problem_picture = leave_press_problem(work.folder, done, "");
   job.report(1.0, "done");
   return done;
 }

@@ -43,6 +43,7 @@ struct FingerCalibration {
   Verdict verdict;
   std::vector<std::string> fault_signs;     ///< see fault_signs.h
   std::vector<std::string> made_of;         ///< what bursts were averaged, a sentence each
+  std::filesystem::path problem_picture;    ///< of presses that were left out; empty: none
   std::vector<std::string> warnings;        ///< about files and how it was called
   std::vector<std::string> about_settings;  ///< of camera and light that do not fit together
 };
@@ -75,8 +76,9 @@ struct FingerCalibrationInput : SaidOfPresses {
 /// is found is left out with its reason; a picture that cannot be used at all fails the whole.
 /// Errors: those of loading, of the first picture that is unreadable or has another size, two
 /// presses of one name, something said of a press that is not there, no usable
-/// press, the job was stopped. On any error before writing the folder is as it was; a folder whose
-/// writing was cut off measures as before, and calibrate_finger_again() completes it.
+/// press, the job was stopped. On any error before writing the folder is as it was, but for a
+/// picture of presses that could not be used (press_problem.h); a folder whose writing was cut off
+/// measures as before, and calibrate_finger_again() completes it.
 [[nodiscard]] Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input,
                                                          const Job& job);
 

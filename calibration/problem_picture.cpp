@@ -17,7 +17,8 @@ constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 
 // Told apart by shape as well.
 const cv::Scalar kEdgeColour(230, 200, 60), kUsedColour(90, 220, 90), kRefusedColour(80, 80, 255),
-    kExpectedColour(60, 190, 255), kTextColour(235, 235, 235), kGround(40, 40, 40);
+    kExpectedColour(60, 190, 255), kDarkerColour(200, 120, 255), kTextColour(235, 235, 235),
+    kGround(40, 40, 40);
 
 class Drawing {
  public:
@@ -25,6 +26,15 @@ class Drawing {
     cv::Mat large;
     cv::resize(grey, large, {}, scale_, scale_, cv::INTER_NEAREST);
     cv::cvtColor(large, picture_, cv::COLOR_GRAY2BGR);
+  }
+
+  void darker(const cv::Mat& mask) {
+    if (mask.empty()) return;
+    cv::Mat large;
+    cv::resize(mask, large, picture_.size(), 0, 0, cv::INTER_NEAREST);
+    std::vector<std::vector<cv::Point>> outlines;
+    cv::findContours(large, outlines, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+    cv::drawContours(picture_, outlines, -1, kDarkerColour, 1);
   }
 
   void edges(const EdgeCurves& curves) {
@@ -123,6 +133,8 @@ void add_lines(const std::string& sentence, int width, std::vector<Line>& lines)
 std::vector<Line> key_to(const ProblemScene& scene) {
   std::vector<Line> lines;
   if (!scene.edges.u.empty()) lines.push_back({"lines: edges of the face", kEdgeColour});
+  if (!scene.darker.empty())
+    lines.push_back({"outlined: darker than the untouched face", kDarkerColour});
   const std::pair<ProblemMark::Kind, const char*> meanings[] = {
       {ProblemMark::Kind::kUsed, "circle: a marker, with its number"},
       {ProblemMark::Kind::kRefused, "cross: looks like a dot, but is none of the rows"},
@@ -139,6 +151,7 @@ std::vector<Line> key_to(const ProblemScene& scene) {
 
 cv::Mat problem_picture(const ProblemScene& scene) {
   Drawing drawing(scene.grey);
+  drawing.darker(scene.darker);
   drawing.edges(scene.edges);
   for (const ProblemMark& mark : scene.marks) drawing.mark(mark);
   const cv::Mat& picture = drawing.picture();

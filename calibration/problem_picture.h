@@ -27,6 +27,8 @@ struct ProblemScene {
   EdgeCurves edges;  ///< of the face; empty where it was not found
   std::vector<ProblemMark> marks;
   std::vector<std::string> words;  ///< sentences below the picture
+  /// CV_8UC1, not 0 where the untouched face is brighter; outlined. May be empty.
+  cv::Mat darker = {};
 };
 
 /// CV_8UC3, the picture at one or two times its size (so that a small one can be read) with edges

@@ -3279,6 +3279,10 @@
         <translation>%1 % der Fläche wurden in einer solchen Haltung nie aufgenommen; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
     </message>
     <message>
+        <source>%1 % of the face, at its end, is hidden in this frame: nothing is told of it, neither that it is touched nor that it is not</source>
+        <translation>%1 % der Fläche, an ihrem Ende, sind in diesem Bild verdeckt: über sie wird nichts gesagt, weder dass sie berührt ist noch dass sie es nicht ist</translation>
+    </message>
+    <message>
         <source>the face is %1 % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
         <translation>die Fläche ist %1 % dunkler als bei der Aufnahme ihrer Referenz; Belichtung, Verstärkung und Lampen wie damals einstellen</translation>
     </message>

@@ -3279,6 +3279,10 @@
         <translation>接触面的 %1 % 在这样的姿态下没有录制过;请录制手指向此方向弯得更多的情形</translation>
     </message>
     <message>
+        <source>%1 % of the face, at its end, is hidden in this frame: nothing is told of it, neither that it is touched nor that it is not</source>
+        <translation>接触面末端有 %1 % 在此图像中被遮挡：对该部分不作任何判断，既不说被触碰，也不说未被触碰</translation>
+    </message>
+    <message>
         <source>the face is %1 % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
         <translation>接触面比录制参考时暗 %1 %;请把曝光、增益和灯光设回当时的值</translation>
     </message>

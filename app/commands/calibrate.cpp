@@ -58,6 +58,8 @@ void tell(const FingerCalibration& done, Console& console) {
                             step.reads_mm,
                             step.sd_mm));
   for (const std::string& reason : calibration.left_out) console.warn("Left out: " + reason);
+  if (!done.problem_picture.empty())
+    console.warn("What was found there: " + done.problem_picture.string());
   for (const std::string& remark : calibration.remarks) console.say("Remark: " + remark);
   for (const std::string& sign : done.fault_signs) console.warn("Warning: " + sign + ".");
   console.say("Mapping: " + calibration.degree_choice);
@@ -181,6 +183,7 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   answer["expected_error_mm"] = done->verdict.error_mm;
   answer["presses"] = done->calibration.balls.size();
   answer["left_out"] = done->calibration.left_out;
+  if (!done->problem_picture.empty()) answer["problem_picture"] = done->problem_picture.string();
   answer["remarks"] = done->calibration.remarks;
   std::vector<std::string> warnings = done->warnings;
   warnings.insert(warnings.end(), done->about_settings.begin(), done->about_settings.end());

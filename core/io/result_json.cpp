@@ -91,7 +91,8 @@ Json validity_json(const cv::Mat& flags) {
                                                                "saturated",
                                                                "extrapolated",
                                                                "beyond_layer",
-                                                               "no_reference"};
+                                                               "no_reference",
+                                                               "hidden_end"};
   const FlagShares shares = flag_shares(flags);
   Json entry = Json::object();
   for (std::size_t k = 0; k < kNames.size(); ++k)

@@ -100,6 +100,11 @@ std::vector<std::string> face_faults(const FlagShares& shares, const LightGain& 
         "{:.0f} % of the face was never recorded in a pose like this; record the finger bending "
         "further in this direction",
         100.0 * shares.of[kNoReference]));
+  if (shares.of[kHiddenEnd] > 0)
+    faults.push_back(
+        fmt::format("{:.1f} % of the face, at its end, is hidden in this frame: nothing is told of "
+                    "it, neither that it is touched nor that it is not",
+                    100.0 * shares.of[kHiddenEnd]));
   if (light.change() < -kMuchDarker)
     faults.push_back(fmt::format(
         "the face is {:.0f} % darker than when its reference was recorded; set exposure, gain and "

@@ -33,9 +33,10 @@ struct FlagShares {
 };
 [[nodiscard]] FlagShares flag_shares(const cv::Mat& flags, int every_row = 1);
 
-/// What a measured face tells: saturated or unknown to its reference over more than a fiftieth of
-/// it, far brighter or darker than when that was recorded (by half, or a third), or so much of it
-/// brighter than its reference (a tenth) that it is another finger's. Contacts only darken.
+/// What a measured face tells: its end hidden, however little of it; saturated or unknown to its
+/// reference over more than a fiftieth of it; far brighter or darker than when that was recorded
+/// (by half, or a third), or so much of it brighter than its reference (a tenth) that it is another
+/// finger's. Contacts only darken.
 [[nodiscard]] std::vector<std::string> face_faults(const FlagShares& shares,
                                                    const LightGain& light);
 

@@ -21,8 +21,9 @@ enum PixelFlag : std::uint8_t {
   kExtrapolated = 4,  ///< darker than anything calibrated: depth goes on with the end slope
   kBeyondLayer = 5,   ///< deeper than the layer is thick: depth is set to that
   kNoReference = 6,   ///< the recording does not show this part of the face in this pose: NaN
+  kHiddenEnd = 7,     ///< the face goes on here, but something hides its end: NaN
 };
-constexpr std::size_t kPixelFlags = 7;  ///< how many there are
+constexpr std::size_t kPixelFlags = 8;  ///< how many there are
 
 /// x = (I_ref - q I) / I_ref after smoothing, q the correction for the light's change if asked for,
 /// CV_32FC1, NaN where there is no measurement; and why.

@@ -1,6 +1,7 @@
+#include "core/sensing/marker_table.h"
+
 #include "core/io/atomic_file.h"
 #include "core/printable.h"
-#include "core/sensing/reference_library.h"
 
 #include <charconv>
 
@@ -10,6 +11,7 @@ namespace alltact {
 namespace {
 
 constexpr std::string_view kColumns = "frame,number,u,v,seen,radius,contrast";
+constexpr double kMarkerSdPx = 0.1;  // of recorded markers, as measured
 constexpr const char* kAdvice = "make the reference anew from the recording";
 
 struct Line {
@@ -156,6 +158,17 @@ Status MarkerTable::save(const std::filesystem::path& file) const {
     }
   text += fmt::format("end,{}\n", frames.size());
   return write_file_atomically(file, text);
+}
+
+Markers markers_of(const Eigen::MatrixXd& layouts,
+                   Eigen::Index row,
+                   const std::vector<char>& seen) {
+  Markers markers(static_cast<std::size_t>(layouts.cols() / 2));
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const auto k = static_cast<Eigen::Index>(2 * m);
+    markers[m] = {layouts(row, k), layouts(row, k + 1), seen[m] != 0, kMarkerSdPx};
+  }
+  return markers;
 }
 
 }  // namespace alltact

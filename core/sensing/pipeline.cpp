@@ -184,6 +184,7 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   options.noise_sd = result.edges ? result.edges->noise_sd : plane_noise_sd;
   if (mapping) {
     result.depth = depth_map(result.grey, *result.reference, *result.shape, options, *mapping);
+    flag_hidden(result.reference->hidden, &result.depth->flags);
     for (std::string& fault :
          face_faults(flag_shares(result.depth->flags, kFaultRows), result.depth->light))
       result.problems.push_back(std::move(fault));

@@ -1,27 +1,19 @@
 #include "core/sensing/reference_library.h"
 
 #include "core/io/picture.h"
-#include "core/numerics/farthest_points.h"
 #include "core/recording/video_file.h"
-#include "core/sensing/face_edges.h"
-#include "core/sensing/face_picture.h"
 #include "core/sensing/layout_search.h"
 #include "core/sensing/reference_error.h"
 #include "core/sensing/reference_weights.h"
 
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
 
-constexpr double kBeyondRest = 0.15;  // of the rest frame's face: how much more others may show
-constexpr int kProfileDegree = 7;
-constexpr std::size_t kMostPoses = 160;  // that the finger's twist is learnt from
-constexpr double kMarkerSdPx = 0.1;      // of recorded markers, as measured
-constexpr double kLeastWeight = 2e-3;    // below, a frame says nothing but narrows what is valid
+constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
 
 constexpr const char* kAdvice = "make the reference anew from the recording";
 
@@ -54,6 +46,7 @@ struct ReferenceLibrary::Content {
   std::optional<LayoutSearch> search;
   Eigen::MatrixXd modes;  // of the frames, px, a row each
   Eigen::VectorXd mode_sd;
+  EndLengths ends;
   ReferenceError error;
   double known_px = std::numeric_limits<double>::infinity();
   ReferencePicture single;  // empty for a recording
@@ -119,166 +112,6 @@ std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
 }
 
 namespace {
-
-// Faces of a recording within a limit: where it is passed, the frame that covers least goes first.
-class Keeper {
- public:
-  Keeper(const MarkerTable& table, std::size_t limit)
-      : table_(table), limit_(limit), faces_(table.frames.size()) {}
-
-  void add(std::size_t row, FacePicture face) {
-    bytes_ += face.bytes();
-    faces_[row] = std::move(face);
-    if (bytes_ > limit_ && rank_.empty()) rank_frames();
-    while (bytes_ > limit_ && kept() > 2) drop_one();
-  }
-
-  [[nodiscard]] std::vector<std::size_t> rows() const {
-    std::vector<std::size_t> kept;
-    for (std::size_t row = 0; row < faces_.size(); ++row)
-      if (faces_[row]) kept.push_back(row);
-    return kept;
-  }
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  FacePicture take(std::size_t row) { return std::move(*faces_[row]); }
-
- private:
-  [[nodiscard]] std::size_t kept() const { return rows().size(); }
-  void rank_frames() {
-    rank_ = farthest_point_order(table_.layouts, static_cast<int>(faces_.size()));
-  }
-  void drop_one() {
-    while (!rank_.empty()) {
-      // The last of the covering order among those already read.
-      const auto last = std::find_if(rank_.rbegin(), rank_.rend(), [&](int row) {
-        return faces_[static_cast<std::size_t>(row)].has_value();
-      });
-      if (last == rank_.rend()) return;
-      auto& face = faces_[static_cast<std::size_t>(*last)];
-      bytes_ -= face->bytes();
-      face.reset();
-      return;
-    }
-  }
-
-  const MarkerTable& table_;
-  std::size_t limit_, bytes_ = 0;
-  std::vector<std::optional<FacePicture>> faces_;
-  std::vector<int> rank_;
-};
-
-Markers as_markers(const Eigen::MatrixXd& layouts,
-                   Eigen::Index row,
-                   const std::vector<char>& seen) {
-  Markers markers(static_cast<std::size_t>(layouts.cols() / 2));
-  for (std::size_t m = 0; m < markers.size(); ++m) {
-    const auto k = static_cast<Eigen::Index>(2 * m);
-    markers[m] = {layouts(row, k), layouts(row, k + 1), seen[m] != 0, kMarkerSdPx};
-  }
-  return markers;
-}
-
-/// The frames of a recording as they are read for the library.
-struct Reading {
-  const FrameOfRecording& frame;
-  std::size_t frame_count;
-  const std::filesystem::path& video;
-  const MarkerTable& table;
-  const Finger& finger;
-  const Camera& camera;
-  FaceEdgeFinder finder{{.view = FaceView{camera, finger.face.width_mm}}};
-
-  [[nodiscard]] Result<cv::Mat> picture(std::size_t row) const {
-    const auto number = static_cast<std::size_t>(table.frames[row]);
-    if (number >= frame_count)
-      return wrong(
-          fmt::format("the marker table names frame {} but the recording ends after {} frames",
-                      number,
-                      frame_count),
-          video);
-    auto grey = frame(number);
-    if (!grey) return wrong(grey.error().what, video);
-    return grey;
-  }
-  struct Looked {
-    FaceShape shape;
-    FaceChart chart;
-  };
-  [[nodiscard]] std::optional<Looked> look_at(const cv::Mat& grey) const {
-    const auto edges = finder(grey);
-    if (!edges) return std::nullopt;
-    const auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
-    if (!shape) return std::nullopt;
-    auto chart = chart_of(*shape);
-    if (!chart) return std::nullopt;
-    return Looked{*shape, std::move(*chart)};
-  }
-  [[nodiscard]] Markers markers(std::size_t row) const {
-    return as_markers(table.layouts, static_cast<Eigen::Index>(row), table.seen[row]);
-  }
-};
-
-/// The frame nearest to the middle of all poses in which the face is found, and its chart.
-struct Rest {
-  FaceChart chart;
-  SkinPlaces places;
-};
-Result<Rest> find_rest(const Reading& reading) {
-  constexpr std::size_t kTries = 16;
-  const Eigen::MatrixXd& layouts = reading.table.layouts;
-  const Eigen::VectorXd off =
-      (layouts.rowwise() - layouts.colwise().mean()).rowwise().squaredNorm();
-  std::vector<std::size_t> rows(static_cast<std::size_t>(layouts.rows()));
-  std::iota(rows.begin(), rows.end(), 0);
-  std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
-    return off[static_cast<Eigen::Index>(a)] < off[static_cast<Eigen::Index>(b)];
-  });
-  rows.resize(std::min(rows.size(), kTries));
-  for (const std::size_t row : rows) {
-    const auto grey = reading.picture(row);
-    if (!grey) return grey.error();
-    if (const auto looked = reading.look_at(*grey))
-      return Rest{looked->chart, skin_places(looked->chart, looked->shape, reading.markers(row))};
-  }
-  return wrong(fmt::format("the face was found in {} of {} recorded pictures; 2 are needed",
-                           0,
-                           reading.table.frames.size()),
-               reading.video);
-}
-
-/// The edges of every recorded face, and the row of the marker table that is of the same frame.
-struct RecordedShapes {
-  std::vector<EdgeCurves> curves;
-  std::vector<Eigen::Index> rows;
-};
-
-Status read_faces(const Reading& reading,
-                  const FaceGrid& grid,
-                  const SkinPlaces& places,
-                  const Job& job,
-                  Keeper& keeper,
-                  std::vector<TwistModel::Pose>& poses,
-                  RecordedShapes& shapes) {
-  const std::size_t count = reading.table.frames.size();
-  const std::size_t every = count / kMostPoses + 1;
-  for (std::size_t row = 0; row < count; ++row) {
-    if (job.stop_requested())
-      return Error{"stopped before the reference was read", reading.video.string(), ""};
-    if (row % 16 == 0)
-      job.report(static_cast<double>(row) / static_cast<double>(count),
-                 fmt::format("reading reference frame {} of {}", row + 1, count));
-    const auto grey = reading.picture(row);
-    if (!grey) return grey.error();
-    auto looked = reading.look_at(*grey);
-    if (!looked || looked->chart.base_at_low_u != grid.chart.base_at_low_u) continue;
-    lay_on(places, looked->shape, reading.markers(row), &looked->chart);
-    keeper.add(row, keep_face(*grey, looked->chart, grid));
-    shapes.rows.push_back(static_cast<Eigen::Index>(row));
-    shapes.curves.push_back(edge_curves(looked->shape));
-    if (row % every == 0) poses.push_back({reading.markers(row), std::move(looked->shape)});
-  }
-  return {};
-}
 
 /// How far off a pose may be, in squares, that is told by estimates of the markers, px^2.
 double squares_of_sds(const Markers& markers) {
@@ -368,48 +201,29 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
   if (!finger.reference || !finger.reference->places) missing = finger.markers.missing;
   auto model = MarkerModel::learn(seen_layouts(table, missing), table.typical, missing);
   if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
+  auto read = read_recorded_faces(
+      {frame, frame_count, video_file, table}, finger, camera, memory_limit_bytes, job);
+  if (!read) return read.error();
   auto content = std::make_shared<Content>();
-  Keeper keeper(table, memory_limit_bytes);
-  std::vector<TwistModel::Pose> poses;
-  RecordedShapes shapes;
-  try {
-    const Reading reading{frame, frame_count, video_file, table, finger, camera};
-    const auto rest = find_rest(reading);
-    if (!rest) return rest.error();
-    content->grid = face_grid(rest->chart, kBeyondRest);
-    content->places = rest->places;
-    const Status read =
-        read_faces(reading, content->grid, content->places, job, keeper, poses, shapes);
-    if (!read) return read.error();
-  } catch (const std::exception& problem) {
-    return wrong(fmt::format("the recording cannot be read ({})", problem.what()), video_file);
-  }
-  const auto rows = keeper.rows();
-  if (rows.size() < 2)
-    return wrong(fmt::format("the face was found in {} of {} recorded pictures; 2 are needed",
-                             rows.size(),
-                             table.frames.size()),
-                 video_file);
   content->size = camera.size();
-  content->bytes = keeper.bytes();
-  Eigen::MatrixXd layouts(static_cast<Eigen::Index>(rows.size()), table.layouts.cols());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    layouts.row(static_cast<Eigen::Index>(i)) =
-        table.layouts.row(static_cast<Eigen::Index>(rows[i]));
-    content->frames.push_back(table.frames[rows[i]]);
-    content->faces.push_back(keeper.take(rows[i]));
-  }
+  content->grid = std::move(read->grid);
+  content->places = std::move(read->places);
+  content->faces = std::move(read->faces);
+  content->bytes = read->bytes;
+  content->ends = EndLengths(read->charts, camera.size().width);
+  const Eigen::MatrixXd layouts = table.layouts(read->kept, Eigen::all);
+  for (const std::size_t row : read->kept) content->frames.push_back(table.frames[row]);
   const bool has_dots = !finger.reference || !finger.reference->places;
   if (has_dots) {
-    content->twist = TwistModel::learn(poses);
-    content->shape_poses = ShapePoses::learn(shapes.curves, table.layouts(shapes.rows, Eigen::all));
+    content->twist = TwistModel::learn(read->poses);
+    content->shape_poses = ShapePoses::learn(read->edges, table.layouts(read->seen, Eigen::all));
   }
   content->model = std::move(*model);
   content->mode_sd = content->model->mode_sd_px();
   content->modes.resize(layouts.rows(), content->mode_sd.size());
   const std::vector<char> all_seen(static_cast<std::size_t>(layouts.cols() / 2), 1);
   for (Eigen::Index i = 0; i < layouts.rows(); ++i)
-    content->modes.row(i) = content->model->modes(as_markers(layouts, i, all_seen))
+    content->modes.row(i) = content->model->modes(markers_of(layouts, i, all_seen))
                                 .cwiseProduct(content->mode_sd)
                                 .transpose();
   content->search.emplace(layouts);
@@ -495,6 +309,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
     lay_on(content.places, shape, markers, &*now);
   else
     now = FaceChart{};
+  if (!now->along_mm.empty()) reference.hidden = content.ends.beyond(*now, content.size.width);
   ChartWarp warp(*now, content.grid.chart);
   std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.index)]}, {1.0F}}};
   if (method == ReferenceMethod::kLocal) {

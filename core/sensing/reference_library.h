@@ -5,7 +5,10 @@
 #include "core/job.h"
 #include "core/result.h"
 #include "core/sensing/face_shape.h"
+#include "core/sensing/hidden_ends.h"
+#include "core/sensing/marker_table.h"
 #include "core/sensing/markers.h"
+#include "core/sensing/recorded_faces.h"
 #include "core/sensing/reference_picture.h"
 #include "core/sensing/shape_poses.h"
 #include "core/sensing/twist_model.h"
@@ -42,26 +45,8 @@ struct Reference {
   double error_factor = 1;  ///< by what relative_sd is to be multiplied in this pose
   /// The same where not all of the nearest frames show the skin, and others have to tell.
   double outer_error_factor = 1;
+  std::vector<HiddenColumn> hidden;  ///< of the face, that the frame does not show
 };
-
-/// Marker table of a recording (reference.csv). First a line of column names, then one line a
-/// marker of `frame,number,u,v,seen,radius,contrast` (px, grey levels; the last two typical of the
-/// marker and the same in every frame), all markers of a frame together in the order of their
-/// numbers. The last line, `end,FRAMES`, tells a whole table from one that was cut off.
-struct MarkerTable {
-  std::vector<int> frames;  ///< number of each row in the video, ascending
-  Eigen::MatrixXd layouts;  ///< one row a frame, (u0, v0, ...), px, estimates where not seen
-  std::vector<std::vector<char>> seen;  ///< one row a frame, by marker
-  std::vector<Dot> typical;  ///< mean radius and contrast of each marker, at its mean position
-
-  /// Strict: any line that is not as above is an error that names it.
-  static Result<MarkerTable> load(const std::filesystem::path& file, int marker_count);
-  [[nodiscard]] Status save(const std::filesystem::path& file) const;
-};
-
-/// A frame of a recording by its number in the video, CV_8UC1, oriented as the finger's camera has
-/// it.
-using FrameOfRecording = std::function<Result<cv::Mat>(std::size_t number)>;
 
 class ReferenceLibrary {
  public:

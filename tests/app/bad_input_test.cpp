@@ -140,7 +140,13 @@ TEST(BadInput, APressWithoutABallIsLeftOutWithItsReason) {
   const ProgramRun alone = flat.calibrate({flat.file("nothing.png")});
   EXPECT_EQ(alone.status, 1);
   EXPECT_THAT(alone.errors, HasSubstr("nothing"));
-  EXPECT_EQ(contents_of(flat.finger()), before);
+  const std::string picture = flat.finger() + "/calibration.problem.png";
+  EXPECT_THAT(alone.errors, HasSubstr(picture));
+  auto after = contents_of(flat.finger());
+  EXPECT_EQ(std::erase_if(after,
+                          [](const auto& file) { return file.first == "calibration.problem.png"; }),
+            1U);
+  EXPECT_EQ(after, before);
 
   const ProgramRun among = flat.calibrate({flat.presses[0].string(),
                                            flat.presses[1].string(),
@@ -151,6 +157,17 @@ TEST(BadInput, APressWithoutABallIsLeftOutWithItsReason) {
   const auto report = nlohmann::json::parse(text_of(flat.finger() + "/calibration_report.json"));
   EXPECT_EQ(report.at("presses").size(), 3U);
   EXPECT_EQ(report.at("left_out").size(), 1U);
+  EXPECT_THAT(among.errors, HasSubstr(picture));
+  const cv::Mat shown = cv::imread(picture), one = untouched_picture(77);
+  ASSERT_FALSE(shown.empty());
+  EXPECT_EQ(shown.cols % one.cols, 0);
+  EXPECT_LT(shown.rows * one.cols, 2 * shown.cols * one.rows) << "only the one that was left out";
+
+  // Whoever leaves it out by himself needs no picture of why.
+  const ProgramRun again =
+      run_alltact({"calibrate", flat.finger(), "--again", "--exclude", "nothing"});
+  EXPECT_EQ(again.status, 0) << again.errors;
+  EXPECT_FALSE(std::filesystem::exists(picture));
 }
 
 TEST(BadInput, ARecordingOfNoneOrOneFrameIsRefused) {

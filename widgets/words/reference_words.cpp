@@ -127,6 +127,9 @@ constexpr const char* kAll[] = {
                       "%1 % of the face was never recorded in a pose like this; record the finger "
                       "bending further in this direction"),
     QT_TRANSLATE_NOOP("Library",
+                      "%1 % of the face, at its end, is hidden in this frame: nothing is told of "
+                      "it, neither that it is touched nor that it is not"),
+    QT_TRANSLATE_NOOP("Library",
                       "the face is %1 % darker than when its reference was recorded; set exposure, "
                       "gain and lamps as they were then"),
     QT_TRANSLATE_NOOP("Library",

@@ -80,6 +80,10 @@ TEST(FaceFaults, TellsEachFaultByItsName) {
   FlagShares unknown{};
   unknown.of[kNoReference] = 0.1;
   EXPECT_NE(told(unknown, 1.0, 0.0).find("10 % of the face was never"), std::string::npos);
+  FlagShares hidden{};
+  hidden.of[kHiddenEnd] = 0.004;  // however little: nothing can be said of it
+  EXPECT_NE(told(hidden, 1.0, 0.0).find("0.4 % of the face, at its end, is hidden"),
+            std::string::npos);
 }
 
 }  // namespace
