@@ -3975,6 +3975,10 @@
         <translation>Linien: Kanten der Fläche</translation>
     </message>
     <message>
+        <source>outlined: darker than the untouched face</source>
+        <translation>umrandet: dunkler als die unberührte Fläche</translation>
+    </message>
+    <message>
         <source>circle: a marker, with its number</source>
         <translation>Kreis: eine Marke mit ihrer Nummer</translation>
     </message>

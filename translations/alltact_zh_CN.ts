@@ -3975,6 +3975,10 @@
         <translation>线:面的边缘</translation>
     </message>
     <message>
+        <source>outlined: darker than the untouched face</source>
+        <translation>描边处：比未触碰的面更暗</translation>
+    </message>
+    <message>
         <source>circle: a marker, with its number</source>
         <translation>圆圈:标记点及其编号</translation>
     </message>

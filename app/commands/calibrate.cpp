@@ -1,7 +1,7 @@
 #include "app/commands/commands.h"
-#include "app/flags.h"
-#include "calibration/calibrate_finger.h"
-#include "calibration/calibration_report.h"
+#include "app/console/flags.h"
+#include "calibration/finger/calibrate_finger.h"
+#include "calibration/finger/calibration_report.h"
 #include "widgets/report/calibration_pages.h"
 #include "widgets/report/offscreen.h"
 

@@ -1,9 +1,9 @@
 #include "app/commands/commands.h"
-#include "calibration/calibrate_finger.h"
-#include "calibration/check_history.h"
-#include "calibration/finger_check.h"
+#include "calibration/checks/check_history.h"
+#include "calibration/checks/finger_check.h"
+#include "calibration/checks/untouched_check.h"
+#include "calibration/finger/calibrate_finger.h"
 #include "calibration/hard_cases/hard_cases.h"
-#include "calibration/untouched_check.h"
 
 #include <fmt/format.h>
 

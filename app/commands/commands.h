@@ -2,13 +2,13 @@
 // the same functions.
 #pragma once
 
-#include "app/console.h"
-#include "app/finger_work.h"
-#include "calibration/calibrate.h"
+#include "app/console/console.h"
+#include "app/console/finger_work.h"
+#include "calibration/checks/press_check.h"
 #include "calibration/export/export_finger.h"
+#include "calibration/joint/calibrate.h"
 #include "calibration/lens/calibrate_lens.h"
-#include "calibration/motion_coverage.h"
-#include "calibration/press_check.h"
+#include "calibration/reference/motion_coverage.h"
 #include "core/camera/flat_port.h"
 #include "core/finger/finger.h"
 #include "core/recording/recorder.h"

@@ -1,6 +1,6 @@
 #include "app/commands/commands.h"
-#include "app/flags.h"
-#include "calibration/evaluate.h"
+#include "app/console/flags.h"
+#include "calibration/study/evaluate.h"
 #include "core/io/atomic_file.h"
 
 #include <set>

@@ -1,8 +1,9 @@
 #include "app/commands/commands.h"
-#include "app/finger_work.h"
-#include "app/flags.h"
-#include "calibration/calibrate_finger.h"
+#include "app/console/finger_work.h"
+#include "app/console/flags.h"
+#include "calibration/finger/calibrate_finger.h"
 #include "calibration/lens/lens_views.h"
+#include "core/sources/open/open_source.h"
 
 #include <fmt/format.h>
 

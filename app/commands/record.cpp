@@ -1,11 +1,12 @@
 #include "app/commands/commands.h"
-#include "app/commands/reading.h"
-#include "app/flags.h"
+#include "app/commands/source_reader.h"
+#include "app/console/flags.h"
 #include "core/io/picture.h"
 #include "core/recording/journal.h"
-#include "core/sources/ending.h"
-#include "core/sources/lit_source.h"
+#include "core/sources/files/ending.h"
+#include "core/sources/hid/lit_source.h"
 #include "core/sources/newest_source.h"
+#include "core/sources/open/open_source.h"
 
 #include <fmt/format.h>
 
@@ -56,7 +57,7 @@ std::string progress(const RecorderCounts& counts) {
 /// From `first` (or the next frame) to the last; what it ended for. The recorder's own end shows in
 /// Recorder::problem().
 std::string record_all(
-    Reading& reading, FramePtr first, Recorder& recorder, Extent& extent, Console& console) {
+    SourceReader& reading, FramePtr first, Recorder& recorder, Extent& extent, Console& console) {
   const Source& source = reading.source();
   while (true) {
     const FramePtr frame = first ? std::exchange(first, nullptr) : reading.next();
@@ -98,7 +99,7 @@ void tell(const Path& video,
 }
 
 /// One recording, whole.
-Status record_one(Reading& reading,
+Status record_one(SourceReader& reading,
                   const FramePtr& first,
                   const Path& video,
                   const RecordOptions& options,
@@ -124,7 +125,7 @@ Status record_one(Reading& reading,
   return {};
 }
 
-Status all_was_readable(const Reading& reading, const RecordOptions& options) {
+Status all_was_readable(const SourceReader& reading, const RecordOptions& options) {
   if (reading.unreadable() == 0 || !reading.source().count()) return {};
   return Error{
       fmt::format("{} frames could not be read; each is named above", reading.unreadable()),
@@ -146,7 +147,7 @@ Path next_free(const Path& output, int& number) {
 }
 
 /// From press to press; null when it is over before the next one.
-FramePtr next_pressed(Reading& reading) {
+FramePtr next_pressed(SourceReader& reading) {
   bool is_pressed = false;  // maybe while the camera was away
   while (!reading.is_over()) {
     FramePtr frame = reading.next();
@@ -157,14 +158,14 @@ FramePtr next_pressed(Reading& reading) {
 }
 
 /// The source that ended before its first press is an error, the technician who ended it is none.
-Status end_of_presses(const Reading& reading, bool is_any, const RecordOptions& options) {
+Status end_of_presses(const SourceReader& reading, bool is_any, const RecordOptions& options) {
   if (is_any || reading.is_stopped()) return {};
   return Error{fmt::format("the button was not pressed before the end: {}", reading.why()),
                options.inputs.front().string(),
                "press it while the source runs"};
 }
 
-Status record_by_button(Reading& reading, const RecordOptions& options, Console& console) {
+Status record_by_button(SourceReader& reading, const RecordOptions& options, Console& console) {
   Console::Json& recordings = console.answer()["recordings"] = Console::Json::array();
   console.say("Press the button to begin a recording, and again to end it. Ctrl-C ends all.");
   int number = 1;
@@ -182,7 +183,7 @@ Status record_by_button(Reading& reading, const RecordOptions& options, Console&
 }
 
 /// The first picture that came behind each press.
-Status take_pictures(Reading& reading, const RecordOptions& options, Console& console) {
+Status take_pictures(SourceReader& reading, const RecordOptions& options, Console& console) {
   Console::Json& pictures = console.answer()["pictures"] = Console::Json::array();
   console.say("Press the button to take a picture. Ctrl-C ends.");
   int number = 1;
@@ -283,7 +284,7 @@ Status run_record(const RecordOptions& options, Console& console) {
   if (!source) return source.error();
   // A picture is of the moment of its press, however long the one before took to write.
   if (takes_pictures(options)) *source = std::make_unique<NewestSource>(std::move(*source));
-  Reading reading(**source, button.get(), console);
+  SourceReader reading(**source, button.get(), console);
   if (takes_pictures(options)) return take_pictures(reading, options, console);
   if (button) return record_by_button(reading, options, console);
   const Status status =

@@ -1,6 +1,6 @@
 #include "app/commands/commands.h"
-#include "calibration/calibrate_finger.h"
-#include "calibration/reference_recording.h"
+#include "calibration/finger/calibrate_finger.h"
+#include "calibration/reference/reference_recording.h"
 
 #include <fmt/format.h>
 

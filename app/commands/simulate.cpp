@@ -1,5 +1,5 @@
 #include "app/commands/commands.h"
-#include "app/flags.h"
+#include "app/console/flags.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/recording/video_writer.h"

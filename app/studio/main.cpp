@@ -1,5 +1,5 @@
 // `alltact-studio`: the desktop program.
-#include "app/finger_work.h"
+#include "app/console/finger_work.h"
 #include "app/studio/main_window.h"
 #include "widgets/scene3d/vtk_view.h"
 #include "widgets/shell/studio_style.h"

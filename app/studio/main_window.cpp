@@ -1,7 +1,8 @@
 #include "app/studio/main_window.h"
 
-#include "app/finger_work.h"
-#include "calibration/settings_record.h"
+#include "app/console/finger_work.h"
+#include "calibration/reference/settings_record.h"
+#include "core/sources/open/open_source.h"
 #include "widgets/accessible.h"
 #include "widgets/shell/icons.h"
 

@@ -3,6 +3,7 @@
 
 #include "app/studio/dresser.h"
 #include "app/studio/session_keeper.h"
+#include "core/sources/open/open_source.h"
 #include "widgets/live/camera_finder.h"
 #include "widgets/live/pedal.h"
 #include "widgets/places/calibrate_place.h"

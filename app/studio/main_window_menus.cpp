@@ -1,6 +1,7 @@
 // What the window's menus and dialogs do. No dialog stops what runs.
-#include "app/finger_work.h"
+#include "app/console/finger_work.h"
 #include "app/studio/main_window.h"
+#include "core/sources/open/open_source.h"
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 

@@ -1,5 +1,6 @@
 // What is worked on: finger and source, what was done can be undone, what was kept comes back.
 #include "app/studio/main_window.h"
+#include "core/sources/open/open_source.h"
 #include "widgets/value_change.h"
 
 namespace alltact {

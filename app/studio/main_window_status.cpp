@@ -1,6 +1,7 @@
 // What the window tells of what runs: header, status line, problems.
 #include "app/studio/main_window.h"
-#include "calibration/settings_record.h"
+#include "calibration/reference/settings_record.h"
+#include "core/sources/open/open_source.h"
 #include "widgets/accessible.h"
 #include "widgets/words/library_words.h"
 

@@ -4,7 +4,7 @@
 #include "app/studio/inspect_json.h"
 #include "core/result.h"
 #include "core/sources/v4l2/camera_controls.h"
-#include "widgets/places/view_options.h"
+#include "widgets/panels/view_options.h"
 
 #include <filesystem>
 #include <map>

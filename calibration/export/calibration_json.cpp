@@ -1,5 +1,5 @@
 #include "calibration/export/export_texts.h"
-#include "core/sensing/smoothing.h"
+#include "core/sensing/depth/smoothing.h"
 
 #include <nlohmann/json.hpp>
 

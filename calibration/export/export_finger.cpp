@@ -1,8 +1,8 @@
 #include "calibration/export/export_finger.h"
 
-#include "calibration/calibration_inputs.h"
 #include "calibration/export/export_texts.h"
-#include "calibration/measuring_settings.h"
+#include "calibration/finger/calibration_inputs.h"
+#include "calibration/finger/measuring_settings.h"
 #include "core/io/atomic_file.h"
 #include "core/io/zip_file.h"
 

@@ -1,6 +1,6 @@
 #include "calibration/hard_cases/groups.h"
-#include "core/sensing/local_depth.h"
-#include "core/sensing/reference_weights.h"
+#include "core/sensing/depth/local_depth.h"
+#include "core/sensing/reference/reference_weights.h"
 
 #include <random>
 

@@ -1,8 +1,8 @@
 #include "calibration/hard_cases/groups.h"
-#include "core/sensing/contact_regions.h"
-#include "core/sensing/depth_cells.h"
-#include "core/sensing/markers.h"
-#include "core/sensing/touch.h"
+#include "core/sensing/contact/contact_regions.h"
+#include "core/sensing/contact/touch.h"
+#include "core/sensing/depth/depth_cells.h"
+#include "core/sensing/markers/markers.h"
 
 #include <functional>
 #include <random>

@@ -1,6 +1,6 @@
 #include "calibration/hard_cases/exact.h"
 #include "calibration/hard_cases/groups.h"
-#include "calibration/joint_fit.h"
+#include "calibration/joint/joint_fit.h"
 #include "core/finger/mapping.h"
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/least_squares.h"

@@ -1,7 +1,7 @@
 #include "calibration/hard_cases/exact.h"
 #include "calibration/hard_cases/groups.h"
 #include "core/geometry/ball.h"
-#include "core/sensing/face_shape.h"
+#include "core/sensing/face/face_shape.h"
 
 #include <random>
 

@@ -1,7 +1,7 @@
 #include "calibration/hard_cases/groups.h"
 #include "core/numerics/chebyshev.h"
-#include "core/sensing/face_edges.h"
-#include "core/sensing/face_shape.h"
+#include "core/sensing/face/face_edges.h"
+#include "core/sensing/face/face_shape.h"
 
 #include <algorithm>
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include "calibration/hard_cases/hard_cases.h"
 #include "core/result.h"
-#include "core/sensing/face_shape.h"
+#include "core/sensing/face/face_shape.h"
 
 namespace alltact {
 

@@ -1,6 +1,6 @@
 #include "calibration/lens/lens_fit.h"
 
-#include "calibration/solver_settings.h"
+#include "calibration/joint/solver_settings.h"
 #include "core/numerics/median.h"
 
 #include <limits>

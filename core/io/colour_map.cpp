@@ -58,4 +58,12 @@ MapColour cool_to_warm(double part) {
   return between(kStops, 0.5 + 0.5 * (std::isfinite(part) ? part : 0.0));
 }
 
+ColourScale depth_scale(double top_mm) {
+  return {0, top_mm, viridis, 4};
+}
+
+ColourScale difference_scale(double top_mm) {
+  return {-top_mm, top_mm, [](double part) { return cool_to_warm(2 * part - 1); }, 2};
+}
+
 }  // namespace alltact

@@ -17,4 +17,14 @@ struct MapColour {
 /// clamped.
 [[nodiscard]] MapColour cool_to_warm(double part);
 
+/// Numbers in colours: `low_mm` and what is below in the first, `top_mm` and above in the last.
+struct ColourScale {
+  double low_mm = 0, top_mm = 1;
+  MapColour (*colour)(double part) = viridis;  ///< of [0, 1]
+  int steps = 4;                               ///< between its written numbers
+};
+/// Depths from 0; differences from -top_mm, light grey in the middle.
+[[nodiscard]] ColourScale depth_scale(double top_mm);
+[[nodiscard]] ColourScale difference_scale(double top_mm);
+
 }  // namespace alltact

@@ -11,8 +11,8 @@
 // what camera and light were set to (see frame_settings.h).
 #pragma once
 
+#include "core/frame.h"
 #include "core/result.h"
-#include "core/sources/frame.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -2,11 +2,11 @@
 // one without saying so.
 #pragma once
 
+#include "core/frame.h"
 #include "core/job.h"
 #include "core/recording/video_writer.h"
 #include "core/result.h"
 #include "core/settings.h"
-#include "core/sources/frame.h"
 
 #include <cstdint>
 #include <filesystem>

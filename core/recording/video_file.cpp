@@ -1,11 +1,11 @@
 #include "core/recording/video_file.h"
 
+#include "core/io/grey_decoder.h"
 #include "core/recording/journal.h"
 #include "core/recording/libav.h"
 #include "core/recording/matroska_file.h"
 #include "core/recording/matroska_index.h"
 #include "core/recording/mend.h"
-#include "core/sources/v4l2/grey_decoder.h"
 
 #include <numeric>
 

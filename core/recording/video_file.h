@@ -1,9 +1,9 @@
 // Reading videos: any frame by its number, exactly as it was recorded.
 #pragma once
 
+#include "core/frame.h"
 #include "core/job.h"
 #include "core/result.h"
-#include "core/sources/frame.h"
 
 #include <cstddef>
 #include <filesystem>

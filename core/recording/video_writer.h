@@ -1,8 +1,8 @@
 // Exact video: grey pictures without loss, or the camera's own packets untouched, in Matroska.
 #pragma once
 
+#include "core/frame.h"
 #include "core/result.h"
-#include "core/sources/frame.h"
 
 #include <cstdint>
 #include <filesystem>

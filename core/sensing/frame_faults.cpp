@@ -1,7 +1,5 @@
 #include "core/sensing/frame_faults.h"
 
-#include "core/numerics/dispatch.h"
-
 #include <cstring>
 
 #include <fmt/format.h>
@@ -17,12 +15,6 @@ constexpr double kSaturatedPicture = 1.0 / 3;
 constexpr double kWorthTelling = 0.02;  // part of the face
 constexpr double kMuchDarker = 0.5, kMuchBrighter = 1.0 / 3;
 constexpr double kForeign = 0.1;  // part of the face brighter than its reference
-
-ALLTACT_WIDE int count_of(const std::uint8_t* flags, int count, std::uint8_t flag) {
-  int found = 0;
-  for (int u = 0; u < count; ++u) found += flags[u] == flag ? 1 : 0;
-  return found;
-}
 
 }  // namespace
 
@@ -71,21 +63,6 @@ bool is_same_picture(const cv::Mat& a, const cv::Mat& b) {
   for (int v = 0; v < a.rows; ++v)
     if (std::memcmp(a.ptr(v), b.ptr(v), bytes) != 0) return false;
   return true;
-}
-
-FlagShares flag_shares(const cv::Mat& flags, int every_row) {
-  CV_Assert(flags.type() == CV_8UC1);
-  std::array<double, kPixelFlags> counts{};
-  for (int v = every_row / 2; v < flags.rows; v += every_row)
-    for (std::size_t k = 0; k < counts.size(); ++k)
-      counts[k] += count_of(flags.ptr<std::uint8_t>(v), flags.cols, static_cast<std::uint8_t>(k));
-  counts[kOffFace] = 0;
-  double face = 0;
-  for (const double count : counts) face += count;
-  FlagShares shares{};
-  if (face > 0)
-    for (std::size_t k = 0; k < counts.size(); ++k) shares.of[k] = counts[k] / face;
-  return shares;
 }
 
 std::vector<std::string> face_faults(const FlagShares& shares, const LightGain& light) {

@@ -1,8 +1,9 @@
 // What is wrong with a frame as a whole, as sentences for a person.
 #pragma once
 
-#include "core/sensing/local_depth.h"
-#include "core/sources/frame.h"
+#include "core/frame.h"
+#include "core/sensing/depth/light_gain.h"
+#include "core/sensing/depth/pixel_flags.h"
 
 #include <optional>
 #include <string>
@@ -25,13 +26,6 @@ namespace alltact {
 
 /// True when both pictures are the same to the last grey level, which no two exposures are.
 [[nodiscard]] bool is_same_picture(const cv::Mat& a, const cv::Mat& b);
-
-/// Parts of the face by what their depth is worth: those of the pixels that are not kOffFace, told
-/// from one in `every_row` rows. All 0 where there is no face.
-struct FlagShares {
-  std::array<double, kPixelFlags> of;  ///< by PixelFlag
-};
-[[nodiscard]] FlagShares flag_shares(const cv::Mat& flags, int every_row = 1);
 
 /// What a measured face tells: its end hidden, however little of it; saturated or unknown to its
 /// reference over more than a fiftieth of it; far brighter or darker than when that was recorded

@@ -1,9 +1,9 @@
 #include "core/sensing/pipeline.h"
 
-#include "core/sensing/depth_sd.h"
+#include "core/sensing/depth/depth_sd.h"
+#include "core/sensing/depth/smoothing.h"
 #include "core/sensing/frame_faults.h"
-#include "core/sensing/pose_places.h"
-#include "core/sensing/smoothing.h"
+#include "core/sensing/reference/pose_places.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "core/finger/finger.h"
+#include "core/frame.h"
 #include "core/job.h"
 #include "core/result.h"
-#include "core/sensing/contact_regions.h"
-#include "core/sensing/face_edges.h"
-#include "core/sensing/face_shape.h"
-#include "core/sensing/local_depth.h"
-#include "core/sensing/markers.h"
+#include "core/sensing/contact/contact_regions.h"
+#include "core/sensing/contact/touch.h"
+#include "core/sensing/depth/local_depth.h"
+#include "core/sensing/face/face_edges.h"
+#include "core/sensing/face/face_shape.h"
+#include "core/sensing/markers/markers.h"
 #include "core/sensing/pipeline_settings.h"
-#include "core/sensing/reference_library.h"
-#include "core/sensing/touch.h"
-#include "core/sources/frame.h"
+#include "core/sensing/reference/reference_library.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,8 +1,8 @@
 // Every choice of the frame pipeline that trades accuracy for time.
 #pragma once
 
-#include "core/sensing/face_edges.h"
-#include "core/sensing/reference_library.h"
+#include "core/sensing/face/face_edges.h"
+#include "core/sensing/reference/reference_library.h"
 #include "core/settings.h"
 
 namespace alltact {

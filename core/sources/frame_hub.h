@@ -1,8 +1,8 @@
 // One writer, many readers: whoever looks gets the latest frame, whoever records gets every frame.
 #pragma once
 
+#include "core/frame.h"
 #include "core/result.h"
-#include "core/sources/frame.h"
 
 #include <chrono>
 #include <condition_variable>

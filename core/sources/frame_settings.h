@@ -4,7 +4,7 @@
 // The same text goes from the camera through the journal or the picture into finger.yaml.
 #pragma once
 
-#include "core/sources/frame.h"
+#include "core/frame.h"
 
 #include <string>
 #include <string_view>

@@ -2,7 +2,9 @@
 #include "tests/support/program.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -46,6 +48,7 @@ std::vector<std::string> offences(const std::string& folder, const std::string& 
   return found;
 }
 
+constexpr std::array kFloors{"core", "calibration", "widgets", "app"};
 constexpr const char* kQtOrVtk = "^(Q[A-Z]|Qt|vtk)";
 
 TEST(Layers, TheScanSeesWhatIsThere) {
@@ -74,6 +77,83 @@ TEST(Layers, WidgetsDoNotKnowTheProgram) {
 
 TEST(Layers, TheProgramDoesNotKnowTheTests) {
   EXPECT_THAT(offences("app", "^tests/"), testing::IsEmpty());
+}
+
+/// Which folders include headers of which others, and one file that does.
+using FolderArrows = std::map<std::string, std::map<std::string, std::string>>;
+
+FolderArrows arrows_between_folders() {
+  FolderArrows arrows;
+  for (const char* floor : kFloors)
+    for (const Include& include : includes_below(floor)) {
+      const std::string from = fs::path(include.file).parent_path().string();
+      const std::string to = fs::path(include.header).parent_path().string();
+      if (from != to && fs::exists(fs::path(ALLTACT_SOURCE_DIR) / include.header))
+        arrows[from].emplace(to, include.file + " includes " + include.header);
+    }
+  return arrows;
+}
+
+/// Arrows that lie on a way back to where they begin, by the folders that can be reached.
+std::vector<std::string> circles(const FolderArrows& arrows) {
+  const auto reached_from = [&](const std::string& start) {
+    std::set<std::string> reached;
+    std::vector<std::string> next{start};
+    while (!next.empty()) {
+      const auto from = arrows.find(next.back());
+      next.pop_back();
+      if (from == arrows.end()) continue;
+      for (const auto& arrow : from->second)
+        if (reached.insert(arrow.first).second) next.push_back(arrow.first);
+    }
+    return reached;
+  };
+  std::vector<std::string> found;
+  for (const auto& [from, to_and_why] : arrows)
+    for (const auto& [to, why] : to_and_why)
+      if (reached_from(to).contains(from)) found.push_back(why);
+  return found;
+}
+
+TEST(Layers, NoFolderLeadsBackToItself) {
+  const FolderArrows arrows = arrows_between_folders();
+  EXPECT_GT(arrows.size(), 30U);
+  EXPECT_THAT(circles(arrows), testing::IsEmpty());
+  EXPECT_THAT(circles({{"a", {{"b", "1"}}}, {"b", {{"c", "2"}, {"d", "3"}}}, {"c", {{"a", "4"}}}}),
+              testing::UnorderedElementsAre("1", "2", "4"));
+}
+
+/// Types that a file's text defines where they could clash with those of other files.
+std::vector<std::string> types_defined_in(const std::string& text) {
+  static const std::regex form(
+      R"(^(class|struct|enum class|enum)( \[\[nodiscard\]\])? (\w+)( final)?( : [^;]*)? \{)");
+  std::vector<std::string> names;
+  std::istringstream stream(text);
+  std::smatch found;
+  bool is_own = false;  // in a namespace without a name
+  for (std::string line; std::getline(stream, line);) {
+    if (line == "namespace {") is_own = true;
+    if (line == "}  // namespace") is_own = false;
+    if (!is_own && std::regex_search(line, found, form)) names.push_back(found[3]);
+  }
+  return names;
+}
+
+TEST(Layers, NoNameStandsForTwoTypes) {
+  std::map<std::string, std::vector<std::string>> places;
+  for (const char* floor : kFloors)
+    for (const auto& entry :
+         fs::recursive_directory_iterator(fs::path(ALLTACT_SOURCE_DIR) / floor)) {
+      const std::string ending = entry.path().extension().string();
+      if (ending != ".h" && ending != ".cpp") continue;
+      for (const std::string& name : types_defined_in(text_of(entry.path())))
+        places[name].push_back(entry.path().string());
+    }
+  EXPECT_GT(places.size(), 300U);
+  for (const auto& [name, files] : places) EXPECT_THAT(files, testing::SizeIs(1)) << name;
+  EXPECT_THAT(types_defined_in("struct A {\nclass B;\nnamespace {\nstruct C {\n}  // namespace\n"
+                               "enum class D : int { kOne };\nstruct A::E {\n"),
+              testing::ElementsAre("A", "D"));
 }
 
 TEST(Layers, NobodyOpensOpenCvWindows) {

@@ -1,5 +1,5 @@
 // Six and ten presses, choice of family and all: what a technician waits for.
-#include "calibration/calibrate.h"
+#include "calibration/joint/calibrate.h"
 #include "tests/support/made_press.h"
 
 #include <random>

@@ -1,5 +1,5 @@
 // What one frame costs: the whole pipeline and its parts, each beside a copy of the same bytes.
-#include "calibration/reference_recording.h"
+#include "calibration/reference/reference_recording.h"
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"
 #include "core/sources/source.h"

@@ -3,6 +3,7 @@
 // mrcal-calibrate-cameras (apt install mrcal); says so where there is none.
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/lens/lens_views.h"
+#include "core/sources/open/open_source.h"
 #include "tests/support/boards.h"
 #include "tests/support/temporary_folder.h"
 

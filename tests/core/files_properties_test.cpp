@@ -2,7 +2,7 @@
 #include "core/camera/camera_range.h"
 #include "core/finger/camera_yaml.h"
 #include "core/io/atomic_file.h"
-#include "core/sensing/reference_library.h"
+#include "core/sensing/reference/reference_library.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cmath>

@@ -1,10 +1,10 @@
 // Laws that hold whatever is measured: in other units, turned, mirrored, a wider face nearer.
 #include "core/geometry/ball.h"
 #include "core/geometry/circle_fit.h"
-#include "core/sensing/contact_regions.h"
-#include "core/sensing/depth_cells.h"
-#include "core/sensing/face_shape.h"
-#include "core/sensing/touch.h"
+#include "core/sensing/contact/contact_regions.h"
+#include "core/sensing/contact/touch.h"
+#include "core/sensing/depth/depth_cells.h"
+#include "core/sensing/face/face_shape.h"
 #include "tests/support/cameras.h"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // Live use for a while, as at a bench: a camera with faults, a finger measured from its newest
 // frame, one recording after the other, a slow onlooker. ALLTACT_SOAK_SECONDS makes it longer.
-#include "calibration/reference_recording.h"
-#include "core/io/result_json.h"
+#include "calibration/reference/reference_recording.h"
 #include "core/recording/recorder.h"
 #include "core/sensing/pipeline.h"
+#include "core/sensing/result_json.h"
 #include "core/sources/v4l2/v4l2_camera.h"
 #include "tests/rigs/fake_camera.h"
 #include "tests/support/marked_finger.h"

@@ -1,5 +1,5 @@
 // A newcomer's whole day with the simulated finger, through the program alone.
-#include "calibration/evaluate.h"
+#include "calibration/study/evaluate.h"
 #include "tests/support/program.h"
 #include "tests/support/python_loader.h"
 

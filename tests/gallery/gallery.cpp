@@ -37,7 +37,8 @@ Shown image_view() {
   Markers markers;
   for (int i = 0; i < 12; ++i)
     markers.push_back({60.0 + 70 * (i % 6), i < 6 ? 50.0 : 220.0, i % 4 != 3, 0.1});
-  view->show_picture(grey, {markers_overlay(markers), colour_bar_overlay(1.0, "Depth, mm")});
+  view->show_picture(grey,
+                     {markers_overlay(markers), colour_bar_overlay(depth_scale(1.0), "Depth, mm")});
   return view;
 }
 

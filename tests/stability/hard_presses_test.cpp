@@ -1,6 +1,6 @@
 // Presses that say little, twice the same, or what is not true: calibrate() gives a mapping within
 // a bound, or says by name what is wrong with them.
-#include "calibration/calibrate.h"
+#include "calibration/joint/calibrate.h"
 #include "tests/stability/awaited.h"
 #include "tests/support/made_press.h"
 

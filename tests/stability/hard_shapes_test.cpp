@@ -1,8 +1,8 @@
 // Faces at the end of what can be seen of them: each gives its shape within a bound, or says that
 // it cannot, and never a number that is none. Edges are projected by hand from faces that are
 // known.
-#include "core/sensing/face_edges.h"
-#include "core/sensing/face_shape.h"
+#include "core/sensing/face/face_edges.h"
+#include "core/sensing/face/face_shape.h"
 #include "tests/stability/awaited.h"
 #include "tests/support/cameras.h"
 #include "tests/support/synthetic_face.h"

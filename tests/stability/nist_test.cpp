@@ -1,6 +1,6 @@
 // NIST's Statistical Reference Datasets through the solvers that we use, against certified values.
 #include "calibration/hard_cases/exact.h"
-#include "calibration/solver_settings.h"
+#include "calibration/joint/solver_settings.h"
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/least_squares.h"
 

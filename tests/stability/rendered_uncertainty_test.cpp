@@ -2,7 +2,7 @@
 // rolls off the ball and swells around it, noise of a grey level, other geometry in every run.
 // ALLTACT_NEES_RUNS=400 makes as many runs as a figure needs; without it fewer are made, and what
 // few runs scatter by is allowed for.
-#include "calibration/calibrate.h"
+#include "calibration/joint/calibrate.h"
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"
 #include "core/simulation/scene.h"

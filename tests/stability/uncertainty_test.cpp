@@ -1,7 +1,7 @@
 // Reported uncertainties are true: over many runs the squared error, divided by the reported
 // covariance, is one per unknown.
-#include "calibration/joint_fit.h"
-#include "core/sensing/touch.h"
+#include "calibration/joint/joint_fit.h"
+#include "core/sensing/contact/touch.h"
 #include "tests/stability/trapping.h"
 
 #include <array>

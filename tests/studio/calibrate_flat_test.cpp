@@ -1,5 +1,5 @@
 // A flat, rigid sensor in the place Calibrate: one untouched picture instead of a recording.
-#include "app/finger_work.h"
+#include "app/console/finger_work.h"
 #include "core/finger/mapping.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/support/flat_sensor.h"

@@ -3,7 +3,7 @@
 #include "core/finger/finger.h"
 #include "core/io/picture.h"
 #include "core/recording/video_writer.h"
-#include "core/sources/source.h"
+#include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
 #include "widgets/inspect/gripper_dialog.h"
 #include "widgets/inspect/second_finger_dialog.h"

@@ -1,7 +1,8 @@
 // The place Record, as a person uses it.
-#include "app/finger_work.h"
+#include "app/console/finger_work.h"
 #include "core/recording/video_file.h"
 #include "core/simulation/plan.h"
+#include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
 
 #include <QLineEdit>

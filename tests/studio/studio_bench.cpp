@@ -1,6 +1,6 @@
 // What the window costs in time: until its picture moves, and how old the picture is when it is
 // shown.
-#include "app/finger_work.h"
+#include "app/console/finger_work.h"
 #include "core/simulation/plan.h"
 #include "tests/studio/studio_rig.h"
 #include "widgets/picture/outline_editor.h"

@@ -1,9 +1,10 @@
 #include "tests/studio/studio_rig.h"
 
-#include "app/finger_work.h"
+#include "app/console/finger_work.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/simulation/plan.h"
+#include "core/sources/open/open_source.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

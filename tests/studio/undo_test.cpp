@@ -1,4 +1,5 @@
 // One stack of steps for the session: finger and source can be taken back like everything else.
+#include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
 
 #include <QAction>

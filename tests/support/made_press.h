@@ -2,7 +2,7 @@
 // noise. Written from the physics alone; shares no formula with the code under test.
 #pragma once
 
-#include "calibration/press.h"
+#include "calibration/presses/press.h"
 #include "tests/support/cameras.h"
 
 #include <cmath>

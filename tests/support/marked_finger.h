@@ -4,9 +4,9 @@
 
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
-#include "core/sensing/face_edges.h"
-#include "core/sensing/face_shape.h"
-#include "core/sensing/markers.h"
+#include "core/sensing/face/face_edges.h"
+#include "core/sensing/face/face_shape.h"
+#include "core/sensing/markers/markers.h"
 
 #include <algorithm>
 #include <cmath>

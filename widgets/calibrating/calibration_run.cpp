@@ -1,6 +1,6 @@
 #include "widgets/calibrating/calibration_run.h"
 
-#include "calibration/calibration_report.h"
+#include "calibration/finger/calibration_report.h"
 #include "core/io/atomic_file.h"
 #include "widgets/words/library_words.h"
 

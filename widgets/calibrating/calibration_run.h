@@ -2,7 +2,7 @@
 // with the same bytes as the command line gives.
 #pragma once
 
-#include "calibration/calibrate_finger.h"
+#include "calibration/finger/calibrate_finger.h"
 #include "widgets/calibrating/press_desk.h"
 
 #include <QProcess>

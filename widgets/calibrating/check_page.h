@@ -2,10 +2,10 @@
 // and the history shows where it is going.
 #pragma once
 
-#include "calibration/check_history.h"
+#include "calibration/checks/check_history.h"
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
-#include "widgets/places/picture_panel.h"
+#include "widgets/panels/picture_panel.h"
 #include "widgets/plots/history_plot.h"
 #include "widgets/shell/problem_list.h"
 

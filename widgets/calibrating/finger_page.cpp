@@ -1,6 +1,6 @@
 #include "widgets/calibrating/finger_page.h"
 
-#include "calibration/reference_recording.h"
+#include "calibration/reference/reference_recording.h"
 #include "core/io/picture.h"
 
 #include <QHBoxLayout>

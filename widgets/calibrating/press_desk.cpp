@@ -2,7 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
-#include "core/sources/source.h"
+#include "core/sources/open/open_source.h"
 
 #include <algorithm>
 #include <set>

@@ -2,10 +2,10 @@
 // they are there, looked at beside the window, every change undoable.
 #pragma once
 
-#include "calibration/press_notes.h"
+#include "calibration/finger/press_notes.h"
 #include "widgets/background_work.h"
-#include "widgets/calibrating/disk_queue.h"
 #include "widgets/calibrating/press_looker.h"
+#include "widgets/disk_queue.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QObject>

@@ -1,7 +1,7 @@
 // What one press picture shows before anything is calibrated: the face, and where the ball is.
 #pragma once
 
-#include "calibration/press.h"
+#include "calibration/presses/press.h"
 #include "core/job.h"
 #include "core/sensing/pipeline.h"
 

@@ -1,7 +1,7 @@
 #include "widgets/calibrating/presses_page.h"
 
 #include "widgets/live/source_runner.h"
-#include "widgets/places/side_panel.h"
+#include "widgets/panels/side_panel.h"
 
 #include <QApplication>
 #include <QButtonGroup>

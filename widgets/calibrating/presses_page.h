@@ -2,13 +2,13 @@
 // it, to be moved, taken out and put back.
 #pragma once
 
-#include "calibration/held_frames.h"
+#include "calibration/presses/held_frames.h"
 #include "widgets/calibrating/press_form.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/calibrating/still_watch.h"
+#include "widgets/panels/picture_panel.h"
 #include "widgets/picture/outline_editor.h"
-#include "widgets/places/picture_panel.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QCheckBox>

@@ -1,5 +1,5 @@
 // What the step Presses shows of one press: its picture, the ball over it, and what to do with it.
-#include "calibration/placed_ball.h"
+#include "calibration/presses/placed_ball.h"
 #include "widgets/calibrating/presses_page.h"
 #include "widgets/picture/overlays.h"
 #include "widgets/words/library_words.h"

@@ -4,7 +4,7 @@
 
 #include "core/geometry/surface_distance.h"
 #include "widgets/background_work.h"
-#include "widgets/calibrating/disk_queue.h"
+#include "widgets/disk_queue.h"
 #include "widgets/inspect/inspect_options.h"
 #include "widgets/inspect/time_match.h"
 

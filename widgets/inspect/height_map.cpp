@@ -14,10 +14,6 @@ namespace {
 const QColor kHalo(0, 0, 0, 190);
 const QColor kMark(255, 184, 0);
 
-MapColour difference_colour(double part) {
-  return cool_to_warm(2 * part - 1);
-}
-
 void draw_point(QPainter& painter, QPointF at, const QString& letter) {
   constexpr double kRadius = 6;
   for (const auto& [colour, width] : {std::pair{kHalo, 4.5}, {kMark, 2.0}}) {
@@ -39,16 +35,16 @@ void draw_point(QPainter& painter, QPointF at, const QString& letter) {
 
 }  // namespace
 
-cv::Mat height_layer(const cv::Mat& value_mm, double top_mm, bool is_difference) {
+cv::Mat height_layer(const cv::Mat& value_mm, const ColourScale& scale) {
   constexpr int kSteps = 256;
   std::array<cv::Vec4b, kSteps> table;
   for (int i = 0; i < kSteps; ++i) {
     const double part = static_cast<double>(i) / (kSteps - 1);
-    const MapColour c = is_difference ? difference_colour(part) : viridis(part);
+    const MapColour c = scale.colour(part);
     table[static_cast<std::size_t>(i)] = {c.blue, c.green, c.red, 255};
   }
-  const double low = is_difference ? -top_mm : 0;
-  const auto scale = static_cast<float>((kSteps - 1) / (top_mm - low));
+  const auto low = static_cast<float>(scale.low_mm);
+  const auto per_mm = static_cast<float>((kSteps - 1) / (scale.top_mm - scale.low_mm));
   cv::Mat layer(value_mm.size(), CV_8UC4);
   for (int v = 0; v < layer.rows; ++v) {
     const auto* value = value_mm.ptr<float>(v);
@@ -56,7 +52,7 @@ cv::Mat height_layer(const cv::Mat& value_mm, double top_mm, bool is_difference)
     for (int u = 0; u < layer.cols; ++u) {
       pixel[u] = cv::Vec4b(0, 0, 0, 0);
       if (!std::isfinite(value[u])) continue;
-      const float step = (value[u] - static_cast<float>(low)) * scale + 0.5F;
+      const float step = (value[u] - low) * per_mm + 0.5F;
       pixel[u] = table[static_cast<std::size_t>(std::clamp(step, 0.0F, kSteps - 1.0F))];
     }
   }
@@ -75,11 +71,6 @@ Overlay points_overlay(const std::optional<cv::Point2d>& a, const std::optional<
     if (a) draw_point(painter, place(*a), QStringLiteral("A"));
     if (b) draw_point(painter, place(*b), QStringLiteral("B"));
   };
-}
-
-Overlay height_scale_overlay(double top_mm, bool is_difference, const QString& title) {
-  if (!is_difference) return colour_bar_overlay(top_mm, title);
-  return colour_bar_overlay(ColourScale{-top_mm, top_mm, 2, difference_colour}, title);
 }
 
 }  // namespace alltact

@@ -128,12 +128,12 @@ void InspectPane::show_map() {
   std::vector<Overlay> overlays;
   if (result.depth && (!is_difference || frame_->other->depth)) {
     const cv::Mat value = is_difference ? depth_difference_mm(*frame_) : result.depth->depth_mm;
-    overlays.push_back(layer_overlay(height_layer(value, options_.scene.top_mm, is_difference)));
+    const double top_mm = options_.scene.top_mm;
+    const ColourScale scale = is_difference ? difference_scale(top_mm) : depth_scale(top_mm);
+    overlays.push_back(layer_overlay(height_layer(value, scale)));
     overlays.push_back(points_overlay(options_.a, options_.b));
     overlays.push_back(
-        height_scale_overlay(options_.scene.top_mm,
-                             is_difference,
-                             is_difference ? tr("Difference, mm") : tr("Depth, mm")));
+        colour_bar_overlay(scale, is_difference ? tr("Difference, mm") : tr("Depth, mm")));
   }
   map_->show_picture(result.grey, std::move(overlays));
 }

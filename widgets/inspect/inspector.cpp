@@ -1,7 +1,7 @@
 #include "widgets/inspect/inspector.h"
 
-#include "calibration/measuring_settings.h"
-#include "core/sensing/depth_sd.h"
+#include "calibration/finger/measuring_settings.h"
+#include "core/sensing/depth/depth_sd.h"
 
 #include <limits>
 

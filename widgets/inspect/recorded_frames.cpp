@@ -1,6 +1,6 @@
 #include "widgets/inspect/recorded_frames.h"
 
-#include "core/sources/picture_source.h"
+#include "core/sources/files/picture_source.h"
 
 namespace alltact {
 

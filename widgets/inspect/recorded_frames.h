@@ -1,10 +1,10 @@
 // Any frame of a recording by its number.
 #pragma once
 
+#include "core/frame.h"
 #include "core/job.h"
 #include "core/recording/video_file.h"
 #include "core/result.h"
-#include "core/sources/frame.h"
 #include "widgets/inspect/time_match.h"
 
 #include <filesystem>

@@ -2,12 +2,12 @@
 // markers and edges before the reference recording, the edges alone of a finger nobody described.
 #pragma once
 
-#include "calibration/dent_watch.h"
+#include "calibration/checks/dent_watch.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
-#include "core/sensing/face_edges.h"
+#include "core/sensing/face/face_edges.h"
+#include "core/sensing/markers/plain_rows.h"
 #include "core/sensing/pipeline.h"
-#include "core/sensing/plain_rows.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "widgets/live/finger_watcher.h"
 
-#include "calibration/measuring_settings.h"
+#include "calibration/finger/measuring_settings.h"
 #include "core/simulation/plan.h"
 
 #include <chrono>

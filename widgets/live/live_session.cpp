@@ -1,6 +1,7 @@
 #include "widgets/live/live_session.h"
 
-#include "core/sources/ending.h"
+#include "core/sources/files/ending.h"
+#include "core/sources/open/open_source.h"
 
 #include <QMetaObject>
 

@@ -2,6 +2,7 @@
 // its recording, the finger, the camera's controls. Nothing here waits.
 #pragma once
 
+#include "core/sources/open/open_source.h"
 #include "widgets/live/camera_desk.h"
 #include "widgets/live/finger_watcher.h"
 #include "widgets/live/source_runner.h"

@@ -178,7 +178,7 @@ Overlay colour_bar_overlay(const ColourScale& scale, const QString& title) {
                      kHeight);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     for (int i = 0; i <= 16; ++i) {
-      const MapColour colour = scale.colour_of(i / 16.0);
+      const MapColour colour = scale.colour(i / 16.0);
       gradient.setColorAt(i / 16.0, QColor(colour.red, colour.green, colour.blue));
     }
     painter.fillRect(bar, gradient);
@@ -190,10 +190,6 @@ Overlay colour_bar_overlay(const ColourScale& scale, const QString& title) {
           text);
     }
   };
-}
-
-Overlay colour_bar_overlay(double top_mm, const QString& title) {
-  return colour_bar_overlay(ColourScale{0, top_mm, 4, viridis}, title);
 }
 
 }  // namespace alltact

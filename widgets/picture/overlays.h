@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/io/colour_map.h"
-#include "core/sensing/face_edges.h"
-#include "core/sensing/markers.h"
-#include "core/sensing/touch.h"
+#include "core/sensing/contact/touch.h"
+#include "core/sensing/face/face_edges.h"
+#include "core/sensing/markers/markers.h"
 #include "widgets/picture/image_view.h"
 
 #include <vector>
@@ -31,15 +31,7 @@ void stroke_over(QPainter& painter,
 [[nodiscard]] Overlay touch_overlay(const Touch& touch, const Markers& markers);
 /// A layer of LiveView.
 [[nodiscard]] Overlay layer_overlay(const cv::Mat& layer);
-/// What colours mean.
-struct ColourScale {
-  double low_mm = 0, top_mm = 1;                  ///< at its ends
-  int steps = 4;                                  ///< between its numbers
-  MapColour (*colour_of)(double part) = viridis;  ///< from 0 at the low end to 1
-};
 /// The scale with its numbers, at the lower right of the view.
 [[nodiscard]] Overlay colour_bar_overlay(const ColourScale& scale, const QString& title);
-/// That of depth, from 0.
-[[nodiscard]] Overlay colour_bar_overlay(double top_mm, const QString& title);
 
 }  // namespace alltact

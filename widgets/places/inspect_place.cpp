@@ -1,7 +1,7 @@
 #include "widgets/places/inspect_place.h"
 
 #include "widgets/inspect/reading_text.h"
-#include "widgets/places/side_panel.h"
+#include "widgets/panels/side_panel.h"
 #include "widgets/value_change.h"
 #include "widgets/words/library_words.h"
 

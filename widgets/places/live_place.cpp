@@ -1,6 +1,6 @@
 #include "widgets/places/live_place.h"
 
-#include "widgets/places/side_panel.h"
+#include "widgets/panels/side_panel.h"
 #include "widgets/value_change.h"
 
 #include <QHBoxLayout>

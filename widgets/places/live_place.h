@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/controls/control_panel.h"
-#include "widgets/places/picture_panel.h"
+#include "widgets/panels/picture_panel.h"
 #include "widgets/translated.h"
 
 #include <QCheckBox>

@@ -1,6 +1,6 @@
 #include "widgets/places/record_place.h"
 
-#include "widgets/places/side_panel.h"
+#include "widgets/panels/side_panel.h"
 #include "widgets/shell/picture_dialog.h"
 #include "widgets/words/library_words.h"
 

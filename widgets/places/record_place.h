@@ -1,9 +1,9 @@
 // The place Record: a reference video with what it covers, and its installation in the finger.
 #pragma once
 
-#include "calibration/reference_recording.h"
+#include "calibration/reference/reference_recording.h"
 #include "widgets/background_work.h"
-#include "widgets/places/picture_panel.h"
+#include "widgets/panels/picture_panel.h"
 #include "widgets/recording/bend_coverage.h"
 #include "widgets/recording/coverage_view.h"
 #include "widgets/shell/problem_list.h"

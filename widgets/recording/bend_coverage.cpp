@@ -84,7 +84,7 @@ void BendCoverage::choose_rest() {
   rest_ = places_.front();
   std::vector<double> bend_mm, sway_mm, twist_deg;
   for (const TipPlace& place : places_) {
-    const Motion motion = motion_between(*rest_, place);
+    const TipMotion motion = motion_between(*rest_, place);
     bend_mm.push_back(motion.bend_mm);
     sway_mm.push_back(motion.sway_mm);
     twist_deg.push_back(motion.twist_deg);
@@ -94,8 +94,8 @@ void BendCoverage::choose_rest() {
   show_again();
 }
 
-Motion BendCoverage::motion_of(const TipPlace& place) const {
-  const Motion motion = motion_between(*rest_, place);
+TipMotion BendCoverage::motion_of(const TipPlace& place) const {
+  const TipMotion motion = motion_between(*rest_, place);
   return {motion.bend_mm - middle_.bend_mm,
           motion.sway_mm - middle_.sway_mm,
           motion.twist_deg - middle_.twist_deg};
@@ -111,7 +111,7 @@ void BendCoverage::show_again() {
 }
 
 void BendCoverage::show(const TipPlace& place) {
-  const Motion motion = motion_of(place);
+  const TipMotion motion = motion_of(place);
   picture_.now = motion;
   const double bend = motion.bend_mm / picture_.need.bend_mm,
                sway = motion.sway_mm / picture_.need.sway_mm,

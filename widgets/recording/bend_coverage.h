@@ -1,9 +1,9 @@
 // In which directions a finger has been bent while it was recorded: the live picture of what
-// calibration/motion_coverage.h measures.
+// calibration/reference/motion_coverage.h measures.
 #pragma once
 
-#include "calibration/motion_coverage.h"
-#include "calibration/reference_recording.h"
+#include "calibration/reference/motion_coverage.h"
+#include "calibration/reference/reference_recording.h"
 
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ struct BendPicture {
   static constexpr int kCells = 15;
   static constexpr double kShown = 1.5;
   std::array<std::uint32_t, kCells * kCells> visits{};
-  std::optional<Motion> now;
+  std::optional<TipMotion> now;
   std::uint64_t poses = 0;
 
   [[nodiscard]] std::vector<BendDirection> missing() const;
@@ -54,13 +54,13 @@ class BendCoverage {
   void choose_rest();
   void show_again();
   void show(const TipPlace& place);
-  [[nodiscard]] Motion motion_of(const TipPlace& place) const;
+  [[nodiscard]] TipMotion motion_of(const TipPlace& place) const;
 
   BendPicture picture_;
   std::vector<TipPlace> places_;
   std::optional<std::size_t> pair_;
   std::optional<TipPlace> now_, rest_;
-  Motion middle_;  // of all poses, told from rest_
+  TipMotion middle_;  // of all poses, told from rest_
   bool is_set_ = false;
   std::size_t next_choice_ = 1;  // number of poses at which rest is chosen anew
 };

@@ -1,8 +1,8 @@
 // What the plots of a calibration show, taken from its figures. For the report and for the Studio.
 #pragma once
 
-#include "calibration/calibrate.h"
-#include "calibration/press_residuals.h"
+#include "calibration/joint/calibrate.h"
+#include "calibration/report/press_residuals.h"
 #include "widgets/plots/face_map_plot.h"
 #include "widgets/plots/mapping_plot.h"
 #include "widgets/plots/press_error_plot.h"

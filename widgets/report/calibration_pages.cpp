@@ -1,7 +1,7 @@
 #include "widgets/report/calibration_pages.h"
 
-#include "calibration/calibration_report.h"
-#include "calibration/check_history.h"
+#include "calibration/checks/check_history.h"
+#include "calibration/finger/calibration_report.h"
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/plots/history_plot.h"
 #include "widgets/plots/press_light_plot.h"

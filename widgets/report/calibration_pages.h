@@ -1,7 +1,7 @@
 // The report of a calibration, for the lab book: what it is worth, and how one can see that.
 #pragma once
 
-#include "calibration/calibrate_finger.h"
+#include "calibration/finger/calibrate_finger.h"
 #include "core/job.h"
 #include "core/result.h"
 

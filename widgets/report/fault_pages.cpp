@@ -1,6 +1,6 @@
 #include "widgets/report/fault_pages.h"
 
-#include "calibration/typical_faults.h"
+#include "calibration/report/typical_faults.h"
 #include "widgets/plots/press_light_plot.h"
 #include "widgets/report/calibration_figures.h"
 

@@ -1,7 +1,7 @@
 // A press as a person can judge it: the picture around the contact, with the ball's outline.
 #pragma once
 
-#include "calibration/calibrate.h"
+#include "calibration/joint/calibrate.h"
 #include "core/camera/camera.h"
 
 #include <QImage>

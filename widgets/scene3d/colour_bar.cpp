@@ -45,7 +45,7 @@ void ColourBar::show(bool is_shown) {
 void ColourBar::set_scale(const ColourScale& scale) {
   constexpr int kSteps = 256;
   colours_->SetNumberOfTableValues(kSteps);
-  colours_->SetTableRange(scale.low, scale.high);
+  colours_->SetTableRange(scale.low_mm, scale.top_mm);
   for (int i = 0; i < kSteps; ++i) {
     const MapColour c = scale.colour(static_cast<double>(i) / (kSteps - 1));
     colours_->SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0, 1);

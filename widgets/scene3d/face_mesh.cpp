@@ -13,10 +13,6 @@
 
 namespace alltact {
 
-ColourScale difference_scale(double top_mm) {
-  return {-top_mm, top_mm, [](double part) { return cool_to_warm(2 * part - 1); }};
-}
-
 FaceMesh::FaceMesh() {
   places_->SetNumberOfComponents(3);
   normals_->SetNumberOfComponents(3);
@@ -109,8 +105,8 @@ void FaceMesh::colour(const cv::Mat& value, const ColourScale& scale) {
   std::array<MapColour, kSteps> table;
   for (int i = 0; i < kSteps; ++i)
     table[static_cast<std::size_t>(i)] = scale.colour(static_cast<double>(i) / (kSteps - 1));
-  const auto low = static_cast<float>(scale.low);
-  const auto steps = static_cast<float>((kSteps - 1) / (scale.high - scale.low));
+  const auto low = static_cast<float>(scale.low_mm);
+  const auto steps = static_cast<float>((kSteps - 1) / (scale.top_mm - scale.low_mm));
   unsigned char* to = colours_->GetPointer(0);
   for (int j = 0; j < value.rows; ++j) {
     const auto* row = value.ptr<float>(j);

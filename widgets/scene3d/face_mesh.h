@@ -14,15 +14,8 @@ class vtkUnsignedCharArray;
 
 namespace alltact {
 
-/// Numbers in colours: `low` and what is below in the first, `high` and above in the last, none in
-/// a grey that stands for "not measured".
-struct ColourScale {
-  double low = 0, high = 1;
-  MapColour (*colour)(double part) = &viridis;  ///< of [0, 1]
-};
+/// Grey: where a value is not measured.
 inline constexpr MapColour kNotMeasured{128, 128, 128};
-/// Differences: -top to top, light grey in the middle.
-[[nodiscard]] ColourScale difference_scale(double top_mm);
 
 class FaceMesh {
  public:

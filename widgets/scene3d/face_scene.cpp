@@ -51,7 +51,7 @@ struct FaceScene::State {
     second.set_options(options);
     show_frames();
     bar.set_scale(first.is_difference() ? difference_scale(options.top_mm)
-                                        : ColourScale{0, options.top_mm});
+                                        : depth_scale(options.top_mm));
   }
   /// What stands for frames rather than for faces.
   void show_frames() {

@@ -117,8 +117,7 @@ void PlacedFace::draw_face() {
                surface_.depth_mm,
                static_cast<float>(options_.times),
                value,
-               is_difference() ? difference_scale(options_.top_mm)
-                               : ColourScale{0, options_.top_mm, &viridis});
+               is_difference() ? difference_scale(options_.top_mm) : depth_scale(options_.top_mm));
   face_->VisibilityOn();
 }
 

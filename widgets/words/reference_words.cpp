@@ -189,6 +189,7 @@ constexpr const char* kAll[] = {
     QT_TRANSLATE_NOOP("Library", "another frame in which the finger rests"),
     QT_TRANSLATE_NOOP("Library", "a flat sensor takes one untouched picture"),
     QT_TRANSLATE_NOOP("Library", "lines: edges of the face"),
+    QT_TRANSLATE_NOOP("Library", "outlined: darker than the untouched face"),
     QT_TRANSLATE_NOOP("Library", "circle: a marker, with its number"),
     QT_TRANSLATE_NOOP("Library", "cross: looks like a dot, but is none of the rows"),
     QT_TRANSLATE_NOOP("Library", "broken circle: a marker should be here"),

@@ -1,8 +1,8 @@
 // An open camera node: ioctls with named errors, what it can do, its formats.
 #pragma once
 
+#include "core/io/grey_decoder.h"
 #include "core/result.h"
-#include "core/sources/v4l2/grey_decoder.h"
 #include "core/sources/v4l2/v4l2_calls.h"
 
 #include <cstdint>

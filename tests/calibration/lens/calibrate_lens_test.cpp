@@ -2,6 +2,7 @@
 
 #include "calibration/lens/lens_verdict.h"
 #include "calibration/lens/lens_views.h"
+#include "core/sources/open/open_source.h"
 #include "tests/support/boards.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Frames whose every byte a test can name again, and what other programs read of a file.
 #pragma once
 
+#include "core/frame.h"
 #include "core/numerics/philox.h"
-#include "core/sources/frame.h"
 
 #include <cstdio>
 #include <string>

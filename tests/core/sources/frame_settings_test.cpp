@@ -1,6 +1,6 @@
 #include "core/sources/frame_settings.h"
 
-#include "core/sources/lit_source.h"
+#include "core/sources/hid/lit_source.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
-#include "core/sources/source.h"
-
+#include "core/sources/open/open_source.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstring>

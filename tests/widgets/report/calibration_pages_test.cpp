@@ -1,7 +1,7 @@
 #include "widgets/report/calibration_pages.h"
 
-#include "calibration/check_history.h"
-#include "calibration/typical_faults.h"
+#include "calibration/checks/check_history.h"
+#include "calibration/report/typical_faults.h"
 #include "tests/support/program.h"
 #include "widgets/report/document.h"
 #include "widgets/report/press_picture.h"

@@ -54,7 +54,7 @@ bool is_said_nowhere(const SourceText& text) {
   return file.starts_with("calibration/hard_cases/") ||        // a table of the command line
          file == "calibration/export/calibration_json.cpp" ||  // formulas and keys of files...
          file == "calibration/export/ros_parameters.cpp" ||    // ...for other programs
-         file == "calibration/typical_faults.cpp" ||  // scenes, made and read by the program
+         file == "calibration/report/typical_faults.cpp" ||  // scenes, made and read by the program
          text.text.find_first_of("\n\x04") != std::string::npos;  // the body of a file
 }
 
@@ -74,8 +74,10 @@ std::vector<SourceText> library_texts() {
 std::vector<SourceText> program_texts() {
   std::vector<SourceText> all = texts_below(kTop / "widgets");
   for (const SourceText& text : texts_below(kTop / "app" / "studio")) all.push_back(text);
-  for (const char* file :
-       {"app/finger_work.cpp", "app/console.cpp", "app/main.cpp", "app/commands/calibrate.cpp"})
+  for (const char* file : {"app/console/finger_work.cpp",
+                           "app/console/console.cpp",
+                           "app/main.cpp",
+                           "app/commands/calibrate.cpp"})
     for (const SourceText& text : texts_of(kTop / file)) all.push_back(text);
   std::erase_if(all, [](const SourceText& text) {
     return text.file.parent_path() == kTop / "widgets" / "words";

@@ -1,0 +1,61 @@
+// What a source gives to a command that records it.
+#pragma once
+
+#include "app/console/button_presses.h"
+#include "app/console/console.h"
+#include "core/sources/source.h"
+
+#include <string>
+
+namespace alltact {
+
+/// What reads a source for a recording: says each fault once, and hears the button between frames.
+class SourceReader {
+ public:
+  SourceReader(Source& source, ButtonPresses* button, Console& console)
+      : source_(source), button_(button), console_(console) {}
+
+  /// The next frame; null when it is over, and why() says why, or when the button was pressed while
+  /// none came.
+  FramePtr next() {
+    while (true) {
+      if (is_stopped()) return end("stopped by hand");
+      auto frame = source_.next();
+      is_pressed_ = button_ != nullptr && button_->taken(console_);
+      if (frame && *frame) {
+        last_problem_.clear();
+        return *frame;
+      }
+      if (frame) return end(is_stopped() ? "stopped by hand" : "the source ended");
+      // A camera that is unplugged says so again and again, and may come back.
+      const std::string problem = frame.error().sentence();
+      if (problem != last_problem_) console_.warn(problem);
+      last_problem_ = problem;
+      ++unreadable_;
+      if (is_pressed_) return nullptr;
+    }
+  }
+  /// The button was pressed since the call of next() before the last.
+  [[nodiscard]] bool is_pressed() const { return is_pressed_; }
+  /// Empty as long as frames may follow.
+  [[nodiscard]] const std::string& why() const { return why_; }
+  [[nodiscard]] bool is_over() const { return !why_.empty(); }
+  [[nodiscard]] bool is_stopped() const { return console_.job().stop_requested(); }
+  [[nodiscard]] std::uint64_t unreadable() const { return unreadable_; }
+  [[nodiscard]] Source& source() const { return source_; }
+
+ private:
+  FramePtr end(std::string why) {
+    why_ = std::move(why);
+    return nullptr;
+  }
+
+  Source& source_;
+  ButtonPresses* button_;
+  Console& console_;
+  bool is_pressed_ = false;
+  std::string why_, last_problem_;
+  std::uint64_t unreadable_ = 0;
+};
+
+}  // namespace alltact

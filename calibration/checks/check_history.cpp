@@ -1,0 +1,161 @@
+#include "calibration/checks/check_history.h"
+
+#include "core/io/atomic_file.h"
+
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kHead =
+    "time_utc,verdict,error_mm,drifting_above_mm,recalibrate_above_mm,light_percent,presses,"
+    "ball_radius_mm,calibration_date,program_version";
+constexpr std::size_t kLargestFile = std::size_t{64} << 20;
+
+std::string line_of(const CheckEntry& entry) {
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}",
+                     entry.time,
+                     to_string(entry.verdict),
+                     entry.error_mm,
+                     entry.drifting_above_mm,
+                     entry.recalibrate_above_mm,
+                     entry.light_percent,
+                     entry.presses,
+                     entry.ball_radius_mm,
+                     entry.calibration_date,
+                     entry.program_version);
+}
+
+std::vector<std::string> parts_of(const std::string& line) {
+  std::vector<std::string> parts(1);
+  for (const char c : line) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+template <class T>
+bool read(const std::string& text, T& value) {
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc{} || end != text.data() + text.size()) return false;
+  if constexpr (std::is_floating_point_v<T>) return std::isfinite(value);
+  return true;
+}
+
+std::optional<CheckEntry> entry_from(const std::string& line) {
+  const auto parts = parts_of(line);
+  if (parts.size() != 10 || !seconds_of(parts[0])) return std::nullopt;
+  CheckEntry entry;
+  entry.time = parts[0];
+  bool is_verdict = false;
+  for (const auto verdict :
+       {CheckVerdict::kPass, CheckVerdict::kDrifting, CheckVerdict::kRecalibrate}) {
+    if (parts[1] != to_string(verdict)) continue;
+    entry.verdict = verdict;
+    is_verdict = true;
+  }
+  const bool is_whole =
+      is_verdict && read(parts[2], entry.error_mm) && read(parts[3], entry.drifting_above_mm) &&
+      read(parts[4], entry.recalibrate_above_mm) && read(parts[5], entry.light_percent) &&
+      read(parts[6], entry.presses) && read(parts[7], entry.ball_radius_mm);
+  if (!is_whole) return std::nullopt;
+  entry.calibration_date = parts[8];
+  entry.program_version = parts[9];
+  return entry;
+}
+
+}  // namespace
+
+CheckEntry entry_of(const PressCheck& check,
+                    const Finger& finger,
+                    const std::string& time,
+                    const std::string& program_version) {
+  CheckEntry entry;
+  entry.time = time;
+  entry.verdict = check.verdict;
+  entry.error_mm = check.error_mm;
+  entry.drifting_above_mm = check.drifting_above_mm;
+  entry.recalibrate_above_mm = check.recalibrate_above_mm;
+  entry.light_percent = 100 * check.light_change;
+  entry.presses = static_cast<int>(check.presses.size());
+  entry.ball_radius_mm = check.ball_radius_mm;
+  const auto date = finger.provenance.find("calibration_date");
+  if (date != finger.provenance.end() && seconds_of(date->second))
+    entry.calibration_date = date->second;
+  entry.program_version = program_version;
+  return entry;
+}
+
+Result<std::vector<CheckEntry>> load_checks(const fs::path& folder,
+                                            std::vector<std::string>* warnings) {
+  const fs::path file = folder / kCheckFile;
+  std::error_code failed;
+  if (!fs::exists(file, failed)) return std::vector<CheckEntry>{};
+  const auto content = read_file(file, kLargestFile);
+  if (!content) return content.error();
+  std::vector<CheckEntry> entries;
+  std::size_t begin = 0;
+  for (int number = 1; begin < content->size(); ++number) {
+    std::size_t end = content->find('\n', begin);
+    if (end == std::string::npos) end = content->size();
+    std::string line = content->substr(begin, end - begin);
+    begin = end + 1;
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.empty() || line == kHead) continue;
+    if (auto entry = entry_from(line)) {
+      entries.push_back(std::move(*entry));
+    } else if (warnings != nullptr) {
+      warnings->push_back(
+          fmt::format("{}:{}: this is no check and is left out.", file.string(), number));
+    }
+  }
+  return entries;
+}
+
+Status append_check(const fs::path& folder, const CheckEntry& entry) {
+  const fs::path file = folder / kCheckFile;
+  std::string text;
+  std::error_code failed;
+  if (fs::exists(file, failed)) {
+    auto content = read_file(file, kLargestFile);
+    if (!content) return content.error();
+    text = std::move(content).value();
+  }
+  if (text.empty()) text = std::string(kHead) + "\n";
+  if (!text.ends_with('\n')) text += '\n';
+  return write_file_atomically(file, text + line_of(entry) + "\n");
+}
+
+std::optional<double> seconds_of(const std::string& time) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, read = 0;
+  if (std::sscanf(time.c_str(),
+                  "%4d-%2d-%2dT%2d:%2d:%2dZ%n",
+                  &year,
+                  &month,
+                  &day,
+                  &hour,
+                  &minute,
+                  &second,
+                  &read) != 6 ||
+      read != 20 || time.size() != 20)
+    return std::nullopt;
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  if (!date.ok() || hour > 23 || minute > 59 || second > 60) return std::nullopt;
+  const auto days = std::chrono::sys_days(date).time_since_epoch().count();
+  return 86400.0 * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second;
+}
+
+}  // namespace alltact

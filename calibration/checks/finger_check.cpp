@@ -1,0 +1,170 @@
+#include "calibration/checks/finger_check.h"
+
+#include "calibration/finger/calibration_inputs.h"
+#include "calibration/finger/calibration_report.h"
+#include "calibration/joint/verdict.h"
+#include "core/camera/camera.h"
+#include "core/sensing/reference/reference_library.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Fewer frames leave gaps between the poses of a bending finger.
+constexpr std::size_t kPlentyOfFrames = 40;
+
+std::string value_or_empty(const Finger& finger, const char* key) {
+  const auto found = finger.provenance.find(key);
+  return found == finger.provenance.end() ? std::string() : found->second;
+}
+
+CheckItem check_reference(const fs::path& folder,
+                          const Finger& finger,
+                          const Camera& camera,
+                          const Job& job) {
+  const bool flat = finger.face.kind == FaceKind::kFlat;
+  if (!finger.reference) {
+    return {"reference",
+            CheckState::kMissing,
+            flat ? "no untouched picture; give one to calibrate with --reference"
+                 : "no recording of the bending, untouched finger; run alltact reference"};
+  }
+  const auto library = ReferenceLibrary::load(folder, finger, camera, job);
+  if (!library) return {"reference", CheckState::kMissing, library.error().sentence()};
+  if (flat) return {"reference", CheckState::kFine, "one untouched picture"};
+  const std::size_t count = library->frame_count();
+  if (count < kPlentyOfFrames) {
+    return {
+        "reference",
+        CheckState::kWeak,
+        fmt::format("only {} frames; poses between them are guessed, record more bending", count)};
+  }
+  return {"reference", CheckState::kFine, fmt::format("{} frames", count)};
+}
+
+CheckItem check_markers(const Finger& finger) {
+  if (!finger.contact) {
+    return {"markers",
+            CheckState::kMissing,
+            "no layout at rest, so touch cannot be told; run alltact reference again"};
+  }
+  if (finger.reference && finger.reference->places)
+    return {"markers",
+            CheckState::kWeak,
+            "none; poses are told by the shape of the face, which cannot tell twist"};
+  return {"markers",
+          CheckState::kFine,
+          fmt::format("{} markers; touch is told from {:.1f} px of summed offset",
+                      finger.marker_count() - static_cast<int>(finger.markers.missing.size()),
+                      finger.contact->threshold_px)};
+}
+
+CheckItem check_mapping(const Finger& finger) {
+  if (!finger.mapping) {
+    return {
+        "mapping", CheckState::kMissing, "not calibrated; run alltact calibrate with ball presses"};
+  }
+  if (!finger.mapping_record) {
+    return {"mapping",
+            CheckState::kWeak,
+            "nothing says how it came about or how good it is; run alltact calibrate again"};
+  }
+  const MappingRecord& record = *finger.mapping_record;
+  const Verdict worth = verdict({record.residual_mm,
+                                 record.held_out_mm,
+                                 record.spread_mm,
+                                 static_cast<int>(record.presses.size()),
+                                 record.pixel_mm});
+  const CheckState state = worth.grade == Grade::kUnfit  ? CheckState::kMissing
+                           : worth.grade == Grade::kGood ? CheckState::kFine
+                                                         : CheckState::kWeak;
+  return {"mapping", state, worth.sentence};
+}
+
+/// Both dates are UTC in one format, so their order as text is their order in time.
+CheckItem check_age(const Finger& finger) {
+  const std::string reference = value_or_empty(finger, "reference_date");
+  const std::string calibration = value_or_empty(finger, "calibration_date");
+  if (!reference.empty() && reference > calibration) {
+    return {"calibration",
+            CheckState::kStale,
+            fmt::format("the reference ({}) is newer than the calibration ({}); calibrate again",
+                        reference,
+                        calibration)};
+  }
+  return {"calibration",
+          CheckState::kFine,
+          "made " + (calibration.empty() ? "at an unknown date" : calibration)};
+}
+
+CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
+  const auto inputs = CalibrationInputs::load(folder);
+  if (!inputs)
+    return {"presses",
+            CheckState::kWeak,
+            "the calibration cannot be repeated: " + inputs.error().sentence()};
+  const auto gone =
+      std::count_if(inputs->presses.begin(), inputs->presses.end(), [&](const KeptPress& press) {
+        std::error_code failed;
+        return !fs::exists(folder / "presses" / (press.name + ".png"), failed);
+      });
+  if (gone > 0)
+    return {"presses",
+            CheckState::kWeak,
+            fmt::format("{} of {} press pictures are gone, so the calibration cannot be repeated",
+                        gone,
+                        inputs->presses.size())};
+  if (inputs->date != value_or_empty(finger, "calibration_date"))
+    return {"presses",
+            CheckState::kStale,
+            "what is kept is of a calibration that was cut off; complete it with " +
+                repeat_command(folder)};
+  return {"presses", CheckState::kFine, fmt::format("{} pictures kept", inputs->presses.size())};
+}
+
+}  // namespace
+
+std::string_view to_string(CheckState state) {
+  switch (state) {
+    case CheckState::kFine:
+      return "fine";
+    case CheckState::kWeak:
+      return "weak";
+    case CheckState::kStale:
+      return "stale";
+    case CheckState::kMissing:
+      return "missing";
+  }
+  return "";
+}
+
+FingerCheck check_finger(const fs::path& folder, const Finger& finger, const Job& job) {
+  FingerCheck check;
+  const auto camera = Camera::create(finger.camera);
+  if (!camera) {
+    check.items.push_back({"camera", CheckState::kMissing, camera.error().sentence()});
+    return check;
+  }
+  check.items.push_back({"camera",
+                         CheckState::kFine,
+                         fmt::format("{}, {} x {} px",
+                                     to_string(finger.camera.model),
+                                     finger.camera.width_px,
+                                     finger.camera.height_px)});
+  check.items.push_back(check_reference(folder, finger, *camera, job));
+  if (finger.face.kind == FaceKind::kFinRay) check.items.push_back(check_markers(finger));
+  check.items.push_back(check_mapping(finger));
+  if (finger.mapping) check.items.push_back(check_age(finger));
+  if (finger.mapping_record) check.items.push_back(check_inputs(folder, finger));
+  check.fit = std::none_of(check.items.begin(), check.items.end(), [](const CheckItem& item) {
+    return item.state == CheckState::kMissing;
+  });
+  return check;
+}
+
+}  // namespace alltact

@@ -1,0 +1,331 @@
+#include "calibration/checks/press_check.h"
+
+#include "calibration/finger/calibration_inputs.h"
+#include "calibration/finger/measuring_settings.h"
+#include "calibration/joint/joint_fit.h"
+#include "calibration/joint/step_press.h"
+#include "calibration/presses/press_samples.h"
+#include "calibration/report/press_residuals.h"
+#include "core/sensing/pipeline.h"
+#include "core/sources/open/open_source.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSamples = 1500;        // a press
+constexpr double kFactorSeen = 0.02;  // a factor nearer to 1 is as good as 1
+constexpr double kChance = 3.0;       // standard deviations
+
+Error stopped() {
+  return {"stopped before the check was done", "", ""};
+}
+
+struct Mean {
+  double mean = 0, sd = 0;
+};
+
+/// Of sorted values, so that their order does not matter.
+Mean mean_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  Mean result;
+  const auto n = static_cast<double>(values.size());
+  for (const double value : values) result.mean += value / n;
+  double squares = 0;
+  for (const double value : values) squares += (value - result.mean) * (value - result.mean);
+  if (n > 1) result.sd = std::sqrt(squares / (n - 1));
+  return result;
+}
+
+Mean mean_of(const std::vector<CheckedPress>& presses, double CheckedPress::*member) {
+  std::vector<double> values;
+  for (const CheckedPress& press : presses) values.push_back(press.*member);
+  return mean_of(std::move(values));
+}
+
+/// What the mapping reads, in place of the brightness. Below zero it goes on straight.
+double reading_mm(const Mapping& mapping, double x) {
+  return x < 0 ? mapping.slope_mm(0) * x : mapping.depth_mm(x);
+}
+
+/// The ball of one press by the shape of its contact: centre and factor free.
+Result<CheckedPress> measure(const Press& press,
+                             double light_change,
+                             const Face& face,
+                             const Mapping& mapping,
+                             const Job& job) {
+  const auto guess = find_ball(press, face);
+  if (!guess) return guess.error();
+  const Error too_small{fmt::format("{}: the contact covers too few pixels", press.name),
+                        "",
+                        "pressing deeper, or a larger picture"};
+  PressSamples samples =
+      sample_around(press, face, guess->centre_mm, 1.06 * press.ball_radius_mm, kSamples);
+  if (samples.samples.size() < 60) return too_small;
+  JointOptions options;
+  options.along = mapping.parameters().along;
+  options.zone = kSureRim;
+  double deepest = 0;
+  for (Sample& sample : samples.samples) {
+    sample.x = mapping.parameters().variation.at(sample.place_mm) * reading_mm(mapping, sample.x);
+    deepest = std::max(deepest, sample.x);
+  }
+  // Noise in mm, where little presses: it only weighs samples against kFloorMm.
+  samples.x_sd *= mapping.slope_mm(0);
+  MappingCurve line({MappingKind::kPolynomial, 1}, std::max(deepest, 1e-3));
+  line.set_line(1.0);
+  JointOptions fixed = options;
+  fixed.fix_mapping = true;
+  JointFit fit = fit_jointly({&samples}, {line, {guess->centre_mm}, false}, fixed, job);
+  if (fit.converged) fit = fit_jointly({&samples}, fit, options, job);
+  if (job.stop_requested()) return stopped();
+  if (!fit.converged)
+    return Error{fmt::format("{}: no ball fits the contact", press.name), "", "a clean ball"};
+
+  CheckedPress result;
+  result.name = press.name;
+  result.light_change = light_change;
+  result.factor = fit.curve.values()[0];
+  const ContactDisc disc(samples, options.along, fit.centres_mm[0]);
+  int count = 0;
+  for (const Sample& sample : samples.samples) {
+    const double depth =
+        ball_depth_mm(sample, options.along, fit.centres_mm[0], press.ball_radius_mm);
+    if (!std::isfinite(depth) || !(disc.place_of(sample).radius <= kSureRim)) continue;
+    result.error_mm += std::abs(sample.x - depth -
+                                blur_mm(sample, samples, line, options.along, fit.centres_mm[0]));
+    result.depth_mm = std::max(result.depth_mm, depth);
+    ++count;
+  }
+  if (count == 0) return too_small;
+  result.error_mm /= count;
+  return result;
+}
+
+/// The step of a punch, as the mapping reads it.
+Result<CheckedPress> measure_step(const Press& press,
+                                  double light_change,
+                                  const Face& face,
+                                  const Mapping& mapping) {
+  const auto step = find_step(press, face);
+  if (!step) return step.error();
+  StepSamples read = *step;
+  for (Sample& sample : read.samples.samples)
+    sample.x = mapping.parameters().variation.at(sample.place_mm) * reading_mm(mapping, sample.x);
+  MappingCurve line({MappingKind::kPolynomial, 1}, 1.0);
+  line.set_line(1.0);
+  const double height_mm =
+      read_step(read, line, line.values().data(), mapping.parameters().along).height_mm;
+  return CheckedPress{press.name,
+                      std::abs(height_mm - step->step_mm),
+                      step->step_mm / height_mm,
+                      step->step_mm,
+                      light_change};
+}
+
+struct Measured {
+  std::set<std::string> names;  ///< of all that were read
+  std::vector<CheckedPress> presses;
+  std::vector<std::string> left_out;
+};
+
+Result<Measured> measure_all(const std::vector<fs::path>& pictures,
+                             Pipeline& pipeline,
+                             const Mapping& mapping,
+                             const SaidOfPresses& said,
+                             const Job& job) {
+  auto source = open_source(pictures);
+  if (!source) return source.error();
+  Measured all;
+  while (true) {
+    if (job.stop_requested()) return stopped();
+    const auto frame = (*source)->next();
+    if (!frame) return frame.error();
+    if (!*frame) break;
+    all.names.insert((*frame)->name);
+    pipeline.forget();  // no press knows of another
+    auto result = pipeline(*frame);
+    if (!result) return result.error();
+    if (!result->difference || !result->shape || result->reference->by_shape) {
+      all.left_out.push_back(
+          fmt::format("{}: {}",
+                      (*frame)->name,
+                      result->problems.empty() ? "no face was found." : result->problems.front()));
+      continue;
+    }
+    const double light = result->difference->light.change();
+    Press press{(*frame)->name,
+                std::move(*result->difference),
+                std::move(*result->shape),
+                said.radius_of((*frame)->name)};
+    const Face& face = pipeline.finger().face;
+    if (const PressStep* punch = said_of(said.steps, press.name)) press.step_mm = punch->step_mm;
+    auto measured = press.step_mm ? measure_step(press, light, face, mapping)
+                                  : measure(press, light, face, mapping, job);
+    if (measured) {
+      all.presses.push_back(std::move(measured).value());
+    } else {
+      all.left_out.push_back(measured.error().sentence());
+    }
+  }
+  std::sort(all.presses.begin(), all.presses.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.name, a.error_mm) < std::tie(b.name, b.error_mm);
+  });
+  std::sort(all.left_out.begin(), all.left_out.end());
+  return all;
+}
+
+double known_radius_mm(const Finger& finger) {
+  const auto found = finger.provenance.find("ball_radius_mm");
+  if (found == finger.provenance.end()) return 0;
+  double radius = 0;
+  const std::string& text = found->second;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), radius);
+  const bool is_number = status == std::errc{} && end == text.data() + text.size();
+  return is_number && radius > 0 && radius <= kLargestBallMm ? radius : 0;
+}
+
+/// The calibration's own presses, measured as the new ones are; empty where they are not kept.
+std::vector<CheckedPress> own_presses(const fs::path& folder,
+                                      Pipeline& pipeline,
+                                      const Mapping& mapping,
+                                      const Job& job) {
+  const auto inputs = CalibrationInputs::load(folder);
+  if (!inputs) return {};
+  std::vector<fs::path> pictures;
+  std::error_code failed;
+  for (const KeptPress& press : inputs->presses) {
+    const fs::path file = folder / "presses" / (press.name + ".png");
+    if (said_of(inputs->excluded, press.name) != nullptr || !fs::exists(file, failed)) continue;
+    pictures.push_back(file);
+  }
+  if (pictures.empty()) return {};
+  auto measured = measure_all(pictures, pipeline, mapping, *inputs, job);
+  return measured ? std::move(measured->presses) : std::vector<CheckedPress>{};
+}
+
+void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck& check) {
+  const double n = static_cast<double>(check.presses.size());
+  Mean error{2 * held_out_mm, held_out_mm}, light;
+  if (own.size() > 2) {
+    error = mean_of(own, &CheckedPress::error_mm);
+    light = mean_of(own, &CheckedPress::light_change);
+  }
+  check.error_mm = mean_of(check.presses, &CheckedPress::error_mm).mean;
+  check.factor = mean_of(check.presses, &CheckedPress::factor).mean;
+  check.light_change = mean_of(check.presses, &CheckedPress::light_change).mean - light.mean;
+  check.drifting_above_mm = std::max(kLeastErrorMm, error.mean + kChance * error.sd / std::sqrt(n));
+  check.recalibrate_above_mm = std::max(2 * check.drifting_above_mm, kGoodErrorMm);
+  check.light_limit = std::max(kLightLimit, kChance * light.sd / std::sqrt(n));
+  const double off = std::max(kLightOff, 3 * check.light_limit);
+  const double light_change = std::abs(check.light_change);
+  check.verdict = check.error_mm > check.recalibrate_above_mm || light_change > off
+                      ? CheckVerdict::kRecalibrate
+                  : check.error_mm > check.drifting_above_mm || light_change > check.light_limit
+                      ? CheckVerdict::kDrifting
+                      : CheckVerdict::kPass;
+}
+
+std::string reason_of(const PressCheck& check) {
+  std::string text;
+  if (check.error_mm > check.drifting_above_mm)
+    text += std::abs(check.factor - 1) < kFactorSeen
+                ? std::string("; the contacts have no ball's shape: is ball or face dirty?")
+                : fmt::format(
+                      "; the mapping reads {:.0f} % too {}: layer, ball or camera are not "
+                      "what they were",
+                      100 * std::abs(1 - 1 / check.factor),
+                      check.factor > 1 ? "shallow" : "deep");
+  if (std::abs(check.light_change) > check.light_limit)
+    text += fmt::format("; the face is {:.1f} % {} than it was: look at lamps, exposure and layer",
+                        100 * std::abs(check.light_change),
+                        check.light_change > 0 ? "brighter" : "darker");
+  return text;
+}
+
+std::string sentence_of(const PressCheck& check) {
+  std::string text = fmt::format(
+      "{}: {:.3f} mm of depth error on {} press{} (passes up to {:.3f} mm), light {:+.1f} %",
+      to_string(check.verdict),
+      check.error_mm,
+      check.presses.size(),
+      check.presses.size() == 1 ? "" : "es",
+      check.drifting_above_mm,
+      100 * check.light_change);
+  text += reason_of(check);
+  if (check.verdict == CheckVerdict::kDrifting) text += "; calibrate again soon";
+  if (check.verdict == CheckVerdict::kRecalibrate)
+    text += "; calibrate again before measuring with it";
+  return text;
+}
+
+}  // namespace
+
+std::string_view to_string(CheckVerdict verdict) {
+  switch (verdict) {
+    case CheckVerdict::kPass:
+      return "pass";
+    case CheckVerdict::kDrifting:
+      return "drifting";
+    case CheckVerdict::kRecalibrate:
+      break;
+  }
+  return "recalibrate";
+}
+
+Result<PressCheck> check_with_presses(const PressCheckInput& input,
+                                      const Finger& finger,
+                                      const Job& job) {
+  if (!finger.mapping || !finger.mapping_record)
+    return Error{"the finger is not calibrated, so there is nothing to check",
+                 input.folder.string(),
+                 "alltact calibrate"};
+  const auto mapping = Mapping::create(*finger.mapping);
+  if (!mapping) return mapping.error();
+  PressCheck check;
+  check.ball_radius_mm = input.ball_radius_mm > 0 ? input.ball_radius_mm : known_radius_mm(finger);
+  if (!(check.ball_radius_mm > 0))
+    return Error{"the finger does not tell the ball it was calibrated with",
+                 input.folder.string(),
+                 "--ball-radius-mm with the radius of the ball that was pressed"};
+  Finger blank = finger;  // up to the brightness difference
+  blank.mapping.reset();
+  auto pipeline = Pipeline::create(input.folder, blank, measuring_settings(input.folder), job);
+  if (!pipeline) return pipeline.error();
+  job.report(0.3, "measuring the presses");
+  SaidOfPresses said;
+  said.ball_radius_mm = check.ball_radius_mm;
+  said.steps = input.steps;
+  auto measured = measure_all(input.presses, *pipeline, *mapping, said, job);
+  if (!measured) return measured.error();
+  check.presses = std::move(measured->presses);
+  check.left_out = std::move(measured->left_out);
+  for (const PressStep& step : input.steps)
+    if (!measured->names.contains(step.name))
+      return Error{fmt::format("no press is called '{}'", step.name),
+                   "",
+                   fmt::format("one of {}", fmt::join(measured->names, ", "))};
+  if (check.presses.empty()) {
+    std::string what = fmt::format("no press can be used: {}", fmt::join(check.left_out, " "));
+    if (what.ends_with('.')) what.pop_back();  // Error adds the full stop
+    return Error{
+        what, "", "pictures of this finger with the ball pressed 0.3 mm or more into its face"};
+  }
+  job.report(0.6, "measuring the presses of the calibration");
+  const auto own = own_presses(input.folder, *pipeline, *mapping, job);
+  if (job.stop_requested()) return stopped();
+  judge(own, finger.mapping_record->held_out_mm, check);
+  check.sentence = sentence_of(check);
+  return check;
+}
+
+}  // namespace alltact

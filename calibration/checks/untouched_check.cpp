@@ -1,0 +1,117 @@
+#include "calibration/checks/untouched_check.h"
+
+#include "calibration/finger/measuring_settings.h"
+#include "core/sensing/depth/depth_cells.h"
+#include "core/sensing/pipeline.h"
+#include "core/sources/open/open_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kWorst = 0.95;  // part of the face that is better
+
+/// The depth that the worst twentieth of the face's patches exceeds.
+double worst_patch_mm(const DepthMap& depth) {
+  std::vector<float> patches;
+  for (int row = 0; row < depth.cells_mm.rows; ++row)
+    for (int column = 0; column < depth.cells_mm.cols; ++column) {
+      const cv::Point middle(column * kDepthCellPx + kDepthCellPx / 2,
+                             row * kDepthCellPx + kDepthCellPx / 2);
+      if (middle.x >= depth.flags.cols || middle.y >= depth.flags.rows) continue;
+      if (depth.flags.at<std::uint8_t>(middle) == kMeasured)
+        patches.push_back(depth.cells_mm.at<float>(row, column));
+    }
+  if (patches.empty()) return 0;
+  const auto at = patches.begin() + static_cast<std::ptrdiff_t>(kWorst * (patches.size() - 1.0));
+  std::nth_element(patches.begin(), at, patches.end());
+  return static_cast<double>(*at);
+}
+
+std::string sentence_of(const UntouchedCheck& check) {
+  const std::string figures = fmt::format(
+      "the face is {:.1f} % {} than when its reference was recorded; false depth {:.3f} mm in the "
+      "worst twentieth of it ({:.3f} mm if the light were not corrected; up to {:.3f} mm is noise)",
+      100.0 * std::abs(check.light_change),
+      check.light_change < 0 ? "darker" : "brighter",
+      check.false_depth_mm,
+      check.uncorrected_mm,
+      check.limit_mm);
+  switch (check.verdict) {
+    case CheckVerdict::kPass:
+      return "pass: " + figures;
+    case CheckVerdict::kDrifting:
+      return "drifting: " + figures +
+             "; let the lamps warm up, look at exposure and gain, and record the reference again "
+             "when it goes on";
+    case CheckVerdict::kRecalibrate:
+      break;
+  }
+  return "record the reference again: " + figures;
+}
+
+}  // namespace
+
+Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
+                                       const Finger& finger,
+                                       const std::vector<std::filesystem::path>& pictures,
+                                       const Job& job) {
+  if (!finger.mapping)
+    return Error{
+        "the finger is not calibrated yet", folder.string(), "calibrate with ball presses"};
+  const auto mapping = Mapping::create(*finger.mapping);
+  if (!mapping) return mapping.error();
+  auto pipeline = Pipeline::create(folder, finger, measuring_settings(folder), Job(job, 0.0, 0.6));
+  if (!pipeline) return pipeline.error();
+  auto source = open_source(pictures);
+  if (!source) return source.error();
+  UntouchedCheck check;
+  double noise_mm = 0;
+  for (;;) {
+    if (job.stop_requested()) return Error{"stopped before the check was done", "", ""};
+    const auto frame = (*source)->next();
+    if (!frame) return frame.error();
+    if (!*frame) break;
+    if (!(*source)->is_continuous()) pipeline->forget();
+    const auto result = (*pipeline)(*frame);
+    if (!result) return result.error();
+    if (!result->depth || !result->reference->known_pose || result->reference->by_shape) {
+      check.left_out.push_back(
+          (*frame)->name + ": " +
+          (result->problems.empty() ? "nothing could be measured" : result->problems.front()));
+      continue;
+    }
+    DifferenceOptions as_it_is;
+    as_it_is.smoothing = smoothing_of(pipeline->settings().smoothing_px);
+    as_it_is.noise_sd = result->edges ? result->edges->noise_sd : as_it_is.noise_sd;
+    const DepthMap uncorrected =
+        depth_map(result->grey, *result->reference, *result->shape, as_it_is, *mapping);
+    ++check.pictures;
+    check.light_change += result->depth->light.change();
+    check.false_depth_mm += worst_patch_mm(*result->depth);
+    check.uncorrected_mm += worst_patch_mm(uncorrected);
+    noise_mm += result->depth->noise_mm;
+  }
+  if (check.pictures == 0)
+    return Error{"none of the pictures can be compared with the reference" +
+                     (check.left_out.empty() ? "" : " (" + check.left_out.front() + ")"),
+                 folder.string(),
+                 "pictures of the untouched finger in poses that were recorded"};
+  for (double* mean :
+       {&check.light_change, &check.false_depth_mm, &check.uncorrected_mm, &noise_mm})
+    *mean /= check.pictures;
+  check.limit_mm = std::max(kLeastErrorMm, 3.0 * noise_mm);
+  const double light = std::abs(check.light_change);
+  if (light > kLightOff || check.false_depth_mm > check.limit_mm)
+    check.verdict = CheckVerdict::kRecalibrate;
+  else if (light > kLightLimit)
+    check.verdict = CheckVerdict::kDrifting;
+  check.sentence = sentence_of(check);
+  return check;
+}
+
+}  // namespace alltact

@@ -1,0 +1,101 @@
+// A whole calibration: from press pictures on disk to a finger folder that carries its mapping, and
+// the same again from what that folder keeps.
+#pragma once
+
+#include "calibration/finger/calibration_inputs.h"
+#include "calibration/joint/calibrate.h"
+#include "calibration/joint/verdict.h"
+#include "calibration/report/fault_signs.h"
+#include "calibration/report/method_table.h"
+#include "calibration/report/press_residuals.h"
+#include "core/finger/finger.h"
+#include "core/job.h"
+#include "core/result.h"
+#include "core/sensing/pipeline_settings.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alltact {
+
+/// A press picture as it was used, or why not.
+struct TakenPress {
+  std::string name;
+  cv::Mat grey;                ///< oriented
+  std::optional<Press> press;  ///< absent: nothing could be measured in it
+  std::string left_out;        ///< why it is not used; empty: it is
+  PressSign sign;
+};
+
+struct FingerCalibration {
+  Finger finger;  ///< as saved
+  CalibrationInputs inputs;
+  std::vector<TakenPress> presses;  ///< all that were given
+  Calibration calibration;
+  std::vector<PressResiduals> residuals;
+  std::vector<ZoneError> zones;
+  std::vector<MethodRow> methods;  ///< for the reports; empty without, or with another method
+  double pixel_mm = 0;             ///< see contact_error.h
+  Verdict verdict;
+  std::vector<std::string> fault_signs;     ///< see fault_signs.h
+  std::vector<std::string> made_of;         ///< what bursts were averaged, a sentence each
+  std::filesystem::path problem_picture;    ///< of presses that were left out; empty: none
+  std::vector<std::string> warnings;        ///< about files and how it was called
+  std::vector<std::string> about_settings;  ///< of camera and light that do not fit together
+};
+
+/// A file to be written into the finger's folder.
+struct ReportFile {
+  std::string name;
+  std::string content;
+};
+/// Makes reports of a calibration that is about to be written.
+using MakeReport =
+    std::function<Result<std::vector<ReportFile>>(const FingerCalibration&, const Job&)>;
+
+struct FingerCalibrationInput : SaidOfPresses {
+  std::filesystem::path folder;                ///< the finger's
+  std::vector<std::filesystem::path> presses;  ///< pictures, folders or a video; see open_source
+  bool bursts = false;  ///< each of `presses` is one press held still; see BurstSource
+  std::optional<std::filesystem::path> reference;  ///< flat sensors: the untouched picture
+  CalibrationSettings calibration;
+  PipelineSettings pipeline;
+  std::string date;             ///< for the record, as utc_now() writes it; empty: now
+  std::string program_version;  ///< for the record
+  std::string operator_name;    ///< for the record; empty: not told
+  MakeReport make_report;       ///< empty: calibration_report.json alone
+};
+
+/// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the
+/// presses (presses/NAME.png), the flat sensor's reference, calibration_inputs.yaml,
+/// calibration_report.json, what make_report gives, and last finger.yaml. A press in which no ball
+/// is found is left out with its reason; a picture that cannot be used at all fails the whole.
+/// Errors: those of loading, of the first picture that is unreadable or has another size, two
+/// presses of one name, something said of a press that is not there, no usable
+/// press, the job was stopped. On any error before writing the folder is as it was, but for a
+/// picture of presses that could not be used (press_problem.h); a folder whose writing was cut off
+/// measures as before, and calibrate_finger_again() completes it.
+[[nodiscard]] Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input,
+                                                         const Job& job);
+
+/// The same from what the finger keeps. `inputs`: as CalibrationInputs::load gave them, or with
+/// other radii, other settings or exclusions. Without a change the files are the same bytes,
+/// date included; a change, another version of the program and another reference make a new
+/// calibration, dated now. Errors: as above; a picture in presses/ that is gone or is not the one
+/// that was calibrated with.
+[[nodiscard]] Result<FingerCalibration> calibrate_finger_again(const std::filesystem::path& folder,
+                                                               CalibrationInputs inputs,
+                                                               const std::string& program_version,
+                                                               const MakeReport& make_report,
+                                                               const Job& job);
+
+/// Date and time in UTC as 2026-01-31T12:00:00Z.
+[[nodiscard]] std::string utc_now();
+/// Whether a text looks like that.
+[[nodiscard]] bool is_utc(std::string_view text);
+
+}  // namespace alltact

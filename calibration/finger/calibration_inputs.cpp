@@ -1,0 +1,272 @@
+#include "calibration/finger/calibration_inputs.h"
+
+#include "calibration/presses/press_yaml.h"
+#include "core/io/atomic_file.h"
+#include "core/io/picture.h"
+#include "core/printable.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestFile = std::size_t{4} << 20;
+
+class Checksum {
+ public:
+  void add(const void* bytes, std::size_t count) {
+    const auto* at = static_cast<const unsigned char*>(bytes);
+    for (; count >= sizeof(std::uint64_t);
+         count -= sizeof(std::uint64_t), at += sizeof(std::uint64_t)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, at, sizeof word);
+      mix(word);
+    }
+    for (; count > 0; --count) mix(*at++);
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", value_); }
+
+ private:
+  void mix(std::uint64_t word) {
+    value_ = (value_ ^ word) * 0x100000001b3U;
+    value_ ^= value_ >> 32;  // a multiplication alone never carries high bits down
+  }
+  std::uint64_t value_ = 0xcbf29ce484222325U;
+};
+
+/// A setting that the file does not name has its default; one of another version is kept.
+template <class S>
+S read_settings(YamlSection section, const std::vector<Setting<S>>& table) {
+  S settings;
+  for (const Setting<S>& setting : table) {
+    if (!section.has(setting.name)) continue;
+    if (const Status status = setting.set(settings, section.text(setting.name)); !status)
+      section.refuse(setting.name, status.error().what, setting.range);
+  }
+  section.keep_the_rest();
+  return settings;
+}
+
+template <class S>
+std::string settings_text(const char* name,
+                          const S& settings,
+                          const std::vector<Setting<S>>& table,
+                          const UnknownKeys& unknown) {
+  YamlBlock block(name);
+  for (const Setting<S>& setting : table)
+    block.add(setting.name, yaml_text_or_number(setting.get(settings)));
+  block.add_unknown(unknown);
+  return block.on_one_line();
+}
+
+bool is_checksum(const std::string& text) {
+  return text.size() == 16 && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+           return std::isxdigit(c) != 0;
+         });
+}
+
+std::string read_checksum(YamlSection& top, const char* key) {
+  std::string text = top.text(key);
+  if (!is_checksum(text)) top.refuse(key, "is no checksum of 16 digits", "calibrating again");
+  return text;
+}
+
+/// A name that could lead out of presses/ is none.
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
+}
+
+void read_presses(YamlSection& top, CalibrationInputs& inputs) {
+  const auto names = top.texts("presses");
+  const auto checksums = top.texts("checksums");
+  if (names.empty()) top.refuse("presses", "names no press", "calibrating again");
+  if (names.size() != checksums.size())
+    top.refuse("checksums",
+               fmt::format("has {} entries for {} presses", checksums.size(), names.size()),
+               "one for each press");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!is_plain_name(names[i]))
+      top.refuse("presses", fmt::format("'{}' is no picture's name", printable(names[i])), "");
+    if (!is_checksum(checksums[i]))
+      top.refuse("checksums",
+                 fmt::format("'{}' is no checksum of 16 digits", printable(checksums[i])),
+                 "");
+    for (std::size_t before = 0; before < i; ++before)
+      if (names[before] == names[i])
+        top.refuse("presses",
+                   fmt::format("names '{}' twice", printable(names[i])),
+                   "leave one of the two");
+    inputs.presses.push_back({names[i], checksums[i]});
+  }
+}
+
+/// Something may only be said of presses that are there.
+void refuse_unknown(const YamlSection& top, const CalibrationInputs& inputs) {
+  for (const std::string& name : inputs.names())
+    if (said_of(inputs.presses, name) == nullptr)
+      top.refuse("presses",
+                 fmt::format("'{}' is not among the presses, and something is said of it",
+                             printable(name)),
+                 "remove that");
+}
+
+CalibrationInputs read_inputs(YamlSection& top) {
+  CalibrationInputs inputs;
+  if (const std::string format = top.text("format"); format != CalibrationInputs::kFormat)
+    top.refuse("format",
+               fmt::format("'{}' cannot be read by this version", printable(format)),
+               fmt::format("the version of this program that wrote it, or calibrating again with "
+                           "the pictures in presses/ (this version writes '{}')",
+                           CalibrationInputs::kFormat));
+  inputs.date = top.text("date");
+  inputs.program_version = top.text("program_version");
+  if (top.has("operator")) inputs.operator_name = top.text("operator");
+  inputs.ball_radius_mm = read_ball_radius_mm(top);
+  inputs.calibration = read_settings(top.section("calibration"), calibration_settings());
+  inputs.pipeline = read_settings(top.section("pipeline"), pipeline_settings());
+  inputs.is_continuous = top.word("continuous", {"false", "true"}) == 1;
+  inputs.finger_checksum = read_checksum(top, "finger");
+  inputs.reference_checksum = read_checksum(top, "reference");
+  read_presses(top, inputs);
+  static_cast<SaidOfPresses&>(inputs) = read_said_of_presses(top);
+  refuse_unknown(top, inputs);
+  top.keep_the_rest();
+  return inputs;
+}
+
+}  // namespace
+
+struct CalibrationInputs::Unknown {
+  UnknownKeys keys;
+};
+
+Result<CalibrationInputs> CalibrationInputs::load(const fs::path& finger_folder,
+                                                  std::vector<std::string>* warnings) {
+  const fs::path file = finger_folder / kFileName;
+  std::error_code failed;
+  if (!fs::exists(file, failed))
+    return Error{
+        "there is nothing to repeat: this finger was not calibrated, or by a version that "
+        "did not keep what with",
+        file.string(),
+        "calibrating it with the pictures in presses/ and --ball-radius-mm"};
+  const auto content = read_file(file, kLargestFile);
+  if (!content) return content.error();
+  return parse(*content, file, warnings);
+}
+
+Result<CalibrationInputs> CalibrationInputs::parse(const std::string& yaml,
+                                                   const fs::path& origin,
+                                                   std::vector<std::string>* warnings) {
+  YamlFile file{origin, {}, {}, {}};
+  try {
+    YamlSection top = YamlSection::top(file, yaml);
+    CalibrationInputs inputs = read_inputs(top);
+    inputs.unknown_ = std::make_shared<const Unknown>(Unknown{std::move(file.unknown)});
+    if (warnings != nullptr)
+      warnings->insert(warnings->end(), file.warnings.begin(), file.warnings.end());
+    return inputs;
+  } catch (const Refused& refused) {
+    return refused.error;
+  } catch (const std::exception& problem) {
+    return Error{
+        fmt::format("this is not YAML: {}", problem.what()), origin.string(), "calibrating again"};
+  }
+}
+
+std::string CalibrationInputs::to_yaml() const {
+  static const UnknownKeys kNone;
+  const UnknownKeys& unknown = unknown_ ? unknown_->keys : kNone;
+  YamlBlock head("");
+  head.add("format", kFormat);
+  head.add("date", yaml_text(date));
+  head.add("program_version", yaml_text(program_version));
+  if (!operator_name.empty()) head.add("operator", yaml_text(operator_name));
+  head.add("ball_radius_mm", yaml_number(ball_radius_mm));
+  std::string text = head.on_many_lines();
+  text += settings_text("calibration", calibration, calibration_settings(), unknown);
+  text += settings_text("pipeline", pipeline, pipeline_settings(), unknown);
+
+  YamlBlock rest("");
+  rest.add("continuous", is_continuous ? "true" : "false");
+  rest.add("finger", '"' + finger_checksum + '"');
+  rest.add("reference", '"' + reference_checksum + '"');
+  add_said_of_presses(*this, rest);
+  std::vector<std::string> names, checksums;
+  for (const KeptPress& press : presses) {
+    names.push_back(yaml_text(press.name));
+    checksums.push_back('"' + press.checksum + '"');
+  }
+  rest.add("checksums", yaml_list(checksums));
+  rest.add_unknown(unknown);
+  text += rest.on_many_lines();
+  YamlBlock last("");
+  last.add("presses", yaml_list(names));
+  return text + last.on_many_lines();
+}
+
+bool same_but_for_date(const CalibrationInputs& a, const CalibrationInputs& b) {
+  CalibrationInputs other = b;
+  other.date = a.date;
+  return a.to_yaml() == other.to_yaml();
+}
+
+std::string picture_checksum(const cv::Mat& grey) {
+  Checksum checksum;
+  const std::int32_t size[] = {grey.rows, grey.cols};
+  checksum.add(size, sizeof size);
+  for (int row = 0; row < grey.rows; ++row)
+    checksum.add(grey.ptr(row), static_cast<std::size_t>(grey.cols) * grey.elemSize());
+  return checksum.text();
+}
+
+std::string finger_checksum(const Finger& finger) {
+  Finger bare;  // a value of its own, so that keys of other versions do not count
+  bare.name = "finger";
+  bare.camera = finger.camera;
+  bare.face = finger.face;
+  bare.markers = finger.markers;
+  // What the reference recording told of the dots belongs to the reference.
+  bare.markers.polarity = Polarity::kAuto;
+  bare.markers.missing.clear();
+  const auto yaml = bare.to_yaml();
+  Checksum checksum;
+  if (yaml) checksum.add(yaml->data(), yaml->size());
+  return checksum.text();
+}
+
+Result<std::string> reference_checksum(const fs::path& finger_folder, const Finger& finger) {
+  if (!finger.reference) return std::string();
+  Checksum checksum;
+  const ReferenceFiles& files = *finger.reference;
+  if (!files.image.empty()) {
+    const auto grey = read_grey_picture(finger_folder / files.image);
+    if (!grey) return grey.error();
+    return picture_checksum(*grey);
+  }
+  for (const std::string& name : {files.video, files.markers}) {
+    const auto content = read_file(finger_folder / name);
+    if (!content) return content.error();
+    checksum.add(content->data(), content->size());
+  }
+  return checksum.text();
+}
+
+std::string shell_quoted(std::string_view word) {
+  const bool is_plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return c < 128 && (std::isalnum(c) != 0 || std::strchr("_./:@%+=-", c) != nullptr);
+  });
+  if (is_plain) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace alltact

@@ -1,0 +1,149 @@
+#include "calibration/finger/calibration_report.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace alltact {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json press_json(const BallFit& ball, const std::vector<PressResiduals>& residuals) {
+  Json entry;
+  entry["press"] = ball.press;
+  entry["ball_radius_mm"] = ball.radius_mm;
+  entry["centre_mm"] = {ball.centre_mm.x(), ball.centre_mm.y(), ball.centre_mm.z()};
+  entry["centre_sd_mm"] = {ball.centre_sd_mm.x(), ball.centre_sd_mm.y(), ball.centre_sd_mm.z()};
+  entry["depth_mm"] = ball.depth_mm;
+  entry["residual_mm"] = ball.residual_mm;
+  if (ball.held_out_mm > 0) entry["held_out_mm"] = ball.held_out_mm;
+  entry["tangent_arc_deg"] = ball.tangent_arc_deg;
+  entry["cut_by_edge"] = ball.cut_by_edge;
+  entry["pressed_in_mm"] = ball.pressed_in_mm;
+  if (ball.told_depth)
+    entry["measured_depth"] = {{"mm", ball.told_depth->mm}, {"sd_mm", ball.told_depth->sd_mm}};
+  const auto place =
+      std::find_if(residuals.begin(), residuals.end(), [&](const PressResiduals& one) {
+        return one.press == ball.press;
+      });
+  if (place != residuals.end()) {
+    entry["along_mm"] = place->along_mm;
+    entry["across_mm"] = place->across_mm;
+  }
+  return entry;
+}
+
+Json methods_json(const std::vector<MethodRow>& methods) {
+  Json rows = Json::array();
+  for (const MethodRow& row : methods) {
+    Json entry{{"method", method_name(row.method)}};
+    if (row.failed.empty()) {
+      entry["presses"] = row.presses;
+      entry["press_depth_mm"] = row.press_depth_mm;
+      entry["residual_mm"] = row.residual_mm;
+      entry["at_depth_mm"] = row.at_depth_mm;
+      entry["joint_depth_mm"] = row.joint_depth_mm;
+    } else {
+      entry["failed"] = row.failed;
+    }
+    rows.push_back(std::move(entry));
+  }
+  return rows;
+}
+
+/// Those that are not as usual.
+template <class S>
+void add_settings(const S& settings,
+                  const S& usual,
+                  const std::vector<Setting<S>>& table,
+                  std::string* command) {
+  for (const Setting<S>& setting : table)
+    if (setting.get(settings) != setting.get(usual))
+      *command += fmt::format(" --{} {}", setting.name, shell_quoted(setting.get(settings)));
+}
+
+}  // namespace
+
+std::string calibration_report_json(const FingerCalibration& done) {
+  const Calibration& calibration = done.calibration;
+  Json report;
+  report["format"] = "alltact-calibration-report/1";
+  report["program_version"] = done.inputs.program_version;
+  report["ball_radius_mm"] = done.inputs.ball_radius_mm;
+  report["verdict"] = done.verdict.sentence;
+  report["residual_mm"] = calibration.residual_mm;
+  if (calibration.held_out_mm > 0) report["held_out_mm"] = calibration.held_out_mm;
+  Json zones = Json::array();
+  for (const ZoneError& zone : done.zones) {
+    Json entry{{"zone", zone.zone}, {"presses", zone.presses}};
+    if (zone.error_mm) entry["error_mm"] = *zone.error_mm;
+    zones.push_back(std::move(entry));
+  }
+  report["zones"] = std::move(zones);
+  if (calibration.spread_mm > 0) report["spread_mm"] = calibration.spread_mm;
+  if (done.pixel_mm > 0) report["pixel_mm"] = done.pixel_mm;
+  report["expected_error_mm"] = done.verdict.error_mm;
+  if (!done.methods.empty()) report["methods"] = methods_json(done.methods);
+  report["condition"] = calibration.condition;
+  report["degree_choice"] = calibration.degree_choice;
+  Json presses = Json::array();
+  for (const BallFit& ball : calibration.balls) presses.push_back(press_json(ball, done.residuals));
+  report["presses"] = std::move(presses);
+  Json steps = Json::array();
+  for (const StepFit& step : calibration.steps)
+    steps.push_back({{"press", step.press},
+                     {"step_mm", step.step_mm},
+                     {"reads_mm", step.reads_mm},
+                     {"sd_mm", step.sd_mm}});
+  if (!steps.empty()) report["steps"] = std::move(steps);
+  Json excluded = Json::array();
+  for (const ExcludedPress& press : done.inputs.excluded)
+    excluded.push_back({{"press", press.name}, {"because", press.because}});
+  report["excluded"] = std::move(excluded);
+  report["left_out"] = calibration.left_out;
+  report["fault_signs"] = done.fault_signs;
+  report["remarks"] = calibration.remarks;
+  // A file name may be anything but UTF-8.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string repeat_command(const std::filesystem::path& finger_folder) {
+  std::error_code failed;
+  std::filesystem::path whole = std::filesystem::weakly_canonical(finger_folder, failed);
+  if (failed) whole = finger_folder;
+  if (whole.filename().empty()) whole = whole.parent_path();  // it ended in a slash
+  return "alltact calibrate " + shell_quoted(whole.filename().string()) + " --again";
+}
+
+std::string calibrate_command(const FingerCalibrationInput& input) {
+  const auto absolute = [](const std::filesystem::path& path) {
+    std::error_code failed;
+    const auto whole = std::filesystem::absolute(path, failed);
+    return shell_quoted((failed ? path : whole).string());
+  };
+  std::string command = "alltact calibrate " + absolute(input.folder);
+  for (const auto& press : input.presses) command += ' ' + absolute(press);
+  const auto add = [&](const char* flag, const std::string& value) {
+    command += fmt::format(" --{} {}", flag, shell_quoted(value));
+  };
+  if (input.bursts) command += " --bursts";
+  add("ball-radius-mm", fmt::format("{}", input.ball_radius_mm));
+  for (const OtherBall& ball : input.other_balls) add("other-ball", to_text(ball));
+  for (const PressDepth& depth : input.depths) add("depth", to_text(depth));
+  for (const PressStep& step : input.steps) add("step", to_text(step));
+  if (input.reference) command += " --reference " + absolute(*input.reference);
+  add_settings(input.calibration, CalibrationSettings{}, calibration_settings(), &command);
+  // Each method has settings of its own to start from.
+  const PipelineSettings usual =
+      input.calibration.method == CalibrationMethod::kPaper ? paper_settings() : PipelineSettings{};
+  add_settings(input.pipeline, usual, pipeline_settings(), &command);
+  for (const ExcludedPress& press : input.excluded) add("exclude", to_text(press));
+  for (const PlacedBall& ball : input.balls) add("ball", to_text(ball));
+  if (!input.operator_name.empty()) add("operator", input.operator_name);
+  if (!input.date.empty()) add("date", input.date);
+  return command;
+}
+
+}  // namespace alltact

@@ -1,0 +1,16 @@
+#include "calibration/finger/measuring_settings.h"
+
+#include "calibration/finger/calibration_inputs.h"
+
+namespace alltact {
+
+PipelineSettings measuring_settings(const std::filesystem::path& finger_folder) {
+  const PipelineSettings usual;
+  const auto inputs = CalibrationInputs::load(finger_folder);
+  if (!inputs) return usual;
+  PipelineSettings settings = inputs->pipeline;
+  settings.contact_threshold_mm = usual.contact_threshold_mm;
+  return settings;
+}
+
+}  // namespace alltact

@@ -1,0 +1,183 @@
+#include "calibration/joint/joint_costs.h"
+
+#include "core/geometry/ball.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+
+namespace alltact {
+
+PressCost::PressCost(const Weighted& weighted,
+                     const MappingCurve& curve,
+                     const JointOptions& options,
+                     bool lifts_off)
+    : weighted_(weighted), curve_(curve), options_(options), lifts_off_(lifts_off) {
+  set_num_residuals(static_cast<int>(weighted.samples.size()));
+  mutable_parameter_block_sizes()->push_back(3);
+  mutable_parameter_block_sizes()->push_back(curve.family().numbers());
+  mutable_parameter_block_sizes()->push_back(1);
+}
+
+bool PressCost::Evaluate(double const* const* parameters,
+                         double* residuals,
+                         double** jacobians) const {
+  const Eigen::Vector3d centre(parameters[0]);
+  const int n = curve_.family().numbers();
+  const double lift_mm = lifts_off_ ? std::exp(parameters[2][0]) : 0.0;
+  std::array<double, 16> by_values{};
+  for (std::size_t i = 0; i < weighted_.samples.size(); ++i) {
+    const Sample& sample = *weighted_.samples[i];
+    const double weight = weighted_.root_weight[i] * weighted_.slope_mm[i];
+    Eigen::Vector3d by_centre;
+    double by_lift = 0;
+    const double depth = skin_depth_mm(sample,
+                                       options_.along,
+                                       centre,
+                                       weighted_.ball_radius_mm,
+                                       weighted_.plane,
+                                       lift_mm,
+                                       &by_centre,
+                                       &by_lift);
+    if (!std::isfinite(depth)) return false;
+    const bool wants_values = jacobians != nullptr && jacobians[1] != nullptr;
+    const auto [x, slope_mm] = curve_.inverse(parameters[1],
+                                              depth + weighted_.blur_mm[i],
+                                              sample.place,
+                                              sample.x,
+                                              wants_values ? by_values.data() : nullptr);
+    if (!std::isfinite(x)) return false;
+    residuals[i] = weight * (sample.x - x);
+    if (jacobians == nullptr) continue;
+    if (jacobians[0] != nullptr)
+      Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = -weight / slope_mm * by_centre;
+    if (jacobians[2] != nullptr) jacobians[2][i] = -weight / slope_mm * by_lift * lift_mm;
+    if (wants_values)
+      for (int k = 0; k < n; ++k)
+        jacobians[1][static_cast<std::size_t>(n) * i + static_cast<std::size_t>(k)] =
+            -weight * by_values[static_cast<std::size_t>(k)];
+  }
+  return true;
+}
+
+OutlineCost::OutlineCost(const Weighted& weighted) : weighted_(weighted) {
+  set_num_residuals(static_cast<int>(weighted.outline.size()));
+  mutable_parameter_block_sizes()->push_back(3);
+}
+
+bool OutlineCost::Evaluate(double const* const* parameters,
+                           double* residuals,
+                           double** jacobians) const {
+  const Eigen::Vector3d centre(parameters[0]);
+  for (std::size_t i = 0; i < weighted_.outline.size(); ++i) {
+    const double weight = weighted_.outline_root_weight[i];
+    Eigen::Vector3d by_centre;
+    const double angle = outline_angle_rad(
+        weighted_.outline[i]->direction, centre, weighted_.ball_radius_mm, &by_centre);
+    if (!std::isfinite(angle)) return false;
+    residuals[i] = weight * angle;
+    if (jacobians != nullptr && jacobians[0] != nullptr)
+      Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = weight * by_centre;
+  }
+  const auto n = static_cast<Eigen::Index>(weighted_.outline.size());
+  weighted_.take_out_apart(Eigen::Map<Eigen::VectorXd>(residuals, n));
+  if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> rows(jacobians[0], n, 3);
+  for (int k = 0; k < 3; ++k) {
+    Eigen::VectorXd column = rows.col(k);
+    weighted_.take_out_apart(column);
+    rows.col(k) = column;
+  }
+  return true;
+}
+
+ToldDepthCost::ToldDepthCost(const Weighted& weighted) : weighted_(weighted) {
+  assert(weighted.told_depth);
+  set_num_residuals(1);
+  mutable_parameter_block_sizes()->push_back(3);
+}
+
+bool ToldDepthCost::Evaluate(double const* const* parameters,
+                             double* residuals,
+                             double** jacobians) const {
+  const Eigen::Vector3d centre(parameters[0]);
+  const double depth_mm = weighted_.ball_radius_mm - weighted_.plane.height_mm(centre);
+  const double root_weight = kRootWeightOfKnown / weighted_.told_depth->sd_mm;
+  residuals[0] = root_weight * (depth_mm - weighted_.told_depth->mm);
+  if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+  Eigen::Map<Eigen::Vector3d> by_centre(jacobians[0]);
+  by_centre = -root_weight * weighted_.plane.normal;
+  return true;
+}
+
+StepCost::StepCost(const StepSamples& step, const MappingCurve& curve, MappingAlong along)
+    : step_(step), curve_(curve), along_(along) {
+  set_num_residuals(1);
+  mutable_parameter_block_sizes()->push_back(curve.family().numbers());
+  sd_mm_ = read_step(step, curve, curve.values().data(), along).sd_mm;
+}
+
+bool StepCost::Evaluate(double const* const* parameters,
+                        double* residuals,
+                        double** jacobians) const {
+  const StepReading reading = read_step(step_, curve_, parameters[0], along_);
+  const double root_weight = kRootWeightOfKnown / sd_mm_;
+  residuals[0] = root_weight * (reading.height_mm - step_.step_mm);
+  if (!std::isfinite(residuals[0])) return false;
+  if (jacobians != nullptr && jacobians[0] != nullptr)
+    Eigen::Map<Eigen::VectorXd>(jacobians[0], reading.by_values.size()) =
+        root_weight * reading.by_values;
+  return true;
+}
+
+AbsorptionCost::AbsorptionCost(const MappingCurve& curve) : numbers_(curve.family().numbers()) {
+  set_num_residuals(1);
+  mutable_parameter_block_sizes()->push_back(numbers_);
+}
+
+bool AbsorptionCost::Evaluate(double const* const* parameters,
+                              double* residuals,
+                              double** jacobians) const {
+  residuals[0] = kRootWeightOfKnown * (parameters[0][2] - kMean) / kSd;
+  if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+  std::fill_n(jacobians[0], numbers_, 0.0);
+  jacobians[0][2] = kRootWeightOfKnown / kSd;
+  return true;
+}
+
+LiftCost::LiftCost() {
+  set_num_residuals(1);
+  mutable_parameter_block_sizes()->push_back(1);
+}
+
+bool LiftCost::Evaluate(double const* const* parameters,
+                        double* residuals,
+                        double** jacobians) const {
+  residuals[0] = kRootWeightOfKnown * (parameters[0][0] - std::log(kUsualLiftMm));
+  if (jacobians != nullptr && jacobians[0] != nullptr) jacobians[0][0] = kRootWeightOfKnown;
+  return true;
+}
+
+double outline_angle_rad(const Eigen::Vector3d& direction,
+                         const Eigen::Vector3d& centre_mm,
+                         double radius_mm,
+                         Eigen::Vector3d* by_centre) {
+  const double distance = centre_mm.norm();
+  if (!(distance > radius_mm)) return std::numeric_limits<double>::quiet_NaN();
+  if (by_centre != nullptr) {
+    // Moving the centre away from the ray widens the angle between them by 1 / |c|; moving it back
+    // along its own direction narrows the ball.
+    const Eigen::Vector3d axis = centre_mm / distance;
+    const Eigen::Vector3d aside = axis.cross(direction.cross(axis));  // of the ray
+    const double cone = std::sqrt((distance - radius_mm) * (distance + radius_mm));
+    *by_centre = axis * (radius_mm / (distance * cone));
+    if (const double length = aside.norm(); length > 0.0) *by_centre -= aside / (length * distance);
+  }
+  return angle_between(direction, centre_mm) - std::asin(radius_mm / distance);
+}
+
+}  // namespace alltact

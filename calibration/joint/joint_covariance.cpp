@@ -1,0 +1,349 @@
+#include "calibration/joint/joint_costs.h"
+#include "calibration/joint/joint_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Dense>
+
+namespace alltact {
+namespace {
+
+/// One press at the solution: what each sample's residual is and how the unknowns move it.
+struct Linear {
+  // Weighted, a sample each: mapping values, this press's centre, the lift-off's logarithm.
+  Eigen::MatrixXd rows;
+  Eigen::VectorXd residual;  // weighted
+  Eigen::VectorXd weight;    // 1/mm
+  Eigen::VectorXd bend;
+  std::vector<double> lifted_sd_mm;
+  Eigen::VectorXd optics_sd_mm;  // what the optics' blur leaves open, in all samples alike
+  std::vector<int> patch;
+  double taken = 0;                        // how many numbers the residuals were fitted with
+  std::vector<std::pair<int, int>> place;  // column and row of the sample's block
+  Eigen::MatrixXd outline_rows;            // weighted, by the centre
+  Eigen::VectorXd outline_residual;
+  Eigen::Vector3d told_row;  // of a depth that was measured, weighted, by the centre; else 0
+};
+
+Linear linearised(const PressSamples& press,
+                  const JointFit& fit,
+                  const Eigen::Vector3d& centre,
+                  const JointOptions& options) {
+  const Weighted weighted = weigh(press, fit, centre, options);
+  const ContactDisc disc(press, options.along, centre);
+  const Eigen::Index n_map = fit.curve.values().size();
+  const auto count = static_cast<Eigen::Index>(weighted.samples.size());
+  Linear linear;
+  linear.rows.resize(count, n_map + 4);
+  linear.lifted_sd_mm = weighted.lifted_sd_mm;
+  linear.optics_sd_mm = Eigen::VectorXd::Zero(count);
+  if (press.blur_px2 > 0.0)
+    linear.optics_sd_mm = kOpticsSdPx2 / press.blur_px2 *
+                          Eigen::Map<const Eigen::VectorXd>(weighted.blur_mm.data(), count);
+  linear.residual.resize(count);
+  linear.weight = Eigen::Map<const Eigen::VectorXd>(weighted.root_weight.data(), count);
+  linear.bend = Eigen::Map<const Eigen::VectorXd>(weighted.bend.data(), count);
+  // As the solver saw them, by rows.
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Rows by_centre(count, 3), by_values(count, n_map), by_log_lift(count, 1);
+  const double log_lift = fit.lift_mm > 0.0 ? std::log(fit.lift_mm) : 0.0;
+  const double* at[] = {centre.data(), fit.curve.values().data(), &log_lift};
+  double* jacobians[] = {by_centre.data(), by_values.data(), by_log_lift.data()};
+  [[maybe_unused]] const bool is_told = PressCost(weighted, fit.curve, options, fit.lift_mm > 0.0)
+                                            .Evaluate(at, linear.residual.data(), jacobians);
+  assert(is_told);  // weigh() leaves out what has no residual
+  linear.rows << by_values, by_centre, by_log_lift;
+  for (const Sample* sample : weighted.samples) {
+    linear.patch.push_back(disc.place_of(*sample).patch);
+    linear.place.emplace_back(std::lround(std::floor(sample->pixel.x() / press.block_px)),
+                              std::lround(std::floor(sample->pixel.y() / press.block_px)));
+  }
+  const auto points = static_cast<Eigen::Index>(weighted.outline.size());
+  Rows by_outline(points, 3);
+  linear.outline_residual.resize(points);
+  double* outline_jacobians[] = {by_outline.data()};
+  if (points > 0)
+    (void)OutlineCost(weighted).Evaluate(at, linear.outline_residual.data(), outline_jacobians);
+  linear.outline_rows = by_outline;
+  linear.told_row.setZero();
+  if (weighted.told_depth) {
+    double residual = 0;
+    double* by_told[] = {linear.told_row.data()};
+    (void)ToldDepthCost(weighted).Evaluate(at, &residual, by_told);
+  }
+  return linear;
+}
+
+/// Takes each ring's mean residual out: what a ring is off by as a whole is told apart.
+void take_out_rings(Linear& linear) {
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(ContactDisc::kRings), weight2 = pull;
+  const auto ring_of = [&](Eigen::Index k) {
+    return linear.patch[static_cast<std::size_t>(k)] / ContactDisc::kSectors;
+  };
+  for (Eigen::Index k = 0; k < linear.residual.size(); ++k) {
+    pull[ring_of(k)] += linear.weight[k] * linear.residual[k];
+    weight2[ring_of(k)] += linear.weight[k] * linear.weight[k];
+  }
+  for (Eigen::Index k = 0; k < linear.residual.size(); ++k)
+    linear.residual[k] -= linear.weight[k] * pull[ring_of(k)] / weight2[ring_of(k)];
+  linear.taken = static_cast<double>((weight2.array() > 0.0).count()) + 2.0;  // and a tilt
+}
+
+/// Sums of products of the residuals of neighbouring samples, over their squares.
+class Sharing {
+ public:
+  void add(const Linear& linear) {
+    if (linear.place.empty()) return;
+    auto [low, high] = std::pair(linear.place.front(), linear.place.front());
+    for (const auto& [column, row] : linear.place) {
+      low = {std::min(low.first, column), std::min(low.second, row)};
+      high = {std::max(high.first, column), std::max(high.second, row)};
+    }
+    Eigen::MatrixXd grid = Eigen::MatrixXd::Zero(high.first - low.first + 1 + 2 * kReach,
+                                                 high.second - low.second + 1 + 2 * kReach);
+    for (std::size_t k = 0; k < linear.place.size(); ++k)
+      grid(linear.place[k].first - low.first + kReach,
+           linear.place[k].second - low.second + kReach) =
+          linear.residual[static_cast<Eigen::Index>(k)];
+    const Eigen::Index columns = grid.rows() - 2 * kReach, rows = grid.cols() - 2 * kReach;
+    const auto middle = grid.block(kReach, kReach, columns, rows);
+    for (int u = -kReach; u <= kReach; ++u)
+      for (int v = -kReach; v <= kReach; ++v)
+        products_ += middle.cwiseProduct(grid.block(kReach + u, kReach + v, columns, rows)).sum();
+    squares_ += middle.squaredNorm();
+    count_ += static_cast<double>(linear.place.size());
+    taken_ += linear.taken;
+    taken_products_ += products_taken(linear, low, columns, rows);
+  }
+
+  /// How many samples count as one, at least 1.
+  [[nodiscard]] double samples_as_one() const {
+    if (!(squares_ > 0.0)) return 1.0;
+    const double taken = std::min(0.5, taken_products_ / count_);
+    return std::max(1.0, products_ / squares_ / (1.0 - taken));
+  }
+  /// What the squares of the residuals are too small by.
+  [[nodiscard]] double few() const {
+    return count_ / std::max(0.5 * count_, count_ - samples_as_one() * taken_);
+  }
+
+ private:
+  /// What taking out means has taken out of the products: of each pair within a ring one over the
+  /// ring's samples, and the same for the tilt and the press as a whole.
+  static double products_taken(const Linear& linear,
+                               const std::pair<int, int>& low,
+                               Eigen::Index columns,
+                               Eigen::Index rows) {
+    Eigen::MatrixXi rings = Eigen::MatrixXi::Constant(columns + 2 * kReach, rows + 2 * kReach, -1);
+    std::array<double, ContactDisc::kRings> samples{}, pairs{};
+    for (std::size_t k = 0; k < linear.place.size(); ++k) {
+      const int ring = linear.patch[k] / ContactDisc::kSectors;
+      rings(linear.place[k].first - low.first + kReach,
+            linear.place[k].second - low.second + kReach) = ring;
+      ++samples[static_cast<std::size_t>(ring)];
+    }
+    for (Eigen::Index u = kReach; u < columns + kReach; ++u)
+      for (Eigen::Index v = kReach; v < rows + kReach; ++v)
+        if (const int ring = rings(u, v); ring >= 0)
+          pairs[static_cast<std::size_t>(ring)] += static_cast<double>(
+              (rings.block<2 * kReach + 1, 2 * kReach + 1>(u - kReach, v - kReach).array() == ring)
+                  .count());
+    constexpr double kTilt = 2.0 * (2 * kReach + 1) * (2 * kReach + 1);
+    double taken = kTilt;
+    for (std::size_t ring = 0; ring < samples.size(); ++ring)
+      if (samples[ring] > 0.0) taken += pairs[ring] / samples[ring];
+    return taken;
+  }
+
+  static constexpr int kReach = 1;
+  double products_ = 0, squares_ = 0, count_ = 0, taken_ = 0, taken_products_ = 0;
+};
+
+/// Sums over one press's patches.
+struct PatchSums {
+  Eigen::MatrixXd rows;     // what an offset of 1 mm pulls, a patch each
+  Eigen::MatrixXd lifted;   // what the form of the lift-off pulls
+  Eigen::VectorXd pull;     // of weight * residual
+  Eigen::VectorXd square;   // of its squares
+  Eigen::VectorXd weight2;  // of weight^2
+  explicit PatchSums(const Linear& linear)
+      : rows(Eigen::MatrixXd::Zero(linear.rows.cols(), ContactDisc::kPatches)),
+        lifted(rows),
+        pull(Eigen::VectorXd::Zero(ContactDisc::kPatches)),
+        square(pull),
+        weight2(pull) {
+    for (Eigen::Index k = 0; k < linear.rows.rows(); ++k) {
+      const int p = linear.patch[static_cast<std::size_t>(k)];
+      const double one = linear.weight[k] * linear.residual[k];
+      const Eigen::VectorXd offset =
+          linear.bend[k] * linear.weight[k] * linear.rows.row(k).transpose();
+      rows.col(p) += offset;
+      lifted.col(p) += linear.lifted_sd_mm[static_cast<std::size_t>(k)] * offset;
+      pull[p] += one;
+      square[p] += one * one;
+      weight2[p] += linear.weight[k] * linear.weight[k];
+    }
+  }
+};
+
+/// The inverse of a positive definite matrix and its condition, by the scaled eigenvalues; false
+/// when it is singular.
+bool invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd* inverse, double* condition) {
+  const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt();
+  if (!(scale.minCoeff() > 0.0)) return false;
+  const Eigen::VectorXd unscale = scale.cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unscale.asDiagonal() * matrix *
+                                                             unscale.asDiagonal());
+  const double smallest = eigen.eigenvalues().minCoeff();
+  const double largest = eigen.eigenvalues().maxCoeff();
+  if (!(smallest > 1e-14 * largest)) return false;
+  *condition = std::sqrt(largest / smallest);
+  *inverse = unscale.asDiagonal() *
+             (eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
+              eigen.eigenvectors().transpose()) *
+             unscale.asDiagonal();
+  return true;
+}
+
+/// What rings are off by in all presses alike, root mean square. Few rings tell little of that:
+/// only what is clearly more than is always reckoned with counts.
+double ring_error_mm(const std::vector<const PressSamples*>& presses,
+                     const JointFit& fit,
+                     const JointOptions& options) {
+  const FitQuality quality = quality_of(presses, fit, options);
+  const double shown_mm2 = std::pow(quality.ring_mm, 2) - std::pow(quality.scatter_mm, 2);
+  const double ring_mm = shown_mm2 > 2.0 * kFloorMm * kFloorMm ? std::sqrt(shown_mm2) : kFloorMm;
+  return options.zone > kSureZone ? std::hypot(ring_mm, quality.scatter_mm) : ring_mm;
+}
+
+/// One observation from elsewhere, off by as much as it claims; `row`: its weighted derivative by
+/// some unknowns, of which `first` is the first.
+void add_known(const Eigen::VectorXd& row,
+               Eigen::Index first,
+               Eigen::MatrixXd* hessian,
+               Eigen::MatrixXd* spread) {
+  const Eigen::MatrixXd square = row * row.transpose();
+  const auto n = row.size();
+  hessian->block(first, first, n, n) += square;
+  spread->block(first, first, n, n) += kRootWeightOfKnown * kRootWeightOfKnown * square;
+}
+
+/// ring_mm: what rings are off by in all presses alike; 0: nothing that they share counts.
+JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
+                          const JointFit& fit,
+                          const JointOptions& options,
+                          double ring_mm) {
+  const Eigen::Index n_map = fit.curve.values().size();
+  const bool free_lift = lift_is_free(fit, options);
+  const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size()) + 1;
+  const Eigen::Index first = options.fix_mapping ? n_map : 0;
+  const Eigen::Index unknowns = n - first - (free_lift ? 0 : 1);
+  std::vector<Linear> linear;
+  std::vector<PatchSums> patches;
+  Sharing sharing;
+  int observations = 0;
+  double scatter = 0, by_noise = 0, reach = 0, patch_count = 0, taken = 0;
+  for (std::size_t i = 0; i < presses.size(); ++i) {
+    linear.push_back(linearised(*presses[i], fit, fit.centres_mm[i], options));
+    take_out_rings(linear.back());
+    taken += linear.back().taken;
+    patches.emplace_back(linear.back());
+    sharing.add(linear.back());
+    patch_count += static_cast<double>((patches.back().weight2.array() > 0.0).count());
+    observations += linear.back().outline_rows.rows() > 0;
+  }
+  observations += static_cast<int>(patch_count);
+  JointCovariance result;
+  if (observations <= unknowns) return result;
+  const double as_one = sharing.samples_as_one();
+  const double few = patch_count / std::max(0.5 * patch_count, patch_count - taken);
+  for (const PatchSums& sums : patches) {
+    scatter += few * sums.pull.squaredNorm();
+    by_noise += sharing.few() * as_one * sums.square.sum();
+    reach += sums.weight2.squaredNorm();
+  }
+  // Only what is more than chance: twice the standard deviation of a sum of squares.
+  const double chance = 1.0 + 2.0 * std::sqrt(2.0 / std::max(1.0, patch_count));
+  const double patch_mm2 = scatter > chance * by_noise ? (scatter - by_noise) / reach : 0.0;
+
+  // Hessian of the robust loss, and what the errors pull at it.
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n), spread = hessian;
+  Eigen::MatrixXd ring_pull = Eigen::MatrixXd::Zero(n, ContactDisc::kRings), lift_pull = ring_pull;
+  Eigen::VectorXd optics_pull = Eigen::VectorXd::Zero(n);
+  for (std::size_t i = 0; i < presses.size(); ++i) {
+    const Linear& press = linear[i];
+    const PatchSums& sums = patches[i];
+    // From (mapping, this centre) to all unknowns.
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, n_map + 4);
+    all.topLeftCorner(n_map, n_map).setIdentity();
+    all.block<3, 3>(n_map + 3 * static_cast<Eigen::Index>(i), n_map).setIdentity();
+    all(n - 1, n_map + 3) = 1.0;
+    const Eigen::MatrixXd curved = press.rows.transpose() * press.bend.asDiagonal() * press.rows;
+    Eigen::MatrixXd pulled =
+        as_one * press.rows.transpose() * press.residual.cwiseAbs2().asDiagonal() * press.rows;
+    pulled += patch_mm2 * sums.rows * sums.rows.transpose();
+    optics_pull += all * (press.rows.transpose() *
+                          (press.bend.cwiseProduct(press.weight).cwiseProduct(press.optics_sd_mm)));
+    hessian += all * curved * all.transpose();
+    spread += all * pulled * all.transpose();
+    for (int p = 0; p < ContactDisc::kPatches; ++p) {
+      ring_pull.col(p / ContactDisc::kSectors) += ring_mm * all * sums.rows.col(p);
+      lift_pull.col(p / ContactDisc::kSectors) += all * sums.lifted.col(p);
+    }
+    // The outline is one observation more: what it is off by, it is off by as a whole.
+    const Eigen::Vector3d outline_pull = press.outline_rows.transpose() * press.outline_residual;
+    const auto corner = n_map + 3 * static_cast<Eigen::Index>(i);
+    hessian.block<3, 3>(corner, corner) += press.outline_rows.transpose() * press.outline_rows;
+    spread.block<3, 3>(corner, corner) += outline_pull * outline_pull.transpose();
+    add_known(press.told_row, corner, &hessian, &spread);
+  }
+  if (options.steps != nullptr)
+    for (const StepSamples& step : *options.steps) {
+      Eigen::VectorXd row(n_map);
+      double residual = 0;
+      const double* at[] = {fit.curve.values().data()};
+      double* by_values[] = {row.data()};
+      (void)StepCost(step, fit.curve, options.along).Evaluate(at, &residual, by_values);
+      add_known(row, 0, &hessian, &spread);
+    }
+  spread += ring_pull * ring_pull.transpose() + lift_pull * lift_pull.transpose();
+  if (ring_mm > 0.0) spread += optics_pull * optics_pull.transpose();
+  if (fit.curve.family().absorbs()) {
+    // What is known of the absorption beforehand, and is off by as much as it claims.
+    add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown / AbsorptionCost::kSd),
+              2,
+              &hessian,
+              &spread);
+  }
+  if (free_lift) {
+    add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown), n - 1, &hessian, &spread);
+  }
+  Eigen::MatrixXd inverse;
+  if (!invert(hessian.block(first, first, unknowns, unknowns), &inverse, &result.condition))
+    return result;
+  const Eigen::MatrixXd free = inverse * spread.block(first, first, unknowns, unknowns) * inverse;
+  const Eigen::Index known = first + unknowns;
+  result.covariance = Eigen::MatrixXd::Zero(known, known);
+  result.covariance.bottomRightCorner(unknowns, unknowns) = 0.5 * (free + free.transpose());
+  return result;
+}
+
+}  // namespace
+
+JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
+                              const JointFit& fit,
+                              const JointOptions& options) {
+  return spread_of(presses, fit, options, ring_error_mm(presses, fit, options));
+}
+
+JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
+                                     const JointFit& fit,
+                                     const JointOptions& options) {
+  return spread_of(presses, fit, options, 0.0);
+}
+
+}  // namespace alltact

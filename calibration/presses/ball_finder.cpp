@@ -1,0 +1,326 @@
+#include "calibration/presses/measured_pixels.h"
+#include "calibration/presses/press.h"
+#include "core/geometry/circle_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr double kSmoothingPx = 2.0;
+constexpr double kLevel = 0.4;  // of the darkest part: where the contour is drawn
+constexpr double kMinimumRimDeg = 60.0;
+constexpr double kRoughRim = 0.16;  // rms distance from the circle / radius
+constexpr double kRagged = 0.72;    // least share of the circle's inside that is dark
+constexpr int kMinimumPixels = 60;
+constexpr double kLeastContrast = 0.012;  // of the brightness: a tenth of a millimetre or so
+constexpr double kSurely = 5.0;           // times the scatter of what is untouched
+
+Error refuse(const Press& press, std::string what, std::string advice) {
+  return {std::move(what), press.name, std::move(advice)};
+}
+
+/// The difference smoothed over what was measured, NaN off the face.
+cv::Mat smoothed(const cv::Mat& x) {
+  const cv::Mat known = measured_pixels(x);
+  cv::Mat filled = x.clone();
+  filled.setTo(0.0F, ~known);
+  cv::Mat weight;
+  known.convertTo(weight, CV_32FC1, 1.0 / 255.0);
+  cv::GaussianBlur(filled, filled, {}, kSmoothingPx, kSmoothingPx, cv::BORDER_CONSTANT);
+  cv::GaussianBlur(weight, weight, {}, kSmoothingPx, kSmoothingPx, cv::BORDER_CONSTANT);
+  cv::Mat result = filled / cv::max(weight, 1e-3F);
+  result.setTo(std::numeric_limits<float>::quiet_NaN(), ~known);
+  return result;
+}
+
+struct Levels {
+  double untouched = 0;  ///< median over the face
+  double spread = 0;     ///< robust standard deviation of the quieter side
+  double darkest = 0;    ///< mean of the darkest 0.3 %
+};
+
+std::optional<Levels> levels_of(const cv::Mat& x) {
+  std::vector<float> values;
+  for (int v = 0; v < x.rows; ++v)
+    for (int u = 0; u < x.cols; ++u)
+      if (const float value = x.at<float>(v, u); std::isfinite(value)) values.push_back(value);
+  if (values.size() < 20 * kMinimumPixels) return std::nullopt;
+  const std::size_t top = std::max<std::size_t>(kMinimumPixels / 3, values.size() / 333);
+  const auto at = [&](std::size_t place) {
+    const auto here = values.begin() + static_cast<std::ptrdiff_t>(place);
+    std::nth_element(values.begin(), here, values.end());
+    return static_cast<double>(*here);
+  };
+  const auto part = [&](double of) {
+    return static_cast<std::size_t>(of * static_cast<double>(values.size() - 1));
+  };
+  Levels levels;
+  levels.untouched = at(part(0.5));
+  levels.spread = std::max(1e-4, levels.untouched - at(part(0.16)));
+  at(values.size() - top);  // so that the darkest stand at the end
+  double sum = 0;
+  for (std::size_t i = values.size() - top; i < values.size(); ++i) sum += values[i];
+  levels.darkest = sum / static_cast<double>(top);
+  return levels;
+}
+
+/// A connected dark part of the picture.
+struct Patch {
+  int label = 0;
+  int pixels = 0;
+  double weight = 0;  ///< sum of x
+};
+
+std::vector<Patch> patches_of(const cv::Mat& labels, const cv::Mat& x, int count) {
+  std::vector<Patch> patches(static_cast<std::size_t>(count));
+  for (int v = 0; v < labels.rows; ++v) {
+    for (int u = 0; u < labels.cols; ++u) {
+      const int label = labels.at<int>(v, u);
+      if (label == 0) continue;
+      Patch& patch = patches[static_cast<std::size_t>(label)];
+      patch.label = label;
+      ++patch.pixels;
+      patch.weight += static_cast<double>(x.at<float>(v, u));
+    }
+  }
+  std::erase_if(patches, [](const Patch& p) { return p.pixels < kMinimumPixels; });
+  std::stable_sort(patches.begin(), patches.end(), [](const Patch& a, const Patch& b) {
+    return a.weight > b.weight;
+  });
+  return patches;
+}
+
+/// Where the level is crossed between neighbouring pixels on the patch's border, on the rolled-out
+/// face (length along it, y). Borders that are the face's own end are counted, not used.
+struct Rim {
+  std::vector<Eigen::Vector2d> points_mm, points_px;
+  int off_face = 0;
+};
+
+class RimReader {
+ public:
+  RimReader(const Press& press, const cv::Mat& x, const cv::Mat& labels, double level)
+      : press_(press), x_(x), labels_(labels), level_(level) {}
+
+  Rim operator()(int label) const {
+    Rim rim;
+    constexpr std::array<std::array<int, 2>, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+    for (int v = 0; v < x_.rows; ++v)
+      for (int u = 0; u < x_.cols; ++u)
+        if (labels_.at<int>(v, u) == label)
+          for (const auto& [du, dv] : kSteps) step(label, u, v, du, dv, &rim);
+    return rim;
+  }
+
+ private:
+  void step(int label, int u, int v, int du, int dv, Rim* rim) const {
+    const int u2 = u + du;
+    const int v2 = v + dv;
+    const bool inside = u2 >= 0 && v2 >= 0 && u2 < x_.cols && v2 < x_.rows;
+    const float beyond = inside ? x_.at<float>(v2, u2) : std::numeric_limits<float>::quiet_NaN();
+    if (!std::isfinite(beyond)) {
+      ++rim->off_face;
+      return;
+    }
+    if (labels_.at<int>(v2, u2) == label) return;
+    const double here = static_cast<double>(x_.at<float>(v, u));
+    const double drop = here - static_cast<double>(beyond);
+    const double part = drop > 0.0 ? std::clamp((here - level_) / drop, 0.0, 1.0) : 0.5;
+    const Eigen::Vector2d pixel(u + part * du, v + part * dv);
+    const auto local = press_.shape.at(pixel.x(), pixel.y());
+    if (!local) return;
+    rim->points_px.push_back(pixel);
+    rim->points_mm.emplace_back(press_.shape.length_at(pixel.x()), local->view_point_mm.y());
+  }
+
+  const Press& press_;
+  const cv::Mat& x_;
+  const cv::Mat& labels_;
+  double level_;
+};
+
+double arc_deg(const std::vector<Eigen::Vector2d>& points, const Circle& circle) {
+  constexpr std::size_t kBins = 60;  // wide enough for the rim of the smallest disc to fill them
+  std::array<bool, kBins> seen{};
+  for (const auto& p : points) {
+    const Eigen::Vector2d d = p - circle.centre;
+    const double turn = (std::atan2(d.y(), d.x()) + M_PI) / (2.0 * M_PI);
+    seen[std::min(kBins - 1, static_cast<std::size_t>(turn * kBins))] = true;
+  }
+  return 360.0 / kBins * static_cast<double>(std::count(seen.begin(), seen.end(), true));
+}
+
+/// A circle through most of the points: refitted without those further off than 2.5 sd.
+std::optional<Circle> robust_circle(std::vector<Eigen::Vector2d> points) {
+  auto circle = fit_circle_taubin(points);
+  for (int round = 0; circle && round < 3; ++round) {
+    const double gate = std::max(2.5 * circle->rms, 1e-6 * circle->radius);
+    const std::size_t before = points.size();
+    std::erase_if(points, [&](const Eigen::Vector2d& p) {
+      return std::abs((p - circle->centre).norm() - circle->radius) > gate;
+    });
+    if (points.size() < 3) return std::nullopt;
+    circle = fit_circle(points);
+    if (points.size() == before) break;
+  }
+  return circle;
+}
+
+/// What the picture shows inside the circle.
+struct Inside {
+  double dark_share = 0;                    ///< of the circle's part that lies on the face
+  std::optional<FaceShape::Local> nearest;  ///< to the circle's middle
+  Eigen::Vector2d to_middle_mm = Eigen::Vector2d::Zero();  ///< from there, on the rolled-out face
+};
+
+Inside look_inside(const Press& press, const cv::Mat& x, const Circle& circle, double level) {
+  Inside inside;
+  int dark = 0;
+  int all = 0;
+  double nearest_mm = std::numeric_limits<double>::infinity();
+  for (int u = 0; u < x.cols; ++u) {
+    const double length = press.shape.length_at(u);
+    if (std::abs(length - circle.centre.x()) > circle.radius) continue;
+    for (int v = 0; v < x.rows; ++v) {
+      const float value = x.at<float>(v, u);
+      if (!std::isfinite(value)) continue;
+      const auto local = press.shape.at(u, v);
+      if (!local) continue;
+      const Eigen::Vector2d to_middle =
+          circle.centre - Eigen::Vector2d(length, local->view_point_mm.y());
+      const double distance = to_middle.norm();
+      if (distance < nearest_mm) {
+        nearest_mm = distance;
+        inside.nearest = local;
+        inside.to_middle_mm = to_middle;
+      }
+      if (distance > 0.95 * circle.radius) continue;
+      ++all;
+      dark += static_cast<double>(value) > level ? 1 : 0;
+    }
+  }
+  inside.dark_share = all > 0 ? static_cast<double>(dark) / all : 0.0;
+  return inside;
+}
+
+Result<BallGuess> find(const Press& press, const Face& face, const BallFinderOptions& options) {
+  const double ball_radius_mm = press.ball_radius_mm;
+  const cv::Mat x = smoothed(press.difference.x);
+  const auto levels = levels_of(x);
+  if (!levels)
+    return refuse(press,
+                  "hardly any pixel of the face could be compared with the reference",
+                  "a press and a reference of the same size in which the face is lit");
+  const double contrast = levels->darkest - std::max(0.0, levels->untouched);
+  if (contrast < std::max(kLeastContrast, kSurely * levels->spread))
+    return refuse(press,
+                  fmt::format("nothing on the face is clearly darker than in the reference (the "
+                              "darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)",
+                              100.0 * contrast,
+                              100.0 * levels->spread),
+                  "pressing the ball in deeper, and checking that the reference shows the same "
+                  "finger in the same pose");
+  const double level = std::max(0.0, levels->untouched) + kLevel * contrast;
+  cv::Mat dark = x > level;
+  if (options.opening_px > 0) {
+    const int side = 2 * options.opening_px + 1;
+    cv::morphologyEx(
+        dark, dark, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side}));
+  }
+  cv::Mat labels;
+  const int count = cv::connectedComponents(dark, labels, 4, CV_32S);
+  const auto patches = patches_of(labels, x, count);
+  if (patches.empty())
+    return refuse(press,
+                  fmt::format("only specks are dark, none larger than {} pixels", kMinimumPixels),
+                  "pressing the ball in deeper");
+  if (patches.size() > 1 && patches[1].weight > options.second_contact * patches[0].weight)
+    return refuse(press,
+                  fmt::format("two contacts were found, the second with {:.0f} % of the first",
+                              100.0 * patches[1].weight / patches[0].weight),
+                  "a press in which only the ball touches the face");
+
+  const Rim rim = RimReader(press, x, labels, level)(patches[0].label);
+  const auto circle = robust_circle(rim.points_mm);
+  const auto circle_px = robust_circle(rim.points_px);
+  if (!circle || !circle_px)
+    return refuse(press,
+                  "the border of the dark part is no arc of a circle",
+                  "a press in which the ball lies wholly on the face");
+  BallGuess guess;
+  guess.rim_arc_deg = arc_deg(rim.points_mm, *circle);
+  guess.cut_by_edge = rim.off_face > 2;
+  guess.disc_px = circle_px->centre;
+  guess.disc_radius_px = circle_px->radius;
+  if (guess.rim_arc_deg < kMinimumRimDeg)
+    return refuse(press,
+                  fmt::format("only {:.0f} degrees of the dark disc's rim lie on the face",
+                              guess.rim_arc_deg),
+                  "a press nearer to the middle of the face");
+  if (circle->radius > ball_radius_mm)
+    return refuse(
+        press,
+        fmt::format("the dark part has a radius of {:.2f} mm, more than the ball's {:g} mm",
+                    circle->radius,
+                    ball_radius_mm),
+        "checking the ball's radius, or a picture in which only the ball touches");
+  double spread = 0;
+  for (const auto& p : rim.points_mm)
+    spread += std::pow((p - circle->centre).norm() - circle->radius, 2);
+  spread = std::sqrt(spread / static_cast<double>(rim.points_mm.size())) / circle->radius;
+  const Inside inside = look_inside(press, x, *circle, level);
+  if (spread > kRoughRim || inside.dark_share < kRagged || !inside.nearest)
+    return refuse(
+        press,
+        fmt::format("the dark part is no disc: its rim is off a circle by {:.0f} % of the "
+                    "radius, and {:.0f} % of the circle is dark",
+                    100.0 * spread,
+                    100.0 * inside.dark_share),
+        "a picture in which a ball, and only the ball, touches the face");
+  if (inside.to_middle_mm.norm() > circle->radius)
+    return refuse(press,
+                  "the middle of the dark disc lies off the face",
+                  "a press nearer to the middle of the face");
+
+  // The 40 % contour of a cap of height h lies where the depth is about 0.4 h: r^2 = 2 R h 0.6.
+  const double depth =
+      std::min(0.9 * ball_radius_mm,
+               circle->radius * circle->radius / (2.0 * (1.0 - kLevel) * ball_radius_mm));
+  guess.contact_radius_mm = std::sqrt(std::max(0.0, depth * (2.0 * ball_radius_mm - depth)));
+  const Eigen::Vector3d& normal = inside.nearest->normal;
+  const Eigen::Vector3d tipward =
+      Eigen::Vector3d(normal.z(), 0.0, -normal.x()) * (press.shape.base_at_low_u() ? 1.0 : -1.0);
+  const Eigen::Vector3d top =
+      untouched_point_mm(*inside.nearest, face.layer_mm, MappingAlong::kNormal) +
+      inside.to_middle_mm.x() * tipward + inside.to_middle_mm.y() * Eigen::Vector3d::UnitY();
+  guess.centre_mm = top + (ball_radius_mm - depth) * normal;
+  return guess;
+}
+
+}  // namespace
+
+Result<BallGuess> find_ball(const Press& press,
+                            const Face& face,
+                            const BallFinderOptions& options) {
+  if (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm))
+    return Error{fmt::format("a ball radius of {} mm is impossible", press.ball_radius_mm),
+                 press.name,
+                 "the radius in millimetres, as measured with callipers"};
+  if (press.difference.x.type() != CV_32FC1 || press.difference.x.empty() ||
+      press.difference.x.cols != press.shape.width_px())
+    return refuse(press, "the press has no difference picture", "taking the picture again");
+  try {
+    return find(press, face, options);
+  } catch (const cv::Exception& problem) {
+    return refuse(press, fmt::format("OpenCV failed: {}", problem.what()), "a smaller picture");
+  }
+}
+
+}  // namespace alltact

@@ -1,0 +1,79 @@
+// From a recording of the bending, untouched finger to its reference library.
+#pragma once
+
+#include "calibration/reference/motion_coverage.h"
+#include "core/finger/finger.h"
+#include "core/job.h"
+#include "core/result.h"
+#include "core/sources/source.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+struct ReferenceReport {
+  int frames_read = 0;
+  int frames_kept = 0;
+  std::vector<std::string> rejected;  ///< "frame 17: only 5 of 12 markers found", ...
+  std::vector<std::string> remarks;
+  std::vector<std::string> warnings;  ///< sentences: settings of camera and light that do not fit
+  double median_step_px = 0;          ///< mean marker distance from a frame to its nearest other
+  int repeated = 0;                   ///< frames left out because others show the same pose
+  /// What references made from this recording are off by: half of the frames by less than the
+  /// first, 95 % by less than the second. Parts of the brightness, and what that is in depth, by
+  /// the finger's mapping or, before there is one, by that of a usual layer.
+  double error_median = 0, error_p95 = 0;
+  double error_median_mm = 0, error_p95_mm = 0;
+  bool by_own_mapping = false;
+  double nearest_error_median = 0;  ///< the same for the nearest frame alone
+  MotionCoverage coverage{MotionNeed{}};
+  std::vector<int> missing;  ///< numbers of markers that the finger does not have, ascending
+  bool by_shape = false;     ///< poses are told by places of the face, because it has no markers
+  int rest_frame = 0;        ///< number in the recording of the frame that counts as rest
+};
+
+/// Of a finger that somebody saw at rest: where a pair of its dots was then.
+struct RestPose {
+  std::size_t pair = 0;  ///< 0 at the base
+  TipPlace place;
+};
+
+/// What a recording is installed with.
+struct ReferenceChoices {
+  MotionNeed need;
+  /// Number in the recording of the frame that shows the finger at rest; absent: the frame nearest
+  /// to `rest_pose`, and without that the one nearest to the middle of all poses.
+  std::optional<int> rest_frame;
+  std::optional<RestPose> rest_pose;
+};
+
+/// Name of the picture that a refused recording leaves in the finger's folder.
+inline constexpr const char* kReferenceProblem = "reference.problem.png";
+
+/// Tracks the markers through the recording (see recording_layouts.h), rejects frames that cannot
+/// be used or in which something presses on the contact face (see recording_study.h), thins those
+/// that repeat a pose, and installs what is left in the folder: reference.mkv (lossless, grey, as
+/// the source gave it), reference.csv, and in `finger` the file names, the markers' polarity and
+/// the numbers of those it lacks, the layout at rest, the touch threshold (from the recording's own
+/// marker noise) and what the camera was set to. Where there are no markers to be found, places of
+/// the face stand in for them, and a warning says so. The files are written whole or not at all;
+/// `finger` is changed only on success and not saved.
+///
+/// Where markers are missing or the recording is refused, reference.problem.png in the folder shows
+/// what was found (problem_picture.h); it is removed by a recording without such a problem.
+/// Errors: fewer than 2 frames, wrong size, no face, a frame at rest that cannot be used.
+[[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
+                                                        const std::filesystem::path& folder,
+                                                        Finger& finger,
+                                                        const Job& job,
+                                                        const ReferenceChoices& choices = {});
+
+/// A flat sensor's one untouched picture: copied into the folder as reference.png. Gives warnings
+/// as above.
+[[nodiscard]] Result<std::vector<std::string>> install_flat_reference(
+    const std::filesystem::path& picture, const std::filesystem::path& folder, Finger& finger);
+
+}  // namespace alltact

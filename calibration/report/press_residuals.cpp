@@ -1,0 +1,136 @@
+#include "calibration/report/press_residuals.h"
+
+#include "calibration/joint/joint_fit.h"
+#include "calibration/presses/press_samples.h"
+#include "core/finger/mapping.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr int kSamples = 800;  // a press: enough to see, few enough to draw
+
+double face_width_mm(const FaceShape& shape, const Eigen::Vector2d& pixel) {
+  if (shape.face().kind == FaceKind::kFinRay) return shape.face().width_mm;
+  const auto area = shape.pixel_area(pixel.x(), pixel.y());
+  return area ? std::sqrt(area->on_face_mm2) * shape.camera().size().height : 0.0;
+}
+
+/// From the first to the last column that shows the face.
+double face_length_mm(const FaceShape& shape) {
+  double longest = 0;
+  for (int u = 0; u < shape.width_px(); ++u)
+    if (shape.columns()[static_cast<std::size_t>(u)].valid)
+      longest = std::max(longest, shape.length_at(u));
+  return longest;
+}
+
+/// nullopt: nothing lies under the ball.
+std::optional<PressResiduals> residuals_of(const Press& press,
+                                           const Face& face,
+                                           const Mapping& mapping,
+                                           const BallFit& ball) {
+  const double radius_mm = press.ball_radius_mm;
+  const MappingAlong along = mapping.parameters().along;
+  const PressSamples around =
+      sample_around(press, face, ball.centre_mm, 1.06 * radius_mm, kSamples);
+  const ContactDisc disc(around, along, ball.centre_mm);
+  const MappingCurve curve = curve_of(mapping.parameters());
+  PressResiduals result;
+  result.press = press.name;
+  const Sample* nearest = nullptr;
+  double nearest_rim = 2.0;
+  for (const Sample& sample : around.samples) {
+    const double rim = disc.place_of(sample).radius;
+    if (!(rim <= 1.0)) continue;
+    const double depth = ball_depth_mm(sample, along, ball.centre_mm, radius_mm);
+    const double factor = mapping.parameters().variation.at(sample.place_mm);
+    result.samples.push_back({sample.pixel,
+                              sample.x,
+                              depth,
+                              factor * mapping.depth_mm(sample.x) - depth -
+                                  blur_mm(sample, around, curve, along, ball.centre_mm),
+                              sample.place_mm.x(),
+                              sample.place_mm.y(),
+                              rim,
+                              factor});
+    if (rim < nearest_rim) nearest_rim = rim, nearest = &sample;
+  }
+  if (nearest == nullptr) return std::nullopt;
+  result.along_mm = nearest->place_mm.x();
+  result.across_mm = nearest->place_mm.y();
+  for (const ResidualSample& sample : result.samples)
+    result.contact_radius_mm = std::max(
+        result.contact_radius_mm,
+        std::hypot(sample.along_mm - result.along_mm, sample.across_mm - result.across_mm));
+  result.face_length_mm = face_length_mm(press.shape);
+  result.face_width_mm = face_width_mm(press.shape, nearest->pixel);
+  return result;
+}
+
+}  // namespace
+
+std::vector<PressResiduals> press_residuals(const std::vector<const Press*>& presses,
+                                            const Face& face,
+                                            const Calibration& calibration) {
+  std::vector<PressResiduals> all;
+  const auto mapping = Mapping::create(calibration.mapping);
+  if (!mapping) return all;
+  for (const BallFit& ball : calibration.balls) {
+    const auto press = std::find_if(
+        presses.begin(), presses.end(), [&](const Press* one) { return one->name == ball.press; });
+    if (press == presses.end()) continue;
+    auto residuals = residuals_of(**press, face, *mapping, ball);
+    if (residuals) all.push_back(std::move(*residuals));
+  }
+  return all;
+}
+
+std::vector<ZoneError> zone_errors(const std::vector<PressResiduals>& residuals,
+                                   const Calibration& calibration,
+                                   FaceKind kind) {
+  const bool flat = kind == FaceKind::kFlat;
+  std::array<ZoneError, 5> zones;
+  const std::array<const char*, 5> names =
+      flat ? std::array{"left", "middle", "right", "upper half", "lower half"}
+           : std::array{"base", "middle", "tip", "upper half", "lower half"};
+  for (std::size_t i = 0; i < zones.size(); ++i) zones[i].zone = names[i];
+  for (const PressResiduals& press : residuals) {
+    const auto ball = std::find_if(calibration.balls.begin(),
+                                   calibration.balls.end(),
+                                   [&](const BallFit& one) { return one.press == press.press; });
+    if (ball == calibration.balls.end() || !(press.face_length_mm > 0)) continue;
+    const double error = ball->held_out_mm > 0 ? ball->held_out_mm : ball->residual_mm;
+    const int third =
+        std::clamp(static_cast<int>(3.0 * press.along_mm / press.face_length_mm), 0, 2);
+    for (const int zone : {third, press.across_mm < 0 ? 3 : 4}) {
+      ZoneError& one = zones[static_cast<std::size_t>(zone)];
+      one.error_mm = one.error_mm.value_or(0.0) + error;
+      ++one.presses;
+    }
+  }
+  for (ZoneError& zone : zones)
+    if (zone.error_mm) *zone.error_mm /= zone.presses;
+  return {zones.begin(), zones.end()};
+}
+
+std::string zone_sentence(const std::vector<ZoneError>& zones) {
+  std::string text;
+  for (const ZoneError& zone : zones) {
+    if (!text.empty()) text += ", ";
+    text += zone.error_mm ? fmt::format("{} {:.3f} mm ({} press{})",
+                                        zone.zone,
+                                        *zone.error_mm,
+                                        zone.presses,
+                                        zone.presses == 1 ? "" : "es")
+                          : zone.zone + " unknown: no press there";
+  }
+  return text;
+}
+
+}  // namespace alltact

@@ -1,0 +1,39 @@
+// Calibrations with a fault that is known, simulated: what each fault looks like, and the proof of
+// the rules that recognise it.
+#pragma once
+
+#include "calibration/joint/calibrate.h"
+#include "calibration/report/fault_signs.h"
+#include "calibration/report/press_residuals.h"
+#include "core/job.h"
+#include "core/result.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace alltact {
+
+enum class Fault {
+  kNone = 1,
+  kBallRadius,         ///< given 10 % too large
+  kMovedCamera,        ///< moved by a few pixels between reference and presses
+  kAutomaticExposure,  ///< another gain in every press, within 6 %
+  kOtherLight,         ///< 5 % more light than when the reference was taken
+  kLooseSkin,          ///< the skin leaves the ball early and bulges brightly around it
+};
+
+struct SimulatedCalibration {
+  Calibration calibration;
+  std::vector<PressResiduals> residuals;
+  std::vector<PressSign> signs;
+};
+
+/// Four presses of a 4 mm ball on a small flat sensor (240 x 180 px, 0.1 mm a pixel), through the
+/// pipeline and the calibration as real ones. correct_light: as the pipeline does unless told
+/// otherwise; without it the fault is seen as it is. About 0.1 s. Errors: the job was stopped.
+[[nodiscard]] Result<SimulatedCalibration> simulate_calibration(Fault fault,
+                                                                std::uint64_t seed,
+                                                                bool correct_light,
+                                                                const Job& job);
+
+}  // namespace alltact

@@ -1,0 +1,264 @@
+#include "core/sensing/contact/contact_regions.h"
+
+#include "core/sensing/depth/depth_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr int kCell = kDepthCellPx;  // regions are connected in cells
+constexpr double kLargestAngleSdDeg = 15.0;
+constexpr double kLeastSds = 4.0;  // from untouched, of what counts
+
+UntouchedSd untouched_at(const RegionOptions& options, const Eigen::Vector2d& pixel) {
+  if (!options.untouched) return {options.noise_mm, 0.0};
+  return options.untouched(static_cast<int>(std::lround(pixel.x())),
+                           static_cast<int>(std::lround(pixel.y())));
+}
+
+double sd_of_mean(const UntouchedSd& sd, double pixels, const RegionOptions& options) {
+  const double independent = std::max(1.0, pixels / options.correlated_px2);
+  return std::hypot(sd.noise / std::sqrt(independent), sd.systematic);
+}
+
+/// Cells above the threshold that untouched skin would hardly ever reach.
+cv::Mat touched_cells(const DepthMap& depth, double threshold_mm, const RegionOptions& options) {
+  cv::Mat touched = depth.cells_mm > threshold_mm;
+  if (!options.untouched) return touched;
+  const double last_u = depth.depth_mm.cols - 1.0, last_v = depth.depth_mm.rows - 1.0;
+  for (int y = 0; y < touched.rows; ++y)
+    for (int x = 0; x < touched.cols; ++x) {
+      std::uint8_t& is_touched = touched.at<std::uint8_t>(y, x);
+      if (is_touched == 0) continue;
+      const Eigen::Vector2d middle(std::min(last_u, (x + 0.5) * kCell),
+                                   std::min(last_v, (y + 0.5) * kCell));
+      const double sd = sd_of_mean(untouched_at(options, middle), kCell * kCell, options);
+      if (depth.cells_mm.at<float>(y, x) < kLeastSds * sd) is_touched = 0;
+    }
+  return touched;
+}
+
+/// Pressed pixels of one cell, all taken to lie at their depth-weighted middle.
+struct CellSums {
+  int pixels = 0;
+  double depth = 0, depth_square = 0, depth_u = 0, depth_v = 0;  // sums over the pixels
+};
+
+/// What a region is told from, gathered cell by cell. Within a cell of 4 px the face is even: its
+/// own spread of (4^2 - 1) / 12 px^2 is the same in every direction and left out.
+class RegionSums {
+ public:
+  RegionSums(const FaceShape& shape, const Face& face, double threshold_mm)
+      : shape_(shape), face_(face), threshold_mm_(threshold_mm) {
+    region_.place_mm.setZero();
+    region_.place_px.setZero();
+  }
+
+  void add(const CellSums& cell, const RegionOptions& options) {
+    const Eigen::Vector2d middle(cell.depth_u / cell.depth, cell.depth_v / cell.depth);
+    depth_ += cell.depth;
+    const UntouchedSd sd = untouched_at(options, middle);
+    noise_ += cell.pixels * sd.noise;
+    systematic_ += cell.pixels * sd.systematic;
+    const auto local = shape_.at(middle.x(), middle.y());
+    const auto area = shape_.pixel_area(middle.x(), middle.y());
+    if (!local || !area) return;
+    const double weighted_depth = cell.depth_square / cell.depth;
+    const Eigen::Vector3d pressed_mm =
+        untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ) -
+        Eigen::Vector3d(0.0, 0.0, weighted_depth);
+    const Eigen::Vector2d on_face_mm(shape_.length_at(middle.x()), local->view_point_mm.y());
+    const double volume = cell.depth * area->flat_mm2;
+    // Moments about a point of the region itself, so that little cancels.
+    if (region_.pixels == 0) origin_mm_ = on_face_mm;
+    region_.pixels += cell.pixels;
+    region_.volume_mm3 += volume;
+    region_.place_mm += volume * pressed_mm;
+    region_.place_px += volume * middle;
+    region_.area_mm2 += cell.pixels * area->on_face_mm2;
+    // The axis is that of what rises above the threshold: a weight that begins at nothing, so that
+    // pixels of the rim which noise takes in or leaves out do not move it.
+    const double weight = (cell.depth - threshold_mm_ * cell.pixels) * area->on_face_mm2;
+    const Eigen::Vector2d off = on_face_mm - origin_mm_;
+    weight_ += weight;
+    first_ += weight * off;
+    second_ += weight * off * off.transpose();
+    cells_.push_back({off, cell.pixels * area->on_face_mm2 * area->on_face_mm2});
+  }
+
+  /// A pixel that may be the deepest.
+  void look_at(int u, int row, double depth_mm) {
+    if (!(depth_mm > region_.deepest_mm)) return;
+    const auto local = shape_.at(u, row);
+    if (!local) return;
+    region_.deepest_mm = depth_mm;
+    region_.deepest_point_mm = untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ) -
+                               Eigen::Vector3d(0.0, 0.0, depth_mm);
+  }
+
+  [[nodiscard]] bool empty() const { return region_.pixels == 0; }
+  /// Whether untouched skin would hardly ever look like this.
+  [[nodiscard]] bool is_significant(const RegionOptions& options) const {
+    const double pixels = region_.pixels;
+    const double sd = sd_of_mean({noise_ / pixels, systematic_ / pixels}, pixels, options);
+    return depth_ / pixels >= kLeastSds * sd;
+  }
+  [[nodiscard]] ContactRegion region(const RegionOptions& options) const {
+    ContactRegion region = region_;
+    region.place_mm /= region.volume_mm3;
+    region.place_px /= region.volume_mm3;
+    region.place_on_face_mm = shape_.place_mm(region.place_px.x(), region.place_px.y());
+    find_angle(options, region);
+    return region;
+  }
+
+ private:
+  /// Principal axis, where one can be told: where points drawn from the contact, as many as it has
+  /// independent pixels, would show it to kLargestAngleSdDeg, sqrt(l1 l2 / n) / (l1 - l2).
+  void find_angle(const RegionOptions& options, ContactRegion& region) const {
+    const Eigen::Vector2d mean = first_ / weight_;
+    const Eigen::Matrix2d covariance = second_ / weight_ - mean * mean.transpose();
+    const double xx = covariance(0, 0), xy = covariance(0, 1), yy = covariance(1, 1);
+    const double difference = std::hypot(xx - yy, 2.0 * xy);  // l1 - l2
+    const double product = std::max(0.0, xx * yy - xy * xy);  // l1 l2
+    const double correlated = options.correlated_px2;
+    const double independent = std::max(1.0, region.pixels / correlated);
+    if (!(difference > 0.0)) return;
+    constexpr double kDegPerRad = 180.0 / M_PI;
+    if (kDegPerRad * std::sqrt(product / independent) / difference > kLargestAngleSdDeg) return;
+    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
+    const double sd_deg = kDegPerRad * options.noise_mm *
+                          std::sqrt(correlated * sum_of_squares(mean, angle)) /
+                          (weight_ * difference);
+    if (sd_deg > kLargestAngleSdDeg) return;
+    region.angle_deg = angle * kDegPerRad;
+    if (*region.angle_deg <= -90.0) *region.angle_deg += 180.0;
+    region.angle_sd_deg = sd_deg;
+  }
+
+  /// How independent noise of each pixel's depth turns the axis: by the sum of (x y area)^2 with x
+  /// along the axis and y across it, from the first-order change of the mixed second moment.
+  [[nodiscard]] double sum_of_squares(const Eigen::Vector2d& mean, double angle) const {
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+    double sum = 0;
+    for (const auto& [off, area_square] : cells_) {
+      const Eigen::Vector2d d = off - mean;
+      const double x = along.dot(d), y = along.x() * d.y() - along.y() * d.x();
+      sum += area_square * x * x * y * y;
+    }
+    return sum;
+  }
+
+  const FaceShape& shape_;
+  const Face& face_;
+  double threshold_mm_;
+  std::vector<std::pair<Eigen::Vector2d, double>> cells_;  // place; pixels times area squared
+  ContactRegion region_;                                   // places not yet divided by the volume
+  Eigen::Vector2d origin_mm_ = Eigen::Vector2d::Zero(), first_ = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d second_ = Eigen::Matrix2d::Zero();
+  double weight_ = 0, depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
+};
+
+/// A cell's pressed pixels, and the deepest of them.
+struct PressedCell {
+  CellSums sums;
+  int deepest_u = 0, deepest_row = 0;
+  float deepest = 0;
+};
+
+PressedCell pressed_in(const cv::Mat& depth_mm, const cv::Rect& cell, float threshold) {
+  PressedCell pressed;
+  for (int row = cell.y; row < cell.y + cell.height; ++row) {
+    const float* depth = depth_mm.ptr<float>(row);
+    for (int u = cell.x; u < cell.x + cell.width; ++u) {
+      if (!(depth[u] > threshold)) continue;
+      const auto d = static_cast<double>(depth[u]);
+      CellSums& sums = pressed.sums;
+      ++sums.pixels;
+      sums.depth += d;
+      sums.depth_square += d * d;
+      sums.depth_u += d * u;
+      sums.depth_v += d * row;
+      if (depth[u] > pressed.deepest)
+        pressed.deepest = depth[u], pressed.deepest_u = u, pressed.deepest_row = row;
+    }
+  }
+  return pressed;
+}
+
+/// The pressed pixels of the cells with a label; the label picture begins at the cell `origin`.
+RegionSums sums_of(const DepthMap& depth,
+                   const cv::Mat& labels,
+                   int label,
+                   const cv::Rect& cells,
+                   const cv::Point& origin,
+                   const FaceShape& shape,
+                   const Face& face,
+                   double threshold_mm,
+                   const RegionOptions& options) {
+  RegionSums sums(shape, face, threshold_mm);
+  const cv::Rect picture({0, 0}, depth.depth_mm.size());
+  for (int y = cells.y; y < cells.y + cells.height; ++y) {
+    const int* row = labels.ptr<int>(y);
+    for (int x = cells.x; x < cells.x + cells.width; ++x) {
+      if (row[x] != label) continue;
+      const cv::Rect cell =
+          cv::Rect((origin.x + x) * kCell, (origin.y + y) * kCell, kCell, kCell) & picture;
+      const PressedCell pressed =
+          pressed_in(depth.depth_mm, cell, static_cast<float>(threshold_mm));
+      if (pressed.sums.pixels == 0) continue;
+      sums.add(pressed.sums, options);
+      sums.look_at(pressed.deepest_u, pressed.deepest_row, static_cast<double>(pressed.deepest));
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+std::vector<ContactRegion> contact_regions(const DepthMap& depth,
+                                           const FaceShape& shape,
+                                           const Face& face,
+                                           const RegionOptions& options) {
+  const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
+  const cv::Mat everywhere = touched_cells(depth, threshold, options);
+  // Labels are given within the box that holds all that is touched, and a cell around it.
+  const cv::Rect tight = cv::boundingRect(everywhere);
+  if (tight.empty()) return {};
+  const cv::Rect box = cv::Rect(tight.x - 1, tight.y - 1, tight.width + 2, tight.height + 2) &
+                       cv::Rect({0, 0}, everywhere.size());
+  const cv::Mat touched = everywhere(box);
+  cv::Mat labels, statistics, centres;
+  const int count =
+      cv::connectedComponentsWithStats(touched, labels, statistics, centres, 8, CV_32S);
+  // A region's rim reaches into the cells around it.
+  cv::Mat wide;
+  labels.convertTo(wide, CV_32F);
+  cv::dilate(wide, wide, cv::Mat::ones(3, 3, CV_8U));
+  wide.convertTo(wide, CV_32S);
+  labels.copyTo(wide, touched);
+
+  std::vector<ContactRegion> regions;
+  for (int label = 1; label < count; ++label) {
+    const cv::Rect cells = cv::Rect(statistics.at<int>(label, cv::CC_STAT_LEFT) - 1,
+                                    statistics.at<int>(label, cv::CC_STAT_TOP) - 1,
+                                    statistics.at<int>(label, cv::CC_STAT_WIDTH) + 2,
+                                    statistics.at<int>(label, cv::CC_STAT_HEIGHT) + 2) &
+                           cv::Rect(0, 0, labels.cols, labels.rows);
+    const RegionSums sums =
+        sums_of(depth, wide, label, cells, box.tl(), shape, face, threshold, options);
+    if (sums.empty() || !sums.is_significant(options)) continue;
+    const ContactRegion region = sums.region(options);
+    if (region.area_mm2 >= options.minimum_area_mm2) regions.push_back(region);
+  }
+  std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) {
+    return a.volume_mm3 > b.volume_mm3;
+  });
+  return regions;
+}
+
+}  // namespace alltact

@@ -1,0 +1,144 @@
+#include "core/sensing/depth/depth_along_z.h"
+
+#include "core/numerics/bilinear.h"
+#include "core/sensing/depth/depth_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+// Mean depth below which a cell only needs scaling: what noise makes of most of a face does too.
+constexpr float kTouchedMm = 0.02F, kMostTouchedMm = 0.1F;
+constexpr float kAboveNoise = 3.0F;
+constexpr int kSteps = 6;  // each at least halves the error
+
+/// The finger's length profile in the x-z plane, of the middle of the face. Across it a face that
+/// is twisted goes on as its normal says there.
+struct Profile {
+  std::vector<double> foot_x_mm;  ///< x of the untouched face seen along the normal, ascending
+  std::vector<double> z_mm, normal_x, normal_y, normal_z;
+
+  explicit Profile(const FaceShape& shape) {
+    const double layer_mm = shape.face().layer_mm;
+    for (int u = 0; u < shape.width_px(); ++u) {
+      const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
+      const auto local = shape.at(u, 0.5 * (column.upper_v + column.lower_v));
+      if (!local) continue;
+      const double foot = local->view_point_mm.x() + layer_mm * local->normal.x();
+      if (!foot_x_mm.empty() && foot <= foot_x_mm.back()) continue;
+      foot_x_mm.push_back(foot);
+      z_mm.push_back(local->view_point_mm.z());
+      normal_x.push_back(local->normal.x());
+      normal_y.push_back(local->normal.y());
+      normal_z.push_back(local->normal.z());
+    }
+  }
+
+  struct Place {
+    double z_mm, normal_x, normal_y, normal_z;
+  };
+  /// The face whose normal leads to x on the untouched face; clamped to the ends.
+  [[nodiscard]] Place at(double x_mm) const {
+    const auto above = std::lower_bound(foot_x_mm.begin(), foot_x_mm.end(), x_mm);
+    const auto last = static_cast<std::ptrdiff_t>(foot_x_mm.size()) - 1;
+    const auto right = std::clamp<std::ptrdiff_t>(above - foot_x_mm.begin(), 1, last);
+    const auto r = static_cast<std::size_t>(right), l = r - 1;
+    const double part = std::clamp((x_mm - foot_x_mm[l]) / (foot_x_mm[r] - foot_x_mm[l]), 0.0, 1.0);
+    const auto between = [&](const std::vector<double>& values) {
+      return values[l] + part * (values[r] - values[l]);
+    };
+    return {between(z_mm), between(normal_x), between(normal_y), between(normal_z)};
+  }
+};
+
+/// The mean depth from which on a cell is touched, by the quarter of the face that is least so.
+float touched_mm(const cv::Mat& cells_mm) {
+  std::vector<float> means;
+  std::copy_if(
+      cells_mm.begin<float>(), cells_mm.end<float>(), std::back_inserter(means), [](float mm) {
+        return std::isfinite(mm);
+      });
+  if (means.empty()) return kTouchedMm;
+  const auto quarter = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 4);
+  std::nth_element(means.begin(), quarter, means.end());
+  return std::clamp(kAboveNoise * *quarter, kTouchedMm, kMostTouchedMm);
+}
+
+/// Cells near a touched one: where looking elsewhere can make a difference.
+cv::Mat touched_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
+  cv::Mat touched = cells_mm > static_cast<double>(touched_mm(cells_mm));
+  double nearest_mm = 1e9;
+  for (const FaceColumn& column : shape.columns())
+    if (column.valid) nearest_mm = std::min(nearest_mm, column.z_mm);
+  const double px_per_mm = 1.0 / shape.camera().mm_per_px_at(nearest_mm);
+  const int reach =
+      1 + static_cast<int>(std::ceil(shape.face().layer_mm * px_per_mm / kDepthCellPx));
+  cv::dilate(touched, touched, cv::Mat::ones(3, 2 * reach + 1, CV_8U));
+  return touched;
+}
+
+/// Depth along z over one pixel; NaN where the pixel that sees it has no measurement.
+double look_up(const cv::Mat& depth_normal_mm,
+               const FaceShape& shape,
+               const Profile& profile,
+               const FaceShape::Local& here) {
+  const double layer_mm = shape.face().layer_mm;
+  const Eigen::Vector3d untouched = untouched_point_mm(here, layer_mm, MappingAlong::kZ);
+  // How far the untouched face lies beyond the profile on this line.
+  const Profile::Place foot = profile.at(untouched.x());
+  const double beyond_mm = untouched.z() - foot.z_mm - foot.normal_z * layer_mm;
+  double depth = 0, pressed_z = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    // The foot moves back along the normal as the layer thins.
+    Profile::Place place = profile.at(untouched.x());
+    place = profile.at(untouched.x() + place.normal_x * depth);
+    const double thickness = layer_mm - depth;
+    const double falls_mm = place.normal_y * place.normal_y / place.normal_z * depth;
+    const double z_mm = place.z_mm + beyond_mm - falls_mm;
+    const Eigen::Vector3d seen_at(untouched.x() - place.normal_x * thickness,
+                                  untouched.y() - place.normal_y * thickness,
+                                  z_mm);
+    const auto pixel = shape.camera().project(seen_at);
+    if (!pixel) return NAN;
+    const double found = bilinear(depth_normal_mm, *pixel);
+    if (!std::isfinite(found)) return NAN;
+    depth = step < 2 ? found : 0.5 * (depth + found);
+    pressed_z = z_mm + place.normal_z * (layer_mm - depth);
+  }
+  return std::max(0.0, untouched.z() - pressed_z);
+}
+
+}  // namespace
+
+cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
+                      const cv::Mat& cells_mm,
+                      const FaceShape& shape) {
+  CV_Assert(depth_normal_mm.type() == CV_32FC1 && depth_normal_mm.cols == shape.width_px());
+  cv::Mat depth_mm = depth_normal_mm.clone();
+  const Profile profile(shape);
+  const std::vector<float>& along_z = shape.along_z_per_normal();
+  const cv::Mat touched = touched_cells(cells_mm, shape);
+  for (int row = 0; row < depth_mm.rows; ++row) {
+    const std::uint8_t* cell = touched.ptr<std::uint8_t>(row / kDepthCellPx);
+    float* depth = depth_mm.ptr<float>(row);
+    for (int u = 0; u < depth_mm.cols; ++u) {
+      // Where the face is even, along the normal or along z is a matter of scale alone.
+      depth[u] *= along_z[static_cast<std::size_t>(u)];
+      if (cell[u / kDepthCellPx] == 0 || !std::isfinite(depth[u]) || profile.foot_x_mm.size() < 2)
+        continue;
+      const auto here = shape.at(u, row);
+      if (!here) continue;
+      const double found = look_up(depth_normal_mm, shape, profile, *here);
+      if (std::isfinite(found)) depth[u] = static_cast<float>(found);
+    }
+  }
+  return depth_mm;
+}
+
+}  // namespace alltact

@@ -1,0 +1,166 @@
+#include "core/sensing/depth/depth_sd.h"
+
+#include "core/sensing/depth/smoothing.h"
+#include "core/sensing/reference/grey_steps.h"
+#include "core/sensing/reference/reference_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alltact {
+namespace {
+
+constexpr int kTable = 512;
+constexpr double kSidewaysPx = 0.25;  // of edges, skin and lens together
+
+cv::Mat nowhere(const cv::Size& size) {
+  return {size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN())};
+}
+
+}  // namespace
+
+double DepthCauses::total() const {
+  return std::sqrt(noise * noise + mapping * mapping + reference * reference + light * light +
+                   lateral * lateral);
+}
+
+DepthError::DepthError(const DepthMap& depth,
+                       const Reference& reference,
+                       const FaceShape& shape,
+                       const Mapping& mapping)
+    : depth_(depth),
+      reference_(reference),
+      shape_(shape),
+      mapping_(mapping),
+      reader_(reference.picture),
+      along_z_(mapping.parameters().along == MappingAlong::kZ
+                   ? std::vector<float>(static_cast<std::size_t>(depth.depth_mm.cols), 1.0F)
+                   : shape.along_z_per_normal()),
+      step_mm_(mapping.depth_mm(mapping.x_max()) / kTable) {
+  CV_Assert(depth.depth_mm.type() == CV_32FC1 && depth.depth_mm.size() == reference.picture.size());
+}
+
+void DepthError::know_curve() {
+  if (!x_.empty()) return;
+  for (int i = 0; i <= kTable; ++i) {
+    x_.push_back(mapping_.difference_at(i * step_mm_));
+    slope_mm_.push_back(mapping_.slope_mm(x_.back()));
+  }
+}
+
+/// What the mapping says of a depth that it gives; beyond the domain the curve goes on straight.
+DepthError::At DepthError::curve_at(double depth_mm) const {
+  const double end_mm = step_mm_ * kTable;
+  if (depth_mm >= end_mm)
+    return {x_.back() + (depth_mm - end_mm) / slope_mm_.back(), slope_mm_.back()};
+  const double place = std::max(0.0, depth_mm) / step_mm_;
+  const auto i = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(kTable - 1));
+  const double part = place - static_cast<double>(i);
+  const auto between = [&](const std::vector<double>& values) {
+    return values[i] + part * (values[i + 1] - values[i]);
+  };
+  return {between(x_), between(slope_mm_)};
+}
+
+double DepthError::reference_sd(int u, int v) {
+  const cv::Mat& sd = reference_.relative_sd;
+  if (sd.empty()) return 0.0;
+  const ChartWarp& warp = reference_.picture.warp();
+  if (u < warp.first() || u >= warp.end()) return 0.0;
+  float at_u = 0, at_v = 0;
+  warp.places(v, u, 1, &at_u, &at_v);
+  const cv::Point origin = reference_.picture.origin();
+  const int x = static_cast<int>(at_u - static_cast<float>(origin.x)) / kErrorCellPx,
+            y = static_cast<int>(at_v - static_cast<float>(origin.y)) / kErrorCellPx;
+  const double factor =
+      reference_.picture.is_first_mix(u) ? reference_.error_factor : reference_.outer_error_factor;
+  return factor * static_cast<double>(
+                      sd.at<float>(std::clamp(y, 0, sd.rows - 1), std::clamp(x, 0, sd.cols - 1)));
+}
+
+double DepthError::lateral_mm(int u, int v, double noise_mm) const {
+  constexpr int kStep = 2;  // further than most of the noise is shared
+  const cv::Mat& mm = depth_.depth_mm;
+  const double here = static_cast<double>(mm.at<float>(v, u));
+  const auto at = [&](int du, int dv) {
+    const int x = u + du * kStep, y = v + dv * kStep;
+    if (x < 0 || y < 0 || x >= mm.cols || y >= mm.rows) return here;
+    const auto depth = static_cast<double>(mm.at<float>(y, x));
+    return std::isfinite(depth) ? depth : here;
+  };
+  const double left = at(-1, 0), right = at(1, 0), above = at(0, -1), below = at(0, 1);
+  const auto squares = [](double a, double b) { return a * a + b * b; };
+  // What noise alone makes of the same differences is taken off.
+  const double noise = noise_mm * noise_mm;
+  const double slope_square =
+      std::max(0.0, squares(right - left, below - above) - 4.0 * noise) / (4.0 * kStep * kStep);
+  const double bend_square =
+      std::max(0.0, squares(left - 2.0 * here + right, above - 2.0 * here + below) - 12.0 * noise) /
+      std::pow(kStep, 4);
+  return std::sqrt(kSidewaysPx * kSidewaysPx * slope_square +
+                   0.25 * kOpticsPx2 * kOpticsPx2 * bend_square);
+}
+
+DepthCauses DepthError::causes(int u, int v, double level) {
+  const Eigen::Vector2d place = shape_.place_mm(u, v);
+  const double longer = static_cast<double>(along_z_[static_cast<std::size_t>(u)]);
+  const double factor = mapping_.parameters().variation.at(place);
+  const double depth = static_cast<double>(depth_.depth_mm.at<float>(v, u));
+  const auto [x, slope_mm] = curve_at(depth / (longer * factor));
+  const double per_part = longer * factor * slope_mm;  // mm by the relative brightness
+  const double left = std::max(0.0, 1.0 - x);
+  DepthCauses causes;
+  causes.noise = per_part * depth_.live_sd / level * std::hypot(1.0, left * reference_.noise_gain);
+  causes.mapping = longer * mapping_.depth_sd_mm(x, place);
+  causes.reference = per_part * left * reference_sd(u, v);
+  causes.light = per_part * left * depth_.light.sd_at(u, v) / depth_.light.at(u, v);
+  causes.lateral = lateral_mm(u, v, causes.noise);
+  return causes;
+}
+
+UntouchedSd DepthError::untouched(int u, int v) {
+  const FaceRun one{v, u, u + 1, 0};
+  const std::int16_t grey = reader_.row(v, {&one, 1})[u];
+  if (grey <= 0) return {};
+  const double per_part = static_cast<double>(along_z_[static_cast<std::size_t>(u)]) *
+                          mapping_.parameters().variation.at(shape_.place_mm(u, v)) *
+                          mapping_.slope_mm(0.0);
+  const double level = static_cast<double>(grey) / kGreySteps;
+  return {
+      per_part * depth_.live_sd / level * std::hypot(1.0, reference_.noise_gain),
+      per_part * std::hypot(reference_sd(u, v), depth_.light.sd_at(u, v) / depth_.light.at(u, v))};
+}
+
+cv::Mat depth_sd_mm(const DepthMap& depth,
+                    const Reference& reference,
+                    const FaceShape& shape,
+                    const Mapping& mapping) {
+  DepthError error(depth, reference, shape, mapping);
+  cv::Mat sd = nowhere(depth.depth_mm.size());
+  for (int v = 0; v < sd.rows; ++v)
+    error.row(v, [row = sd.ptr<float>(v)](int u, const DepthCauses& causes) {
+      row[u] = static_cast<float>(causes.total());
+    });
+  return sd;
+}
+
+std::vector<NamedPicture> depth_sd_by_cause(const DepthMap& depth,
+                                            const Reference& reference,
+                                            const FaceShape& shape,
+                                            const Mapping& mapping) {
+  DepthError error(depth, reference, shape, mapping);
+  std::vector<NamedPicture> pictures;
+  for (const char* name : {"noise", "mapping", "reference", "light", "lateral"})
+    pictures.push_back({name, nowhere(depth.depth_mm.size())});
+  for (int v = 0; v < depth.depth_mm.rows; ++v)
+    error.row(v, [&](int u, const DepthCauses& causes) {
+      std::size_t next = 0;
+      for (const double sd :
+           {causes.noise, causes.mapping, causes.reference, causes.light, causes.lateral})
+        pictures[next++].sd_mm.at<float>(v, u) = static_cast<float>(sd);
+    });
+  return pictures;
+}
+
+}  // namespace alltact

@@ -1,0 +1,281 @@
+#include "core/sensing/depth/light_gain.h"
+
+#include "core/numerics/median.h"
+#include "core/sensing/reference/grey_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace alltact {
+namespace {
+
+constexpr double kBlocks = 1500;     // enough for six numbers, few enough to cost nothing
+constexpr double kFloor = 0.002;     // what references are off by apart from noise
+constexpr double kTukey = 4.0;       // sigmas beyond which a block says nothing
+constexpr double kBrightest = 250;   // levels from here on are clipped
+constexpr double kLeastLevel = 8;    // darker than this nothing can be divided by
+constexpr double kConstantSd = 0.5;  // what changes are to be expected
+constexpr double kShapeSd = 0.05;
+constexpr double kAlike = 2.0;   // times the shortest stretch of ratios
+constexpr double kPatches = 30;  // of the face, over each of which references are off alike
+constexpr int kLeastBlocks = 20;
+constexpr double kBrighter = 0.05;  // than any halo around a contact
+// A second light, told by what the first makes brighter than its reference: from such a part of the
+// face on it is looked for, such a part of that must agree on it, and it must leave no more over.
+constexpr double kMuchBrighter = 0.1, kAgreeing = 0.6, kLeftBrighter = 0.02;
+
+using Terms = Eigen::Matrix<double, LightGain::kTerms, 1>;
+
+struct Block {
+  Terms basis;
+  double ratio, noise;  // live over reference, and its white noise
+  double sd;            // with what references are off by apart from it
+};
+
+cv::Rect bounds_of(const FaceRuns& face) {
+  if (face.runs.empty()) return {};
+  int left = face.runs.front().first, right = face.runs.front().end;
+  for (const FaceRun& run : face.runs)
+    left = std::min(left, run.first), right = std::max(right, run.end);
+  const int top = face.runs.front().row;
+  return {left, top, right - left, face.runs.back().row + 1 - top};
+}
+
+Terms basis_at(double s, double t) {
+  Terms basis;
+  basis << 1.0, s, t, s * s, s * t, t * t;
+  return basis;
+}
+
+std::vector<Block> blocks_of(const cv::Mat& grey,
+                             const ReferencePicture& reference,
+                             const FaceRuns& face,
+                             const cv::Rect& bounds,
+                             double noise_sd,
+                             double noise_gain) {
+  std::vector<Block> blocks;
+  const int step = std::max(2, static_cast<int>(std::sqrt(face.pixels() / kBlocks)));
+  const double half_u = 0.5 * bounds.width, half_v = 0.5 * bounds.height;
+  ReferencePicture::Reader reader(reference);
+  for (int v = bounds.y + step / 2; v < bounds.br().y; v += step) {
+    const auto runs = face.of_row(v);
+    if (runs.empty()) continue;
+    const std::int16_t* untouched = reader.row(v, runs);
+    const auto* live = grey.ptr<std::uint8_t>(v);
+    for (const FaceRun& run : runs)
+      for (int first = run.first; first + step <= run.end; first += step) {
+        int sum = 0, reference_sum = 0, count = 0;
+        for (int u = first; u < first + step; ++u) {
+          if (live[u] >= kBrightest || untouched[u] < kLeastLevel * kGreySteps ||
+              untouched[u] >= kBrightest * kGreySteps)
+            continue;
+          sum += live[u];
+          reference_sum += untouched[u];
+          ++count;
+        }
+        if (2 * count < step) continue;
+        const double level = static_cast<double>(reference_sum) / kGreySteps;
+        const double sd = noise_sd * std::sqrt(count * (1.0 + noise_gain * noise_gain)) / level;
+        const double s = (first + 0.5 * (step - 1) - bounds.x) / half_u - 1.0;
+        blocks.push_back(
+            {basis_at(s, (v - bounds.y) / half_v - 1.0), sum / level, sd, std::hypot(sd, kFloor)});
+      }
+  }
+  return blocks;
+}
+
+/// The middle and half the length of the brightest stretch of ratios that holds a fifth of them and
+/// is not much longer than the shortest that does: untouched skin looks alike, and what presses on
+/// it, however wide, is darker.
+std::pair<double, double> untouched_ratio(const std::vector<Block>& blocks) {
+  std::vector<double> ratios;
+  for (const Block& block : blocks) ratios.push_back(block.ratio);
+  std::sort(ratios.begin(), ratios.end());
+  const std::size_t held = ratios.size() / 5;
+  const auto length = [&](std::size_t first) { return ratios[first + held] - ratios[first]; };
+  std::size_t shortest = 0, brightest = 0;
+  for (std::size_t i = 0; i + held < ratios.size(); ++i)
+    if (length(i) < length(shortest)) shortest = i;
+  for (std::size_t i = 0; i + held < ratios.size(); ++i)
+    if (length(i) <= kAlike * length(shortest)) brightest = i;
+  return {0.5 * (ratios[brightest] + ratios[brightest + held]), length(brightest)};
+}
+
+double ramp(double value, double from, double to) {
+  return std::clamp((value - from) / (to - from), 1e-3, 1.0);
+}
+
+/// One step of the re-weighted least squares; gives the part of the blocks that is believed.
+double refit(const std::vector<Block>& blocks,
+             double widening,
+             double believed,
+             Terms* terms,
+             LightGain::Covariance* covariance) {
+  LightGain::Covariance normal;
+  Terms pull = Terms::Zero();
+  normal.setZero();
+  double weights = 0;
+  for (const Block& block : blocks) {
+    const double sd = std::hypot(block.sd, widening);
+    const double off = 1.0 - block.ratio * (1.0 + block.basis.dot(*terms));
+    const double z = off / (kTukey * sd);
+    if (std::abs(z) >= 1.0) continue;
+    const double share = (1.0 - z * z) * (1.0 - z * z), weight = share / (sd * sd);
+    const Terms row = block.ratio * block.basis;
+    normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
+    pull += weight * (1.0 - block.ratio) * row;
+    weights += share;
+  }
+  normal.diagonal()[0] += 1.0 / (kConstantSd * kConstantSd);
+  const double tilt_sd = kShapeSd * ramp(believed, 0.2, 0.5),
+               bow_sd = kShapeSd * ramp(believed, 0.35, 0.65);
+  for (int k = 1; k < LightGain::kTerms; ++k) {
+    const double sd = k < 3 ? tilt_sd : bow_sd;
+    normal.diagonal()[k] += 1.0 / (sd * sd);
+  }
+  const auto solver = normal.selfadjointView<Eigen::Lower>().ldlt();
+  *terms = solver.solve(pull);
+  *covariance = solver.solve(LightGain::Covariance::Identity());
+  return weights / static_cast<double>(blocks.size());
+}
+
+/// From the skin that is brighter than its reference, where no contact is: half of a normal
+/// distribution's magnitudes lie below 0.6745 sd. What references are off by is taken off.
+double noise_ratio(const std::vector<Block>& blocks, const Terms& terms) {
+  std::vector<double> above, floors;
+  for (const Block& block : blocks) {
+    const double z = (block.ratio * (1.0 + block.basis.dot(terms)) - 1.0) / block.noise;
+    if (!(z > 0.0)) continue;
+    above.push_back(z);
+    floors.push_back(kFloor / block.noise);
+  }
+  if (static_cast<int>(above.size()) < kLeastBlocks) return 1.0;
+  const double all = upper_median(above) / 0.6745, floor = upper_median(floors);
+  return std::sqrt(std::max(1.0, all * all - floor * floor));
+}
+
+/// By what the covariance of a fit to independent blocks falls short: what references are off by is
+/// alike over patches of the face.
+double shared_part(const std::vector<Block>& blocks, double noise_ratio) {
+  std::vector<double> noises;
+  for (const Block& block : blocks) noises.push_back(block.noise);
+  const double noise = noise_ratio * upper_median(noises);
+  const double shared = std::max(1.0, static_cast<double>(blocks.size()) / kPatches);
+  return (noise * noise + shared * kFloor * kFloor) / (noise * noise + kFloor * kFloor);
+}
+
+/// The blocks that are clearly brighter than their reference under the light of `terms`.
+std::vector<Block> brighter_blocks(const std::vector<Block>& blocks, const Terms& terms) {
+  std::vector<Block> brighter;
+  for (const Block& block : blocks) {
+    const double above = block.ratio * (1.0 + block.basis.dot(terms)) - 1.0;
+    if (above > kBrighter + 5.0 * block.sd) brighter.push_back(block);
+  }
+  return brighter;
+}
+
+struct LightFit {
+  Terms terms = Terms::Zero();
+  LightGain::Covariance covariance = LightGain::Covariance::Zero();
+  double believed = 0.5;        ///< part of the blocks
+  std::vector<Block> brighter;  ///< see brighter_blocks()
+  double brighter_part = 0;     ///< of the blocks
+};
+
+/// Fits all `blocks`, starting from the ratio that `untouched` have in common.
+std::optional<LightFit> fit_light(const std::vector<Block>& blocks,
+                                  const std::vector<Block>& untouched) {
+  const auto [ratio, spread] = untouched_ratio(untouched);
+  if (!(ratio > 0.0)) return std::nullopt;
+  LightFit fit;
+  fit.terms[0] = 1.0 / ratio - 1.0;
+  // From wide to narrow: a change that tilts over the face must not look like a contact.
+  for (double widening = spread; widening > 0.5 * kFloor; widening *= 0.5)
+    fit.believed = refit(blocks, widening, fit.believed, &fit.terms, &fit.covariance);
+  for (int last = 0; last < 2; ++last)
+    fit.believed = refit(blocks, 0.0, fit.believed, &fit.terms, &fit.covariance);
+  if (!fit.terms.allFinite() || !fit.covariance.allFinite()) return std::nullopt;
+  fit.brighter = brighter_blocks(blocks, fit.terms);
+  fit.brighter_part = static_cast<double>(fit.brighter.size()) / static_cast<double>(blocks.size());
+  return fit;
+}
+
+/// What presses only darkens. Where the light that most of the face tells makes another part
+/// brighter, and that part agrees on a light of its own, that one is the light and most of the face
+/// is pressed. On another finger the brighter parts do not agree.
+LightFit brightest_light(const std::vector<Block>& blocks, LightFit first) {
+  if (first.brighter_part < kMuchBrighter || static_cast<int>(first.brighter.size()) < kLeastBlocks)
+    return first;
+  const auto second = fit_light(blocks, first.brighter);
+  const bool is_the_light = second && second->believed > kAgreeing * first.brighter_part &&
+                            second->brighter_part < kLeftBrighter;
+  return is_the_light ? *second : first;
+}
+
+}  // namespace
+
+LightGain::LightGain(const cv::Rect& face,
+                     const std::array<double, kTerms>& terms,
+                     double believed,
+                     double brighter,
+                     double noise_ratio,
+                     const Covariance& covariance)
+    : terms_(terms),
+      middle_u_(face.x + 0.5 * face.width),
+      middle_v_(face.y + 0.5 * face.height),
+      half_u_(0.5 * face.width),
+      half_v_(0.5 * face.height),
+      believed_(believed),
+      brighter_(brighter),
+      noise_ratio_(noise_ratio),
+      covariance_(covariance) {}
+
+std::array<float, 3> LightGain::of_row(int v) const {
+  const double t = (v - middle_v_) / half_v_, m = middle_u_ / half_u_;
+  // In powers of s = u / half - m first.
+  const double a = 1.0 + terms_[0] + terms_[2] * t + terms_[5] * t * t,
+               b = terms_[1] + terms_[4] * t, c = terms_[3];
+  return {static_cast<float>(a - b * m + c * m * m),
+          static_cast<float>((b - 2.0 * c * m) / half_u_),
+          static_cast<float>(c / (half_u_ * half_u_))};
+}
+
+double LightGain::at(double u, double v) const {
+  const double s = (u - middle_u_) / half_u_, t = (v - middle_v_) / half_v_;
+  return 1.0 + basis_at(s, t).dot(Eigen::Map<const Terms>(terms_.data()));
+}
+
+double LightGain::sd_at(double u, double v) const {
+  const Terms basis = basis_at((u - middle_u_) / half_u_, (v - middle_v_) / half_v_);
+  return std::sqrt(std::max(0.0, basis.dot(covariance_ * basis)));
+}
+
+LightGain light_gain(const cv::Mat& grey,
+                     const ReferencePicture& reference,
+                     const FaceRuns& face,
+                     double noise_sd,
+                     double noise_gain) {
+  CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.size());
+  const cv::Rect bounds = bounds_of(face);
+  if (bounds.empty()) return {};
+  const auto blocks = blocks_of(grey, reference, face, bounds, noise_sd, noise_gain);
+  if (static_cast<int>(blocks.size()) < kLeastBlocks) return {};
+  auto first = fit_light(blocks, blocks);
+  if (!first) return {};
+  const LightFit fit = brightest_light(blocks, std::move(*first));
+  std::array<double, LightGain::kTerms> values;
+  std::copy(fit.terms.begin(), fit.terms.end(), values.begin());
+  const double ratio_of_noise = noise_ratio(blocks, fit.terms);
+  return {bounds,
+          values,
+          fit.believed,
+          fit.brighter_part,
+          ratio_of_noise,
+          ratio_of_noise * ratio_of_noise * shared_part(blocks, ratio_of_noise) * fit.covariance};
+}
+
+}  // namespace alltact

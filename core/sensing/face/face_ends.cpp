@@ -1,0 +1,255 @@
+#include "core/sensing/face/face_ends.h"
+
+#include "core/sensing/face/face_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace alltact {
+namespace {
+
+constexpr int kStrips = 9;
+constexpr int kMostSteps = 3;       // of one strip, the ones of most contrast
+constexpr int kNear = 3, kFar = 9;  // the levels are read from kNear to kFar columns away
+constexpr int kInside = 20;         // columns searched inwards of the edges' last sample
+constexpr int kBeyond = 120;        // and outwards
+constexpr double kMostSlope = 0.7;
+constexpr double kOnLinePx = 1.2;
+constexpr int kLeastStrips = 4;
+
+double square(double x) {
+  return x * x;
+}
+
+/// A straight line through the outermost samples of an edge: v = v0 + slope (u - u0).
+struct EdgeLine {
+  double u0 = 0, v0 = 0, slope = 0;
+  [[nodiscard]] double at(double u) const { return v0 + slope * (u - u0); }
+};
+
+EdgeLine line_through(const std::vector<double>& u,
+                      const std::vector<double>& v,
+                      const std::vector<std::size_t>& samples) {
+  const auto n = static_cast<double>(samples.size());
+  double su = 0, sv = 0, suu = 0, suv = 0;
+  for (const std::size_t i : samples) su += u[i], sv += v[i];
+  const double mean_u = su / n, mean_v = sv / n;
+  for (const std::size_t i : samples) {
+    suu += (u[i] - mean_u) * (u[i] - mean_u);
+    suv += (u[i] - mean_u) * (v[i] - mean_v);
+  }
+  return {mean_u, mean_v, suu > 0.0 ? suv / suu : 0.0};
+}
+
+/// The outermost samples, outermost first, of which both edges were seen; few when there is no
+/// stretch of them.
+std::vector<std::size_t> outermost(const FaceEdges& edges, bool at_last) {
+  constexpr std::size_t kSamples = 8, kStretch = 12, kLeast = 5;
+  const std::size_t count = edges.u.size();
+  const auto sample = [&](std::size_t n) { return at_last ? count - 1 - n : n; };
+  for (std::size_t first = 0; first + kLeast <= count; ++first) {
+    std::vector<std::size_t> seen;
+    const std::size_t end = std::min(first + kStretch, count);
+    for (std::size_t n = first; n < end && seen.size() < kSamples; ++n)
+      if (edges.upper.valid[sample(n)] && edges.lower.valid[sample(n)]) seen.push_back(sample(n));
+    if (seen.size() >= kLeast && seen.front() == sample(first)) return seen;
+  }
+  return {};
+}
+
+/// How a straight line across the face that meets both edges in column u is bent in the picture:
+/// bow of FaceEnd about the middle of both. 0 for a line that the camera cannot have seen.
+double bow_per_px(const FaceView& view, double u, double upper_v, double lower_v) {
+  const double half = 0.5 * (lower_v - upper_v);
+  const auto upper = view.camera.unproject({u, upper_v}),
+             lower = view.camera.unproject({u, lower_v});
+  if (!(half >= 1.0) || !upper || !lower) return 0.0;
+  // Both corners at one z: where the rays are as far apart as the face is wide.
+  const Eigen::Vector3d begin_mm = lower->origin_mm - upper->origin_mm;
+  const Eigen::Vector3d apart = lower->direction - upper->direction;
+  const double z_mm = (view.width_mm - begin_mm.y()) / apart.y();
+  if (!(z_mm > 0.0) || !std::isfinite(z_mm)) return 0.0;
+  const auto middle = view.camera.project(upper->origin_mm + z_mm * upper->direction +
+                                          0.5 * (begin_mm + z_mm * apart));
+  return middle ? (u - middle->x()) / (half * half) : 0.0;
+}
+
+/// A step of brightness along a strip.
+struct Step {
+  double u = 0, v = 0;  // u of the straight line that the view bends
+  double contrast = 0;  // grey levels, > 0
+};
+
+/// Mean of a line through values at x = first, first + 1, .. at x = 0, and its slope.
+struct Level {
+  double value = 0, slope = 0;
+};
+Level level_of(const std::vector<float>& values, int centre, int first, int last) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (int x = first; x <= last; ++x) {
+    const auto y = static_cast<double>(values[static_cast<std::size_t>(centre + x)]);
+    n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+  }
+  const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  return {(sy - slope * sx) / n, slope};
+}
+
+/// Reads one end.
+class EndReader {
+ public:
+  EndReader(const cv::Mat& grey, const FaceEdges& edges, const FaceView* view, bool at_last)
+      : grey_(grey), edges_(edges), view_(view), outwards_(at_last ? 1 : -1) {}
+
+  [[nodiscard]] std::optional<FaceEnd> operator()() {
+    const std::vector<std::size_t> samples = outermost(edges_, outwards_ > 0);
+    if (samples.empty()) return std::nullopt;
+    upper_ = line_through(edges_.u, edges_.upper.v, samples);
+    lower_ = line_through(edges_.u, edges_.lower.v, samples);
+    const int from = static_cast<int>(std::lround(edges_.u[samples.front()]));
+    const double half = 0.5 * (lower_.at(from) - upper_.at(from));
+    const int bow = static_cast<int>(std::abs(bow_at(from)) * square(half));
+    start_ = from - outwards_ * (kInside + kFar + bow);
+    const int border = outwards_ > 0 ? grey_.cols - 1 - start_ : start_;
+    count_ = std::min(kInside + kFar + bow + kBeyond + kFar, border + 1);
+    if (start_ < 0 || start_ >= grey_.cols || count_ < 4 * kFar) return std::nullopt;
+    for (int strip = 0; strip < kStrips; ++strip) read_steps(strip);
+    return straightest();
+  }
+
+ private:
+  [[nodiscard]] int column(int i) const { return start_ + outwards_ * i; }
+
+  void read_steps(int strip) {
+    // Away from the edges: there the blur mixes in what lies beside the face.
+    const double centre = (strip + 1.0) / (kStrips + 1.0), half = 0.4 / (kStrips + 1.0);
+    const auto n = static_cast<std::size_t>(count_);
+    std::vector<float> brightness(n);
+    double rows = 1;
+    for (int i = 0; i < count_; ++i) {
+      const int u = column(i);
+      const double top = upper_.at(u), height = lower_.at(u) - top;
+      const int first = std::clamp(
+          static_cast<int>(std::lround(top + (centre - half) * height)), 0, grey_.rows - 1);
+      const int last = std::clamp(
+          static_cast<int>(std::lround(top + (centre + half) * height)), first, grey_.rows - 1);
+      int sum = 0;
+      for (int v = first; v <= last; ++v) sum += grey_.at<std::uint8_t>(v, u);
+      rows = last - first + 1;
+      brightness[static_cast<std::size_t>(i)] = static_cast<float>(sum / rows);
+    }
+    if (!edges_.bright_inside)
+      for (float& value : brightness) value = -value;
+    const double least = std::max(4.0, 8.0 * edges_.noise_sd / std::sqrt(rows));
+    std::vector<Step>& found = steps_[static_cast<std::size_t>(strip)];
+    const auto fall = [&](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      return brightness[k - 1] + brightness[k] - brightness[k + 1] - brightness[k + 2];
+    };
+    for (int i = kFar; i + 1 + kFar < count_; ++i) {
+      if (!(fall(i) > 0.0F) || fall(i) < fall(i - 1) || fall(i) <= fall(i + 1)) continue;
+      const auto step = step_at(brightness, i);
+      if (!step || step->contrast < least) continue;
+      found.push_back(*step);
+      found.back().v = upper_.at(step->u) + centre * (lower_.at(step->u) - upper_.at(step->u));
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Step& a, const Step& b) {
+      return a.contrast > b.contrast;
+    });
+    if (found.size() > kMostSteps) found.resize(kMostSteps);
+    for (Step& step : found) step.u -= bow_at(step.u) * square(step.v - middle_at(step.u));
+  }
+
+  [[nodiscard]] double middle_at(double u) const { return 0.5 * (upper_.at(u) + lower_.at(u)); }
+  [[nodiscard]] double bow_at(double u) const {
+    return view_ != nullptr ? bow_per_px(*view_, u, upper_.at(u), lower_.at(u)) : 0.0;
+  }
+
+  /// Half-way between the levels on both sides, each a line: the face darkens towards its end.
+  [[nodiscard]] std::optional<Step> step_at(const std::vector<float>& brightness, int i) const {
+    const Level inside = level_of(brightness, i, -kFar, -kNear + 1);
+    const Level outside = level_of(brightness, i, kNear, kFar);
+    const auto above = [&](int x) {
+      const double half = 0.5 * (inside.value + outside.value + x * (inside.slope + outside.slope));
+      return static_cast<double>(brightness[static_cast<std::size_t>(i + x)]) - half;
+    };
+    const double contrast = inside.value + 0.5 * inside.slope - outside.value - 0.5 * outside.slope;
+    if (!(contrast > 0.0)) return std::nullopt;
+    for (int x = -kNear + 1; x < kNear; ++x) {
+      const double a = above(x), b = above(x + 1);
+      if (a >= 0.0 && b < 0.0) return Step{start_ + outwards_ * (i + x + a / (a - b)), 0, contrast};
+    }
+    return std::nullopt;
+  }
+
+  /// The step of a strip on the line; nullptr where there is none.
+  [[nodiscard]] const Step* on_line(const std::vector<Step>& steps,
+                                    double u0,
+                                    double v0,
+                                    double slope) const {
+    const Step* nearest = nullptr;
+    double least = kOnLinePx;
+    for (const Step& step : steps) {
+      const double off = std::abs(step.u - u0 - slope * (step.v - v0));
+      if (off < least) least = off, nearest = &step;
+    }
+    return nearest;
+  }
+
+  [[nodiscard]] std::optional<FaceEnd> straightest() const {
+    double most = 0;
+    std::vector<const Step*> best;
+    for (std::size_t a = 0; a < kStrips; ++a)
+      for (std::size_t b = a + 2; b < kStrips; ++b)
+        for (const Step& from : steps_[a])
+          for (const Step& to : steps_[b]) {
+            const double slope = (to.u - from.u) / (to.v - from.v);
+            if (!(std::abs(slope) <= kMostSlope)) continue;
+            double score = 0;
+            std::vector<const Step*> line;
+            for (const auto& steps : steps_)
+              if (const Step* step = on_line(steps, from.u, from.v, slope))
+                line.push_back(step), score += step->contrast;
+            if (score > most && line.size() >= kLeastStrips) most = score, best = std::move(line);
+          }
+    if (best.empty()) return std::nullopt;
+    return line_of(best);
+  }
+
+  [[nodiscard]] FaceEnd line_of(const std::vector<const Step*>& steps) const {
+    const auto n = static_cast<double>(steps.size());
+    double su = 0, sv = 0, svv = 0, suv = 0;
+    for (const Step* step : steps) su += step->u, sv += step->v;
+    const double mean_u = su / n, mean_v = sv / n;
+    for (const Step* step : steps) {
+      svv += (step->v - mean_v) * (step->v - mean_v);
+      suv += (step->u - mean_u) * (step->v - mean_v);
+    }
+    const double slope = svv > 0.0 ? suv / svv : 0.0;
+    double sum = 0;
+    for (const Step* step : steps) sum += square(step->u - mean_u - slope * (step->v - mean_v));
+    const double sd_px = std::hypot(0.02, std::sqrt(sum / (n - 2.0) / n));
+    if (view_ == nullptr) return {mean_u, mean_v, slope, 0.0, sd_px};
+    const double middle = middle_at(mean_u);
+    return {mean_u + slope * (middle - mean_v), middle, slope, bow_at(mean_u), sd_px};
+  }
+
+  const cv::Mat& grey_;
+  const FaceEdges& edges_;
+  const FaceView* view_;
+  int outwards_;
+  EdgeLine upper_, lower_;
+  int start_ = 0, count_ = 0;  // columns read, from the inside outwards
+  std::array<std::vector<Step>, kStrips> steps_;
+};
+
+}  // namespace
+
+FaceEnds find_face_ends(const cv::Mat& grey, const FaceEdges& edges, const FaceView* view) {
+  if (view != nullptr && (view->camera.is_linear() || !view->camera.is_perspective()))
+    view = nullptr;  // shows straight lines straight
+  return {EndReader(grey, edges, view, false)(), EndReader(grey, edges, view, true)()};
+}
+
+}  // namespace alltact

@@ -1,0 +1,390 @@
+#include "core/sensing/face/face_shape.h"
+
+#include "core/numerics/chebyshev.h"
+#include "core/numerics/least_squares.h"
+#include "core/numerics/robust_polynomial.h"
+#include "core/sensing/face/outline_jump.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kMinimumWidthPx = 8.0;  // below, 1/width is biased by percents
+constexpr double kWidthBiasPx = 0.03;    // of an edge that is not quite a blurred step
+constexpr int kLensDegrees = 4;
+constexpr double kShortPart = 1.0 / 12;  // of the columns: beyond a jump, such a part is left out
+constexpr int kMostWindowSteps = 60;     // each brings z nearer by a factor of 5 or more
+
+/// The column where an end reaches furthest out: at one of the face's corners, or where it turns.
+double outermost(const FaceEnd& end, double upper_v, double lower_v, int outwards) {
+  const double turn =
+      end.bow_per_px != 0.0
+          ? std::clamp(end.v_px - 0.5 * end.slope / end.bow_per_px, upper_v, lower_v)
+          : upper_v;
+  const auto [least, most] = std::minmax({end.at(upper_v), end.at(lower_v), end.at(turn)});
+  return outwards > 0 ? most : least;
+}
+
+Error no_shape(std::string what) {
+  return {std::move(what),
+          "the face's edges",
+          "a picture in which both long edges of the bright face are visible and lit evenly; check "
+          "that the lamps are on and that the lens is clean"};
+}
+
+}  // namespace
+
+Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
+                                 const Camera& camera,
+                                 const Face& face,
+                                 int degree,
+                                 double z_sd_limit_mm) {
+  if (!camera.is_perspective())
+    return no_shape("the shape of a Fin Ray needs a perspective camera, not an orthographic one");
+  if (const auto jump = outline_jump(edges)) {
+    if (jump->shorter_part < kShortPart)
+      return fit(longer_side(edges, *jump), camera, face, degree, z_sd_limit_mm);
+    return Error{
+        fmt::format("no smooth shape fits the outline of the face: it jumps at column {:.0f}",
+                    jump->u_px),
+        "the face's edges",
+        "bending the finger less, until no part of it hides another"};
+  }
+  const CameraParameters& lens = camera.parameters();
+  const int width = lens.width_px;
+
+  // What the lens bends needs a few coefficients more.
+  const int edge_degree = camera.is_linear() ? degree : degree + kLensDegrees;
+  const ScaledColumn scale{0.5 * (width - 1.0), 0.5 * (width - 1.0)};
+  std::vector<double> along;
+  for (const double u : edges.u) along.push_back(scale.at(u));
+  const auto upper =
+      fit_robust_polynomial(along, edges.upper.v, edges.upper.sd, edges.upper.valid, edge_degree);
+  const auto lower =
+      fit_robust_polynomial(along, edges.lower.v, edges.lower.sd, edges.lower.valid, edge_degree);
+  if (!upper || !lower) {
+    return no_shape(fmt::format("the {} edge of the face was seen in too few columns",
+                                !upper ? "upper" : "lower"));
+  }
+  // Nothing is invented beyond the face's ends or, where they were not seen, beyond the columns
+  // where both edges were trusted; up to the picture's own border the last sample's half width
+  // counts as seen.
+  const double step = edges.u.size() > 1 ? edges.u[1] - edges.u[0] : 1.0;
+  const auto column_of = [&](double t) {
+    return edges.u[static_cast<std::size_t>(std::lower_bound(along.begin(), along.end(), t) -
+                                            along.begin())];
+  };
+  double first = column_of(std::max(upper->first, lower->first));
+  double last = column_of(std::min(upper->last, lower->last));
+  if (first <= edges.u.front()) first = std::max(0.0, first - step);
+  if (last >= edges.u.back()) last = std::min(width - 1.0, last + step);
+  const double seen_first = first - step, seen_last = last + step;
+  const auto corner = [&](const FaceEnd& end, int outwards) {
+    const double t = scale.at(end.u_px);
+    return outermost(end, upper->value(t), lower->value(t), outwards);
+  };
+  if (edges.ends.first) first = std::max(0.0, corner(*edges.ends.first, -1));
+  if (edges.ends.last) last = std::min(width - 1.0, corner(*edges.ends.last, 1));
+  if (!(last - first >= 4.0 * step)) return no_shape("the two edges were never seen together");
+
+  FaceShape shape(camera, face);
+  shape.ends_ = edges.ends;
+  shape.columns_.resize(static_cast<std::size_t>(width));
+  for (int u = 0; u < width; ++u) {
+    FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
+    const double t = scale.at(u);
+    column.upper_v = upper->value(t);
+    column.lower_v = lower->value(t);
+    column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
+  }
+  shape.scale_ = scale;
+  // Where a dark end is seen but not the edges up to it, these are extrapolated, to anywhere.
+  if (!shape.fit_inverse_depth(std::max(first, seen_first), std::min(last, seen_last), edge_degree))
+    return no_shape("no smooth shape fits them");
+
+  constexpr int kSdStep = 8;  // the error changes slowly along the face
+  std::vector<double> width_sd;
+  for (int u = kSdStep / 2; u < width + kSdStep; u += kSdStep)
+    width_sd.push_back(std::hypot(upper->sd(scale.at(u)), lower->sd(scale.at(u)), kWidthBiasPx));
+  int valid = 0;
+  for (int u = 0; u < width; ++u) {
+    FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
+    if (!column.valid) continue;
+    const double z_mm = shape.z_of_column(u);
+    const double width_sd_px = width_sd[static_cast<std::size_t>(u / kSdStep)];
+    column.valid = z_mm > 0.0 && std::isfinite(z_mm);
+    if (!column.valid) continue;
+    column.z_mm = z_mm;
+    column.z_sd_mm = camera.seen_from_mm(z_mm) * width_sd_px / (column.lower_v - column.upper_v);
+    column.valid = column.z_sd_mm <= z_sd_limit_mm;
+    valid += column.valid;
+  }
+  if (valid < 5) return no_shape("the distance of the face is too uncertain in every column");
+  shape.finish();
+  return shape;
+}
+
+bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
+  // The edges are smooth curves now. For a lens without distortion 1/z is a polynomial of the same
+  // degree in u and this is exact.
+  const Eigen::Index n = degree + 1;
+  const int samples = 8 * static_cast<int>(n);
+  std::vector<Ray> uppers, lowers;
+  for (int i = 0; i < samples; ++i) {
+    const double node = -std::cos(M_PI * (i + 0.5) / samples);
+    const double u = 0.5 * (first + last) + 0.5 * (last - first) * node;
+    const auto& left = columns_[static_cast<std::size_t>(u)];
+    const auto& right = columns_[std::min(static_cast<std::size_t>(u) + 1, columns_.size() - 1)];
+    const double part = u - std::floor(u);
+    const auto a = camera_.unproject({u, left.upper_v + part * (right.upper_v - left.upper_v)});
+    const auto b = camera_.unproject({u, left.lower_v + part * (right.lower_v - left.lower_v)});
+    if (!a || !b) continue;
+    uppers.push_back(*a), lowers.push_back(*b);
+  }
+  if (uppers.size() < static_cast<std::size_t>(2 * n)) return false;
+  // Behind a window where a point seems to be depends on how far it is.
+  const int rounds = camera_.is_central() ? 1 : kMostWindowSteps;
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::VectorXd before = inverse_z_;
+    if (!fit_to_rays(uppers, lowers, n)) return false;
+    if (before.size() > 0 && (inverse_z_ - before).norm() < 1e-15) break;
+  }
+  know_across();
+  return inverse_z_.allFinite();
+}
+
+bool FaceShape::fit_to_rays(const std::vector<Ray>& uppers,
+                            const std::vector<Ray>& lowers,
+                            Eigen::Index n) {
+  const auto used = static_cast<Eigen::Index>(uppers.size());
+  Eigen::VectorXd upper_x(used), upper_y(used), lower_x(used), lower_y(used);
+  for (Eigen::Index i = 0; i < used; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Eigen::Vector2d a = seen_from(uppers[k], inverse_z_of(uppers[k])),
+                          b = seen_from(lowers[k], inverse_z_of(lowers[k]));
+    upper_x[i] = a.x(), upper_y[i] = a.y();
+    lower_x[i] = b.x(), lower_y[i] = b.y();
+  }
+  const auto curve = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& y) -> Eigen::VectorXd {
+    Eigen::MatrixXd design(used, n);
+    for (Eigen::Index i = 0; i < used; ++i)
+      design.row(i) = chebyshev_row(scale_.at(column_of(x[i])), n);
+    return least_squares(design, y);
+  };
+  upper_y_ = curve(upper_x, upper_y);
+  lower_y_ = curve(lower_x, lower_y);
+  inverse_z_ = (lower_y_ - upper_y_) / face_.width_mm;
+  return inverse_z_.allFinite();
+}
+
+// 0 before there is a fit: then the ray is taken where it lies far away.
+double FaceShape::inverse_z_of(const Ray& ray) const {
+  if (inverse_z_.size() == 0) return 0.0;
+  double inverse_z = inverse_z_at(ray.direction.head<2>());
+  if (camera_.is_central()) return inverse_z;
+  for (int step = 0; step < kMostWindowSteps; ++step) {
+    const double before = inverse_z;
+    inverse_z = inverse_z_at(seen_from(ray, inverse_z));
+    if (std::abs(inverse_z - before) <= 1e-15) break;
+  }
+  return inverse_z;
+}
+
+void FaceShape::know_across() {
+  inverse_z_slope_ = chebyshev_derivative(inverse_z_);
+  if (twist_) {
+    inverse_z_by_y_slope_ = chebyshev_derivative(inverse_z_by_y_);
+    inverse_z_by_y2_slope_ = chebyshev_derivative(inverse_z_by_y2_);
+  }
+  across_.clear();
+  by_column_.clear();
+  if (!camera_.is_linear() || !camera_.is_perspective()) return;
+  if (twist_)
+    by_column_.resize(columns_.size());
+  else
+    across_.resize(columns_.size());
+  const CameraParameters& lens = camera_.parameters();
+  for (std::size_t u = 0; u < columns_.size(); ++u) {
+    if (!columns_[u].valid) continue;
+    const double x = (static_cast<double>(u) - lens.cx_px) / lens.fx_px;
+    const InverseDepth inverse = inverse_depth_at(x);
+    if (twist_)
+      by_column_[u] = inverse;
+    else if (const auto here = across_from(x, 0.0, inverse))
+      across_[u] = *here;
+  }
+}
+
+double FaceShape::z_of_column(int u) const {
+  const auto k = static_cast<std::size_t>(u);
+  if (!across_.empty()) return across_[k].z_mm;  // the same in all of the column
+  const double middle = 0.5 * (columns_[k].upper_v + columns_[k].lower_v);
+  const auto ray = camera_.unproject({static_cast<double>(u), middle});
+  const double inverse_z = ray ? inverse_z_of(*ray) : 0.0;
+  return inverse_z > 0.0 ? 1.0 / inverse_z : 0.0;
+}
+
+double FaceShape::column_of(double x) const {
+  const CameraParameters& lens = camera_.parameters();
+  return lens.cx_px + lens.fx_px * x;
+}
+
+FaceShape::InverseDepth FaceShape::inverse_depth_at(double x) const {
+  const double u = column_of(x), t = scale_.at(u);
+  const double per_x = camera_.parameters().fx_px / scale_.half_px;
+  InverseDepth inverse;
+  inverse.a = chebyshev_value(inverse_z_, t);
+  inverse.a_slope = per_x * chebyshev_value(inverse_z_slope_, t);
+  if (!twist_) return inverse;
+  inverse.b = chebyshev_value(inverse_z_by_y_, t);
+  inverse.d = chebyshev_value(inverse_z_by_y2_, t);
+  inverse.b_slope = per_x * chebyshev_value(inverse_z_by_y_slope_, t);
+  inverse.d_slope = per_x * chebyshev_value(inverse_z_by_y2_slope_, t);
+  return inverse;
+}
+
+double FaceShape::inverse_z_at(const Eigen::Vector2d& direction) const {
+  const double t = scale_.at(column_of(direction.x())), y = direction.y();
+  const double inverse_z = chebyshev_value(inverse_z_, t);
+  if (!twist_) return inverse_z;
+  return inverse_z +
+         y * (chebyshev_value(inverse_z_by_y_, t) + y * chebyshev_value(inverse_z_by_y2_, t));
+}
+
+FaceShape FaceShape::plane(const Camera& camera, const Face& face) {
+  FaceShape shape(camera, face);
+  FaceColumn column;
+  column.upper_v = -0.5 - 1e-9;
+  column.lower_v = camera.size().height - 0.5 + 1e-9;
+  column.z_mm = face.plane_z_mm;
+  column.valid = true;
+  shape.columns_.assign(static_cast<std::size_t>(camera.size().width), column);
+  if (camera.is_perspective()) {
+    shape.inverse_z_ = Eigen::VectorXd::Constant(1, 1.0 / face.plane_z_mm);
+    shape.know_across();
+  }
+  shape.whole_picture_ = true;
+  shape.finish();
+  return shape;
+}
+
+void FaceShape::finish() {
+  const auto valid = [](const FaceColumn& c) { return c.valid; };
+  const auto first = std::find_if(columns_.begin(), columns_.end(), valid);
+  const auto last = std::find_if(columns_.rbegin(), columns_.rend(), valid);
+  base_at_low_u_ = first->z_mm <= last->z_mm;
+
+  length_mm_.assign(columns_.size(), 0.0);
+  std::optional<Eigen::Vector3d> before;
+  double length = 0;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::size_t u = base_at_low_u_ ? i : columns_.size() - 1 - i;
+    const FaceColumn& column = columns_[u];
+    if (column.valid) {
+      const auto ray =
+          camera_.unproject({static_cast<double>(u), 0.5 * (column.upper_v + column.lower_v)});
+      if (ray) {
+        const Eigen::Vector3d here = ray->point_at(column.z_mm);
+        if (before) length += std::hypot(here.x() - before->x(), here.z() - before->z());
+        before = here;
+      }
+    }
+    length_mm_[u] = length;
+  }
+  along_z_per_normal_.assign(columns_.size(), 1.0F);
+  for (int u = 0; u < width_px(); ++u) {
+    const FaceColumn& column = columns_[static_cast<std::size_t>(u)];
+    if (const auto local = at(u, 0.5 * (column.upper_v + column.lower_v)))
+      along_z_per_normal_[static_cast<std::size_t>(u)] =
+          static_cast<float>(1.0 / local->cos_incline);
+  }
+}
+
+std::optional<FaceShape::Seen> FaceShape::seen_at(double u, double v) const {
+  const auto nearest = static_cast<long>(std::lround(u));
+  if (nearest < 0 || nearest >= width_px() || !columns_[static_cast<std::size_t>(nearest)].valid)
+    return std::nullopt;
+  const auto ray = camera_.unproject({u, v});
+  if (!ray) return std::nullopt;
+  if (!camera_.is_perspective())
+    return Seen{*ray, {face_.plane_z_mm, 1.0, 1.0, Eigen::Vector3d::UnitZ()}};
+  const auto found =
+      across_of(*ray,
+                u == static_cast<double>(nearest) ? std::optional(static_cast<std::size_t>(nearest))
+                                                  : std::nullopt);
+  if (!found || !(found->z_mm > 0.0)) return std::nullopt;
+  return Seen{*ray, *found};
+}
+
+std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
+  const auto seen = seen_at(u, v);
+  if (!seen) return std::nullopt;
+  const Across& across = seen->across;
+  return Local{seen->ray.point_at(across.z_mm), across.normal, across.normal.z()};
+}
+
+std::optional<FaceShape::PixelArea> FaceShape::pixel_area(double u, double v) const {
+  const auto seen = seen_at(u, v);
+  if (!seen) return std::nullopt;
+  const CameraParameters& lens = camera_.parameters();
+  if (!camera_.is_perspective()) {
+    const double area = lens.mm_per_px * lens.mm_per_px;
+    return PixelArea{area, area};
+  }
+  const double z = seen->across.z_mm;
+  const double pixel = ray_area(seen->ray, u, v, 1.0 / z) * z * z * z;
+  return PixelArea{pixel * seen->across.length, pixel * seen->across.along};
+}
+
+// With q = 1/z a function of x and y the plane that touches the face is q_x X + q_y Y + c Z = 1,
+// c = q - x q_x - y q_y: its normal needs no division by a slope and no cosine.
+std::optional<FaceShape::Across> FaceShape::across_from(double x,
+                                                        double y,
+                                                        const InverseDepth& inverse) {
+  const double q = inverse.at(y);
+  if (!(q > 0.0)) return std::nullopt;
+  const double q_x = inverse.a_slope + y * (inverse.b_slope + y * inverse.d_slope);
+  const double q_y = inverse.b + 2.0 * y * inverse.d;
+  const double along = q - x * q_x - y * q_y;
+  const double length = std::hypot(q_x, q_y, along);
+  if (!(length > 0.0) || !(along > 0.0)) return std::nullopt;
+  return Across{1.0 / q, along, length, Eigen::Vector3d(q_x, q_y, along) / length};
+}
+
+// Whole columns of a lens without distortion are known already.
+std::optional<FaceShape::Across> FaceShape::across_of(const Ray& ray,
+                                                      std::optional<std::size_t> column) const {
+  if (column && !across_.empty()) return across_[*column];
+  if (column && !by_column_.empty())
+    return across_from(ray.direction.x(), ray.direction.y(), by_column_[*column]);
+  const Eigen::Vector2d seen = seen_from(ray, inverse_z_of(ray));
+  return across_from(seen.x(), seen.y(), inverse_depth_at(seen.x()));
+}
+
+double FaceShape::ray_area(const Ray& ray, double u, double v, double inverse_z) const {
+  const CameraParameters& lens = camera_.parameters();
+  if (camera_.is_linear()) return 1.0 / (lens.fx_px * lens.fy_px);
+  constexpr double kStep = 0.5;
+  const auto right = camera_.unproject({u + kStep, v});
+  const auto below = camera_.unproject({u, v + kStep});
+  if (!right || !below) return 1.0 / (lens.fx_px * lens.fy_px);
+  const Eigen::Vector2d here = seen_from(ray, inverse_z);
+  const Eigen::Vector2d du = seen_from(*right, inverse_z) - here;
+  const Eigen::Vector2d dv = seen_from(*below, inverse_z) - here;
+  return std::abs(du.x() * dv.y() - du.y() * dv.x()) / (kStep * kStep);
+}
+
+Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local,
+                                   double layer_mm,
+                                   MappingAlong along) {
+  if (along == MappingAlong::kNormal) return local.view_point_mm + layer_mm * local.normal;
+  constexpr double kCosLimit = 0.25881904510252074;  // of 75 degrees
+  const double thickness = layer_mm / std::max(local.cos_incline, kCosLimit);
+  return local.view_point_mm + Eigen::Vector3d(0.0, 0.0, thickness);
+}
+
+}  // namespace alltact

@@ -1,0 +1,146 @@
+// Where on the face a pixel lies, and which pixels show it.
+#include "core/sensing/face/face_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+/// -1 at the base's end of the face, 1 at the tip's.
+double part_of_length(const FaceShape& shape, double u) {
+  const double all_mm = shape.length_at(shape.base_at_low_u() ? shape.width_px() - 1.0 : 0.0);
+  return all_mm > 0.0 ? 2.0 * shape.length_at(u) / all_mm - 1.0 : 0.0;
+}
+
+}  // namespace
+namespace {
+
+/// Narrows rows [first, last] of column u to those on the face's side of an end, `margin_px` off;
+/// where a bent end leaves rows at both edges, to the more.
+void stop_at(const FaceEnd& end, int outwards, int u, double margin_px, int& first, int& last) {
+  // outwards (end.at(v) - u) >= 0.5 + margin_px, with x = v - v_px: a + b x + c x^2 >= 0
+  const double a = outwards * (end.u_px - u) - 0.5 - margin_px;
+  const double b = outwards * end.slope, c = outwards * end.bow_per_px;
+  const auto keep_from = [&](double x) {
+    first = std::max(first, static_cast<int>(std::ceil(std::clamp(end.v_px + x, -1e6, 1e6))));
+  };
+  const auto keep_to = [&](double x) {
+    last = std::min(last, static_cast<int>(std::floor(std::clamp(end.v_px + x, -1e6, 1e6))));
+  };
+  constexpr double kUpright = 1e-9, kStraight = 1e-12;
+  if (std::abs(c) < kStraight) {
+    if (std::abs(b) < kUpright) {
+      if (a < 0.0) last = first - 1;
+    } else if (b > 0.0) {
+      keep_from(-a / b);
+    } else {
+      keep_to(-a / b);
+    }
+    return;
+  }
+  const double square = b * b - 4.0 * a * c;
+  if (!(square > 0.0)) {
+    if (c < 0.0) last = first - 1;
+    return;
+  }
+  // The sum of equal signs first: no digits are lost.
+  const double sum = -0.5 * (b + std::copysign(std::sqrt(square), b));
+  const auto [low, high] = std::minmax({sum / c, sum != 0.0 ? a / sum : 0.0});
+  if (c < 0.0) {
+    keep_from(low);
+    keep_to(high);
+  } else if (end.v_px + low - first >= last - end.v_px - high) {
+    keep_to(low);
+  } else {
+    keep_from(high);
+  }
+}
+
+}  // namespace
+
+FaceShape::Rows FaceShape::rows(int u, double margin_px) const {
+  const FaceColumn& column = columns_[static_cast<std::size_t>(u)];
+  if (!column.valid) return {0, -1};
+  if (whole_picture_) return {0, camera_.size().height - 1};
+  // A pixel is on the face when all of it is: its centre half a pixel inside, and the margin.
+  int first = std::max(0, static_cast<int>(std::ceil(column.upper_v + 0.5 + margin_px)));
+  int last = std::min(camera_.size().height - 1,
+                      static_cast<int>(std::floor(column.lower_v - 0.5 - margin_px)));
+  if (ends_.first) stop_at(*ends_.first, -1, u, margin_px, first, last);
+  if (ends_.last) stop_at(*ends_.last, 1, u, margin_px, first, last);
+  return {first, last};
+}
+
+double FaceShape::length_at(double u) const {
+  const double clamped = std::clamp(u, 0.0, static_cast<double>(columns_.size() - 1));
+  const auto left = static_cast<std::size_t>(clamped);
+  const std::size_t right = std::min(left + 1, columns_.size() - 1);
+  const double part = clamped - static_cast<double>(left);
+  return length_mm_[left] + part * (length_mm_[right] - length_mm_[left]);
+}
+
+Eigen::Vector2d FaceShape::place_mm(double u, double v) const {
+  const auto nearest = std::clamp<long>(std::lround(u), 0, width_px() - 1);
+  const FaceColumn& column = columns_[static_cast<std::size_t>(nearest)];
+  const double across = column.valid ? (v - 0.5 * (column.upper_v + column.lower_v)) *
+                                           camera_.mm_per_px_at(column.z_mm)
+                                     : 0.0;
+  return {length_at(u), across};
+}
+
+std::optional<FaceShape::Middle> FaceShape::middle_at(double u) const {
+  if (whole_picture_) return std::nullopt;
+  const auto valid = [](const FaceColumn& c) { return c.valid; };
+  const auto first = std::find_if(columns_.begin(), columns_.end(), valid) - columns_.begin();
+  const auto last = columns_.rend() - std::find_if(columns_.rbegin(), columns_.rend(), valid) - 1;
+  return middle_within(std::clamp(u, static_cast<double>(first), static_cast<double>(last)));
+}
+
+std::optional<FaceShape::Middle> FaceShape::middle_within(double u) const {
+  const auto left = static_cast<std::size_t>(u);
+  const std::size_t right = std::min(left + 1, columns_.size() - 1);
+  const auto half_way = [](const FaceColumn& c) { return 0.5 * (c.upper_v + c.lower_v); };
+  const double v =
+      half_way(columns_[left]) +
+      (u - static_cast<double>(left)) * (half_way(columns_[right]) - half_way(columns_[left]));
+  const auto ray = camera_.unproject({u, v});
+  if (!ray) return std::nullopt;
+  const double inverse_z = inverse_z_of(*ray);
+  const Eigen::Vector2d seen = seen_from(*ray, inverse_z);
+  const auto here = across_from(seen.x(), seen.y(), inverse_depth_at(seen.x()));
+  if (!here) return std::nullopt;
+  const double across_y = std::hypot(here->normal.x(), here->normal.z());
+  return Middle{u,
+                part_of_length(*this, u),
+                ray->point_at(here->z_mm),
+                here->normal.z() / across_y,
+                -here->normal.x() / across_y};
+}
+
+std::optional<FaceShape::Middle> FaceShape::foot_of(double x_mm, double z_mm) const {
+  if (whole_picture_) return std::nullopt;
+  // Along the face the way to the point goes from ahead to behind; the foot lies between.
+  const auto ahead = [&](const Middle& m) {
+    return (x_mm - m.point_mm.x()) * m.tangent_x + (z_mm - m.point_mm.z()) * m.tangent_z;
+  };
+  auto low = middle_at(0.0), high = middle_at(static_cast<double>(columns_.size() - 1));
+  if (!low || !high) return std::nullopt;
+  if (ahead(*low) <= 0.0) return low;
+  if (ahead(*high) >= 0.0) return high;
+  constexpr double kClosePx = 0.1;
+  while (high->u - low->u > kClosePx) {
+    const auto between = middle_within(0.5 * (low->u + high->u));
+    if (!between) return std::nullopt;
+    (ahead(*between) > 0.0 ? low : high) = between;
+  }
+  return low;
+}
+
+std::optional<Eigen::Vector2d> FaceShape::direction_of(const Eigen::Vector2d& pixel) const {
+  const auto ray = camera_.unproject(pixel);
+  if (!ray) return std::nullopt;
+  return seen_from(*ray, inverse_z_of(*ray));
+}
+
+}  // namespace alltact

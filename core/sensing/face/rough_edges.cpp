@@ -1,0 +1,258 @@
+#include "core/sensing/face/rough_edges.h"
+
+#include "core/numerics/dispatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+using Path = RoughEdges::Path;
+
+constexpr int kSmallWidth = 120;  // columns of the small picture, about
+constexpr int kLargestJump = 3;   // rows from one small column to the next
+constexpr float kJumpPenalty = 0.03F;
+
+/// sums += the row.
+ALLTACT_WIDE void add_grey_row(const std::uint8_t* __restrict row,
+                               int width,
+                               std::uint32_t* __restrict sums) {
+  for (int u = 0; u < width; ++u) sums[u] += row[u];
+}
+
+/// Means of whole blocks, a row of the result for each column of blocks: what is left over at the
+/// right and below is left out.
+cv::Mat block_columns(const cv::Mat& grey, int block) {
+  const int width = grey.cols / block, height = grey.rows / block;
+  cv::Mat small(width, height, CV_32FC1);
+  std::vector<std::uint32_t> sums(static_cast<std::size_t>(width * block));
+  for (int r = 0; r < height; ++r) {
+    std::fill(sums.begin(), sums.end(), 0U);
+    for (int k = 0; k < block; ++k)
+      add_grey_row(grey.ptr<std::uint8_t>(r * block + k), width * block, sums.data());
+    for (int c = 0; c < width; ++c) {
+      std::uint32_t sum = 0;
+      for (int k = 0; k < block; ++k) sum += sums[static_cast<std::size_t>(c * block + k)];
+      small.at<float>(c, r) = static_cast<float>(sum) / static_cast<float>(block * block);
+    }
+  }
+  return small;
+}
+
+/// Change of brightness downwards across the border below each row, in parts of the column's range:
+/// the face is darker at its tip, and its edges are worth as much there. A column of hardly any
+/// range beside the others' shows no face. Columns are rows of both pictures.
+cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
+  constexpr float kLeastRange = 0.1F;  // of the greatest one
+  const int rows = small.cols;
+  std::vector<float> ranges;
+  for (int c = 0; c < small.rows; ++c) {
+    const float* column = small.ptr<float>(c);
+    const auto [low, high] = std::minmax_element(column, column + rows);
+    ranges.push_back(*high - *low);
+  }
+  const float least = std::max(static_cast<float>(4.0 * noise_sd),
+                               kLeastRange * *std::max_element(ranges.begin(), ranges.end()));
+  cv::Mat contrast(small.rows, rows - 1, CV_32FC1);
+  for (int c = 0; c < small.rows; ++c) {
+    const float* column = small.ptr<float>(c);
+    float* out = contrast.ptr<float>(c);
+    const float range = std::max(ranges[static_cast<std::size_t>(c)], least);
+    for (int r = 0; r + 1 < rows; ++r) {
+      const float above = column[r] + column[std::max(r - 1, 0)];
+      const float below = column[r + 1] + column[std::min(r + 2, rows - 1)];
+      out[r] = (below - above) / (2.0F * range);
+    }
+  }
+  return contrast;
+}
+
+/// The best place to come from, for every row of a column: `before` holds the scores of the column
+/// before with kLargestJump values beyond both ends.
+ALLTACT_WIDE void best_jumps(const float* __restrict before,
+                             const float* __restrict contrast,
+                             float sign,
+                             int rows,
+                             float* __restrict score,
+                             float* __restrict jump) {
+  for (int r = 0; r < rows; ++r) {
+    float best = before[r], best_jump = 0.0F;
+    for (int j = 1; j <= kLargestJump; ++j) {
+      const auto step = static_cast<float>(j);
+      const float cost = kJumpPenalty * step * step;
+      const float up = before[r - j] - cost, down = before[r + j] - cost;
+      best_jump = up > best ? -step : best_jump;
+      best = up > best ? up : best;
+      best_jump = down > best ? step : best_jump;
+      best = down > best ? down : best;
+    }
+    const float gain = sign * contrast[r];
+    score[r] = best + (gain > 0.0F ? gain : 0.0F);
+    jump[r] = best_jump;
+  }
+}
+
+/// The path from the first to the last column that collects the most sign * contrast, jumps
+/// costing.
+Path best_path(const cv::Mat& contrast, float sign) {
+  const int rows = contrast.cols, cols = contrast.rows;
+  constexpr float kNever = -1e9F;
+  const auto padded = static_cast<std::size_t>(rows + 2 * kLargestJump);
+  std::vector<float> before(padded, kNever), score(padded, kNever);
+  cv::Mat jumps(cols, rows, CV_32FC1);
+  std::fill_n(before.begin() + kLargestJump, rows, 0.0F);
+  for (int c = 0; c < cols; ++c) {
+    best_jumps(before.data() + kLargestJump,
+               contrast.ptr<float>(c),
+               sign,
+               rows,
+               score.data() + kLargestJump,
+               jumps.ptr<float>(c));
+    std::swap(before, score);
+  }
+  Path path;
+  path.row.resize(static_cast<std::size_t>(cols));
+  auto r = static_cast<int>(std::max_element(before.begin(), before.end()) - before.begin()) -
+           kLargestJump;
+  for (int c = cols - 1; c >= 0; --c) {
+    path.row[static_cast<std::size_t>(c)] = static_cast<float>(r) + 0.5F;
+    r += static_cast<int>(jumps.at<float>(c, r));
+  }
+  return path;
+}
+
+/// `contrast` with nothing left but what lies between two paths, the upper first.
+cv::Mat between(const cv::Mat& contrast, const Path& upper, const Path& lower) {
+  constexpr int kGap = 2;  // rows that an edge reaches to
+  cv::Mat inner = cv::Mat::zeros(contrast.size(), CV_32FC1);
+  for (int c = 0; c < contrast.rows; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    const int first = static_cast<int>(upper.row[k]) + 1 + kGap;
+    const int last = static_cast<int>(lower.row[k]) - 1 - kGap;
+    for (int r = first; r <= last; ++r) inner.at<float>(c, r) = contrast.at<float>(c, r);
+  }
+  return inner;
+}
+
+/// Columns where the path follows a step of its sign.
+std::vector<char> steps_along(const cv::Mat& contrast, const Path& path, float sign) {
+  constexpr float kStep = 0.1F;  // of the column's range
+  std::vector<char> steps(path.row.size());
+  for (std::size_t c = 0; c < steps.size(); ++c)
+    steps[c] =
+        sign * contrast.at<float>(static_cast<int>(c), static_cast<int>(path.row[c])) > kStep;
+  return steps;
+}
+
+/// The longest stretch [first, end) of true values, small gaps allowed.
+std::pair<std::size_t, std::size_t> longest_stretch(const std::vector<char>& values) {
+  constexpr std::size_t kGap = 4;
+  std::pair<std::size_t, std::size_t> longest{0, 0};
+  std::size_t first = 0, last = 0;
+  bool open = false;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i]) continue;
+    if (!open || i - last > kGap) first = i;
+    open = true;
+    last = i;
+    if (last + 1 - first > longest.second - longest.first) longest = {first, last + 1};
+  }
+  return longest;
+}
+
+/// Whether `path` runs on where the end of `inner` at `at` points to, for a few columns in the
+/// direction: not necessarily the next ones, since it may have left for the border, or for dots on
+/// the side face, some columns before.
+bool goes_on(const Path& path, const Path& inner, std::size_t at, int direction) {
+  constexpr float kNear = 1.6F;  // rows
+  constexpr int kBase = 10, kLook = 30, kEnough = 5;
+  const auto count = static_cast<int>(path.row.size());
+  const auto end = static_cast<int>(at);
+  const int base = std::clamp(end - direction * kBase, 0, count - 1);
+  if (base == end) return false;
+  const float slope =
+      (inner.row[at] - inner.row[static_cast<std::size_t>(base)]) / static_cast<float>(end - base);
+  int near = 0;
+  for (int c = end + direction; c >= 0 && c < count && std::abs(c - end) <= kLook; c += direction) {
+    const float ahead = inner.row[at] + slope * static_cast<float>(c - end);
+    near += std::abs(path.row[static_cast<std::size_t>(c)] - ahead) < kNear;
+  }
+  return near >= kEnough;
+}
+
+/// Side faces that are lit have outer borders, which may have more contrast than the face's own
+/// edges, along the whole finger or part of it. Where a second pair of edges of the same signs runs
+/// between the first, that is the face. What presses on the face shows its steps the other way
+/// round, or, between two contacts, in few columns away from both ends.
+void step_inwards(const cv::Mat& contrast, float sign, RoughEdges& rough) {
+  constexpr double kPartToAnEnd = 0.15, kPartBetween = 0.4;  // of the columns
+  const cv::Mat inner = between(contrast, rough.upper, rough.lower);
+  const Path upper = best_path(inner, sign), lower = best_path(inner, -sign);
+  const auto upper_steps = steps_along(inner, upper, sign);
+  const auto lower_steps = steps_along(inner, lower, -sign);
+  std::vector<char> both(upper_steps.size());
+  for (std::size_t c = 0; c < both.size(); ++c)
+    both[c] = upper_steps[c] && lower_steps[c] && upper.row[c] < lower.row[c];
+  const auto [first, end] = longest_stretch(both);
+  constexpr std::size_t kNearEnd = 3;
+  const bool to_an_end = first <= kNearEnd || end + kNearEnd >= both.size();
+  const double part = static_cast<double>(end - first) / static_cast<double>(both.size());
+  if (part < (to_an_end ? kPartToAnEnd : kPartBetween)) return;
+  // Beyond the stretch the first pair may be the face's own edges already, which the path left
+  // there for the border; then they go on where the inner ones end.
+  const bool before =
+      first > 0 && goes_on(rough.upper, upper, first, -1) && goes_on(rough.lower, lower, first, -1);
+  const bool after = end < both.size() && goes_on(rough.upper, upper, end - 1, 1) &&
+                     goes_on(rough.lower, lower, end - 1, 1);
+  for (std::size_t c = 0; c < both.size(); ++c) {
+    const bool inside = c >= first && c < end;
+    const bool joined = (before && c < first) || (after && c >= end);
+    rough.sure[c] = (inside && both[c]) || joined;
+    if (joined) continue;
+    rough.upper.row[c] = upper.row[c];
+    rough.lower.row[c] = lower.row[c];
+  }
+}
+
+}  // namespace
+
+std::pair<double, double> RoughEdges::place(const Path& path, int block, double u) {
+  const double column = (u + 0.5) / block - 0.5;
+  const int centre = static_cast<int>(std::lround(column));
+  const int count = static_cast<int>(path.row.size());
+  // least-squares line through the neighbours
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (int c = std::max(0, centre - 3); c <= std::min(count - 1, centre + 3); ++c) {
+    const double x = c - column;
+    const double y = static_cast<double>(path.row[static_cast<std::size_t>(c)]);
+    n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+  }
+  const double determinant = n * sxx - sx * sx;
+  const double slope = determinant > 0.0 ? (n * sxy - sx * sy) / determinant : 0.0;
+  const double row = (sy - slope * sx) / n;
+  return {(row + 0.5) * block - 0.5, slope};
+}
+
+std::optional<RoughEdges> find_roughly(const cv::Mat& grey, double noise_sd) {
+  RoughEdges rough;
+  rough.block = std::max(1, grey.cols / kSmallWidth);
+  if (grey.cols / rough.block < 8 || grey.rows / rough.block < 8) return std::nullopt;
+  const cv::Mat contrast = downward_contrast(block_columns(grey, rough.block), noise_sd);
+  const Path rising = best_path(contrast, 1.0F), falling = best_path(contrast, -1.0F);
+  std::size_t above = 0;  // columns where brightness rises before it falls
+  for (std::size_t c = 0; c < rising.row.size(); ++c) above += rising.row[c] < falling.row[c];
+  if (10 * above >= 9 * rising.row.size()) {
+    rough.upper = rising, rough.lower = falling;
+  } else if (10 * above <= rising.row.size()) {
+    rough.upper = falling, rough.lower = rising;
+    rough.bright_inside = false;
+  } else {
+    return std::nullopt;
+  }
+  rough.sure.assign(rising.row.size(), 1);
+  step_inwards(contrast, rough.bright_inside ? 1.0F : -1.0F, rough);
+  return rough;
+}
+
+}  // namespace alltact

@@ -1,0 +1,338 @@
+#include "core/numerics/farthest_points.h"
+#include "core/sensing/markers/layout_gaps.h"
+#include "core/sensing/markers/local_layout.h"
+#include "core/sensing/markers/markers.h"
+
+#include <limits>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr int kMostModes = 8;             // a Fin Ray bends, sways and twists; the rest is noise
+constexpr int kCovering = 160;            // layouts that a search for the pose starts from
+constexpr int kStarts = 10;               // of these, how many are followed up
+constexpr double kContradictionPx = 0.5;  // less is harmless whatever it is
+constexpr double kFloorPx = 0.05;         // noise that even a perfect recording has
+
+Eigen::Vector2d place_of(const Eigen::VectorXd& layout, int marker) {
+  return layout.segment<2>(2 * marker);
+}
+
+// Of neighbours in a row; with one dot a row, a part of the distance between the rows.
+double least_spacing(const Eigen::MatrixXd& layouts) {
+  const Eigen::Index per_row = layouts.cols() / 4;
+  if (per_row == 1) {
+    const Eigen::MatrixXd across = layouts.rightCols(2) - layouts.leftCols(2);
+    return std::max(1.0, 0.25 * across.rowwise().norm().minCoeff());
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < layouts.rows(); ++i)
+    for (Eigen::Index m = 0; m + 1 < 2 * per_row; ++m) {
+      if (m + 1 == per_row) continue;  // from the end of one row to the start of the other
+      const auto step = layouts.row(i).segment<2>(2 * m + 2) - layouts.row(i).segment<2>(2 * m);
+      least = std::min(least, step.norm());
+    }
+  return std::isfinite(least) ? std::max(least, 1.0) : 1.0;
+}
+
+int seen_count(const Markers& markers) {
+  return static_cast<int>(
+      std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
+}
+
+Markers taken_from(const std::vector<Dot>& dots, const std::vector<int>& dot_of) {
+  Markers markers(dot_of.size());
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    if (dot_of[m] < 0) continue;
+    const Dot& dot = dots[static_cast<std::size_t>(dot_of[m])];
+    markers[m] = {dot.u, dot.v, true, dot.sd_px};
+  }
+  return markers;
+}
+
+// Takes dots that lie where a marker is estimated; true when there was one.
+bool add_unused(const std::vector<Dot>& dots,
+                double gate,
+                const std::vector<char>& missing,
+                Markers& markers) {
+  bool added = false;
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    Marker& marker = markers[m];
+    if (marker.seen || missing[m]) continue;
+    for (const Dot& dot : dots) {
+      const bool same_side = dot.upper == (2 * m < markers.size());
+      const auto is_this = [&](const Marker& other) {
+        return other.seen && other.u == dot.u && other.v == dot.v;
+      };
+      if (!same_side || std::hypot(dot.u - marker.u, dot.v - marker.v) > gate) continue;
+      if (std::any_of(markers.begin(), markers.end(), is_this)) continue;
+      marker = {dot.u, dot.v, true, dot.sd_px};
+      added = true;
+      break;
+    }
+  }
+  return added;
+}
+
+}  // namespace
+
+// Numbered dots and the layout that the modes make of them.
+struct MarkerModel::Pose {
+  std::vector<int> dot_of;  // by marker, -1: none
+  Eigen::VectorXd layout;
+  int assigned = 0;
+};
+
+Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
+                                       const std::vector<Dot>& typical_dots,
+                                       const std::vector<int>& missing) {
+  MarkerModel model;
+  model.layouts_ = without_gaps(layouts);
+  const Eigen::Index n = model.layouts_.rows(), size = layouts.cols();
+  if (n < 2 || size < 4 || size % 4 != 0)
+    return Error{
+        fmt::format("only {} recorded pictures show every marker; at least 2 are needed", n),
+        "marker model",
+        "record the finger bending with both side faces in view and evenly lit"};
+  if (static_cast<Eigen::Index>(typical_dots.size()) * 2 != size)
+    return Error{
+        fmt::format("{} markers have a position but {} have a size", size / 2, typical_dots.size()),
+        "marker model",
+        "record the reference again"};
+  model.typical_ = typical_dots;
+  model.missing_.assign(typical_dots.size(), 0);
+  for (const int marker : missing) model.missing_[static_cast<std::size_t>(marker)] = 1;
+  model.present_ = static_cast<int>(std::count(model.missing_.begin(), model.missing_.end(), 0));
+  model.mean_ = model.layouts_.colwise().mean().transpose();
+  const Eigen::MatrixXd centred = model.layouts_.rowwise() - model.mean_.transpose();
+  const Eigen::MatrixXd covariance = centred.transpose() * centred / static_cast<double>(n - 1);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
+  if (eigen.info() != Eigen::Success)
+    return Error{"the markers' positions are not finite numbers",
+                 "marker model",
+                 "record the reference again"};
+  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(0.0);
+  // What the dots that exist can tell, less a little that tells whether they fit.
+  const auto told =
+      std::max<Eigen::Index>(std::min(3, 2 * model.present_ - 1), 2 * model.present_ - 4);
+  // Half of all eigenvalues are noise where there are enough layouts to tell; of few markers, those
+  // that cannot be modes.
+  const Eigen::Index quiet = std::min(size / 2, std::max<Eigen::Index>(0, size - 1 - told));
+  const double noise = n > size / 2 ? values[size > 2 * kMostModes ? size / 2 : quiet] : 0.0;
+  const int most = static_cast<int>(std::min<Eigen::Index>({kMostModes, n - 1, told}));
+  int modes = 1;
+  while (modes < most && values[size - 1 - modes] > 4 * noise + kFloorPx * kFloorPx) ++modes;
+  model.basis_.resize(size, modes);
+  model.mode_sd_.resize(modes);
+  for (int k = 0; k < modes; ++k) {
+    model.basis_.col(k) = eigen.eigenvectors().col(size - 1 - k);
+    model.mode_sd_[k] = std::sqrt(values[size - 1 - k] + kFloorPx * kFloorPx);
+  }
+  model.places_ = centred * model.basis_;
+  model.covering_ = farthest_point_order(model.places_, kCovering);
+  model.spacing_px_ = least_spacing(model.layouts_);
+  model.learn_noise();
+  return model;
+}
+
+void MarkerModel::learn_noise() {
+  // Layouts told from their neighbours, marker by marker: the noise with which the discrepancies
+  // are as large as they should be. In a sparse recording that is mostly the bending between
+  // frames.
+  const Eigen::Index step = std::max<Eigen::Index>(1, layouts_.rows() / 60);
+  noise_px_ = kFloorPx;
+  std::vector<char> without(static_cast<std::size_t>(layouts_.rows()), 0);
+  for (int pass = 0; pass < 3; ++pass) {
+    double square = 0;
+    int count = 0;
+    for (Eigen::Index i = 0; i < layouts_.rows(); i += step) {
+      Markers markers(static_cast<std::size_t>(marker_count()));
+      for (int m = 0; m < marker_count(); ++m)
+        markers[static_cast<std::size_t>(m)] = {
+            layouts_(i, 2 * m), layouts_(i, 2 * m + 1), true, 0};
+      without[static_cast<std::size_t>(i)] = 1;
+      const auto neighbours =
+          nearest_rows(places_, places_.row(i).transpose(), kLocalNeighbours, without);
+      without[static_cast<std::size_t>(i)] = 0;
+      if (neighbours.size() < 2) continue;
+      const LocalLayout local(layouts_, neighbours, markers, noise_px_);
+      for (int m = 0; m < marker_count(); ++m) {
+        const double sigmas = local.discrepancy(m, place_of(layouts_.row(i).transpose(), m)).sigmas;
+        square += sigmas * sigmas;
+      }
+      count += 2 * marker_count();
+    }
+    if (count == 0) return;
+    noise_px_ =
+        std::clamp(noise_px_ * std::sqrt(square / count), kFloorPx, 0.05 * spacing_px_ + kFloorPx);
+  }
+}
+
+Eigen::VectorXd MarkerModel::fit_modes(const Markers& markers) const {
+  const Eigen::Index modes = basis_.cols();
+  // Poses up to three times as far out as the recording's cost little; the noise keeps what no
+  // marker tells at the mean.
+  Eigen::MatrixXd a =
+      (noise_px_ * noise_px_ / (9 * mode_sd_.array().square())).matrix().asDiagonal();
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(modes);
+  for (int m = 0; m < marker_count(); ++m) {
+    const Marker& marker = markers[static_cast<std::size_t>(m)];
+    if (!marker.seen) continue;
+    const auto rows = basis_.middleRows(2 * m, 2);
+    a.noalias() += rows.transpose() * rows;
+    b.noalias() += rows.transpose() * (Eigen::Vector2d(marker.u, marker.v) - place_of(mean_, m));
+  }
+  return a.ldlt().solve(b);
+}
+
+std::vector<int> MarkerModel::likeliest_layouts(const std::vector<Dot>& dots) const {
+  const double gate = 0.6 * spacing_px_;
+  std::vector<std::pair<double, int>> scores;
+  for (const int row : covering_) {
+    double score = 0;
+    for (int m = 0; m < marker_count(); ++m) {
+      if (is_missing(m)) continue;
+      const double u = layouts_(row, 2 * m), v = layouts_(row, 2 * m + 1);
+      double nearest = gate * gate;
+      for (const Dot& dot : dots) {
+        const double square = (dot.u - u) * (dot.u - u) + (dot.v - v) * (dot.v - v);
+        if (dot.upper == (2 * m < marker_count()) && square < nearest) nearest = square;
+      }
+      score += 1 - nearest / (gate * gate);
+    }
+    scores.emplace_back(-score, row);
+  }
+  std::sort(scores.begin(), scores.end());
+  std::vector<int> rows;
+  for (const auto& [score, row] : scores)
+    if (static_cast<int>(rows.size()) < kStarts) rows.push_back(row);
+  return rows;
+}
+
+MarkerModel::Pose MarkerModel::explain(const std::vector<Dot>& dots, Eigen::VectorXd layout) const {
+  struct Pair {
+    double distance;
+    int marker, dot;
+  };
+  const double last_gate = std::min(0.3 * spacing_px_, std::max(3.0, 8 * noise_px_));
+  Pose pose;
+  for (const double gate : {0.7 * spacing_px_,
+                            0.6 * spacing_px_,
+                            0.5 * spacing_px_,
+                            0.4 * spacing_px_,
+                            std::max(last_gate, 0.25 * spacing_px_),
+                            last_gate,
+                            last_gate}) {
+    std::vector<Pair> pairs;
+    for (int m = 0; m < marker_count(); ++m)
+      for (std::size_t d = 0; d < dots.size() && !is_missing(m); ++d) {
+        if (dots[d].upper != (2 * m < marker_count())) continue;
+        const double distance =
+            (Eigen::Vector2d(dots[d].u, dots[d].v) - place_of(layout, m)).norm();
+        if (distance < gate) pairs.push_back({distance, m, static_cast<int>(d)});
+      }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+      return std::tie(a.distance, a.marker, a.dot) < std::tie(b.distance, b.marker, b.dot);
+    });
+    pose = Pose{std::vector<int>(static_cast<std::size_t>(marker_count()), -1), {}, 0};
+    std::vector<char> taken(dots.size(), 0);
+    Markers markers(static_cast<std::size_t>(marker_count()));
+    for (const Pair& pair : pairs) {
+      const auto m = static_cast<std::size_t>(pair.marker), d = static_cast<std::size_t>(pair.dot);
+      if (pose.dot_of[m] >= 0 || taken[d]) continue;
+      pose.dot_of[m] = pair.dot;
+      taken[d] = 1;
+      markers[m] = {dots[d].u, dots[d].v, true, dots[d].sd_px};
+      ++pose.assigned;
+    }
+    if (pose.assigned < 2) return pose;
+    layout = mean_ + basis_ * fit_modes(markers);
+    pose.layout = layout;
+  }
+  return pose;
+}
+
+std::optional<Markers> MarkerModel::number(const std::vector<Dot>& dots) const {
+  std::optional<Markers> best;
+  double best_worth = 0;
+  std::vector<std::vector<int>> tried;
+  for (const int row : likeliest_layouts(dots)) {
+    const Pose pose = explain(dots, layouts_.row(row).transpose());
+    if (pose.assigned < minimum_seen()) continue;
+    if (std::find(tried.begin(), tried.end(), pose.dot_of) != tried.end()) continue;
+    tried.push_back(pose.dot_of);
+    const auto markers = complete(taken_from(dots, pose.dot_of));
+    if (!markers) continue;
+    // A row that slipped by one finds nearly as many dots, but the recorded layouts do not bend so.
+    const double worth = seen_count(*markers) - residual_px(*markers) / (0.1 * spacing_px_);
+    if (!best || worth > best_worth) best = markers, best_worth = worth;
+  }
+  if (!best) return std::nullopt;
+  return add_unused(dots, std::max(1.0, 5 * noise_px_), missing_, *best) ? complete(*best) : best;
+}
+
+LocalLayout MarkerModel::local_layout(const Markers& markers) const {
+  return {
+      layouts_, nearest_rows(places_, fit_modes(markers), kLocalNeighbours), markers, noise_px_};
+}
+
+std::optional<Markers> MarkerModel::complete(Markers markers) const {
+  if (static_cast<int>(markers.size()) != marker_count()) return std::nullopt;
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    markers[m].seen = markers[m].seen && !missing_[m] && std::isfinite(markers[m].u) &&
+                      std::isfinite(markers[m].v);
+  const int most_refused = present_ / 3;
+  for (int refused = 0;; ++refused) {
+    if (seen_count(markers) < minimum_seen()) return std::nullopt;
+    const LocalLayout local = local_layout(markers);
+    double worst = 0;
+    std::size_t worst_marker = 0;
+    for (std::size_t m = 0; m < markers.size(); ++m) {
+      if (!markers[m].seen) continue;
+      const auto off = local.discrepancy(static_cast<int>(m), {markers[m].u, markers[m].v});
+      if (off.px > kContradictionPx && off.sigmas > worst) worst = off.sigmas, worst_marker = m;
+    }
+    // In a pose beyond the recording every marker lies off a little; only one without which the
+    // rest agrees far better contradicts it.
+    const double others =
+        std::max(1.0, 2.0 * (seen_count(markers) - 1) - static_cast<double>(basis_.cols()));
+    const double rest = std::max(1.0, (local.misfit() - worst * worst) / others);
+    if (worst < 6.0 || worst * worst < 8.0 * rest || refused >= most_refused) {
+      for (int m = 0; m < marker_count(); ++m) {
+        Marker& marker = markers[static_cast<std::size_t>(m)];
+        if (marker.seen) continue;
+        const Eigen::Vector2d place = local.place(m);
+        marker = {place.x(), place.y(), false, std::hypot(local.sd_px(m), noise_px_)};
+      }
+      return markers;
+    }
+    markers[worst_marker].seen = false;
+  }
+}
+
+Eigen::VectorXd MarkerModel::modes(const Markers& markers) const {
+  Eigen::VectorXd layout(mean_.size());
+  for (int m = 0; m < marker_count(); ++m) {
+    const Marker& marker = markers[static_cast<std::size_t>(m)];
+    layout.segment<2>(2 * m) << marker.u, marker.v;
+  }
+  return (basis_.transpose() * (layout - mean_)).cwiseQuotient(mode_sd_);
+}
+
+double MarkerModel::residual_px(const Markers& markers) const {
+  const Eigen::VectorXd layout = mean_ + basis_ * fit_modes(markers);
+  double square = 0;
+  int count = 0;
+  for (int m = 0; m < marker_count(); ++m) {
+    const Marker& marker = markers[static_cast<std::size_t>(m)];
+    if (!marker.seen) continue;
+    square += (Eigen::Vector2d(marker.u, marker.v) - place_of(layout, m)).squaredNorm();
+    ++count;
+  }
+  return count > 0 ? std::sqrt(square / count) : 0.0;
+}
+
+}  // namespace alltact

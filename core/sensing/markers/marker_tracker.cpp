@@ -1,0 +1,68 @@
+#include "core/sensing/markers/dot_measure.h"
+#include "core/sensing/markers/markers.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kMostResidualPx = 3.0;  // beyond, the numbers are not believed
+
+std::size_t seen_count(const Markers& markers) {
+  return static_cast<std::size_t>(
+      std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
+}
+
+}  // namespace
+
+MarkerTracker::MarkerTracker(MarkerRows rows, MarkerModel model)
+    : detector_(rows), model_(std::move(model)), looks_(model_.typical_dots()) {}
+
+std::optional<Markers> MarkerTracker::follow(const cv::Mat& grey, const FaceShape& shape) {
+  const SideEdges edges(shape);
+  Markers markers = *last_;
+  // Less than half the way to the next marker, so that none is taken for its neighbour.
+  const double search = 0.35 * model_.spacing_px();
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    if (model_.is_missing(static_cast<int>(m))) continue;
+    const auto dot = near_dot(grey, edges, {markers[m].u, markers[m].v}, search, looks_[m]);
+    markers[m].seen = dot.has_value();
+    if (!dot) continue;
+    markers[m] = {dot->u, dot->v, true, dot->sd_px};
+    looks_[m].half_u_px = dot->half_u_px;
+    looks_[m].half_v_px = dot->half_v_px;
+  }
+  for (std::size_t a = 0; a < markers.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (markers[a].seen && markers[b].seen &&
+          std::hypot(markers[a].u - markers[b].u, markers[a].v - markers[b].v) < 1.0)
+        return std::nullopt;  // two markers on one dot: at least one of them jumped
+  const std::size_t found = seen_count(markers);
+  if (found + 1 < seen_count(*last_)) return std::nullopt;
+  auto completed = model_.complete(std::move(markers));
+  if (!completed || model_.residual_px(*completed) > kMostResidualPx) return std::nullopt;
+  if (seen_count(*completed) + 1 < found) return std::nullopt;  // several contradict the rest
+  return completed;
+}
+
+std::optional<Markers> MarkerTracker::operator()(const cv::Mat& grey,
+                                                 const FaceShape& shape,
+                                                 std::string* problem) {
+  if (last_) {
+    last_ = follow(grey, shape);
+    if (last_) return last_;
+  }
+  const auto found = detector_(grey, shape);
+  last_ = model_.number(found.dots);
+  if (last_ && model_.residual_px(*last_) > kMostResidualPx) last_.reset();
+  if (!last_ && problem)
+    *problem = fmt::format(
+        "{} dots were found beside the face, but no third of the {} markers among them fits a pose "
+        "of "
+        "the reference recording",
+        found.dots.size(),
+        model_.present_count());
+  return last_;
+}
+
+}  // namespace alltact

@@ -1,0 +1,151 @@
+// Engraved dots on the two side faces: finding, numbering, following them.
+//
+// Numbers: 0..n-1 along the upper row (small v) from base to tip, n..2n-1 along the lower row. Dots
+// that a finger does not have (MarkerRows::missing) keep their numbers and are never seen.
+#pragma once
+
+#include "core/finger/finger.h"
+#include "core/result.h"
+#include "core/sensing/face/face_shape.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+class LocalLayout;
+
+struct Marker {
+  double u = 0, v = 0;  ///< px, oriented picture; an estimate when not seen
+  bool seen = false;
+  double sd_px = 0;  ///< expected standard deviation of u and of v
+};
+
+/// 2n markers by number.
+using Markers = std::vector<Marker>;
+
+/// A dot found in the picture, not yet numbered.
+struct Dot {
+  double u = 0, v = 0;
+  double radius_px = 0;  ///< of the disc of the same area
+  double contrast = 0;   ///< grey levels against the surroundings; sign is the polarity
+  double sd_px = 0;
+  bool upper = false;   ///< on the side face at small v
+  double along_mm = 0;  ///< length of the face from its base to the dot's foot on it
+  double face_px = 0;   ///< width of the face at the dot's distance
+  double off_face = 0;  ///< distance from the face, in parts of its width
+  double half_u_px = 0, half_v_px = 0;  ///< half extents at half height; 0: not known
+};
+
+/// Finds dots on the side faces (outside the face's edges) by multi-scale blob response, sub-pixel
+/// by the centroid above the local background. Remembers nothing.
+class MarkerDetector {
+ public:
+  explicit MarkerDetector(MarkerRows rows) : rows_(rows) {}
+
+  /// Every plausible dot, also false ones; numbering them is for MarkerModel and the recording.
+  /// With Polarity::kAuto the polarity that gives the more even rows wins and is reported.
+  struct Found {
+    std::vector<Dot> dots;
+    Polarity polarity = Polarity::kBright;
+  };
+  [[nodiscard]] Found operator()(const cv::Mat& grey, const FaceShape& shape) const;
+
+ private:
+  MarkerRows rows_;
+};
+
+/// What a finger's own recording says of how its markers move together: principal modes of all
+/// complete layouts. Tells the number of each dot, refuses dots that fit no pose, and fills in
+/// hidden markers.
+class MarkerModel {
+ public:
+  /// layouts: one row a frame, 2n markers as (u0, v0, u1, v1, ...), px; NaN where not seen. Those
+  /// of `missing` markers (by number) are where a dot would be, in every row.
+  /// typical_dots: mean radius and contrast of each marker. Where too few layouts show every
+  /// marker, the gaps of those that show at least half are filled from how the seen ones move
+  /// together (core/sensing/markers/layout_gaps.h). Error: fewer than 2 usable layouts.
+  static Result<MarkerModel> learn(const Eigen::MatrixXd& layouts,
+                                   const std::vector<Dot>& typical_dots,
+                                   const std::vector<int>& missing = {});
+
+  [[nodiscard]] int marker_count() const { return static_cast<int>(mean_.size() / 2); }
+
+  /// Numbers dots: starts from the recorded layout that explains most of them, then assigns and
+  /// fits the modes in turn within a shrinking gate. Every marker comes back, seen or estimated.
+  /// nullopt when fewer than `minimum_seen` (a third of those that exist) dots fit any pose.
+  [[nodiscard]] std::optional<Markers> number(const std::vector<Dot>& dots) const;
+
+  /// Fills the markers that are not seen from those that are, and turns those that contradict the
+  /// rest (partly covered dots) into estimates. nullopt when too few are seen.
+  [[nodiscard]] std::optional<Markers> complete(Markers markers) const;
+
+  /// Coordinates of a complete layout in the modes, each divided by its standard deviation in the
+  /// recording.
+  [[nodiscard]] Eigen::VectorXd modes(const Markers& markers) const;
+  /// Root mean square distance in px of the seen markers to the nearest layout the modes can make.
+  [[nodiscard]] double residual_px(const Markers& markers) const;
+
+  /// No dot has this number.
+  [[nodiscard]] bool is_missing(int marker) const {
+    return missing_[static_cast<std::size_t>(marker)] != 0;
+  }
+  [[nodiscard]] int present_count() const { return present_; }
+  [[nodiscard]] const std::vector<Dot>& typical_dots() const { return typical_; }
+  /// Standard deviation of each mode in the recording, px: times modes() it is a distance.
+  [[nodiscard]] const Eigen::VectorXd& mode_sd_px() const { return mode_sd_; }
+  /// How far a seen marker typically lies from what the others tell of it, px.
+  [[nodiscard]] double noise_px() const { return noise_px_; }
+  /// Least distance of neighbouring markers of a row in the recording, px.
+  [[nodiscard]] double spacing_px() const { return spacing_px_; }
+
+ private:
+  struct Pose;  // modes fitted to numbered dots
+  [[nodiscard]] Eigen::VectorXd fit_modes(const Markers& markers) const;
+  [[nodiscard]] Pose explain(const std::vector<Dot>& dots, Eigen::VectorXd layout) const;
+  [[nodiscard]] std::vector<int> likeliest_layouts(const std::vector<Dot>& dots) const;
+  [[nodiscard]] LocalLayout local_layout(const Markers& markers) const;
+  [[nodiscard]] int minimum_seen() const { return std::max(2, (present_ + 2) / 3); }
+  void learn_noise();
+
+  Eigen::MatrixXd layouts_;  // complete ones, a row each
+  Eigen::MatrixXd places_;   // of the layouts in the modes, px, a row each
+  Eigen::VectorXd mean_;
+  Eigen::MatrixXd basis_;  // 4n x modes, orthonormal columns
+  Eigen::VectorXd mode_sd_;
+  std::vector<int> covering_;  // rows of layouts_ that lie near every other
+  double noise_px_ = 0.1;
+  double spacing_px_ = 10;  // least distance of neighbouring markers in a row
+  std::vector<Dot> typical_;
+  std::vector<char> missing_;
+  int present_ = 0;
+};
+
+/// Follows the markers from frame to frame: looks near where each was, and detects anew only when
+/// that fails. Remembers the last frame.
+class MarkerTracker {
+ public:
+  MarkerTracker(MarkerRows rows, MarkerModel model);
+
+  /// nullopt with `problem` set when the markers could not be found.
+  [[nodiscard]] std::optional<Markers> operator()(const cv::Mat& grey,
+                                                  const FaceShape& shape,
+                                                  std::string* problem);
+  /// Forgets the last frame: the next one is looked at as if it were the first.
+  void forget() { last_.reset(); }
+
+ private:
+  [[nodiscard]] std::optional<Markers> follow(const cv::Mat& grey, const FaceShape& shape);
+
+  MarkerDetector detector_;
+  MarkerModel model_;
+  std::optional<Markers> last_;
+  std::vector<Dot> looks_;  // of each marker when it was last followed
+};
+
+}  // namespace alltact

@@ -1,0 +1,290 @@
+#include "core/sensing/reference/face_chart.h"
+
+#include "core/numerics/blocks.h"
+#include "core/numerics/dispatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+
+namespace alltact {
+namespace {
+
+constexpr int kLeastColumns = 16;
+constexpr double kMarkerSdMm = 0.05;  // of the skin below a marker, by its distance
+constexpr double kBaseSdMm = 1.0;
+constexpr double kStretchSd = 0.02;  // of the length
+constexpr double kTiltSdMm = 1.0;
+constexpr double kHuber = 2.0;  // sds
+constexpr int kRounds = 6;
+constexpr double kLeastWidthPx = 4.0;  // of a continued face
+
+/// Entry of an ascending list before a value, and how far it lies towards the next.
+struct Between {
+  std::size_t left;
+  double part;
+};
+Between find(const std::vector<double>& ascending, double value) {
+  const auto above = std::upper_bound(ascending.begin(), ascending.end(), value);
+  const auto last = static_cast<std::ptrdiff_t>(ascending.size()) - 2;
+  const auto left = std::clamp<std::ptrdiff_t>(above - ascending.begin() - 1, 0, last);
+  const auto l = static_cast<std::size_t>(left);
+  const double step = ascending[l + 1] - ascending[l];
+  return {l, step > 0.0 ? (value - ascending[l]) / step : 0.0};
+}
+
+/// The middle of the face in the x-z plane, and the length there.
+struct Profile {
+  std::vector<Eigen::Vector2d> at_mm;
+  std::vector<double> s_mm;
+
+  Profile(const FaceChart& chart, const FaceShape& shape) {
+    for (std::size_t i = 0; i < chart.along_mm.size(); ++i) {
+      const double middle = 0.5 * (chart.upper_v[i] + chart.lower_v[i]);
+      const auto local = shape.at(chart.first + static_cast<int>(i), middle);
+      if (!local) continue;
+      at_mm.emplace_back(local->view_point_mm.x(), local->view_point_mm.z());
+      s_mm.push_back(chart.along_mm[i]);
+    }
+  }
+
+  /// The entry nearest to a point.
+  [[nodiscard]] std::size_t nearest(const Eigen::Vector2d& point_mm) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < at_mm.size(); ++i)
+      if ((at_mm[i] - point_mm).squaredNorm() < (at_mm[best] - point_mm).squaredNorm()) best = i;
+    return best;
+  }
+  /// s of the foot of a point on the profile near entry i; NaN beyond the ends.
+  [[nodiscard]] double foot_mm(const Eigen::Vector2d& point_mm, std::size_t i) const {
+    if (i == 0 || i + 1 == at_mm.size()) return std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Vector2d along = at_mm[i + 1] - at_mm[i - 1];
+    const double part = along.dot(point_mm - at_mm[i - 1]) / along.squaredNorm();
+    return s_mm[i - 1] + part * (s_mm[i + 1] - s_mm[i - 1]);
+  }
+};
+
+ALLTACT_WIDE void warp_row(const float* __restrict t_at_0,
+                           const float* __restrict t_per_v,
+                           const float* __restrict u0,
+                           const float* __restrict tilt,
+                           const float* __restrict v0,
+                           const float* __restrict width,
+                           const float* __restrict slope,
+                           const float* __restrict width_slope,
+                           float v,
+                           int count,
+                           float* __restrict to_u,
+                           float* __restrict to_v) {
+  for (int i = 0; i < count; ++i) {
+    const float t = t_at_0[i] + t_per_v[i] * v;
+    const float shift = (2.0F * t - 1.0F) * tilt[i];
+    to_u[i] = u0[i] + shift;
+    to_v[i] = v0[i] + t * width[i] + shift * (slope[i] + t * width_slope[i]);
+  }
+}
+
+}  // namespace
+
+std::optional<FaceChart> chart_of(const FaceShape& shape) {
+  const auto& columns = shape.columns();
+  const auto usable = [](const FaceColumn& column) {
+    return column.valid && column.lower_v - column.upper_v > kLeastWidthPx;
+  };
+  const auto begin = std::find_if(columns.begin(), columns.end(), usable);
+  const auto end = std::find_if(columns.rbegin(), columns.rend(), usable).base();
+  if (end - begin < kLeastColumns) return std::nullopt;
+  FaceChart chart;
+  chart.first = static_cast<int>(begin - columns.begin());
+  chart.base_at_low_u = shape.base_at_low_u();
+  const double sign = chart.base_at_low_u ? 1.0 : -1.0;
+  for (auto column = begin; column != end; ++column) {
+    const auto u = static_cast<double>(column - columns.begin());
+    double upper = column->upper_v, lower = column->lower_v, s_mm = sign * shape.length_at(u);
+    if (!usable(*column)) {
+      // Straight over a gap.
+      const auto next = std::find_if(column, end, usable);
+      const double part = 1.0 / static_cast<double>(next - column + 1);
+      upper = chart.upper_v.back() + part * (next->upper_v - chart.upper_v.back());
+      lower = chart.lower_v.back() + part * (next->lower_v - chart.lower_v.back());
+    }
+    // Ascending in earnest, so that it can be looked up.
+    constexpr double kLeastStepMm = 1e-6;
+    if (!chart.along_mm.empty()) s_mm = std::max(s_mm, chart.along_mm.back() + kLeastStepMm);
+    chart.along_mm.push_back(s_mm);
+    chart.upper_v.push_back(upper);
+    chart.lower_v.push_back(lower);
+  }
+  chart.middle_mm = 0.5 * (chart.along_mm.front() + chart.along_mm.back());
+  chart.half_mm = 0.5 * (chart.along_mm.back() - chart.along_mm.front());
+  return chart;
+}
+
+std::vector<double> marker_lengths_mm(const FaceChart& chart,
+                                      const FaceShape& shape,
+                                      const Markers& markers) {
+  std::vector<double> lengths(markers.size(), std::numeric_limits<double>::quiet_NaN());
+  const Profile profile(chart, shape);
+  if (profile.at_mm.size() < 3) return lengths;
+  const std::size_t pairs = markers.size() / 2;
+  for (std::size_t m = 0; m < pairs; ++m) {
+    const Marker &upper = markers[m], &lower = markers[m + pairs];
+    const auto upper_ray = shape.camera().unproject({upper.u, upper.v});
+    const auto lower_ray = shape.camera().unproject({lower.u, lower.v});
+    if (!upper_ray || !lower_ray) continue;
+    const Eigen::Vector3d up = upper_ray->point_at(1.0), low = lower_ray->point_at(1.0);
+    const double z_mm = shape.face().width_mm / (low.y() - up.y());
+    if (!(z_mm > 0.0) || !std::isfinite(z_mm)) continue;
+    const auto length_below = [&](const Eigen::Vector3d& unit) {
+      const Eigen::Vector2d point_mm = z_mm * Eigen::Vector2d(unit.x(), 1.0);
+      return profile.foot_mm(point_mm, profile.nearest(point_mm));
+    };
+    if (upper.seen) lengths[m] = length_below(up);
+    if (lower.seen) lengths[m + pairs] = length_below(low);
+  }
+  return lengths;
+}
+
+SkinPlaces skin_places(const FaceChart& rest, const FaceShape& shape, const Markers& markers) {
+  SkinPlaces places;
+  places.marker_mm = marker_lengths_mm(rest, shape, markers);
+  places.base_u = rest.base_at_low_u ? rest.first : rest.end() - 1;
+  places.base_mm = rest.base_at_low_u ? rest.along_mm.front() : rest.along_mm.back();
+  return places;
+}
+
+void lay_on(const SkinPlaces& places,
+            const FaceShape& shape,
+            const Markers& markers,
+            FaceChart* chart) {
+  struct Row {
+    Eigen::Vector4d by;
+    double off, sd;
+  };
+  std::vector<Row> rows;
+  const std::vector<double> lengths = marker_lengths_mm(*chart, shape, markers);
+  for (std::size_t m = 0; m < std::min(lengths.size(), places.marker_mm.size()); ++m) {
+    if (!std::isfinite(lengths[m]) || !std::isfinite(places.marker_mm[m])) continue;
+    const double along = (lengths[m] - chart->middle_mm) / chart->half_mm;
+    const double side = m < lengths.size() / 2 ? -1.0 : 1.0;
+    rows.push_back(
+        {{1.0, along, side, along * side}, places.marker_mm[m] - lengths[m], kMarkerSdMm});
+  }
+  // Clamped: the base may lie a column beyond what this frame shows of it.
+  const int base = std::clamp(places.base_u, chart->first, chart->end() - 1);
+  const double base_mm = chart->along_mm[static_cast<std::size_t>(base - chart->first)];
+  rows.push_back({{1.0, (base_mm - chart->middle_mm) / chart->half_mm, 0.0, 0.0},
+                  places.base_mm - base_mm,
+                  kBaseSdMm});
+  Eigen::Vector4d terms = Eigen::Vector4d::Zero();
+  for (int round = 0; round < kRounds; ++round) {
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+    Eigen::Vector4d pull = Eigen::Vector4d::Zero();
+    const double stretch_sd_mm = kStretchSd * chart->half_mm;
+    normal.diagonal() << 0.0, 1.0 / (stretch_sd_mm * stretch_sd_mm), 1.0 / (kTiltSdMm * kTiltSdMm),
+        1.0 / (kTiltSdMm * kTiltSdMm);
+    for (const Row& row : rows) {
+      const double z = round == 0 ? 0.0 : std::abs(row.off - row.by.dot(terms)) / row.sd;
+      const double weight = (z > kHuber ? kHuber / z : 1.0) / (row.sd * row.sd);
+      normal += weight * row.by * row.by.transpose();
+      pull += weight * row.off * row.by;
+    }
+    terms = normal.ldlt().solve(pull);
+  }
+  if (!terms.allFinite()) return;
+  for (double& s_mm : chart->along_mm)
+    s_mm += terms[0] + terms[1] * (s_mm - chart->middle_mm) / chart->half_mm;
+  chart->middle_mm += terms[0];
+  chart->half_mm += terms[1];
+  chart->tilt_mm = terms[2];
+  chart->tilt_slope_mm = terms[3];
+}
+
+FaceChart widened(const FaceChart& chart, double part) {
+  const std::size_t size = chart.along_mm.size();
+  const auto most = static_cast<std::size_t>(part * static_cast<double>(size));
+  const std::size_t over = std::min<std::size_t>(size - 1, 24);  // columns that tell the slope
+  const auto beyond = [&](const std::vector<double>& values, std::size_t k, bool at_end) {
+    const double step =
+        (at_end ? values[size - 1] - values[size - 1 - over] : values[0] - values[over]) /
+        static_cast<double>(over);
+    return (at_end ? values.back() : values.front()) + step * static_cast<double>(k);
+  };
+  const auto room = [&](bool at_end) {
+    std::size_t columns = 0;
+    while (columns < most &&
+           beyond(chart.lower_v, columns + 1, at_end) - beyond(chart.upper_v, columns + 1, at_end) >
+               kLeastWidthPx)
+      ++columns;
+    return columns;
+  };
+  const std::size_t before = room(false), after = room(true);
+  FaceChart wide = chart;
+  wide.first -= static_cast<int>(before);
+  for (std::vector<double> FaceChart::*values :
+       {&FaceChart::along_mm, &FaceChart::upper_v, &FaceChart::lower_v}) {
+    std::vector<double> all;
+    for (std::size_t k = before; k > 0; --k) all.push_back(beyond(chart.*values, k, false));
+    all.insert(all.end(), (chart.*values).begin(), (chart.*values).end());
+    for (std::size_t k = 1; k <= after; ++k) all.push_back(beyond(chart.*values, k, true));
+    wide.*values = std::move(all);
+  }
+  return wide;
+}
+
+ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
+    : origin_(from.first),
+      first_(from.end()),
+      end_(from.end()),
+      inner_first_(from.end()),
+      inner_end_(from.end()) {
+  const std::size_t size = from.along_mm.size();
+  for (auto* values : {&t_at_0_, &t_per_v_, &u0_, &tilt_, &v0_, &width_, &slope_, &width_slope_})
+    values->resize(size);
+  const auto take = [](int u, int* first, int* end) {
+    if (*first == *end) *first = u;
+    *end = u + 1;
+  };
+  for (std::size_t i = 0; i < size; ++i) {
+    const double s_mm = from.along_mm[i];
+    const auto [l, part] = find(to.along_mm, s_mm);
+    const double step_mm = std::max(1e-6, to.along_mm[l + 1] - to.along_mm[l]);
+    const double upper = to.upper_v[l], lower = to.lower_v[l];
+    const double upper_slope = to.upper_v[l + 1] - upper, lower_slope = to.lower_v[l + 1] - lower;
+    const double u0 = to.first + static_cast<double>(l) + part;
+    const double tilt = (from.tilt_at(s_mm) - to.tilt_at(s_mm)) / step_mm;
+    const double per_v = 1.0 / (from.lower_v[i] - from.upper_v[i]);
+    t_at_0_[i] = static_cast<float>(-from.upper_v[i] * per_v);
+    t_per_v_[i] = static_cast<float>(per_v);
+    u0_[i] = static_cast<float>(u0);
+    tilt_[i] = static_cast<float>(tilt);
+    v0_[i] = static_cast<float>(upper + part * upper_slope);
+    width_[i] = static_cast<float>(lower - upper + part * (lower_slope - upper_slope));
+    slope_[i] = static_cast<float>(upper_slope);
+    width_slope_[i] = static_cast<float>(lower_slope - upper_slope);
+    const double reach = std::abs(tilt);
+    const int u = origin_ + static_cast<int>(i), last = to.end() - 1;
+    if (u0 + reach >= to.first && u0 - reach <= last) take(u, &first_, &end_);
+    if (u0 - reach >= to.first && u0 + reach <= last) take(u, &inner_first_, &inner_end_);
+  }
+}
+
+void ChartWarp::places(int v, int begin, int count, float* to_u, float* to_v) const {
+  const std::ptrdiff_t i = begin - origin_;
+  warp_row(t_at_0_.data() + i,
+           t_per_v_.data() + i,
+           u0_.data() + i,
+           tilt_.data() + i,
+           v0_.data() + i,
+           width_.data() + i,
+           slope_.data() + i,
+           width_slope_.data() + i,
+           static_cast<float>(v),
+           count,
+           to_u,
+           to_v);
+}
+
+}  // namespace alltact

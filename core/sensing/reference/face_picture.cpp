@@ -1,0 +1,79 @@
+#include "core/sensing/reference/face_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr double kMarginPx = 2.0;  // beyond the face: what is looked up lies between pixels
+
+/// Columns of one row that lie between the edges of the grid's chart.
+std::vector<FaceRun> runs_of(const FaceGrid& grid, int row) {
+  std::vector<FaceRun> runs;
+  bool is_open = false;
+  for (int u = 0; u < grid.size.width; ++u) {
+    const auto i = static_cast<std::size_t>(u);
+    const double v = row + grid.origin.y;
+    const bool is_face =
+        v >= grid.chart.upper_v[i] - kMarginPx && v <= grid.chart.lower_v[i] + kMarginPx;
+    if (is_face && !is_open) runs.push_back({row, u, u, 0});
+    if (is_face) runs.back().end = u + 1;
+    is_open = is_face;
+  }
+  return runs;
+}
+
+}  // namespace
+
+FaceGrid face_grid(const FaceChart& rest, double part) {
+  FaceGrid grid;
+  grid.chart = widened(rest, part);
+  const double top = *std::min_element(grid.chart.upper_v.begin(), grid.chart.upper_v.end());
+  const double bottom = *std::max_element(grid.chart.lower_v.begin(), grid.chart.lower_v.end());
+  grid.origin = {grid.chart.first, static_cast<int>(std::floor(top - kMarginPx)) - 1};
+  grid.size = {static_cast<int>(grid.chart.along_mm.size()),
+               static_cast<int>(std::ceil(bottom + kMarginPx)) + 2 - grid.origin.y};
+  std::uint32_t pixels = 0;
+  grid.runs.row_begin.push_back(0);
+  for (int row = 0; row < grid.size.height; ++row) {
+    for (FaceRun run : runs_of(grid, row)) {
+      run.before = pixels;
+      pixels += static_cast<std::uint32_t>(run.size());
+      grid.runs.runs.push_back(run);
+    }
+    grid.runs.row_begin.push_back(static_cast<std::uint32_t>(grid.runs.runs.size()));
+  }
+  return grid;
+}
+
+FacePicture keep_face(const cv::Mat& grey, const FaceChart& chart, const FaceGrid& grid) {
+  CV_Assert(grey.type() == CV_8UC1);
+  const ChartWarp warp(grid.chart, chart);
+  FacePicture picture;
+  picture.first = warp.inner_first() - grid.origin.x;
+  picture.end = warp.inner_end() - grid.origin.x;
+  picture.grey.assign(grid.runs.pixels(), 0);
+  cv::Mat u(grid.size, CV_32FC1, cv::Scalar(0)), v(grid.size, CV_32FC1, cv::Scalar(0)), laid;
+  for (const FaceRun& run : grid.runs.runs) {
+    const int first = std::max(run.first, picture.first), end = std::min(run.end, picture.end);
+    if (first >= end) continue;
+    warp.places(run.row + grid.origin.y,
+                first + grid.origin.x,
+                end - first,
+                u.ptr<float>(run.row) + first,
+                v.ptr<float>(run.row) + first);
+  }
+  cv::remap(grey, laid, u, v, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+  for (const FaceRun& run : grid.runs.runs) {
+    const int first = std::max(run.first, picture.first), end = std::min(run.end, picture.end);
+    if (first >= end) continue;
+    const auto* row = laid.ptr<std::uint8_t>(run.row);
+    std::copy(row + first, row + end, picture.grey.begin() + run.before + (first - run.first));
+  }
+  return picture;
+}
+
+}  // namespace alltact

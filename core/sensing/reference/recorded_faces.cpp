@@ -1,0 +1,193 @@
+#include "core/sensing/reference/recorded_faces.h"
+
+#include "core/numerics/farthest_points.h"
+#include "core/sensing/face/face_edges.h"
+
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kBeyondRest = 0.15;  // of the rest frame's face: how much more others may show
+constexpr int kProfileDegree = 7;
+constexpr std::size_t kMostPoses = 160;  // that the finger's twist is learnt from
+
+// Faces of a recording within a limit: where it is passed, the frame that covers least goes first.
+class Keeper {
+ public:
+  Keeper(const MarkerTable& table, std::size_t limit)
+      : table_(table), limit_(limit), faces_(table.frames.size()) {}
+
+  void add(std::size_t row, FacePicture face) {
+    bytes_ += face.bytes();
+    faces_[row] = std::move(face);
+    if (bytes_ > limit_ && rank_.empty()) rank_frames();
+    while (bytes_ > limit_ && kept() > 2) drop_one();
+  }
+
+  [[nodiscard]] std::vector<std::size_t> rows() const {
+    std::vector<std::size_t> kept;
+    for (std::size_t row = 0; row < faces_.size(); ++row)
+      if (faces_[row]) kept.push_back(row);
+    return kept;
+  }
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  FacePicture take(std::size_t row) { return std::move(*faces_[row]); }
+
+ private:
+  [[nodiscard]] std::size_t kept() const { return rows().size(); }
+  void rank_frames() {
+    rank_ = farthest_point_order(table_.layouts, static_cast<int>(faces_.size()));
+  }
+  void drop_one() {
+    while (!rank_.empty()) {
+      // The last of the covering order among those already read.
+      const auto last = std::find_if(rank_.rbegin(), rank_.rend(), [&](int row) {
+        return faces_[static_cast<std::size_t>(row)].has_value();
+      });
+      if (last == rank_.rend()) return;
+      auto& face = faces_[static_cast<std::size_t>(*last)];
+      bytes_ -= face->bytes();
+      face.reset();
+      return;
+    }
+  }
+
+  const MarkerTable& table_;
+  std::size_t limit_, bytes_ = 0;
+  std::vector<std::optional<FacePicture>> faces_;
+  std::vector<int> rank_;
+};
+
+struct Looked {
+  FaceShape shape;
+  FaceChart chart;
+};
+
+class Reader {
+ public:
+  Reader(const RecordingToRead& frames, const Finger& finger, const Camera& camera)
+      : frames_(frames), finger_(finger), camera_(camera) {}
+
+  Result<RecordedFaces> operator()(std::size_t limit_bytes, const Job& job) const {
+    RecordedFaces read;
+    if (const Status status = find_rest(read); !status) return status.error();
+    Keeper keeper(frames_.table, limit_bytes);
+    const std::size_t count = frames_.table.frames.size();
+    for (std::size_t row = 0; row < count; ++row) {
+      if (job.stop_requested())
+        return Error{"stopped before the reference was read", frames_.video.string(), ""};
+      if (row % 16 == 0)
+        job.report(static_cast<double>(row) / static_cast<double>(count),
+                   fmt::format("reading reference frame {} of {}", row + 1, count));
+      if (const Status status = add_row(row, keeper, read); !status) return status.error();
+    }
+    read.bytes = keeper.bytes();
+    read.kept = keeper.rows();
+    for (const std::size_t row : read.kept) read.faces.push_back(keeper.take(row));
+    if (read.kept.size() < 2) return too_few(read.kept.size());
+    return read;
+  }
+
+ private:
+  [[nodiscard]] Error wrong(std::string what) const {
+    return {std::move(what), frames_.video.string(), "make the reference anew from the recording"};
+  }
+  [[nodiscard]] Error too_few(std::size_t found) const {
+    return wrong(fmt::format("the face was found in {} of {} recorded pictures; 2 are needed",
+                             found,
+                             frames_.table.frames.size()));
+  }
+  [[nodiscard]] Result<cv::Mat> picture(std::size_t row) const {
+    const auto number = static_cast<std::size_t>(frames_.table.frames[row]);
+    if (number >= frames_.count)
+      return wrong(
+          fmt::format("the marker table names frame {} but the recording ends after {} frames",
+                      number,
+                      frames_.count));
+    auto grey = frames_.frame(number);
+    if (!grey) return wrong(grey.error().what);
+    return grey;
+  }
+  [[nodiscard]] std::optional<Looked> look_at(const cv::Mat& grey) const {
+    const auto edges = finder_(grey);
+    if (!edges) return std::nullopt;
+    const auto shape = FaceShape::fit(*edges, camera_, finger_.face, kProfileDegree);
+    if (!shape) return std::nullopt;
+    auto chart = chart_of(*shape);
+    if (!chart) return std::nullopt;
+    return Looked{*shape, std::move(*chart)};
+  }
+  [[nodiscard]] Markers markers(std::size_t row) const {
+    return markers_of(
+        frames_.table.layouts, static_cast<Eigen::Index>(row), frames_.table.seen[row]);
+  }
+
+  /// Rows from the middle of all poses outwards.
+  [[nodiscard]] std::vector<std::size_t> from_the_middle() const {
+    const Eigen::MatrixXd& layouts = frames_.table.layouts;
+    const Eigen::VectorXd off =
+        (layouts.rowwise() - layouts.colwise().mean()).rowwise().squaredNorm();
+    std::vector<std::size_t> rows(static_cast<std::size_t>(layouts.rows()));
+    std::iota(rows.begin(), rows.end(), 0);
+    std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+      return off[static_cast<Eigen::Index>(a)] < off[static_cast<Eigen::Index>(b)];
+    });
+    return rows;
+  }
+  Status find_rest(RecordedFaces& read) const {
+    constexpr std::size_t kTries = 16;
+    std::vector<std::size_t> rows = from_the_middle();
+    rows.resize(std::min(rows.size(), kTries));
+    for (const std::size_t row : rows) {
+      const auto grey = picture(row);
+      if (!grey) return grey.error();
+      const auto looked = look_at(*grey);
+      if (!looked) continue;
+      read.grid = face_grid(looked->chart, kBeyondRest);
+      read.places = skin_places(looked->chart, looked->shape, markers(row));
+      return {};
+    }
+    return too_few(0);
+  }
+
+  Status add_row(std::size_t row, Keeper& keeper, RecordedFaces& read) const {
+    const auto grey = picture(row);
+    if (!grey) return grey.error();
+    auto looked = look_at(*grey);
+    if (!looked || looked->chart.base_at_low_u != read.grid.chart.base_at_low_u) return {};
+    lay_on(read.places, looked->shape, markers(row), &looked->chart);
+    keeper.add(row, keep_face(*grey, looked->chart, read.grid));
+    read.seen.push_back(static_cast<Eigen::Index>(row));
+    read.edges.push_back(edge_curves(looked->shape));
+    read.charts.push_back(std::move(looked->chart));
+    if (row % (frames_.table.frames.size() / kMostPoses + 1) == 0)
+      read.poses.push_back({markers(row), std::move(looked->shape)});
+    return {};
+  }
+
+  const RecordingToRead& frames_;
+  const Finger& finger_;
+  const Camera& camera_;
+  FaceEdgeFinder finder_{{.view = FaceView{camera_, finger_.face.width_mm}}};
+};
+
+}  // namespace
+
+Result<RecordedFaces> read_recorded_faces(const RecordingToRead& frames,
+                                          const Finger& finger,
+                                          const Camera& camera,
+                                          std::size_t limit_bytes,
+                                          const Job& job) {
+  try {
+    return Reader(frames, finger, camera)(limit_bytes, job);
+  } catch (const std::exception& problem) {
+    return Error{fmt::format("the recording cannot be read ({})", problem.what()),
+                 frames.video.string(),
+                 "make the reference anew from the recording"};
+  }
+}
+
+}  // namespace alltact

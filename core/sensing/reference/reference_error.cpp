@@ -1,0 +1,268 @@
+#include "core/sensing/reference/reference_error.h"
+
+#include "core/numerics/median.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr int kCell = kErrorCellPx;
+constexpr int kTerms = 6;
+constexpr int kEvery = 2;  // cells are enough for the light
+constexpr float kLeastLevel = 8.0F;
+constexpr int kLeastFrames = 12;            // to tell drift from pose
+constexpr int kMostStudied = 48;            // frames computed from their neighbours
+constexpr double kMedianOfSquare = 0.4549;  // of a normal distribution
+constexpr double kStays = 0.5;  // part of the variance that does not fall with the reach
+
+using Terms = Eigen::Matrix<double, kTerms, 1>;
+using Square = Eigen::Matrix<double, kTerms, kTerms>;
+
+Terms basis_at(const cv::Size& size, double u, double v) {
+  const double s = 2.0 * u / size.width - 1.0, t = 2.0 * v / size.height - 1.0;
+  return (Terms() << 1.0, s, t, s * s, s * t, t * t).finished();
+}
+
+/// Means over cells of the grid, 0 where not all of a cell shows the face.
+cv::Mat cells_of(const FaceGrid& grid, const FacePicture& face) {
+  const cv::Size size(grid.size.width / kCell, grid.size.height / kCell);
+  cv::Mat sum(size, CV_32FC1, cv::Scalar(0)), count(size, CV_32FC1, cv::Scalar(0));
+  for (const FaceRun& run : grid.runs.runs) {
+    const int row = run.row / kCell;
+    if (row >= size.height) continue;
+    const int end = std::min({run.end, face.end, size.width * kCell});
+    for (int u = std::max(run.first, face.first); u < end; ++u) {
+      sum.at<float>(row, u / kCell) +=
+          face.grey[run.before + static_cast<std::size_t>(u - run.first)];
+      count.at<float>(row, u / kCell) += 1.0F;
+    }
+  }
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      float& mean = sum.at<float>(y, x);
+      mean = count.at<float>(y, x) == kCell * kCell && mean > kLeastLevel * kCell * kCell
+                 ? mean / (kCell * kCell)
+                 : 0.0F;
+    }
+  return sum;
+}
+
+/// c so that (1 + basis c) own is like `other`, over cells that both have; robust.
+Terms light_between(const cv::Mat& own, const cv::Mat& other) {
+  Terms terms = Terms::Zero();
+  for (int round = 0; round < 3; ++round) {
+    Square normal = 1e-6 * Square::Identity();
+    Terms pull = Terms::Zero();
+    for (int y = 0; y < own.rows; y += kEvery)
+      for (int x = 0; x < own.cols; x += kEvery) {
+        const auto a = static_cast<double>(own.at<float>(y, x)),
+                   b = static_cast<double>(other.at<float>(y, x));
+        if (!(a > 0.0) || !(b > 0.0)) continue;
+        const Terms row = basis_at(own.size(), x + 0.5, y + 0.5);
+        const double off = b / a - 1.0 - row.dot(terms);
+        constexpr double kFar = 0.05;
+        const double z = round == 0 ? 0.0 : off / kFar;
+        if (std::abs(z) >= 1.0) continue;
+        const double weight = (1.0 - z * z) * (1.0 - z * z);
+        normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
+        pull += weight * (b / a - 1.0) * row;
+      }
+    terms = normal.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
+  }
+  return terms.allFinite() ? terms : Terms::Zero();
+}
+
+cv::Mat mean_cells(const std::vector<cv::Mat>& cells) {
+  cv::Mat sum(cells.front().size(), CV_32FC1, cv::Scalar(0)), count = sum.clone();
+  for (const cv::Mat& one : cells) {
+    sum += one;
+    cv::Mat shown;
+    cv::Mat(one > 0.0F).convertTo(shown, CV_32F, 1.0 / 255);
+    count += shown;
+  }
+  cv::Mat mean = sum / cv::max(count, 1.0);
+  mean.setTo(0, count < 0.5 * static_cast<double>(cells.size()));
+  return mean;
+}
+
+/// Constant, linear and square terms of the leading modes, as many as the frames can tell.
+Eigen::MatrixXd pose_terms(const Eigen::MatrixXd& modes) {
+  const Eigen::Index frames = modes.rows();
+  Eigen::Index used = std::min<Eigen::Index>(modes.cols(), 4);
+  const auto count = [](Eigen::Index n) { return 1 + n + n * (n + 1) / 2; };
+  while (used > 0 && 4 * count(used) > frames) --used;
+  Eigen::MatrixXd terms(frames, count(used));
+  const double scale = std::max(1e-9,
+                                modes.leftCols(std::max<Eigen::Index>(used, 1)).norm() /
+                                    std::sqrt(static_cast<double>(frames)));
+  terms.col(0).setOnes();
+  Eigen::Index next = 1;
+  for (Eigen::Index a = 0; a < used; ++a) terms.col(next++) = modes.col(a) / scale;
+  for (Eigen::Index a = 0; a < used; ++a)
+    for (Eigen::Index b = a; b < used; ++b)
+      terms.col(next++) = modes.col(a).cwiseProduct(modes.col(b)) / (scale * scale);
+  return terms;
+}
+
+void multiply(const FaceGrid& grid, const Terms& light, FacePicture& face) {
+  for (const FaceRun& run : grid.runs.runs) {
+    std::uint8_t* grey = face.grey.data() + run.before;
+    for (int u = run.first; u < run.end; ++u) {
+      std::uint8_t& pixel = grey[u - run.first];
+      if (pixel >= 250) continue;  // clipped stays clipped
+      const double q = 1.0 + basis_at(grid.size, u + 0.5, run.row + 0.5).dot(light);
+      pixel = static_cast<std::uint8_t>(std::clamp(std::lround(q * pixel), 0L, 249L));
+    }
+  }
+}
+
+/// Relative difference of a frame and what its neighbours make of it, without a change of light;
+/// NaN where either has nothing.
+cv::Mat residual_of(const cv::Mat& own, const cv::Mat& computed) {
+  const Terms light = light_between(own, computed);
+  cv::Mat residual(own.size(), CV_32FC1, cv::Scalar(NAN));
+  for (int y = 0; y < own.rows; ++y)
+    for (int x = 0; x < own.cols; ++x) {
+      const float a = own.at<float>(y, x), b = computed.at<float>(y, x);
+      if (!(a > 0.0F) || !(b > 0.0F)) continue;
+      const double q = 1.0 + basis_at(own.size(), x + 0.5, y + 0.5).dot(light);
+      residual.at<float>(y, x) = static_cast<float>(q * static_cast<double>(a / b) - 1.0);
+    }
+  return residual;
+}
+
+/// Noise of cells' means in grey levels, squared: from neighbours that differ, most of which show
+/// even skin.
+double noise_square(const cv::Mat& residual, const cv::Mat& level) {
+  std::vector<double> squares;
+  for (int y = 0; y < residual.rows; ++y)
+    for (int x = 0; x + 1 < residual.cols; ++x) {
+      const double step = static_cast<double>(residual.at<float>(y, x + 1)) -
+                          static_cast<double>(residual.at<float>(y, x));
+      const double off = step * static_cast<double>(level.at<float>(y, x));
+      if (std::isfinite(off)) squares.push_back(0.5 * off * off);
+    }
+  return squares.empty() ? 0.0 : upper_median(squares) / kMedianOfSquare;
+}
+
+cv::Mat computed_from(const std::vector<cv::Mat>& cells, const Neighbours& neighbours) {
+  cv::Mat sum(cells.front().size(), CV_32FC1, cv::Scalar(0)), shown = sum == 0.0F;
+  for (std::size_t k = 0; k < neighbours.rows.size(); ++k) {
+    const cv::Mat& one = cells[static_cast<std::size_t>(neighbours.rows[k])];
+    sum += neighbours.weights[static_cast<Eigen::Index>(k)] * one;
+    shown &= one > 0.0F;
+  }
+  sum.setTo(0, ~shown);
+  return sum;
+}
+
+/// What a cell was off by in the studied frames, squared, and what noise makes of that; NaN where a
+/// frame did not show it.
+struct Studied {
+  std::vector<cv::Mat> square, noise;
+  void add(const cv::Mat& residual, const cv::Mat& level, double noise_square) {
+    square.push_back(residual.mul(residual));
+    noise.push_back(noise_square / level.mul(level));
+  }
+};
+
+/// Sums over the studied frames, noise taken off. Frames in which something pressed there, and was
+/// not noticed, tell nothing of untouched skin: they are far from what most frames show.
+struct Sums {
+  cv::Mat square, count;
+  explicit Sums(const Studied& studied)
+      : square(studied.square.front().size(), CV_32FC1, cv::Scalar(0)), count(square.clone()) {
+    constexpr double kFar = 4.0;  // standard deviations
+    std::vector<float> squares;
+    for (int y = 0; y < square.rows; ++y)
+      for (int x = 0; x < square.cols; ++x) {
+        squares.clear();
+        for (const cv::Mat& one : studied.square)
+          if (const float off2 = one.at<float>(y, x); std::isfinite(off2)) squares.push_back(off2);
+        const auto most =
+            kFar * kFar / kMedianOfSquare * static_cast<double>(upper_median(squares));
+        for (std::size_t k = 0; k < studied.square.size(); ++k) {
+          const float off2 = studied.square[k].at<float>(y, x);
+          if (!(static_cast<double>(off2) <= most)) continue;
+          square.at<float>(y, x) += off2 - studied.noise[k].at<float>(y, x);
+          count.at<float>(y, x) += 1.0F;
+        }
+      }
+  }
+};
+
+}  // namespace
+
+double ReferenceError::factor(double reach) const {
+  if (!(typical_reach_px2 > 0.0)) return 1.0;
+  const double further = reach / typical_reach_px2;
+  return std::sqrt(kStays + (1.0 - kStays) * further * further);
+}
+
+double reach_px2(const Eigen::MatrixXd& points,
+                 const Eigen::VectorXd& pose,
+                 const Eigen::VectorXd& weights) {
+  const Eigen::VectorXd square = (points.rowwise() - pose.transpose()).rowwise().squaredNorm();
+  const double missed = (points.transpose() * weights - pose).norm();
+  const double magnitude = weights.lpNorm<1>();
+  const double spread = weights.cwiseAbs().dot(square);
+  return spread + missed * std::sqrt(spread / std::max(1.0, magnitude));
+}
+
+void take_out_drift(const FaceGrid& grid,
+                    const Eigen::MatrixXd& modes,
+                    std::vector<FacePicture>& faces) {
+  if (static_cast<int>(faces.size()) < kLeastFrames) return;
+  std::vector<cv::Mat> cells;
+  for (const FacePicture& face : faces) cells.push_back(cells_of(grid, face));
+  const cv::Mat mean = mean_cells(cells);
+  Eigen::MatrixXd light(static_cast<Eigen::Index>(faces.size()), kTerms);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    light.row(static_cast<Eigen::Index>(i)) = light_between(cells[i], mean).transpose();
+  const Eigen::MatrixXd terms = pose_terms(modes);
+  const Eigen::MatrixXd by_pose = terms * terms.colPivHouseholderQr().solve(light);
+  const Eigen::MatrixXd drift = light - by_pose;
+  constexpr double kNothing = 5e-4;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Terms off = drift.row(static_cast<Eigen::Index>(i)).transpose();
+    if (off.cwiseAbs().maxCoeff() > kNothing) multiply(grid, off, faces[i]);
+  }
+}
+
+ReferenceError reference_error(const FaceGrid& grid,
+                               const std::vector<FacePicture>& faces,
+                               const std::function<Neighbours(int)>& neighbours_of) {
+  std::vector<cv::Mat> cells;
+  for (const FacePicture& face : faces) cells.push_back(cells_of(grid, face));
+  Studied frames;
+  const int count = static_cast<int>(faces.size()), studied = std::min(count, kMostStudied);
+  std::vector<double> reaches;
+  for (int k = 0; k < studied; ++k) {
+    const int i = k * count / studied;
+    const Neighbours neighbours = neighbours_of(i);
+    const cv::Mat computed = computed_from(cells, neighbours);
+    const cv::Mat residual = residual_of(cells[static_cast<std::size_t>(i)], computed);
+    frames.add(residual, computed, noise_square(residual, computed));
+    reaches.push_back(neighbours.reach_px2);
+  }
+  ReferenceError error;
+  error.typical_reach_px2 = upper_median(reaches);
+  // Averaged over a cell and those around it: few frames tell of each.
+  const Sums sums(frames);
+  cv::Mat square, number;
+  cv::boxFilter(sums.square, square, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);
+  cv::boxFilter(sums.count, number, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);
+  cv::sqrt(cv::max(square / cv::max(number, 1.0), 0.0), error.relative_sd);
+  // Where no frame could be studied the worst is to be expected.
+  double worst = 0;
+  cv::minMaxLoc(error.relative_sd, nullptr, &worst);
+  error.relative_sd.setTo(worst, number < 1.0);
+  return error;
+}
+
+}  // namespace alltact

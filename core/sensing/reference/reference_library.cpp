@@ -1,0 +1,336 @@
+#include "core/sensing/reference/reference_library.h"
+
+#include "core/io/picture.h"
+#include "core/recording/video_file.h"
+#include "core/sensing/markers/layout_search.h"
+#include "core/sensing/reference/reference_error.h"
+#include "core/sensing/reference/reference_weights.h"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
+
+constexpr const char* kAdvice = "make the reference anew from the recording";
+
+Error wrong(std::string what, const std::filesystem::path& file) {
+  return {std::move(what), file.string(), kAdvice};
+}
+
+}  // namespace
+
+struct ReferenceLibrary::Content {
+  /// The recorded frames nearest to a place in the modes, and their weights there.
+  [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
+                                      const std::vector<char>& without) const;
+  [[nodiscard]] FaceMix mix_of(const Neighbours& neighbours) const;
+  /// Frames that do not show some of the skin that a frame (its warp) shows beyond the columns
+  /// `shown` of the grid; empty where there is none such, or too few frames show it.
+  [[nodiscard]] std::vector<char> hiding(const ChartWarp& warp,
+                                         std::pair<int, int> shown,
+                                         const std::vector<char>& without) const;
+
+  cv::Size size;
+  std::vector<int> frames;  // numbers in the video
+  FaceGrid grid;
+  SkinPlaces places;
+  std::vector<FacePicture> faces;  // on the grid
+  std::size_t bytes = 0;
+  std::optional<MarkerModel> model;
+  std::optional<TwistModel> twist;
+  std::optional<ShapePoses> shape_poses;
+  std::optional<LayoutSearch> search;
+  Eigen::MatrixXd modes;  // of the frames, px, a row each
+  Eigen::VectorXd mode_sd;
+  EndLengths ends;
+  ReferenceError error;
+  double known_px = std::numeric_limits<double>::infinity();
+  ReferencePicture single;  // empty for a recording
+};
+
+Neighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& place,
+                                                 const std::vector<char>& without) const {
+  const PoseNeighbours near = pose_neighbours(modes, place, model->marker_count(), without);
+  const Eigen::VectorXd& w = near.weights;
+  Neighbours found;
+  found.reach_px2 = reach_px2(near.points, place, w);
+  double kept = 0;
+  for (Eigen::Index i = 0; i < w.size(); ++i)
+    if (std::abs(w[i]) >= kLeastWeight) kept += w[i];
+  std::vector<double> weights;
+  for (Eigen::Index i = 0; i < w.size(); ++i) {
+    if (std::abs(w[i]) < kLeastWeight) continue;
+    found.rows.push_back(near.rows[static_cast<std::size_t>(i)]);
+    weights.push_back(w[i] / kept);
+  }
+  found.weights =
+      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
+  return found;
+}
+
+FaceMix ReferenceLibrary::Content::mix_of(const Neighbours& neighbours) const {
+  FaceMix mix;
+  for (std::size_t i = 0; i < neighbours.rows.size(); ++i) {
+    mix.faces.push_back(&faces[static_cast<std::size_t>(neighbours.rows[i])]);
+    mix.weights.push_back(static_cast<float>(neighbours.weights[static_cast<Eigen::Index>(i)]));
+  }
+  return mix;
+}
+
+std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
+                                                    std::pair<int, int> shown,
+                                                    const std::vector<char>& without) const {
+  if (warp.first() >= warp.end()) return {};
+  const auto column = [&](float u) { return static_cast<int>(u) - grid.origin.x; };
+  int first = std::max(0, column(warp.reach(warp.first()).first));
+  int end = std::min(grid.size.width, column(warp.reach(warp.end() - 1).second) + 2);
+  if (first >= shown.first && end <= shown.second) return {};
+  // As much of that as enough frames show.
+  std::vector<int> firsts, ends;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (!without.empty() && without[i]) continue;
+    firsts.push_back(faces[i].first);
+    ends.push_back(faces[i].end);
+  }
+  constexpr std::size_t kEnough = 2 * kPoseNeighbours;
+  if (firsts.size() < kEnough) return {};
+  std::nth_element(firsts.begin(), firsts.begin() + kEnough - 1, firsts.end());
+  std::nth_element(ends.begin(), ends.end() - kEnough, ends.end());
+  first = std::max(first, firsts[kEnough - 1]);
+  end = std::min(end, *(ends.end() - kEnough));
+  std::vector<char> hidden(faces.size(), 0);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    hidden[i] = faces[i].first > first || faces[i].end < end || (!without.empty() && without[i]);
+    left += !hidden[i];
+  }
+  return left >= kPoseNeighbours ? hidden : std::vector<char>();
+}
+
+namespace {
+
+/// How far off a pose may be, in squares, that is told by estimates of the markers, px^2.
+double squares_of_sds(const Markers& markers) {
+  double square = 0;
+  for (const Marker& marker : markers) square += 2.0 * marker.sd_px * marker.sd_px;
+  return square;
+}
+
+Eigen::MatrixXd seen_layouts(const MarkerTable& table, const std::vector<int>& missing) {
+  Eigen::MatrixXd layouts = table.layouts;
+  const auto is_missing = [&](std::size_t m) {
+    return std::binary_search(missing.begin(), missing.end(), static_cast<int>(m));
+  };
+  for (std::size_t i = 0; i < table.seen.size(); ++i)
+    for (std::size_t m = 0; m < table.seen[i].size(); ++m)
+      if (!table.seen[i][m] && !is_missing(m))
+        layouts.block<1, 2>(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(2 * m))
+            .setConstant(std::numeric_limits<double>::quiet_NaN());
+  return layouts;
+}
+
+/// The untouched picture that a flat sensor's finger names.
+Result<cv::Mat> flat_picture(const std::filesystem::path& finger_folder, const Finger& finger) {
+  if (!finger.reference || finger.reference->image.empty())
+    return Error{"the sensor has no untouched picture",
+                 (finger_folder / Finger::kFileName).string(),
+                 "give one with the calibration"};
+  const auto file = finger_folder / finger.reference->image;
+  const auto raw = read_grey_picture(file);
+  if (!raw) return raw.error();
+  return oriented_for(finger.camera,
+                      *raw,
+                      "the untouched picture",
+                      file.string(),
+                      "give the untouched picture anew");
+}
+
+}  // namespace
+
+Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& finger_folder,
+                                                const Finger& finger,
+                                                const Camera& camera,
+                                                const Job& job,
+                                                std::size_t memory_limit_bytes) {
+  if (finger.face.kind == FaceKind::kFlat) {
+    const auto grey = flat_picture(finger_folder, finger);
+    if (!grey) return grey.error();
+    return single(*grey);
+  }
+  if (!finger.reference || finger.reference->video.empty() || finger.reference->markers.empty())
+    return Error{"the finger has no reference recording",
+                 (finger_folder / Finger::kFileName).string(),
+                 "record the bending, untouched finger and make its reference"};
+  const auto table_file = finger_folder / finger.reference->markers;
+  const auto table = MarkerTable::load(table_file, finger.marker_count());
+  if (!table) return table.error();
+  return from_recording(
+      finger_folder / finger.reference->video, *table, finger, camera, job, memory_limit_bytes);
+}
+
+Result<ReferenceLibrary> ReferenceLibrary::from_recording(const std::filesystem::path& video_file,
+                                                          const MarkerTable& table,
+                                                          const Finger& finger,
+                                                          const Camera& camera,
+                                                          const Job& job,
+                                                          std::size_t memory_limit_bytes) {
+  auto video = VideoFile::open(video_file, job);
+  if (!video) return wrong("the reference recording is missing or no video", video_file);
+  const auto frame = [&](std::size_t number) -> Result<cv::Mat> {
+    const auto read = video->frame(number);
+    if (!read) return read.error();
+    return oriented_for(finger.camera, (*read)->grey, "the recording's picture", "", "");
+  };
+  return from_frames(
+      frame, video->frame_count(), video_file, table, finger, camera, job, memory_limit_bytes);
+}
+
+Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& frame,
+                                                       std::size_t frame_count,
+                                                       const std::filesystem::path& video_file,
+                                                       const MarkerTable& table,
+                                                       const Finger& finger,
+                                                       const Camera& camera,
+                                                       const Job& job,
+                                                       std::size_t memory_limit_bytes) {
+  std::vector<int> missing;
+  if (!finger.reference || !finger.reference->places) missing = finger.markers.missing;
+  auto model = MarkerModel::learn(seen_layouts(table, missing), table.typical, missing);
+  if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
+  auto read = read_recorded_faces(
+      {frame, frame_count, video_file, table}, finger, camera, memory_limit_bytes, job);
+  if (!read) return read.error();
+  auto content = std::make_shared<Content>();
+  content->size = camera.size();
+  content->grid = std::move(read->grid);
+  content->places = std::move(read->places);
+  content->faces = std::move(read->faces);
+  content->bytes = read->bytes;
+  content->ends = EndLengths(read->charts, camera.size().width);
+  const Eigen::MatrixXd layouts = table.layouts(read->kept, Eigen::all);
+  for (const std::size_t row : read->kept) content->frames.push_back(table.frames[row]);
+  const bool has_dots = !finger.reference || !finger.reference->places;
+  if (has_dots) {
+    content->twist = TwistModel::learn(read->poses);
+    content->shape_poses = ShapePoses::learn(read->edges, table.layouts(read->seen, Eigen::all));
+  }
+  content->model = std::move(*model);
+  content->mode_sd = content->model->mode_sd_px();
+  content->modes.resize(layouts.rows(), content->mode_sd.size());
+  const std::vector<char> all_seen(static_cast<std::size_t>(layouts.cols() / 2), 1);
+  for (Eigen::Index i = 0; i < layouts.rows(); ++i)
+    content->modes.row(i) = content->model->modes(markers_of(layouts, i, all_seen))
+                                .cwiseProduct(content->mode_sd)
+                                .transpose();
+  content->search.emplace(layouts);
+  take_out_drift(content->grid, content->modes, content->faces);
+  content->error = reference_error(content->grid, content->faces, [&](int i) {
+    std::vector<char> without(content->faces.size(), 0);
+    without[static_cast<std::size_t>(i)] = 1;
+    return content->neighbours(content->modes.row(i).transpose(), without);
+  });
+  content->known_px = known_distance_px(*content->search);
+  ReferenceLibrary library;
+  library.content_ = std::move(content);
+  return library;
+}
+
+Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
+  if (grey.empty() || grey.type() != CV_8UC1)
+    return Error{
+        "the reference picture is not an 8-bit grey picture", "reference", "save it as such"};
+  auto content = std::make_shared<Content>();
+  content->size = grey.size();
+  cv::Mat levels;
+  grey.convertTo(levels, CV_32F);
+  content->single = ReferencePicture(levels);
+  content->bytes = content->single.memory_bytes();
+  ReferenceLibrary library;
+  library.content_ = std::move(content);
+  return library;
+}
+
+std::size_t ReferenceLibrary::frame_count() const {
+  return content_->search ? content_->frames.size() : 1;
+}
+
+std::size_t ReferenceLibrary::memory_bytes() const {
+  return content_->bytes;
+}
+
+const MarkerModel* ReferenceLibrary::marker_model() const {
+  return content_->model ? &*content_->model : nullptr;
+}
+
+const TwistModel* ReferenceLibrary::twist_model() const {
+  return content_->twist ? &*content_->twist : nullptr;
+}
+
+const ShapePoses* ReferenceLibrary::shape_poses() const {
+  return content_->shape_poses ? &*content_->shape_poses : nullptr;
+}
+
+const std::vector<int>& ReferenceLibrary::frame_numbers() const {
+  return content_->frames;
+}
+
+ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers,
+                                                    const std::vector<char>& without) const {
+  if (!content_->search || static_cast<int>(markers.size()) != content_->model->marker_count())
+    return {0, 0.0};
+  const auto found = content_->search->nearest(markers, without);
+  return {found.row, found.distance_px};
+}
+
+Reference ReferenceLibrary::reference_for(const Markers& markers,
+                                          const FaceShape& shape,
+                                          ReferenceMethod method,
+                                          const std::vector<char>& without) const {
+  Reference reference;
+  const Content& content = *content_;
+  if (!content.search) {
+    reference.picture = content.single;
+    reference.frame = 0;
+    return reference;
+  }
+  reference.relative_sd = content.error.relative_sd;
+  const Nearest found = nearest(markers, without);
+  reference.frame = content.frames[static_cast<std::size_t>(found.index)];
+  reference.distance_px = found.distance_px;
+  reference.known_pose = found.distance_px <= content.known_px;
+  reference.by_shape =
+      std::none_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
+  auto now = chart_of(shape);
+  if (now && now->base_at_low_u == content.grid.chart.base_at_low_u)
+    lay_on(content.places, shape, markers, &*now);
+  else
+    now = FaceChart{};
+  if (!now->along_mm.empty()) reference.hidden = content.ends.beyond(*now, content.size.width);
+  ChartWarp warp(*now, content.grid.chart);
+  std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.index)]}, {1.0F}}};
+  if (method == ReferenceMethod::kLocal) {
+    const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
+    const Neighbours near = content.neighbours(place, without);
+    const double unsure_px2 = reference.by_shape ? squares_of_sds(markers) : 0.0;
+    mixes = {content.mix_of(near)};
+    reference.error_factor = reference.outer_error_factor =
+        content.error.factor(near.reach_px2 + unsure_px2);
+    const auto hiding = content.hiding(warp, mixes.front().shown(content.grid), without);
+    if (!hiding.empty()) {
+      const Neighbours further = content.neighbours(place, hiding);
+      mixes.push_back(content.mix_of(further));
+      reference.outer_error_factor = content.error.factor(further.reach_px2 + unsure_px2);
+    }
+  }
+  double square = 0;
+  for (const float w : mixes.front().weights) square += static_cast<double>(w) * w;
+  reference.noise_gain = std::sqrt(square);
+  reference.picture = ReferencePicture(content.grid, mixes, std::move(warp), content.size);
+  return reference;
+}
+
+}  // namespace alltact

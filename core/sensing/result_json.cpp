@@ -1,0 +1,148 @@
+#include "core/sensing/result_json.h"
+
+#include "core/sensing/frame_faults.h"
+
+#include <array>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace alltact {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Rounded to what the figure is good for, so that lines stay readable.
+double to_decimals(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  const double result = std::round(value * scale) / scale;
+  return result == 0.0 ? 0.0 : result;  // no -0
+}
+
+void put(Json& object, const char* key, double value, int decimals) {
+  if (std::isfinite(value)) object[key] = to_decimals(value, decimals);
+}
+
+template <class Vector>
+void put_vector(Json& object, const char* key, const Vector& vector, int decimals) {
+  if (!vector.allFinite()) return;
+  Json array = Json::array();
+  for (double value : vector) array.push_back(to_decimals(value, decimals));
+  object[key] = std::move(array);
+}
+
+Json markers_json(const Markers& markers) {
+  Json array = Json::array();
+  for (const Marker& marker : markers) {
+    Json entry = Json::object();
+    put(entry, "u", marker.u, 4);
+    put(entry, "v", marker.v, 4);
+    entry["seen"] = marker.seen;
+    array.push_back(std::move(entry));
+  }
+  return array;
+}
+
+Json reference_json(const Reference& reference, bool searched, ReferenceMethod method) {
+  Json entry = Json::object();
+  if (!searched) {  // a flat sensor's one picture
+    entry["method"] = "single";
+    return entry;
+  }
+  entry["method"] = method == ReferenceMethod::kNearest ? "nearest" : "local";
+  entry["frame"] = reference.frame;
+  put(entry, "distance_px", reference.distance_px, 3);
+  entry["known_pose"] = reference.known_pose;
+  if (reference.by_shape) entry["by_shape"] = true;
+  return entry;
+}
+
+Json touch_json(const Touch& touch) {
+  Json entry = Json::object();
+  entry["touched"] = touch.touched;
+  put_vector(entry, "offset_px", touch.offset_px, 3);
+  if (touch.direction) put_vector(entry, "direction", *touch.direction, 5);
+  if (touch.sd_deg) put(entry, "sd_deg", *touch.sd_deg, 2);
+  if (touch.face) entry["face"] = to_string(*touch.face);
+  return entry;
+}
+
+Json regions_json(const std::vector<ContactRegion>& regions) {
+  Json array = Json::array();
+  for (const ContactRegion& region : regions) {
+    Json entry = Json::object();
+    put_vector(entry, "place_mm", region.place_mm, 4);
+    put_vector(entry, "place_on_face_mm", region.place_on_face_mm, 3);
+    put(entry, "deepest_mm", region.deepest_mm, 4);
+    put(entry, "area_mm2", region.area_mm2, 3);
+    put(entry, "volume_mm3", region.volume_mm3, 4);
+    if (region.angle_deg) put(entry, "angle_deg", *region.angle_deg, 2);
+    if (region.angle_sd_deg) put(entry, "angle_sd_deg", *region.angle_sd_deg, 2);
+    array.push_back(std::move(entry));
+  }
+  return array;
+}
+
+/// Parts of the face by what their depth is worth; those that there are none of are left out.
+Json validity_json(const cv::Mat& flags) {
+  static constexpr std::array<const char*, kPixelFlags> kNames{"measured",
+                                                               "off_face",
+                                                               "too_dark",
+                                                               "saturated",
+                                                               "extrapolated",
+                                                               "beyond_layer",
+                                                               "no_reference",
+                                                               "hidden_end"};
+  const FlagShares shares = flag_shares(flags);
+  Json entry = Json::object();
+  for (std::size_t k = 0; k < kNames.size(); ++k)
+    if (shares.of[k] > 0) put(entry, kNames[k], shares.of[k], 5);
+  return entry;
+}
+
+/// Only the steps that ran: a step that did not has no time.
+Json times_json(const FrameResult& result) {
+  const StepTimes& times = result.times_ms;
+  Json entry = Json::object();
+  put(entry, "prepare", times.prepare, 3);
+  if (result.edges) {
+    put(entry, "edges", times.edges, 3);
+    put(entry, "global", times.global, 3);
+  }
+  if (result.markers) put(entry, "markers", times.markers, 3);
+  if (result.reference) put(entry, "reference", times.reference, 3);
+  if (result.difference || result.depth) put(entry, "local", times.local, 3);
+  if (result.depth) put(entry, "contact", times.contact, 3);
+  put(entry, "total", times.total, 3);
+  return entry;
+}
+
+}  // namespace
+
+std::string result_line(const FrameResult& result, std::size_t index, ReferenceMethod method) {
+  Json line;
+  line["frame"] = result.frame->name;
+  line["index"] = index;
+  if (result.markers) line["markers"] = markers_json(*result.markers);
+  if (result.reference)
+    line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);
+  if (result.touch) line["contact"] = touch_json(*result.touch);
+  if (result.depth && !result.depth->flags.empty())
+    line["validity"] = validity_json(result.depth->flags);
+  if (result.depth) line["regions"] = regions_json(result.regions);
+  line["times_ms"] = times_json(result);
+  if (!result.problems.empty()) line["problems"] = result.problems;
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string failure_line(const std::string& frame,
+                         std::size_t index,
+                         const std::vector<std::string>& problems) {
+  Json line;
+  line["frame"] = frame;
+  line["index"] = index;
+  line["problems"] = problems;
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace alltact

@@ -1,0 +1,106 @@
+#include "core/sources/files/picture_source.h"
+
+#include "core/io/picture.h"
+#include "core/sources/files/ending.h"
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Depth maps and the like, which lie beside pictures and are none: NAME.depth.tiff, NAME.3d.png.
+bool is_measurement(const fs::path& file) {
+  static constexpr std::array kEndings{".depth",
+                                       ".depth_sd",
+                                       ".flags",
+                                       ".points",
+                                       ".z",
+                                       ".3d",
+                                       ".sd_noise",
+                                       ".sd_mapping",
+                                       ".sd_reference",
+                                       ".sd_light",
+                                       ".sd_lateral"};
+  return is_one_of(ending_of(file.stem()), kEndings);
+}
+
+/// A name that ends in a number: what stands before it, the number, and how it is written.
+struct NumberedName {
+  std::string before;
+  std::uint64_t number;
+  std::size_t digits;
+};
+
+std::optional<NumberedName> numbered(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const std::size_t last = stem.find_last_not_of("0123456789");
+  const std::size_t begin = last == std::string::npos ? 0 : last + 1;
+  const std::size_t digits = stem.size() - begin;
+  if (digits == 0 || digits > 18) return std::nullopt;
+  return NumberedName{stem.substr(0, begin), std::stoull(stem.substr(begin)), digits};
+}
+
+/// Two or more pictures of one folder, all named alike and numbered without a gap.
+bool is_sequence(const std::vector<fs::path>& files) {
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    const auto before = numbered(files[i - 1]), now = numbered(files[i]);
+    if (!before || !now || before->before != now->before || now->number != before->number + 1)
+      return false;
+    if (before->digits != now->digits || files[i - 1].parent_path() != files[i].parent_path() ||
+        files[i - 1].extension() != files[i].extension())
+      return false;
+  }
+  return files.size() > 1;
+}
+
+}  // namespace
+
+bool is_picture(const fs::path& file) {
+  static constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm"};
+  return is_one_of(ending_of(file), kEndings);
+}
+
+Result<std::vector<fs::path>> pictures_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored;
+    const bool is_hidden = entry->path().filename().string().starts_with('.');
+    if (!is_hidden && entry->is_regular_file(ignored) && is_picture(entry->path()) &&
+        !is_measurement(entry->path()))
+      files.push_back(entry->path());
+  }
+  if (error)
+    return Error{fmt::format("the folder cannot be read: {}", error.message()),
+                 folder.string(),
+                 "ask its owner for access"};
+  if (files.empty())
+    return Error{"the folder holds no pictures",
+                 folder.string(),
+                 "a folder with png, jpg, bmp, tif or pgm files"};
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return a.filename().string() < b.filename().string();
+  });
+  return files;
+}
+
+PictureSource::PictureSource(std::vector<fs::path> files)
+    : files_(std::move(files)), is_continuous_(is_sequence(files_)) {}
+
+Result<FramePtr> PictureSource::next() {
+  if (position_ == files_.size()) return FramePtr();
+  const fs::path& file = files_[position_++];
+  std::string settings;
+  auto grey = read_grey_picture(file, &settings);
+  if (!grey) return grey.error();
+  auto frame = std::make_shared<Frame>();
+  if (!settings.empty()) frame->controls = std::make_shared<const std::string>(std::move(settings));
+  frame->grey = std::move(*grey);
+  frame->name = file.stem().string();
+  frame->origin = file.string();
+  frame->sequence = position_ - 1;
+  return FramePtr(std::move(frame));
+}
+
+}  // namespace alltact

@@ -1,0 +1,102 @@
+#include "core/sources/open/open_source.h"
+
+#include "core/sources/files/ending.h"
+#include "core/sources/files/picture_source.h"
+#include "core/sources/files/simulated_source.h"
+#include "core/sources/files/video_source.h"
+#include "core/sources/v4l2/camera_list.h"
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_scene(const fs::path& file) {
+  static constexpr std::array kEndings{".yaml", ".yml"};
+  return is_one_of(ending_of(file), kEndings);
+}
+
+Error not_an_input(const fs::path& path) {
+  return {"this is neither a picture, nor a folder of pictures, nor a video, nor a scene",
+          path.string(),
+          "png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene"};
+}
+
+Result<std::unique_ptr<Source>> open_video(const fs::path& file, const SourceOptions& options) {
+  auto video = options.job != nullptr ? VideoFile::open(file, *options.job) : VideoFile::open(file);
+  if (!video) return video.error();
+  return std::unique_ptr<Source>(std::make_unique<VideoSource>(std::move(*video), options));
+}
+
+/// A node, or a name that could be a camera's and is no file's.
+bool may_name_camera(const fs::path& input) {
+  std::error_code ignored;
+  if (input.string().starts_with("/dev/")) return !fs::is_directory(input, ignored);
+  return !fs::exists(input, ignored) && !input.has_parent_path() && !is_picture(input) &&
+         !is_video(input) && !is_scene(input);
+}
+
+Result<std::unique_ptr<Source>> open_camera_source(const fs::path& name) {
+  auto camera = open_camera(name.string());
+  if (!camera) return camera.error();
+  return std::unique_ptr<Source>(std::make_unique<CameraSource>(std::move(*camera)));
+}
+
+/// What gives frames by itself; nothing for pictures and their folders.
+std::optional<Result<std::unique_ptr<Source>>> open_alone(const fs::path& input,
+                                                          const SourceOptions& options) {
+  if (is_video(input)) return open_video(input, options);
+  if (is_scene(input)) return SimulatedSource::open(input, options);
+  return std::nullopt;
+}
+
+Result<std::unique_ptr<Source>> open_pictures(const std::vector<fs::path>& inputs) {
+  std::vector<fs::path> files;
+  for (const fs::path& input : inputs) {
+    std::error_code ignored;
+    if (fs::is_directory(input, ignored)) {
+      auto inside = pictures_in(input);
+      if (!inside) return inside.error();
+      files.insert(files.end(), inside->begin(), inside->end());
+    } else if (is_picture(input)) {
+      files.push_back(input);
+    } else if (is_video(input) || is_scene(input)) {
+      return Error{fmt::format("a {} cannot be mixed with other inputs",
+                               is_video(input) ? "video" : "scene"),
+                   input.string(),
+                   "it alone, or pictures only"};
+    } else {
+      return not_an_input(input);
+    }
+  }
+  return std::unique_ptr<Source>(std::make_unique<PictureSource>(std::move(files)));
+}
+
+}  // namespace
+
+bool is_video(const fs::path& file) {
+  static constexpr std::array kEndings{".mkv", ".avi", ".mp4"};
+  return is_one_of(ending_of(file), kEndings);
+}
+
+Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
+                                            const SourceOptions& options) {
+  if (inputs.size() == 1 && may_name_camera(inputs.front()))
+    return open_camera_source(inputs.front());
+  if (inputs.empty())
+    return Error{"no input was given",
+                 "",
+                 "name a picture, a folder of pictures, a video, a scene or a camera"};
+  for (const fs::path& input : inputs) {
+    std::error_code ignored;
+    if (!fs::exists(input, ignored))
+      return Error{
+          "there is no such file or folder", input.string(), "check the path for typing errors"};
+  }
+  std::error_code ignored;
+  if (inputs.size() == 1 && !fs::is_directory(inputs.front(), ignored))
+    if (auto alone = open_alone(inputs.front(), options)) return std::move(*alone);
+  return open_pictures(inputs);
+}
+
+}  // namespace alltact

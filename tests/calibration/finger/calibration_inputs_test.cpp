@@ -1,0 +1,184 @@
+#include "calibration/finger/calibration_inputs.h"
+
+#include "calibration/finger/calibration_report.h"
+#include "tests/support/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace alltact {
+namespace {
+
+using testing::HasSubstr;
+
+CalibrationInputs some_inputs() {
+  CalibrationInputs inputs;
+  inputs.date = "2026-01-31T12:00:00Z";
+  inputs.program_version = "0.1.0";
+  inputs.operator_name = "Ada \"the first\": Lovelace";
+  inputs.ball_radius_mm = 3.975;
+  inputs.calibration.degree = 3;
+  inputs.calibration.along = AlongChoice::kNormal;
+  inputs.pipeline.smoothing_px = 1.25;
+  inputs.is_continuous = true;
+  inputs.finger_checksum = "0123456789abcdef";
+  inputs.reference_checksum = "fedcba9876543210";
+  inputs.presses = {{"press_0", "0000000000000001"},
+                    {"12", "1111111111111111"},
+                    {"it's, a [press]", "abcdefabcdefabcd"}};
+  inputs.other_balls = {{"press_0", 6.25}};
+  inputs.depths = {{"12", {1.25, 0.0125}}, {"press_0", {0.5, 0.02}}};
+  inputs.steps = {{"it's, a [press]", 0.5}};
+  inputs.excluded = {{"12", "glove in view"}, {"it's, a [press]", ""}};
+  inputs.balls = {{"press_0", {1.5, -2.25, 48.0625}}};
+  return inputs;
+}
+
+TEST(CalibrationInputs, ComeBackAsTheyWereWritten) {
+  const CalibrationInputs inputs = some_inputs();
+  std::vector<std::string> warnings;
+  const auto back = CalibrationInputs::parse(inputs.to_yaml(), "f", &warnings);
+  ASSERT_TRUE(back.ok()) << back.error().sentence();
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(back->to_yaml(), inputs.to_yaml());
+  EXPECT_EQ(back->operator_name, inputs.operator_name);
+  EXPECT_EQ(back->ball_radius_mm, 3.975);
+  EXPECT_EQ(back->radius_of("press_0"), 6.25);
+  EXPECT_EQ(back->radius_of("12"), 3.975);
+  EXPECT_EQ(back->calibration.degree, 3);
+  EXPECT_EQ(back->calibration.along, AlongChoice::kNormal);
+  EXPECT_EQ(back->pipeline.smoothing_px, 1.25);
+  EXPECT_TRUE(back->is_continuous);
+  ASSERT_EQ(back->presses.size(), 3U);
+  EXPECT_EQ(back->presses[1].name, "12");
+  EXPECT_EQ(back->presses[2].name, "it's, a [press]");
+  EXPECT_EQ(back->presses[2].checksum, "abcdefabcdefabcd");
+  ASSERT_NE(said_of(back->excluded, "12"), nullptr);
+  EXPECT_EQ(said_of(back->excluded, "12")->because, "glove in view");
+  EXPECT_EQ(said_of(back->excluded, "press_0"), nullptr);
+  EXPECT_EQ(back->balls, inputs.balls);
+  EXPECT_EQ(back->depths, inputs.depths);
+  EXPECT_EQ(back->steps, inputs.steps);
+  EXPECT_EQ(said_of(back->balls, "12"), nullptr);
+}
+
+TEST(CalibrationInputs, EveryTruncationIsToldInASentence) {
+  const std::string whole = some_inputs().to_yaml();
+  // Without its last line break the file still says everything.
+  ASSERT_TRUE(CalibrationInputs::parse(whole.substr(0, whole.size() - 1), "f").ok());
+  for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
+    const auto inputs = CalibrationInputs::parse(whole.substr(0, length), "the/file.yaml");
+    ASSERT_FALSE(inputs.ok()) << length << ": " << whole.substr(0, length);
+    EXPECT_THAT(inputs.error().sentence(), HasSubstr("the/file.yaml"));
+  }
+}
+
+TEST(CalibrationInputs, SpoiltValuesAreNamed) {
+  const std::string whole = some_inputs().to_yaml();
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+    const auto inputs = CalibrationInputs::parse(text, "f");
+    return inputs ? std::string("taken") : inputs.error().sentence();
+  };
+  EXPECT_THAT(with("calibration/1", "calibration/2"), HasSubstr("'alltact-calibration/2' cannot"));
+  EXPECT_THAT(with("3.975", "-3.975"), HasSubstr("ball_radius_mm"));
+  EXPECT_THAT(with("3.975", "3,975"), HasSubstr("must be a number"));
+  EXPECT_THAT(with("6.25", "0"), HasSubstr("other_balls_mm"));
+  EXPECT_THAT(with("6.25", "6.25, 3"), HasSubstr("2 entries for 1 presses"));
+  EXPECT_THAT(with("other_balls: [press_0]", "other_balls: [press_7]"),
+              HasSubstr("'press_7' is not among the presses"));
+  EXPECT_THAT(with("degree: 3", "degree: 33"), HasSubstr("0 to 8"));
+  EXPECT_THAT(with("along: normal", "along: x"), HasSubstr("auto or z or normal"));
+  EXPECT_THAT(with("0123456789abcdef", "0123456789abcde"), HasSubstr("finger"));
+  EXPECT_THAT(with("[press_0, ", "[../press_0, "), HasSubstr("no picture's name"));
+  EXPECT_THAT(with("[press_0, ", "[\"12\", "), HasSubstr("twice"));
+  EXPECT_THAT(with("[press_0, ", "["), HasSubstr("3 entries for 2 presses"));
+  EXPECT_THAT(with("excluded: [\"12\"", "excluded: [\"13\""), HasSubstr("'13' is not among"));
+}
+
+TEST(CalibrationInputs, KeysOfAnotherVersionAreKeptAndToldOf) {
+  std::string text = some_inputs().to_yaml();
+  text.insert(text.find("continuous"), "ball_material: steel\n");
+  text.insert(text.find("method:"), "weather: dry, ");
+  std::vector<std::string> warnings;
+  const auto inputs = CalibrationInputs::parse(text, "f", &warnings);
+  ASSERT_TRUE(inputs.ok()) << inputs.error().sentence();
+  EXPECT_THAT(
+      warnings,
+      testing::UnorderedElementsAre(HasSubstr("ball_material"), HasSubstr("calibration.weather")));
+  EXPECT_THAT(inputs->to_yaml(), HasSubstr("ball_material: steel\n"));
+  EXPECT_THAT(inputs->to_yaml(), HasSubstr("weather: dry"));
+  EXPECT_EQ(CalibrationInputs::parse(inputs->to_yaml(), "f")->to_yaml(), inputs->to_yaml());
+}
+
+TEST(CalibrationInputs, TheSameIsTheSameWhateverItsDate) {
+  CalibrationInputs a = some_inputs(), b = some_inputs();
+  b.date = "2027-01-01T00:00:00Z";
+  EXPECT_TRUE(same_but_for_date(a, b));
+  b.excluded.pop_back();
+  EXPECT_FALSE(same_but_for_date(a, b));
+}
+
+RC_GTEST_PROP(CalibrationInputs, AnyNamesAndReasonsComeBack, ()) {
+  CalibrationInputs inputs = some_inputs();
+  const auto word = rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~'));
+  std::string name = *word;
+  std::erase(name, '/');
+  inputs.operator_name = *word;
+  inputs.presses.push_back({"=" + name, "0123456789abcdef"});
+  inputs.excluded.push_back({"=" + name, *word});
+  const auto back = CalibrationInputs::parse(inputs.to_yaml(), "f");
+  RC_ASSERT(back.ok());
+  RC_ASSERT(back->operator_name == inputs.operator_name);
+  RC_ASSERT(back->presses.back().name == inputs.presses.back().name);
+  RC_ASSERT(back->excluded.back().because == inputs.excluded.back().because);
+}
+
+TEST(PictureChecksum, SeesOnePixelAndTheShape) {
+  cv::Mat a(30, 41, CV_8UC1, cv::Scalar(7)), b = a.clone();
+  EXPECT_EQ(picture_checksum(a), picture_checksum(b));
+  for (const cv::Point place : {cv::Point(0, 0), cv::Point(40, 29), cv::Point(40, 0)}) {
+    b = a.clone();
+    b.at<std::uint8_t>(place) = 8;
+    EXPECT_NE(picture_checksum(a), picture_checksum(b)) << place;
+  }
+  EXPECT_NE(picture_checksum(a), picture_checksum(a.reshape(1, 41)));
+}
+
+RC_GTEST_PROP(ShellQuoted, IsReadBackByTheShell, ()) {
+  const auto word = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
+  // printf %s. keeps line breaks at the end, which $( ) would eat.
+  const auto run = test::run_shell("printf '%s.' " + shell_quoted(word));
+  RC_ASSERT(run.output == word + ".");
+}
+
+TEST(RepeatCommand, NamesTheFolderAsAShellReadsIt) {
+  EXPECT_EQ(repeat_command("/data/left-07"), "alltact calibrate left-07 --again");
+  EXPECT_EQ(repeat_command("/data/left 07/"), "alltact calibrate 'left 07' --again");
+}
+
+TEST(CalibrateCommand, SaysAllThatIsNotAsUsual) {
+  FingerCalibrationInput input;
+  input.folder = "/data/left 07";
+  input.presses = {"/data/left 07/presses"};
+  input.ball_radius_mm = 3.975;
+  EXPECT_EQ(calibrate_command(input),
+            "alltact calibrate '/data/left 07' '/data/left 07/presses' --ball-radius-mm 3.975");
+  input.calibration.degree = 3;
+  input.pipeline.smoothing_px = 1.5;
+  input.excluded = {{"press_2", "glove in view"}, {"press_3", ""}};
+  input.balls = {{"press_4", {1.5, -2, 48.25}}};
+  input.operator_name = "Ada";
+  input.date = "2026-01-31T12:00:00Z";
+  EXPECT_EQ(calibrate_command(input),
+            "alltact calibrate '/data/left 07' '/data/left 07/presses' --ball-radius-mm 3.975 "
+            "--degree 3 --smoothing-px 1.5 --exclude 'press_2=glove in view' --exclude press_3 "
+            "--ball 'press_4=1.5,-2,48.25' --operator Ada --date 2026-01-31T12:00:00Z");
+}
+
+}  // namespace
+}  // namespace alltact

@@ -1,0 +1,122 @@
+// What is found out about a recording, against what was put into it.
+#include "calibration/reference/reference_recording.h"
+#include "tests/support/marked_recording.h"
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include <gmock/gmock.h>
+
+namespace alltact {
+namespace {
+
+using testing::Bend;
+using testing::described;
+using testing::MarkedFinger;
+using testing::MemorySource;
+using testing::scratch_folder;
+using testing::small_finger;
+
+/// Poses that are visited again and again, each time a little otherwise.
+Bend loop(int i, int frames_a_loop) {
+  const double t = 2 * M_PI * i / frames_a_loop;
+  return {0.3 * std::sin(t),
+          0.1 * std::sin(2.03 * t + 1),
+          5 * std::cos(3.01 * t),
+          0.02 * std::sin(1.7 * t)};
+}
+
+/// A disc of the face is darker: something presses there.
+MarkedFinger::Extra dent(
+    const MarkedFinger& f, const cv::Mat& picture, double u, double radius_px, double darker) {
+  const double v = 0.5 * (f.height - 1);
+  const double level = picture.at<float>(static_cast<int>(v), static_cast<int>(u));
+  return {{u, v, radius_px, radius_px}, level * (1.0 - darker)};
+}
+
+std::set<int> numbers_of(const std::vector<std::string>& rejected, const std::string& reason) {
+  std::set<int> numbers;
+  for (const std::string& line : rejected)
+    if (line.find(reason) != std::string::npos) numbers.insert(std::stoi(line.substr(6)));
+  return numbers;
+}
+
+TEST(RecordingStudy, FramesWithSomethingOnTheFaceAreLeftOutAndNoOthers) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(21);
+  MemorySource source;
+  std::set<int> touched;
+  constexpr int kFrames = 160;
+  for (int i = 0; i < kFrames; ++i) {
+    const Bend bend = loop(i, 40);
+    std::vector<MarkedFinger::Extra> extras;
+    // One long touch, and a short one elsewhere.
+    if ((i >= 50 && i < 62) || (i >= 120 && i < 123)) {
+      extras.push_back(dent(f, f.clean(bend), i < 100 ? 180 : 120, 14, 0.12));
+      touched.insert(i);
+    }
+    source.pictures.push_back(f.with_noise(f.clean(bend, {}, extras), random));
+  }
+  Finger finger = described(f);
+  const auto report = install_reference(source, scratch_folder("touched"), finger, Job{});
+  ASSERT_TRUE(report.ok()) << report.error().sentence();
+  const std::set<int> found = numbers_of(report->rejected, "something pressed on the contact face");
+  EXPECT_TRUE(std::includes(found.begin(), found.end(), touched.begin(), touched.end()));
+  // A frame in a pose of its own just before or after a touch may go with it.
+  for (const int i : found)
+    EXPECT_TRUE(touched.contains(i) || touched.contains(i - 1) || touched.contains(i + 1)) << i;
+  EXPECT_LE(found.size(), touched.size() + 2);
+  EXPECT_EQ(report->frames_kept + report->repeated + static_cast<int>(report->rejected.size()),
+            kFrames);
+  // The light falls off smoothly and the poses lie close: the rest is told to a thousandth.
+  EXPECT_LT(report->error_median, 0.003);
+  // Less noise, both may be nothing at all.
+  EXPECT_LE(report->error_median, report->nearest_error_median);
+  EXPECT_GE(report->error_median_mm, report->error_median * finger.face.layer_mm);
+}
+
+TEST(RecordingStudy, AFingerAtRestIsKeptOnce) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(22);
+  MemorySource source;
+  constexpr int kResting = 60, kMoving = 120;
+  for (int i = 0; i < kResting + kMoving; ++i)
+    source.pictures.push_back(f.with_noise(f.clean(loop(std::max(0, i - kResting), 120)), random));
+  Finger finger = described(f);
+  const auto report = install_reference(source, scratch_folder("resting"), finger, Job{});
+  ASSERT_TRUE(report.ok()) << report.error().sentence();
+  EXPECT_GT(report->repeated, kResting / 2);
+  EXPECT_GT(report->frames_kept, kMoving / 2);
+}
+
+TEST(RecordingStudy, BendingIsMeasuredInMillimetres) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(23);
+  MemorySource source;
+  // Sideways only: 4 mm at the tip each way.
+  for (int i = 0; i < 40; ++i)
+    source.pictures.push_back(
+        f.with_noise(f.clean({0, 0, 4.0 * std::sin(2 * M_PI * i / 40), 0}), random));
+  Finger finger = described(f);
+  const auto report = install_reference(source, scratch_folder("swaying"), finger, Job{});
+  ASSERT_TRUE(report.ok()) << report.error().sentence();
+  // Told where the picture shows the face between the last dots before its end.
+  const auto points = f.arc({0, 0, 4.0, 0});
+  const auto dots = f.discs({0, 0, 4.0, 0});
+  const double end = f.project(points.back().x, 0, points.back().z).x();
+  double last = 0, sway = 0;
+  for (int i = 0; i < f.per_row; ++i)
+    if (const double u = dots[static_cast<std::size_t>(i)].u; u < std::min(end, f.width - 1.0))
+      last = u;
+  for (const auto& point : points)
+    if (f.project(point.x, point.y, point.z).x() < last) sway = point.y;
+  EXPECT_GT(sway, 1.0);
+  EXPECT_NEAR(report->coverage.sway_mm().most, sway, 0.03 * sway);
+  EXPECT_NEAR(report->coverage.sway_mm().least, -sway, 0.03 * sway);
+  EXPECT_LT(report->coverage.bend_mm().most, 0.3);
+  EXPECT_THAT(report->remarks, ::testing::Contains(::testing::HasSubstr("bend it further")));
+}
+
+}  // namespace
+}  // namespace alltact

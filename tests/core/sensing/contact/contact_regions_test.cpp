@@ -1,0 +1,175 @@
+#include "core/sensing/contact/contact_regions.h"
+
+#include "core/sensing/depth/depth_cells.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr double kMmPerPx = 0.05;
+constexpr int kWidth = 460, kHeight = 345;
+
+struct FlatFace {
+  FlatFace() : shape(make()) {}
+  static Face face() {
+    Face f;
+    f.kind = FaceKind::kFlat;
+    f.layer_mm = 2.0;
+    f.plane_z_mm = 10.0;
+    return f;
+  }
+  static FaceShape make() {
+    CameraParameters p;
+    p.model = CameraModel::kOrthographic;
+    p.width_px = kWidth, p.height_px = kHeight;
+    p.cx_px = 0.5 * (kWidth - 1), p.cy_px = 0.5 * (kHeight - 1);
+    p.mm_per_px = kMmPerPx;
+    return FaceShape::plane(Camera::create(p).value(), face());
+  }
+  FaceShape shape;
+};
+
+/// A paraboloid dent with half axes a, b (mm) where its depth is 0, turned by an angle.
+void press(
+    DepthMap& map, double x, double y, double a, double b, double deepest, double angle_deg) {
+  const double c = std::cos(angle_deg * M_PI / 180.0), s = std::sin(angle_deg * M_PI / 180.0);
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      const double dx = (u - 0.5 * (kWidth - 1)) * kMmPerPx - x;
+      const double dy = (v - 0.5 * (kHeight - 1)) * kMmPerPx - y;
+      const double p = (c * dx + s * dy) / a, q = (-s * dx + c * dy) / b;
+      const double d = deepest * (1.0 - p * p - q * q);
+      float& depth = map.depth_mm.at<float>(v, u);
+      depth = std::max(depth, static_cast<float>(d));
+    }
+  }
+}
+
+DepthMap untouched() {
+  DepthMap map;
+  map.depth_mm = cv::Mat::zeros(kHeight, kWidth, CV_32FC1);
+  map.flags = cv::Mat::zeros(kHeight, kWidth, CV_8UC1);
+  return map;
+}
+
+std::vector<ContactRegion> regions_of(const DepthMap& map, double threshold_mm = 0.05) {
+  const FlatFace flat;
+  RegionOptions options;
+  options.threshold_mm = threshold_mm;
+  DepthMap with_cells = map;
+  with_cells.cells_mm = depth_cells(map.depth_mm);
+  return contact_regions(with_cells, flat.shape, FlatFace::face(), options);
+}
+
+TEST(ContactRegions, MeasuresWhatAnEllipticDentIs) {
+  std::mt19937 engine(9);
+  for (int run = 0; run < 20; ++run) {
+    const auto draw = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(engine);
+    };
+    const double x = draw(-5, 5), y = draw(-3, 3), a = draw(3.0, 4.5), b = draw(1.2, 2.2);
+    const double deepest = draw(0.4, 1.2), angle = draw(-89, 90);
+    DepthMap map = untouched();
+    press(map, x, y, a, b, deepest, angle);
+    const auto regions = regions_of(map);
+    ASSERT_EQ(regions.size(), 1U);
+    const ContactRegion& r = regions[0];
+    // of a paraboloid cut at the threshold h: area pi a b (1 - h/D), volume above 0 within it
+    const double cut = 1.0 - 0.05 / deepest;
+    EXPECT_NEAR(r.area_mm2, M_PI * a * b * cut, 0.02 * M_PI * a * b);
+    EXPECT_NEAR(
+        r.volume_mm3, M_PI * a * b * deepest * (cut - 0.5 * cut * cut), 0.01 * a * b * deepest);
+    EXPECT_NEAR(r.deepest_mm, deepest, 0.01);
+    EXPECT_NEAR(r.place_mm.x(), x, 0.02);
+    EXPECT_NEAR(r.place_mm.y(), y, 0.02);
+    EXPECT_NEAR(r.deepest_point_mm.z(), 12.0 - deepest, 0.02);
+    ASSERT_TRUE(r.angle_deg.has_value());
+    const double turned = std::remainder(*r.angle_deg - angle, 180.0);  // axial
+    EXPECT_LT(std::abs(turned), 0.5);
+    EXPECT_GT(*r.angle_deg, -90.0);
+    EXPECT_LE(*r.angle_deg, 90.0);
+  }
+}
+
+TEST(ContactRegions, TheAnglesErrorIsWhatItSaysItIs) {
+  // Dents of random form and noise as after smoothing: normalised error squared over 400 runs.
+  std::mt19937 engine(31);
+  const auto draw = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
+  constexpr double kNoiseMm = 0.01, kSmoothingPx = 1.0;
+  cv::RNG noise(17);
+  double squares = 0;
+  for (int run = 0; run < 400; ++run) {
+    const double a = draw(2.0, 4.0), b = a * draw(0.25, 0.7), angle = draw(-89, 90);
+    DepthMap map = untouched();
+    press(map, draw(-3, 3), draw(-2, 2), a, b, draw(0.4, 1.2), angle);
+    cv::Mat grain(map.depth_mm.size(), CV_32FC1);
+    noise.fill(grain, cv::RNG::NORMAL, 0.0, kNoiseMm * 2.0 * std::sqrt(M_PI) * kSmoothingPx);
+    cv::GaussianBlur(grain, grain, {}, kSmoothingPx);
+    map.depth_mm = cv::max(map.depth_mm + grain, 0.0F);
+    map.cells_mm = depth_cells(map.depth_mm);
+    RegionOptions options;
+    options.noise_mm = kNoiseMm;
+    options.correlated_px2 = 4 * M_PI * kSmoothingPx * kSmoothingPx;
+    const FlatFace flat;
+    const auto regions = contact_regions(map, flat.shape, FlatFace::face(), options);
+    ASSERT_EQ(regions.size(), 1U);
+    ASSERT_TRUE(regions[0].angle_deg.has_value());
+    const double error = std::remainder(*regions[0].angle_deg - angle, 180.0);
+    squares += std::pow(error / *regions[0].angle_sd_deg, 2) / 400;
+  }
+  std::printf("[ figures  ] angle of a contact: normalised error squared %.3f\n", squares);
+  EXPECT_GT(squares, 0.85);
+  EXPECT_LT(squares, 1.15);
+}
+
+TEST(ContactRegions, ARoundContactHasNoAngleAndSaysSo) {
+  DepthMap map = untouched();
+  press(map, 0, 0, 0.9, 0.9, 0.5, 0);
+  const auto regions = regions_of(map);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_FALSE(regions[0].angle_deg.has_value());
+  EXPECT_FALSE(regions[0].angle_sd_deg.has_value());
+}
+
+TEST(ContactRegions, TwoContactsAreTwoRegionsLargestFirst) {
+  DepthMap map = untouched();
+  press(map, -5, 0, 1.0, 1.0, 0.5, 0);
+  press(map, 5, 2, 2.0, 2.0, 0.8, 0);
+  const auto regions = regions_of(map);
+  ASSERT_EQ(regions.size(), 2U);
+  EXPECT_NEAR(regions[0].place_mm.x(), 5.0, 0.02);
+  EXPECT_NEAR(regions[1].place_mm.x(), -5.0, 0.02);
+}
+
+TEST(ContactRegions, UntouchedOrUnmeasuredIsNoRegion) {
+  EXPECT_TRUE(regions_of(untouched()).empty());
+  DepthMap map = untouched();
+  map.depth_mm = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(regions_of(map).empty());
+  DepthMap speck = untouched();
+  press(speck, 0, 0, 0.15, 0.15, 1.0, 0);  // smaller than a quarter of a square millimetre
+  EXPECT_TRUE(regions_of(speck).empty());
+}
+
+TEST(ContactRegions, MissingPixelsInsideDoNotSplitOrPoisonARegion) {
+  DepthMap map = untouched();
+  press(map, 0, 0, 3.0, 2.0, 0.8, 30);
+  for (int v = 0; v < kHeight; v += 7)
+    for (int u = v % 5; u < kWidth; u += 5)
+      map.depth_mm.at<float>(v, u) = std::numeric_limits<float>::quiet_NaN();
+  const auto regions = regions_of(map);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_NEAR(regions[0].deepest_mm, 0.8, 0.01);
+  EXPECT_NEAR(*regions[0].angle_deg, 30.0, 1.0);
+}
+
+}  // namespace
+}  // namespace alltact

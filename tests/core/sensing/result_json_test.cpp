@@ -1,0 +1,110 @@
+#include "core/sensing/result_json.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace alltact {
+namespace {
+
+using Json = nlohmann::json;
+
+FrameResult empty_result() {
+  FrameResult result;
+  auto frame = std::make_shared<Frame>();
+  frame->name = "press_003";
+  result.frame = frame;
+  return result;
+}
+
+ContactRegion region_at_origin() {
+  ContactRegion region;
+  region.place_mm.setZero();
+  region.place_px.setZero();
+  region.deepest_point_mm.setZero();
+  return region;
+}
+
+TEST(ResultLine, WhatCouldNotBeHadIsAbsent) {
+  FrameResult result = empty_result();
+  result.problems = {"no \"face\" was found"};
+  const std::string line = result_line(result, 3, ReferenceMethod::kLocal);
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  const Json json = Json::parse(line);
+  EXPECT_EQ(json.at("frame"), "press_003");
+  EXPECT_EQ(json.at("index"), 3);
+  EXPECT_EQ(json.at("problems"), Json({"no \"face\" was found"}));
+  for (const char* key : {"markers", "reference", "contact", "regions", "force"})
+    EXPECT_FALSE(json.contains(key)) << key;
+  for (const char* step : {"edges", "global", "markers", "reference", "local", "contact"})
+    EXPECT_FALSE(json.at("times_ms").contains(step)) << step;
+}
+
+TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
+  FrameResult result = empty_result();
+  result.markers = Markers{{101.2, 48.9, true, 0.02}, {1.0, 2.0, false, 0.5}};
+  result.reference.emplace();
+  result.reference->frame = 117;
+  result.reference->distance_px = 1.8;
+  result.touch.emplace();
+  result.touch->touched = true;
+  result.touch->offset_px = {12.1, 0.4};
+  result.touch->direction = Eigen::Vector3d(0.999, 0.03, 0.0);
+  result.touch->sd_deg = 1.2;
+  result.touch->face = TouchedFace::kContact;
+  result.depth.emplace();
+  result.depth->flags = (cv::Mat_<std::uint8_t>(1, 4) << kMeasured, kSaturated, kOffFace, kOffFace);
+  ContactRegion region = region_at_origin();
+  region.place_mm = {3.1, -0.2, 48.0};
+  region.deepest_mm = 0.83;
+  region.place_on_face_mm = {31.5, -0.2};
+  region.area_mm2 = 11.9;
+  region.volume_mm3 = 4.1;
+  result.regions = {region};
+  const Json json = Json::parse(result_line(result, 3, ReferenceMethod::kNearest));
+  EXPECT_EQ(json.at("markers"),
+            Json::parse(
+                R"([{"u": 101.2, "v": 48.9, "seen": true}, {"u": 1.0, "v": 2.0, "seen": false}])"));
+  EXPECT_EQ(json.at("reference"),
+            Json::parse(
+                R"({"method": "nearest", "frame": 117, "distance_px": 1.8, "known_pose": true})"));
+  EXPECT_EQ(json.at("contact"), Json::parse(R"({"touched": true, "offset_px": [12.1, 0.4],
+      "direction": [0.999, 0.03, 0.0], "sd_deg": 1.2, "face": "contact"})"));
+  EXPECT_EQ(json.at("validity"), Json::parse(R"({"measured": 0.5, "saturated": 0.5})"));
+  EXPECT_EQ(json.at("regions"), Json::parse(R"([{"place_mm": [3.1, -0.2, 48.0],
+      "place_on_face_mm": [31.5, -0.2], "deepest_mm": 0.83, "area_mm2": 11.9,
+      "volume_mm3": 4.1}])"))
+      << "a round contact has no angle";
+  EXPECT_FALSE(json.contains("problems"));
+  result.reference->by_shape = true;
+  EXPECT_EQ(
+      Json::parse(result_line(result, 3, ReferenceMethod::kNearest)).at("reference").at("by_shape"),
+      true);
+}
+
+TEST(ResultLine, NumbersThatAreNoneAreLeftOut) {
+  FrameResult result = empty_result();
+  result.depth.emplace();
+  result.depth->flags = (cv::Mat_<std::uint8_t>(1, 4) << kMeasured, kSaturated, kOffFace, kOffFace);
+  ContactRegion region = region_at_origin();
+  region.place_mm = {0, 0, std::numeric_limits<double>::quiet_NaN()};
+  region.deepest_mm = std::numeric_limits<double>::infinity();
+  region.area_mm2 = 1;
+  result.regions = {region};
+  const std::string line = result_line(result, 0, ReferenceMethod::kLocal);
+  EXPECT_EQ(line.find("null"), std::string::npos);
+  const Json json = Json::parse(line);
+  EXPECT_FALSE(json.at("regions")[0].contains("place_mm"));
+  EXPECT_FALSE(json.at("regions")[0].contains("deepest_mm"));
+  EXPECT_TRUE(json.at("regions")[0].contains("area_mm2"));
+}
+
+TEST(FailureLine, IsOneObjectWithItsReason) {
+  const Json json = Json::parse(failure_line("a \"b\" \xff", 7, {"broken\nfile"}));
+  EXPECT_EQ(json.at("index"), 7);
+  EXPECT_EQ(json.at("problems")[0], "broken\nfile");
+}
+
+}  // namespace
+}  // namespace alltact

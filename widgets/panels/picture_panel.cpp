@@ -1,0 +1,120 @@
+#include "widgets/panels/picture_panel.h"
+
+#include "widgets/shell/icons.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace alltact {
+
+PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
+    : Translated(parent),
+      session_(session),
+      view_(new ImageView),
+      readout_(new QLabel),
+      zoom_(new QLabel),
+      closer_(new QToolButton),
+      further_(new QToolButton),
+      fit_(new QToolButton),
+      actual_(new QToolButton) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(view_, 1);
+  auto* strip = new QHBoxLayout;
+  readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  readout_->setMinimumWidth(1);  // long texts do not widen the window
+  zoom_->setMinimumWidth(zoom_->fontMetrics().horizontalAdvance(QStringLiteral("6400 %")));
+  zoom_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  strip->addWidget(readout_, 1);
+  strip->addWidget(zoom_);
+  for (QToolButton* button : {further_, closer_, fit_, actual_}) strip->addWidget(button);
+  layout->addLayout(strip);
+  connect(closer_, &QToolButton::clicked, view_, [this] { view_->zoom_by(1.5); });
+  connect(further_, &QToolButton::clicked, view_, [this] { view_->zoom_by(1 / 1.5); });
+  connect(fit_, &QToolButton::clicked, view_, &ImageView::fit);
+  connect(actual_, &QToolButton::clicked, view_, &ImageView::show_actual_size);
+  connect(view_, &ImageView::probe_changed, this, &PicturePanel::show_readout);
+  connect(view_, &ImageView::zoom_changed, this, &PicturePanel::show_zoom);
+  connect(&session_, &LiveSession::view_ready, this, &PicturePanel::show_frame);
+  connect(&session_, &LiveSession::status_ready, this, &PicturePanel::show_state);
+  set_icons();
+  say([this] {
+    const auto name = [](QToolButton* button, const QString& text, const QString& key) {
+      button->setAccessibleName(text);
+      button->setToolTip(QStringLiteral("%1 (%2)").arg(text, key));
+    };
+    name(closer_, tr("Zoom in"), QStringLiteral("+"));
+    name(further_, tr("Zoom out"), QStringLiteral("-"));
+    name(fit_, tr("Show the whole picture"), QStringLiteral("0"));
+    name(actual_, tr("Show the picture in its own size"), QStringLiteral("1"));
+    actual_->setText(tr("1:1"));
+    readout_->setAccessibleName(tr("Under the probe"));
+    zoom_->setAccessibleName(tr("Zoom"));
+    show_state();
+    show_readout();
+  });
+}
+
+void PicturePanel::set_options(const ViewOptions& options) {
+  options_ = options;
+  show_frame();
+}
+
+void PicturePanel::show_frame() {
+  if (!isVisible() || !session_.view()) return;
+  const LiveView& live = *session_.view();
+  if (live.watched.result.grey.empty()) return;
+  view_->show_picture(live.watched.result.grey, overlays_for(live, options_));
+  show_readout();
+}
+
+QString PicturePanel::message() const {
+  switch (session_.status().source.state) {
+    case SourceState::kOpening:
+      return tr("The source is being opened.");
+    case SourceState::kFailed:
+      return tr("The source could not be opened; above stands why.");
+    case SourceState::kClosed:
+      return tr("No source is open. Choose a camera, a recording or the simulated finger.");
+    default:
+      return tr("Waiting for the first picture.");
+  }
+}
+
+void PicturePanel::show_state() {
+  if (!session_.view()) view_->show_message(message());
+}
+
+void PicturePanel::show_readout() {
+  const auto probe = view_->probe();
+  const auto& live = session_.view();
+  const bool is_inside =
+      probe && live &&
+      QRect(0, 0, live->watched.result.grey.cols, live->watched.result.grey.rows).contains(*probe);
+  readout_->setText(is_inside ? readout_text(*live, *probe)
+                              : tr("Point at a pixel, or press Shift and an arrow key."));
+}
+
+void PicturePanel::show_zoom() {
+  const double percent = 100 * view_->transform().scale * devicePixelRatioF();
+  zoom_->setText(view_->picture().empty() ? QString()
+                                          : tr("%1 %").arg(QLocale().toString(percent, 'f', 0)));
+}
+
+void PicturePanel::set_icons() {
+  closer_->setIcon(icon(QStringLiteral("zoom_in"), palette()));
+  further_->setIcon(icon(QStringLiteral("zoom_out"), palette()));
+  fit_->setIcon(icon(QStringLiteral("fit"), palette()));
+}
+
+void PicturePanel::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) set_icons();
+}
+
+void PicturePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  show_frame();
+}
+
+}  // namespace alltact

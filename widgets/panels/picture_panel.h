@@ -1,0 +1,42 @@
+// The live picture with its zoom buttons and what lies under the probe.
+#pragma once
+
+#include "widgets/live/live_session.h"
+#include "widgets/panels/view_options.h"
+#include "widgets/translated.h"
+
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+
+namespace alltact {
+
+class PicturePanel : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit PicturePanel(LiveSession& session, QWidget* parent = nullptr);
+
+  void set_options(const ViewOptions& options);
+  [[nodiscard]] ImageView& view() { return *view_; }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void show_frame();
+  void show_state();
+  void show_readout();
+  void show_zoom();
+  void set_icons();
+  [[nodiscard]] QString message() const;
+
+  LiveSession& session_;
+  ViewOptions options_;
+  ImageView* view_;
+  QLabel* readout_;
+  QLabel* zoom_;
+  QToolButton *closer_, *further_, *fit_, *actual_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,103 @@
+#include "widgets/panels/view_options.h"
+
+#include "widgets/picture/overlays.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+struct FrameWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::FrameWords)
+ public:
+  static QString face(TouchedFace face) {
+    switch (face) {
+      case TouchedFace::kContact:
+        return tr("The finger is pushed from its contact face.");
+      case TouchedFace::kBack:
+        return tr("The finger is pushed from its back.");
+      case TouchedFace::kUpper:
+        return tr("The finger is pushed from its upper side.");
+      case TouchedFace::kLower:
+        break;
+    }
+    return tr("The finger is pushed from its lower side.");
+  }
+
+  static QString no_depth(std::uint8_t flag) {
+    switch (flag) {
+      case kTooDark:
+        return tr("no depth: too dark");
+      case kSaturated:
+        return tr("no depth: too bright");
+      default:
+        return tr("no depth: off the face");
+    }
+  }
+
+  static QString readout(const LiveView& view, QPoint pixel) {
+    const FrameResult& result = view.watched.result;
+    const QLocale locale;
+    const int grey = result.grey.at<std::uint8_t>(pixel.y(), pixel.x());
+    QString text = tr("u %1 px, v %2 px, grey %3").arg(pixel.x()).arg(pixel.y()).arg(grey);
+    if (!result.depth) return text;
+    const float depth = result.depth->depth_mm.at<float>(pixel.y(), pixel.x());
+    text += QStringLiteral(", ");
+    if (!std::isfinite(depth))
+      return text + no_depth(result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x()));
+    return text + tr("depth %1 mm").arg(locale.toString(depth, 'f', 2));
+  }
+
+  static QString contact(const LiveView& view) {
+    const FrameResult& result = view.watched.result;
+    const QLocale locale;
+    QStringList lines;
+    if (result.depth && result.regions.empty()) lines << tr("Nothing presses on the contact face.");
+    if (result.depth && !result.regions.empty()) {
+      lines << tr("%n contact(s) on the face.", nullptr, static_cast<int>(result.regions.size()));
+      const ContactRegion& first = result.regions.front();
+      lines << tr("Deepest %1 mm, area %2 mm², volume %3 mm³.")
+                   .arg(locale.toString(first.deepest_mm, 'f', 2),
+                        locale.toString(first.area_mm2, 'f', 1),
+                        locale.toString(first.volume_mm3, 'f', 1));
+    }
+    if (result.touch && result.touch->face) lines << face(*result.touch->face);
+    if (lines.isEmpty()) lines << tr("Not known without a reference recording.");
+    return lines.join(QLatin1Char('\n'));
+  }
+
+  static QString colour_bar() { return tr("Depth, mm"); }
+};
+
+}  // namespace
+
+std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& options) {
+  const FrameResult& result = view.watched.result;
+  std::vector<Overlay> overlays;
+  if (options.depth && !view.depth_layer.empty())
+    overlays.push_back(layer_overlay(view.depth_layer));
+  if (options.faults && !view.faults_layer.empty())
+    overlays.push_back(layer_overlay(view.faults_layer));
+  if (options.edges && result.edges) overlays.push_back(edges_overlay(*result.edges));
+  if (options.markers && result.markers) overlays.push_back(markers_overlay(*result.markers));
+  if (options.markers && !view.watched.dots.empty())
+    overlays.push_back(dots_overlay(view.watched.dots));
+  if (options.direction && result.touch && result.markers)
+    overlays.push_back(touch_overlay(*result.touch, *result.markers));
+  if (options.depth && !view.depth_layer.empty())
+    overlays.push_back(
+        colour_bar_overlay(depth_scale(view.depth_top_mm), FrameWords::colour_bar()));
+  return overlays;
+}
+
+QString readout_text(const LiveView& view, QPoint pixel) {
+  return FrameWords::readout(view, pixel);
+}
+
+QString contact_text(const LiveView& view) {
+  return FrameWords::contact(view);
+}
+
+}  // namespace alltact
