@@ -3,7 +3,7 @@
 
 #include "core/recording/recorder.h"
 #include "core/sources/frame_hub.h"
-#include "core/sources/source.h"
+#include "core/sources/open/open_source.h"
 #include "core/sources/v4l2/v4l2_camera.h"
 
 #include <chrono>

@@ -12,8 +12,8 @@
 namespace alltact {
 
 /// Smooths along both axes, keeping only the rows that the kernel spans. What is not given counts
-/// as 0: a sum over what is given, not a mean. Grey levels are in steps (grey_steps.h), 0 to 250
-/// levels.
+/// as 0: a sum over what is given, not a mean. Outer weights are rounded to 2^-9, the middle one
+/// makes their sum 1. Grey levels are in steps (grey_steps.h) and lie within 0 to 250 levels.
 class RowSmoother {
  public:
   RowSmoother(const Smoothing& smoothing, int width);
