@@ -34,8 +34,9 @@ QStringList places_in(const QString& text) {
 
 /// What the window says. The report, which the command line writes, is English.
 const std::string kSpoken =
-    "widgets/calibrating widgets/controls widgets/inspect widgets/live widgets/picture "
-    "widgets/places widgets/plots widgets/recording widgets/report/calibration_figures.cpp "
+    "widgets/calibrating widgets/controls widgets/inspect widgets/live widgets/panels "
+    "widgets/picture widgets/places widgets/plots widgets/recording "
+    "widgets/report/calibration_figures.cpp "
     "widgets/shell widgets/words app/studio";
 
 class Language : public testing::TestWithParam<const char*> {};
