@@ -1,57 +1,36 @@
-// `alltact`: everything the Studio does, without a screen.
-#include "app/commands/commands.h"
+// `alltact`: everything the Studio does, without a screen. What it can do and its version are told
+// at once; for anything else the library of the commands is loaded, with all that measuring takes.
+#include "app/console/command_names.h"
+#include "app/console/load_library.h"
 
-#include <opencv2/core/utils/logger.hpp>
+#include <cstdio>
+#include <cstring>
 
 namespace {
 
-/// Wrong usage is told in one line; help is for those who ask for it.
-int usage_status(const CLI::App& program, const CLI::ParseError& error) {
-  const int status = program.exit(error, std::cout, std::cerr);
-  return status == 0 ? 0 : 2;
+bool asks_for_help(int argc, char** argv) {
+  return argc == 2 && (std::strcmp(argv[1], "--help") == 0 || std::strcmp(argv[1], "-h") == 0 ||
+                       std::strcmp(argv[1], "--version") == 0);
+}
+
+int tell_help(int argc, char** argv) {
+  CLI::App program;
+  alltact::describe(program);
+  for (const alltact::CommandName& command : alltact::kCommands)
+    alltact::add_command(program, command.name);
+  CLI11_PARSE(program, argc, argv);
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace alltact;
-  // Decoders' own messages would stand beside our sentences and say less.
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-
-  CLI::App program{
-      "AllTact: turns a clear silicone finger with a camera inside into a measuring instrument.",
-      "alltact"};
-  program.set_version_flag("--version", std::string("alltact ") + ALLTACT_VERSION);
-  program.require_subcommand(1);
-  program.footer(
-      "Exit status: 0 done, 1 the work could not be done, 2 wrong usage.\n"
-      "`alltact COMMAND --help` tells everything about a command.");
-  Chosen chosen;
-  add_new(program, chosen);
-  add_simulate(program, chosen);
-  add_lens(program, chosen);
-  add_reference(program, chosen);
-  add_calibrate(program, chosen);
-  add_reconstruct(program, chosen);
-  add_record(program, chosen);
-  add_check(program, chosen);
-  add_export(program, chosen);
-  add_devices(program, chosen);
-  add_demo(program, chosen);
-  bool json = false;
-  for (CLI::App* command : program.get_subcommands({}))
-    command->add_flag("--json", json, "One JSON object on standard output instead of text");
-
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return usage_status(program, error);
-  }
-  Console console(json);
-  try {
-    return console.finish(chosen(console));
-  } catch (const std::exception& error) {
-    return console.finish(
-        Error{std::string("unexpected: ") + error.what(), "", "reporting this as a defect"});
-  }
+  if (asks_for_help(argc, argv)) return tell_help(argc, argv);
+  const alltact::Loaded commands = alltact::load_function("commands", "alltact_run");
+  if (commands.function != nullptr)
+    return reinterpret_cast<int (*)(int, char**)>(commands.function)(argc, argv);
+  std::fprintf(stderr,
+               "A part of this program cannot be loaded: %s. Try: installing the program again.\n",
+               commands.problem.c_str());
+  return 1;
 }

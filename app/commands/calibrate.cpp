@@ -1,9 +1,11 @@
 #include "app/commands/commands.h"
+#include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/pictures/pictures.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
-#include "widgets/report/calibration_pages.h"
-#include "widgets/report/offscreen.h"
+#include "core/program.h"
+#include "core/utc_time.h"
 
 #include <functional>
 
@@ -43,7 +45,7 @@ void tell(const FingerCalibration& done, Console& console) {
                             ball.residual_mm,
                             ball.held_out_mm > 0 ? fmt::format("{:.4f}", ball.held_out_mm) : "-"));
   }
-  for (const std::string& sentence : done.made_of) console.say(sentence + ".");
+  for (const Message& sentence : done.made_of) console.say(fmt::format("{}.", sentence));
   for (const BallFit& ball : calibration.balls)
     if (ball.told_depth)
       console.say(fmt::format("{}: measured {:.3f} +- {:.3f} mm deep, the solution has {:.3f} mm",
@@ -57,14 +59,15 @@ void tell(const FingerCalibration& done, Console& console) {
                             step.step_mm,
                             step.reads_mm,
                             step.sd_mm));
-  for (const std::string& reason : calibration.left_out) console.warn("Left out: " + reason);
+  for (const Message& reason : calibration.left_out)
+    console.warn(fmt::format("Left out: {}", reason));
   if (!done.problem_picture.empty())
     console.warn("What was found there: " + done.problem_picture.string());
-  for (const std::string& remark : calibration.remarks) console.say("Remark: " + remark);
-  for (const std::string& sign : done.fault_signs) console.warn("Warning: " + sign + ".");
-  console.say("Mapping: " + calibration.degree_choice);
-  console.say("Verdict: " + done.verdict.sentence + ".");
-  console.say("By zone of the face: " + zone_sentence(done.zones) + ".");
+  for (const Message& remark : calibration.remarks) console.say(fmt::format("Remark: {}", remark));
+  for (const Message& sign : done.fault_signs) console.warn(fmt::format("Warning: {}.", sign));
+  console.say(fmt::format("Mapping: {}", calibration.degree_choice));
+  console.say(fmt::format("Verdict: {}.", done.verdict.sentence));
+  console.say(fmt::format("By zone of the face: {}.", zone_sentence(done.zones)));
   if (!done.methods.empty()) tell_methods(done.methods, console);
 }
 
@@ -73,7 +76,7 @@ template <class T>
 std::function<std::string(const std::string&)> form(Result<T> (*from)(const std::string&)) {
   return [from](const std::string& text) {
     const auto said = from(text);
-    return said ? std::string() : said.error().what;
+    return said ? std::string() : said.error().what.english();
   };
 }
 
@@ -119,10 +122,10 @@ Status say_of_presses(const CalibrateOptions& options, SaidOfPresses* said) {
 
 /// What a repetition starts from, changed by what was said on the command line.
 Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console& console) {
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   auto kept = CalibrationInputs::load(options.finger, &warnings);
   if (!kept) return kept.error();
-  for (const std::string& warning : warnings) console.warn("Warning: " + warning);
+  for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
   CalibrationInputs inputs = std::move(kept).value();
   if (options.change) options.change(inputs.calibration, inputs.pipeline);
   if (options.ball_radius_mm > 0) inputs.ball_radius_mm = options.ball_radius_mm;
@@ -130,16 +133,18 @@ Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console&
   for (const std::string& name : options.included) {
     const auto removed = unsay(inputs.excluded, name);
     if (removed == 0)
-      return Error{fmt::format("'{}' is not excluded", name), options.finger.string(), ""};
+      return Error{en::say("'{}' is not excluded", name), options.finger.string(), ""};
   }
   if (const Status status = say_of_presses(options, &inputs); !status) return status.error();
   return inputs;
 }
 
 MakeReport report_maker(const CalibrateOptions& options) {
-  return [folder = options.finger](const FingerCalibration& done, const Job& job) {
-    const OffscreenDrawing drawing;
-    return make_calibration_pages(done, folder, job);
+  return [folder = options.finger](const FingerCalibration& done,
+                                   const Job& job) -> Result<std::vector<ReportFile>> {
+    const auto pictures = load_pictures();
+    if (!pictures) return pictures.error();
+    return (*pictures)->calibration_pages(done, folder, job);
   };
 }
 
@@ -148,7 +153,7 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
     const auto inputs = inputs_again(options, console);
     if (!inputs) return inputs.error();
     return calibrate_finger_again(
-        options.finger, *inputs, ALLTACT_VERSION, report_maker(options), console.job());
+        options.finger, *inputs, program_version(), report_maker(options), console.job());
   }
   FingerCalibrationInput input;
   input.folder = options.finger;
@@ -160,7 +165,7 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   input.pipeline = options.pipeline;
   if (const Status status = say_of_presses(options, &input); !status) return status.error();
   input.date = options.date;
-  input.program_version = ALLTACT_VERSION;
+  input.program_version = program_version();
   input.operator_name = options.operator_name;
   input.make_report = report_maker(options);
   return calibrate_finger(input, console.job());
@@ -171,31 +176,29 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
 Status run_calibrate(const CalibrateOptions& options, Console& console) {
   const auto done = calibrate_as_asked(options, console);
   if (!done) return done.error();
-  for (const std::string& warning : done->warnings) console.warn("Warning: " + warning);
-  for (const std::string& warning : done->about_settings) console.warn("Warning: " + warning);
+  std::vector<Message> warnings = done->warnings;
+  warnings.insert(warnings.end(), done->about_settings.begin(), done->about_settings.end());
+  for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
   tell(*done, console);
   console.say("Report: " + (options.finger / "calibration_report.html").string() + ", .pdf");
   console.say("Again, from what is kept with the finger: " + repeat_command(options.finger));
   Console::Json& answer = console.answer();
-  answer["verdict"] = done->verdict.sentence;
+  answer["verdict"] = done->verdict.sentence.english();
   answer["residual_mm"] = done->calibration.residual_mm;
   if (done->calibration.held_out_mm > 0) answer["held_out_mm"] = done->calibration.held_out_mm;
   answer["expected_error_mm"] = done->verdict.error_mm;
   answer["presses"] = done->calibration.balls.size();
-  answer["left_out"] = done->calibration.left_out;
+  answer["left_out"] = in_english(done->calibration.left_out);
   if (!done->problem_picture.empty()) answer["problem_picture"] = done->problem_picture.string();
-  answer["remarks"] = done->calibration.remarks;
-  std::vector<std::string> warnings = done->warnings;
-  warnings.insert(warnings.end(), done->about_settings.begin(), done->about_settings.end());
-  answer["warnings"] = warnings;
+  answer["remarks"] = in_english(done->calibration.remarks);
+  answer["warnings"] = in_english(warnings);
   answer["report"] = (options.finger / "calibration_report.json").string();
   return {};
 }
 
 void add_calibrate(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<CalibrateOptions>();
-  CLI::App* command =
-      program.add_subcommand("calibrate", "Learns depth from presses of a ball of known radius");
+  CLI::App* command = add_command(program, "calibrate");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   CLI::Option* presses = command->add_option(
       "PRESS", options->presses, "Pictures of the pressed ball, a folder of them, or a video");

@@ -1,9 +1,12 @@
 #include "app/commands/commands.h"
+#include "app/console/command_names.h"
 #include "calibration/checks/check_history.h"
 #include "calibration/checks/finger_check.h"
 #include "calibration/checks/untouched_check.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/hard_cases/hard_cases.h"
+#include "core/program.h"
+#include "core/utc_time.h"
 
 #include <fmt/format.h>
 
@@ -27,10 +30,10 @@ Console::Json entry_json(const CheckEntry& entry) {
 /// The last checks with presses, oldest first.
 Status tell_history(const Path& folder, Console& console) {
   constexpr std::size_t kShown = 5;
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   const auto checks = load_checks(folder, &warnings);
   if (!checks) return checks.error();
-  for (const std::string& warning : warnings) console.warn("Warning: " + warning);
+  for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
   Console::Json all = Console::Json::array();
   for (const CheckEntry& entry : *checks) all.push_back(entry_json(entry));
   console.answer()["checks"] = std::move(all);
@@ -65,13 +68,13 @@ void tell(const PressCheck& check, Console& console) {
                        {"factor", press.factor},
                        {"light_percent", 100 * press.light_change}});
   }
-  for (const std::string& reason : check.left_out) console.warn("Left out: " + reason);
+  for (const Message& reason : check.left_out) console.warn(fmt::format("Left out: {}", reason));
   if (check.presses.size() < static_cast<std::size_t>(kCheckPresses))
     console.say(fmt::format("Remark: {} presses at different places tell more.", kCheckPresses));
-  console.say("Verdict: " + check.sentence + ".");
+  console.say(fmt::format("Verdict: {}.", check.sentence));
   Console::Json& answer = console.answer();
   answer["verdict"] = to_string(check.verdict);
-  answer["sentence"] = check.sentence;
+  answer["sentence"] = check.sentence.english();
   answer["error_mm"] = check.error_mm;
   answer["drifting_above_mm"] = check.drifting_above_mm;
   answer["recalibrate_above_mm"] = check.recalibrate_above_mm;
@@ -79,7 +82,7 @@ void tell(const PressCheck& check, Console& console) {
   answer["light_percent"] = 100 * check.light_change;
   answer["ball_radius_mm"] = check.ball_radius_mm;
   answer["presses"] = std::move(presses);
-  answer["left_out"] = check.left_out;
+  answer["left_out"] = in_english(check.left_out);
 }
 
 }  // namespace
@@ -92,12 +95,12 @@ Status run_check_presses(const PressCheckInput& input, Console& console) {
   tell(*check, console);
   console.answer()["finger"] = finger->name;
   const Status kept =
-      append_check(input.folder, entry_of(*check, *finger, utc_now(), ALLTACT_VERSION));
+      append_check(input.folder, entry_of(*check, *finger, utc_now(), program_version()));
   if (!kept) return kept.error();
   if (check->verdict == CheckVerdict::kRecalibrate)
-    return Error{"the finger must be calibrated again; the reason is above",
+    return Error{en::say("the finger must be calibrated again; the reason is above"),
                  input.folder.string(),
-                 "alltact calibrate with new presses"};
+                 en::say("alltact calibrate with new presses")};
   return {};
 }
 
@@ -108,22 +111,23 @@ Status run_check_untouched(const Path& folder,
   if (!finger) return finger.error();
   const auto check = check_untouched(folder, *finger, pictures, console.job());
   if (!check) return check.error();
-  for (const std::string& reason : check->left_out) console.warn("Left out: " + reason);
-  console.say("Verdict: " + check->sentence + ".");
+  for (const Message& reason : check->left_out) console.warn(fmt::format("Left out: {}", reason));
+  console.say(fmt::format("Verdict: {}.", check->sentence));
   Console::Json& answer = console.answer();
   answer["finger"] = finger->name;
   answer["verdict"] = to_string(check->verdict);
-  answer["sentence"] = check->sentence;
+  answer["sentence"] = check->sentence.english();
   answer["light_percent"] = 100 * check->light_change;
   answer["false_depth_mm"] = check->false_depth_mm;
   answer["uncorrected_mm"] = check->uncorrected_mm;
   answer["limit_mm"] = check->limit_mm;
   answer["pictures"] = check->pictures;
-  answer["left_out"] = check->left_out;
+  answer["left_out"] = in_english(check->left_out);
   if (check->verdict == CheckVerdict::kRecalibrate)
-    return Error{"the reference must be recorded again; the reason is above",
-                 folder.string(),
-                 "alltact reference with a new recording, then alltact check with presses"};
+    return Error{
+        en::say("the reference must be recorded again; the reason is above"),
+        folder.string(),
+        en::say("alltact reference with a new recording, then alltact check with presses")};
   return {};
 }
 
@@ -134,14 +138,16 @@ Status run_check(const Path& folder, Console& console) {
   Console::Json items = Console::Json::array();
   for (const CheckItem& item : check.items) {
     console.say(fmt::format("{:<12} {:<8} {}", item.what, to_string(item.state), item.sentence));
-    items.push_back(
-        {{"what", item.what}, {"state", to_string(item.state)}, {"sentence", item.sentence}});
+    items.push_back({{"what", item.what},
+                     {"state", to_string(item.state)},
+                     {"sentence", item.sentence.english()}});
   }
   console.answer()["finger"] = finger->name;
   console.answer()["fit"] = check.fit;
   console.answer()["items"] = std::move(items);
   if (const Status told = tell_history(folder, console); !told) return told;
-  if (!check.fit) return Error{"not fit to use; what is missing stands above", folder.string(), ""};
+  if (!check.fit)
+    return Error{en::say("not fit to use; what is missing stands above"), folder.string(), ""};
   console.say(fmt::format("{} is fit to use.", finger->name));
   return {};
 }
@@ -186,10 +192,10 @@ Status run_check_numerics(Console& console) {
   console.answer()["failed"] = failed;
   if (failed > 0)
     return Error{
-        fmt::format(
+        en::say(
             "{} of {} calculations are less exact on this computer than they must be", failed, all),
         "",
-        "reporting the table above with the kind of processor"};
+        en::say("reporting the table above with the kind of processor")};
   console.say(
       fmt::format("All {} calculations are as exact on this computer as they must be.", all));
   return {};
@@ -200,8 +206,7 @@ void add_check(CLI::App& program, Chosen& chosen) {
   auto numerics = std::make_shared<bool>(false);
   auto presses = std::make_shared<PressCheckInput>();
   auto untouched = std::make_shared<std::vector<Path>>();
-  CLI::App* command =
-      program.add_subcommand("check", "Is this finger fit to use? What is missing, stale or weak");
+  CLI::App* command = add_command(program, "check");
   CLI::Option* finger = command->add_option("FINGER", *folder, "The finger's folder");
   CLI::Option* pictures =
       command
@@ -230,7 +235,7 @@ void add_check(CLI::App& program, Chosen& chosen) {
       ->take_all()
       ->check([](const std::string& text) {
         const auto step = press_step_from(text);
-        return step ? std::string() : step.error().what;
+        return step ? std::string() : step.error().what.english();
       })
       ->needs(pictures);
   command

@@ -3,20 +3,21 @@
 #pragma once
 
 #include "app/console/console.h"
-#include "app/console/finger_work.h"
 #include "calibration/checks/press_check.h"
 #include "calibration/export/export_finger.h"
 #include "calibration/joint/calibrate.h"
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/reference/motion_coverage.h"
+#include "calibration/reference/reference_recording.h"
 #include "core/camera/flat_port.h"
 #include "core/finger/finger.h"
+#include "core/finger/new_finger.h"
 #include "core/recording/recorder.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
 #include "core/sources/hid/hid_button.h"
 #include "core/sources/source.h"
-#include "widgets/scene3d/face_scene.h"
+#include "widgets/scene3d/scene_options.h"
 
 #include <cstdint>
 #include <filesystem>

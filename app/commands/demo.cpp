@@ -1,7 +1,9 @@
 #include "app/commands/commands.h"
+#include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "calibration/study/evaluate.h"
 #include "core/io/atomic_file.h"
+#include "core/program.h"
 
 #include <set>
 
@@ -47,7 +49,7 @@ class Demo {
                             &Demo::reconstruct,
                             &Demo::compare}) {
       if (console_.job().stop_requested())
-        return Error{"stopped before the demonstration was over", "", ""};
+        return Error{en::say("stopped before the demonstration was over"), "", ""};
       if (const Status status = (this->*step)(); !status) return status;
     }
     tell();
@@ -95,8 +97,9 @@ class Demo {
     if (const Status made = make_folder(folder("paper")); !made) return made;
     fs::copy(description.finger, contenders_.back().finger, fs::copy_options::recursive, failed);
     if (failed)
-      return Error{
-          failed.message(), contenders_.back().finger.string(), "free space and permission"};
+      return Error{Message::typed(failed.message()),
+                   contenders_.back().finger.string(),
+                   en::say("free space and permission")};
     return {};
   }
 
@@ -225,9 +228,7 @@ Status run_demo(const DemoOptions& options, Console& console) {
 
 void add_demo(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<DemoOptions>();
-  CLI::App* command = program.add_subcommand(
-      "demo",
-      "A whole day in a minute: simulated finger, reference, calibration, reconstruction, report");
+  CLI::App* command = add_command(program, "demo");
   command->add_option("-o,--output", options->folder, "Folder for everything")
       ->type_name("DIR")
       ->required();

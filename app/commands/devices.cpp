@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/console/command_names.h"
 #include "core/sources/hid/hid_button.h"
 #include "core/sources/v4l2/camera_list.h"
 
@@ -76,7 +77,7 @@ void say_camera(const FoundCamera& camera, bool details, Console& console) {
   const CameraIdentity& identity = camera.identity;
   const auto best = choose_format(camera.formats, {}, identity.node);
   const std::string state = camera.problem ? "cannot be used: " + camera.problem->sentence()
-                            : best.ok()    ? best->text()
+                            : best.ok()    ? best->text().english()
                                            : best.error().sentence();
   console.say(fmt::format(
       "camera  {} ({}, {}): {}", identity.lasting(), identity.node, identity.name, state));
@@ -108,7 +109,9 @@ Status learn(const std::vector<FoundHid>& hids, Console& console) {
     names.push_back(hid.identity.lasting());
   }
   if (ports.empty())
-    return Error{"there is no HID device that can be read", "", "plug in a pedal, or see above"};
+    return Error{en::say("there is no HID device that can be read"),
+                 "",
+                 en::say("plug in a pedal, or see above")};
   std::vector<HidPort*> listening;
   for (const auto& port : ports) listening.push_back(port.get());
   console.warn("Leave the button alone for a second, then press and release it twice.");
@@ -149,8 +152,7 @@ Status run_devices(const DevicesOptions& options, Console& console) {
 
 void add_devices(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<DevicesOptions>();
-  CLI::App* command = program.add_subcommand(
-      "devices", "Cameras and HID devices found, with what is wrong with those that can't be used");
+  CLI::App* command = add_command(program, "devices");
   command->add_flag("--details", options->details, "Every format and control of each camera");
   command->add_flag(
       "--learn-button",

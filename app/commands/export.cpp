@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/console/command_names.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ Status run_export(const ExportOptions& options, Console& console) {
 void add_export(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ExportOptions>();
   auto words = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = program.add_subcommand("export", "Writes the calibration for other programs");
+  CLI::App* command = add_command(program, "export");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   command
       ->add_option("--to",

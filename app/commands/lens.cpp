@@ -1,8 +1,8 @@
 #include "app/commands/commands.h"
-#include "app/console/finger_work.h"
+#include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "calibration/finger/calibrate_finger.h"
 #include "calibration/lens/lens_views.h"
+#include "calibration/lens/measure_lens.h"
 #include "core/sources/open/open_source.h"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ void tell_views(const LensViews& found, const LensCalibration& done, Console& co
                             view.tilt_deg));
   }
   for (const auto& [name, reason] : found.refused)
-    console.warn(fmt::format("No board: {}: {}", name, reason));
+    console.warn(fmt::format("No board: {}: {}", name.english(), reason));
   for (const LensViewReport& view : done.views)
     if (!view.put_aside.empty())
       console.warn(fmt::format("Put aside: {}: {}", view.name, view.put_aside));
@@ -75,12 +75,12 @@ Console::Json views_json(const LensViews& found, const LensCalibration& done) {
       entry["error_px"] = view.error_px;
       entry["tilt_deg"] = view.tilt_deg;
     } else {
-      entry["put_aside"] = view.put_aside;
+      entry["put_aside"] = view.put_aside.english();
     }
     views.push_back(entry);
   }
   for (const auto& [name, reason] : found.refused)
-    views.push_back({{"name", name}, {"corners", 0}, {"put_aside", reason}});
+    views.push_back({{"name", name.english()}, {"corners", 0}, {"put_aside", reason.english()}});
   return views;
 }
 
@@ -99,7 +99,7 @@ Console::Json outliers_json(const LensCalibration& done) {
 
 void answer(const LensViews& found, const LensCalibration& done, Console::Json& json) {
   const CameraParameters& lens = done.fit.lens;
-  json["verdict"] = done.verdict.sentence;
+  json["verdict"] = done.verdict.sentence.english();
   json["fx"] = lens.fx_px;
   json["fy"] = lens.fy_px;
   json["cx"] = lens.cx_px;
@@ -118,14 +118,14 @@ void answer(const LensViews& found, const LensCalibration& done, Console::Json& 
     json["halves_worst_px"] = done.halves->worst_px;
   }
   json["seen_part"] = done.coverage.seen_part;
-  json["unseen"] = done.coverage.unseen;
+  json["unseen"] = in_english(done.coverage.unseen);
   json["tilted_views"] = done.coverage.tilted_views;
-  json["more"] = done.coverage.advice;
+  json["more"] = done.coverage.advice.english();
   json["pictures"] = found.looked_at;
   json["views_used"] = done.used.size();
   json["views"] = views_json(found, done);
   json["outliers"] = outliers_json(done);
-  json["remarks"] = done.remarks;
+  json["remarks"] = in_english(done.remarks);
 }
 
 /// The camera that is written: the lens, and the window that it looks through.
@@ -144,11 +144,11 @@ Result<CameraParameters> seen_through(const LensOptions& options,
   const double distance = options.settings.distance_mm;
   const double behind_mm = distance - port.gap_mm - port.plate_mm;
   if (!(behind_mm > 0))
-    return Error{fmt::format("the finger must lie behind the window, which ends {:g} mm from the "
-                             "lens",
-                             port.gap_mm + port.plate_mm),
-                 "--distance-mm",
-                 "the distance from the lens to the finger's middle"};
+    return Error{en::say("the finger must lie behind the window, which ends {:g} mm from the "
+                         "lens",
+                         port.gap_mm + port.plate_mm),
+                 std::string("--distance-mm"),
+                 en::say("the distance from the lens to the finger's middle")};
   CameraParameters camera = lens;
   camera.port = port;
   const double seems_mm = apparent_distance_mm(port, distance);
@@ -181,9 +181,9 @@ Status check_scale(const LensOptions& options,
   const auto a = camera->unproject({ends[0], ends[1]});
   const auto b = camera->unproject({ends[2], ends[3]});
   if (!a || !b)
-    return Error{"an end of the known length lies where this lens sees nothing",
-                 "--known-ends",
-                 "its ends in pixels of the picture after orientation"};
+    return Error{en::say("an end of the known length lies where this lens sees nothing"),
+                 std::string("--known-ends"),
+                 en::say("its ends in pixels of the picture after orientation")};
   const double z_mm = options.settings.distance_mm;
   const double seen_mm = (a->point_at(z_mm) - b->point_at(z_mm)).norm();
   const double ratio = seen_mm / *options.known_length_mm;
@@ -223,7 +223,9 @@ Status run_lens(const LensOptions& options, Console& console) {
   const auto source = open_source(options.inputs, how);
   if (!source) return source.error();
   if ((*source)->is_live())
-    return Error{"a camera gives pictures without end", "", "a recording of it: alltact record"};
+    return Error{en::say("a camera gives pictures without end"),
+                 "",
+                 en::say("a recording of it: alltact record")};
   Board board = options.board;
   board.pattern = options.settings.pattern;
   board.dictionary = options.settings.dictionary;
@@ -233,7 +235,7 @@ Status run_lens(const LensOptions& options, Console& console) {
   const auto done = calibrate_lens(found->views, found->size, options.settings, job);
   if (!done) {
     for (const auto& [name, reason] : found->refused)
-      console.warn(fmt::format("No board: {}: {}", name, reason));
+      console.warn(fmt::format("No board: {}: {}", name.english(), reason));
     return done.error();
   }
   console.say(fmt::format("Board of {} found in {} of {} pictures, {} used",
@@ -245,7 +247,7 @@ Status run_lens(const LensOptions& options, Console& console) {
     console.say(fmt::format("{} more show the board where another of them does", found->repeats));
   tell_views(*found, *done, console);
   tell_lens(*done, options.settings, console);
-  for (const std::string& remark : done->remarks) console.say("Remark: " + remark + ".");
+  for (const Message& remark : done->remarks) console.say(fmt::format("Remark: {}.", remark));
   answer(*found, *done, console.answer());
   const LensRecord record = lens_record(board, *done);
   auto camera = seen_through(options, done->fit.lens, console);
@@ -262,8 +264,7 @@ Status run_lens(const LensOptions& options, Console& console) {
 void add_lens(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<LensOptions>();
   auto port = std::make_shared<std::vector<double>>();
-  CLI::App* command =
-      program.add_subcommand("lens", "Calibrates a lens from pictures of a flat board");
+  CLI::App* command = add_command(program, "lens");
   command
       ->add_option("INPUT", options->inputs, "Pictures of the board, folders of them, or a video")
       ->required();
@@ -272,7 +273,7 @@ void add_lens(CLI::App& program, Chosen& chosen) {
           "--board",
           [options](const std::string& text) {
             if (const Status status = set_board_size(options->board, text); !status)
-              throw CLI::ValidationError("--board", status.error().what);
+              throw CLI::ValidationError("--board", status.error().what.english());
           },
           "Inner corners of the board (or dots) in a row and in a column, such as 9x6")
       ->type_name("CxR")
@@ -327,7 +328,8 @@ void add_lens(CLI::App& program, Chosen& chosen) {
     if (!port->empty()) {
       options->port = FlatPort{(*port)[0], (*port)[1], (*port)[2], (*port)[3]};
       if (const Status status = check_port(*options->port); !status)
-        throw CLI::ValidationError("--port", status.error().where + " " + status.error().what);
+        throw CLI::ValidationError(
+            "--port", fmt::format("{} {}", status.error().where.english(), status.error().what));
     }
     options->settings = settings.applied_to({});
     chosen = [=](Console& console) { return run_lens(*options, console); };

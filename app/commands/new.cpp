@@ -1,13 +1,14 @@
 #include "app/commands/commands.h"
+#include "app/console/command_names.h"
 
 #include <fmt/format.h>
 
 namespace alltact {
 
 Result<Finger> load_finger(const Path& folder, Console& console) {
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   auto finger = Finger::load(folder, &warnings);
-  for (const std::string& warning : warnings) console.warn("Warning: " + warning);
+  for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
   return finger;
 }
 
@@ -28,7 +29,7 @@ Status run_new(const NewFinger& options, Console& console) {
 
 void add_new(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<NewFinger>();
-  CLI::App* command = program.add_subcommand("new", "Makes the folder of a new finger");
+  CLI::App* command = add_command(program, "new");
   command->add_option("FINGER", options->finger, "Folder to make")->required();
   command
       ->add_option(

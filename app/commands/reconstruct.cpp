@@ -1,5 +1,7 @@
 #include "app/commands/commands.h"
+#include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/pictures/pictures.h"
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/reference/settings_record.h"
 #include "core/io/atomic_file.h"
@@ -10,7 +12,6 @@
 #include "core/sensing/result_json.h"
 #include "core/sources/newest_source.h"
 #include "core/sources/open/open_source.h"
-#include "widgets/scene3d/scene_pictures.h"
 
 #include <set>
 
@@ -27,21 +28,8 @@ struct Progress {
   std::size_t failed = 0;
   double total_ms = 0;
   std::set<std::string> names;
-  std::optional<ScenePictures> pictures;  ///< where pictures are wanted
+  std::unique_ptr<FacePictures> faces;  ///< where pictures are wanted
 };
-
-/// The face in 3D, looked at from where the first frame's would be.
-Status write_scene(const FrameResult& result,
-                   const Pipeline& pipeline,
-                   const std::filesystem::path& file,
-                   ScenePictures& pictures) {
-  constexpr int kVertices = 100000;
-  const cv::Size grid = grid_for(result, kVertices);
-  const auto surface = face_surface(result, pipeline.finger().face, grid.width, grid.height);
-  if (!surface) return Error{"there is no face to draw", file.string(), ""};
-  pictures.scene().show(*surface, pipeline.camera());
-  return write_picture(file, pictures.picture());
-}
 
 Status write_files(const FrameResult& result,
                    const Pipeline& pipeline,
@@ -77,10 +65,11 @@ Status write_files(const FrameResult& result,
         write_picture(options.folder / (name + ".flags.png"), result.depth->flags);
     if (!status) return status;
   }
-  if (progress.pictures) {
-    const Status status =
-        write_scene(result, pipeline, options.folder / (name + ".3d.png"), *progress.pictures);
-    if (!status) return status;
+  if (progress.faces) {
+    const Path file = options.folder / (name + ".3d.png");
+    const auto picture = progress.faces->picture(result, pipeline);
+    if (!picture) return Error{picture.error().what, file, picture.error().advice};
+    if (const Status status = write_picture(file, *picture); !status) return status;
   }
   if (!options.points && options.surfaces.empty()) return {};
   const cv::Mat points = contact_face_points_mm(result, finger.face);
@@ -95,12 +84,17 @@ Status write_files(const FrameResult& result,
   return {};
 }
 
+/// As the problems of results.jsonl stand there.
+Message as_sentence(const Error& error) {
+  return en::say("{}.", error.message());
+}
+
 void add_failure(const std::string& name,
-                 const std::string& problem,
+                 const Error& problem,
                  Progress& progress,
                  Console& console) {
-  console.warn(problem);
-  progress.lines += failure_line(name, progress.index, {problem}) + "\n";
+  console.warn(problem.sentence());
+  progress.lines += failure_line(name, progress.index, {as_sentence(problem)}) + "\n";
   ++progress.failed;
 }
 
@@ -112,23 +106,23 @@ Status reconstruct_frame(const FramePtr& frame,
                          Console& console) {
   if (!progress.names.insert(frame->name).second) {
     add_failure(frame->name,
-                Error{fmt::format("another picture is called '{}' as well", frame->name),
+                Error{en::say("another picture is called '{}' as well", frame->name),
                       frame->origin,
-                      "giving the pictures different names"}
-                    .sentence(),
+                      en::say("giving the pictures different names")},
                 progress,
                 console);
     return {};
   }
   auto result = pipeline(frame);
   if (!result) {
-    add_failure(frame->name, result.error().sentence(), progress, console);
+    add_failure(frame->name, result.error(), progress, console);
     return {};
   }
   progress.total_ms += result->times_ms.total;
   progress.lines += result_line(*result, progress.index, options.pipeline.reference) + "\n";
   if (!result->depth) {
-    for (const std::string& problem : result->problems) console.warn(frame->name + ": " + problem);
+    for (const Message& problem : result->problems)
+      console.warn(fmt::format("{}: {}", frame->name, problem));
     ++progress.failed;
     return {};
   }
@@ -137,7 +131,7 @@ Status reconstruct_frame(const FramePtr& frame,
 
 /// Name of a picture that could not be read, from the error that says which it was.
 std::string name_of(const Error& error, std::size_t index) {
-  const std::string stem = Path(error.where).stem().string();
+  const std::string stem = Path(error.where.english()).stem().string();
   return stem.empty() ? fmt::format("frame_{:05}", index) : stem;
 }
 
@@ -152,15 +146,13 @@ Status reconstruct_all(Source& source,
     if (!source.is_continuous()) pipeline.forget();
     const auto frame = source.next();
     if (!frame) {
-      add_failure(
-          name_of(frame.error(), progress.index), frame.error().sentence(), progress, console);
+      add_failure(name_of(frame.error(), progress.index), frame.error(), progress, console);
       continue;
     }
     if (!*frame) return {};
     if (count > 0) {
-      console.job().report(
-          static_cast<double>(progress.index) / count,
-          fmt::format("{} of {:.0f}: {}", progress.index + 1, count, (*frame)->name));
+      console.job().report(static_cast<double>(progress.index) / count,
+                           en::say("{} of {:.0f}: {}", progress.index + 1, count, (*frame)->name));
     }
     const Status status = reconstruct_frame(*frame, pipeline, options, progress, console);
     if (!status) return status;
@@ -185,7 +177,7 @@ std::string live_line(const Result<FramePtr>& frame,
     problem = frame.error();
   }
   ++progress.failed;
-  return failure_line(name, progress.index, {problem.sentence()});
+  return failure_line(name, progress.index, {as_sentence(problem)});
 }
 
 /// One line a frame on standard output until the source ends or somebody stops it. Frames that
@@ -196,13 +188,13 @@ Status reconstruct_live(std::unique_ptr<Source> source,
                         Console& console) {
   NewestSource newest(std::move(source));
   Progress progress;
-  std::string told;  // of the settings: each difference once
+  Message told;  // of the settings: each difference once
   for (; !console.job().stop_requested(); ++progress.index) {
     const auto frame = newest.next();
     if (frame && !*frame) break;
     if (frame) {
-      const std::string other = other_settings_than_stored(**frame, pipeline.finger());
-      if (!other.empty() && other != told) console.warn("Warning: " + other);
+      const Message other = other_settings_than_stored(**frame, pipeline.finger());
+      if (!other.empty() && other != told) console.warn(fmt::format("Warning: {}", other));
       told = other;
     }
     const Status status = console.put(live_line(frame, pipeline, options, progress));
@@ -231,14 +223,16 @@ void warn_of_other_settings(const PipelineSettings& kept,
 
 Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   if (options.live && console.json())
-    return Error{"--live gives a line of JSON for each frame already", "", "without --json"};
+    return Error{en::say("--live gives a line of JSON for each frame already"),
+                 "",
+                 en::say("without --json")};
   cv::setNumThreads(options.threads);
   const auto finger = load_finger(options.finger, console);
   if (!finger) return finger.error();
   if (!finger->mapping) {
-    return Error{"the finger is not calibrated yet",
+    return Error{en::say("the finger is not calibrated yet"),
                  (options.finger / Finger::kFileName).string(),
-                 "alltact calibrate with ball presses"};
+                 en::say("alltact calibrate with ball presses")};
   }
   SourceOptions how;
   how.pace = options.live ? Pace::kRecorded : Pace::kAsked;
@@ -252,11 +246,11 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
 
   Progress progress;
   if (options.picture) {
-    auto pictures = ScenePictures::create({1280, 720});
+    const auto pictures = load_pictures();
     if (!pictures) return pictures.error();
-    progress.pictures = std::move(*pictures);
-    progress.pictures->scene().set_options(options.scene);
-    progress.pictures->scene().look_from(options.standpoint);
+    auto faces = (*pictures)->faces({1280, 720}, options.scene, options.standpoint);
+    if (!faces) return faces.error();
+    progress.faces = std::move(*faces);
   }
   Status status = reconstruct_all(**source, *pipeline, options, progress, console);
   if (!status) return status;
@@ -274,10 +268,11 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   answer["frames"] = progress.index;
   answer["failed"] = progress.failed;
   answer["results"] = results.string();
-  if (console.job().stop_requested()) return Error{"stopped before all frames were done", "", ""};
+  if (console.job().stop_requested())
+    return Error{en::say("stopped before all frames were done"), "", ""};
   if (progress.failed > 0) {
     return Error{
-        fmt::format(
+        en::say(
             "{} of {} frames could not be reconstructed; each is named above and in results.jsonl",
             progress.failed,
             progress.index),
@@ -292,8 +287,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   auto formats = std::make_shared<std::vector<std::string>>(
       std::vector<std::string>{"depth", "flags", "points"});
   auto method = std::make_shared<std::string>("ours");
-  CLI::App* command =
-      program.add_subcommand("reconstruct", "Turns pictures into depth and 3D points");
+  CLI::App* command = add_command(program, "reconstruct");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   command
       ->add_option(

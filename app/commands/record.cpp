@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/commands/source_reader.h"
+#include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "core/io/picture.h"
 #include "core/recording/journal.h"
@@ -47,21 +48,21 @@ class Extent {
   double seconds_ = 0;
 };
 
-std::string progress(const RecorderCounts& counts) {
-  return fmt::format("{} frames, {} lost, {:.1f} GB free",
-                     counts.recorded,
-                     counts.dropped + counts.missing,
-                     static_cast<double>(counts.free_bytes) / kGigabyte);
+Message progress(const RecorderCounts& counts) {
+  return en::say("{} frames, {} lost, {:.1f} GB free",
+                 counts.recorded,
+                 counts.dropped + counts.missing,
+                 static_cast<double>(counts.free_bytes) / kGigabyte);
 }
 
-/// From `first` (or the next frame) to the last; what it ended for. The recorder's own end shows in
-/// Recorder::problem().
+/// From `first` (or the next frame) to the last; what it ended for, for the journal. The recorder's
+/// own end shows in Recorder::problem().
 std::string record_all(
     SourceReader& reading, FramePtr first, Recorder& recorder, Extent& extent, Console& console) {
   const Source& source = reading.source();
   while (true) {
     const FramePtr frame = first ? std::exchange(first, nullptr) : reading.next();
-    if (reading.is_over()) return reading.why();
+    if (reading.is_over()) return reading.why().english();
     if (reading.is_pressed() && extent.frames() > 0) return "the button was pressed";
     if (!frame) continue;
     const bool is_taken = source.is_live() ? recorder.add(frame) : recorder.add_waiting(frame);
@@ -113,24 +114,23 @@ Status record_one(SourceReader& reading,
   const Status finished = (*recorder)->finish(why, console.job());
   const RecorderCounts counts = (*recorder)->counts();
   tell(video, counts, extent, answer, console);
-  const std::string lost = fmt::format("{} frames were lost here", counts.dropped);
+  const Message lost = en::say("{} frames were lost here", counts.dropped);
   if (!finished) {
-    if (counts.dropped > 0) console.warn(lost + ".");
+    if (counts.dropped > 0) console.warn(fmt::format("{}.", lost));
     return finished;
   }
   if (counts.dropped > 0)
-    return Error{lost + ", because the disk or this computer was too slow",
+    return Error{en::say("{}, because the disk or this computer was too slow", lost),
                  video.string(),
-                 "another disk, a smaller picture, or a longer --queue-mb"};
+                 en::say("another disk, a smaller picture, or a longer --queue-mb")};
   return {};
 }
 
 Status all_was_readable(const SourceReader& reading, const RecordOptions& options) {
   if (reading.unreadable() == 0 || !reading.source().count()) return {};
-  return Error{
-      fmt::format("{} frames could not be read; each is named above", reading.unreadable()),
-      options.inputs.front().string(),
-      ""};
+  return Error{en::say("{} frames could not be read; each is named above", reading.unreadable()),
+               options.inputs.front().string(),
+               ""};
 }
 
 /// NAME-001.mkv, the first from `number` on that neither it nor its journal exists; `number` is
@@ -160,9 +160,9 @@ FramePtr next_pressed(SourceReader& reading) {
 /// The source that ended before its first press is an error, the technician who ended it is none.
 Status end_of_presses(const SourceReader& reading, bool is_any, const RecordOptions& options) {
   if (is_any || reading.is_stopped()) return {};
-  return Error{fmt::format("the button was not pressed before the end: {}", reading.why()),
+  return Error{en::say("the button was not pressed before the end: {}", reading.why()),
                options.inputs.front().string(),
-               "press it while the source runs"};
+               en::say("press it while the source runs")};
 }
 
 Status record_by_button(SourceReader& reading, const RecordOptions& options, Console& console) {
@@ -296,8 +296,7 @@ Status run_record(const RecordOptions& options, Console& console) {
 void add_record(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<RecordOptions>();
   auto pace = std::make_shared<std::string>("recorded");
-  CLI::App* command = program.add_subcommand(
-      "record", "Records a source without loss, and without losing anything when killed");
+  CLI::App* command = add_command(program, "record");
   command
       ->add_option("SOURCE",
                    options->inputs,

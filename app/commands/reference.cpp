@@ -1,23 +1,23 @@
 #include "app/commands/commands.h"
-#include "calibration/finger/calibrate_finger.h"
-#include "calibration/reference/reference_recording.h"
+#include "app/console/command_names.h"
+#include "calibration/reference/new_reference.h"
 
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
 
-Status run_flat(const ReferenceOptions& options, Finger& finger, Console& console) {
+Status run_flat(const ReferenceOptions& options, Console& console) {
   if (options.inputs.size() != 1) {
-    return Error{"a flat sensor has one untouched picture",
+    return Error{en::say("a flat sensor has one untouched picture"),
                  options.finger.string(),
-                 "giving exactly one picture"};
+                 en::say("giving exactly one picture")};
   }
-  const auto warnings = install_flat_reference(options.inputs.front(), options.finger, finger);
+  const auto picture = read_untouched_picture(options.inputs.front());
+  if (!picture) return picture.error();
+  const auto warnings = give_untouched_picture(options.finger, *picture);
   if (!warnings) return warnings.error();
-  finger.provenance["reference_date"] = utc_now();
-  if (const Status status = finger.save(options.finger); !status) return status;
-  for (const std::string& warning : *warnings) console.warn("Warning: " + warning);
+  for (const Message& warning : *warnings) console.warn(fmt::format("Warning: {}", warning));
   console.say("The untouched picture is installed. Next: alltact calibrate with ball presses");
   console.answer()["frames_kept"] = 1;
   return {};
@@ -32,7 +32,7 @@ void tell(const ReferenceReport& report, Console& console) {
                   report.median_step_px));
   constexpr std::size_t kShown = 8;
   for (std::size_t i = 0; i < report.rejected.size() && i < kShown; ++i)
-    console.say("  left out: " + report.rejected[i]);
+    console.say(fmt::format("  left out: {}", report.rejected[i]));
   if (report.rejected.size() > kShown)
     console.say(
         fmt::format("  left out: {} more; --json lists them all", report.rejected.size() - kShown));
@@ -58,13 +58,13 @@ void tell(const ReferenceReport& report, Console& console) {
       report.error_median_mm,
       report.error_p95_mm,
       report.by_own_mapping ? "" : "; reckoned with a usual layer until the finger is calibrated"));
-  for (const std::string& remark : report.remarks) console.say("  " + remark);
-  for (const std::string& warning : report.warnings) console.warn("Warning: " + warning);
+  for (const Message& remark : report.remarks) console.say(fmt::format("  {}", remark));
+  for (const Message& warning : report.warnings) console.warn(fmt::format("Warning: {}", warning));
   Console::Json& answer = console.answer();
   answer["frames_read"] = report.frames_read;
   answer["frames_kept"] = report.frames_kept;
   answer["median_step_px"] = report.median_step_px;
-  answer["rejected"] = report.rejected;
+  answer["rejected"] = in_english(report.rejected);
   answer["repeated"] = report.repeated;
   answer["missing_markers"] = report.missing;
   answer["by_shape"] = report.by_shape;
@@ -81,18 +81,18 @@ void tell(const ReferenceReport& report, Console& console) {
   answer["sway_mm"] = range(seen.sway_mm());
   answer["twist_deg"] = range(seen.twist_deg());
   answer["covered"] = seen.covered();
-  answer["remarks"] = report.remarks;
-  answer["warnings"] = report.warnings;
+  answer["remarks"] = in_english(report.remarks);
+  answer["warnings"] = in_english(report.warnings);
 }
 
 }  // namespace
 
 Status run_reference(const ReferenceOptions& options, Console& console) {
-  auto finger = load_finger(options.finger, console);
+  const auto finger = load_finger(options.finger, console);
   if (!finger) return finger.error();
-  if (finger->face.kind == FaceKind::kFlat) return run_flat(options, *finger, console);
+  if (finger->face.kind == FaceKind::kFlat) return run_flat(options, console);
   const auto report =
-      install_recording(options.finger, *finger, options.inputs, console.job(), options.choices);
+      give_reference(options.finger, options.inputs, console.job(), options.choices);
   if (!report) return report.error();
   tell(*report, console);
   return {};
@@ -100,8 +100,7 @@ Status run_reference(const ReferenceOptions& options, Console& console) {
 
 void add_reference(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ReferenceOptions>();
-  CLI::App* command = program.add_subcommand(
-      "reference", "Installs a recording of the finger bent in all ways but touched nowhere");
+  CLI::App* command = add_command(program, "reference");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   command->add_option("RECORDING", options->inputs, "Video, folder of pictures, or pictures")
       ->required();

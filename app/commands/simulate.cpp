@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
@@ -32,10 +33,10 @@ Status prepare_folder(const Path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
     if (!is_ours(entry.path().filename().string())) continue;
     if (!earlier) {
-      return Error{fmt::format("it holds {}, which is not of an earlier simulation",
-                               entry.path().filename().string()),
+      return Error{en::say("it holds {}, which is not of an earlier simulation",
+                           entry.path().filename().string()),
                    folder.string(),
-                   "another folder"};
+                   en::say("another folder")};
     }
     old.push_back(entry.path());
   }
@@ -98,11 +99,11 @@ Status render_all(const SimulateOptions& options,
                   Take take) {
   for (int frame = 0; frame < count; ++frame) {
     if (console.job().stop_requested())
-      return Error{"stopped before all frames were rendered", "", ""};
+      return Error{en::say("stopped before all frames were rendered"), "", ""};
     if (plan.arrival(frame).is_dropped) continue;
     // Pictures keep their numbers; a video's frames are counted.
     const std::string name = frame_name(options.video ? static_cast<int>(frames.size()) : frame);
-    console.job().report(static_cast<double>(frame) / count, "rendering " + name);
+    console.job().report(static_cast<double>(frame) / count, en::say("rendering {}", name));
     if (const Status status = take(name, plan.render(frame, options.threads)); !status)
       return status;
     const Truth truth = plan.truth(frame);
@@ -148,9 +149,9 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   if (const Status status = plan->check_grey_levels(options.scene.string()); !status) return status;
   const int count = options.frames.value_or(plan->frame_count());
   if (count > plan->frame_count()) {
-    return Error{fmt::format("the scene has {} frames, not {}", plan->frame_count(), count),
+    return Error{en::say("the scene has {} frames, not {}", plan->frame_count(), count),
                  options.scene.string(),
-                 "fewer --frames, or more frames in the scene"};
+                 en::say("fewer --frames, or more frames in the scene")};
   }
   if (const Status status = prepare_folder(options.folder); !status) return status;
 
@@ -196,8 +197,7 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
 
 void add_simulate(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command =
-      program.add_subcommand("simulate", "Renders a scene, with the truth beside it");
+  CLI::App* command = add_command(program, "simulate");
   command->add_option("SCENE", options->scene, "Scene file (YAML)")->required();
   command->add_option("-o,--output", options->folder, "Folder for the frames")
       ->type_name("DIR")

@@ -3,6 +3,7 @@
 
 #include "app/console/button_presses.h"
 #include "app/console/console.h"
+#include "core/message.h"
 #include "core/sources/source.h"
 
 #include <string>
@@ -19,14 +20,15 @@ class SourceReader {
   /// none came.
   FramePtr next() {
     while (true) {
-      if (is_stopped()) return end("stopped by hand");
+      if (is_stopped()) return end(en::say("stopped by hand"));
       auto frame = source_.next();
       is_pressed_ = button_ != nullptr && button_->taken(console_);
       if (frame && *frame) {
         last_problem_.clear();
         return *frame;
       }
-      if (frame) return end(is_stopped() ? "stopped by hand" : "the source ended");
+      if (frame)
+        return end(is_stopped() ? en::say("stopped by hand") : en::say("the source ended"));
       // A camera that is unplugged says so again and again, and may come back.
       const std::string problem = frame.error().sentence();
       if (problem != last_problem_) console_.warn(problem);
@@ -38,14 +40,14 @@ class SourceReader {
   /// The button was pressed since the call of next() before the last.
   [[nodiscard]] bool is_pressed() const { return is_pressed_; }
   /// Empty as long as frames may follow.
-  [[nodiscard]] const std::string& why() const { return why_; }
+  [[nodiscard]] const Message& why() const { return why_; }
   [[nodiscard]] bool is_over() const { return !why_.empty(); }
   [[nodiscard]] bool is_stopped() const { return console_.job().stop_requested(); }
   [[nodiscard]] std::uint64_t unreadable() const { return unreadable_; }
   [[nodiscard]] Source& source() const { return source_; }
 
  private:
-  FramePtr end(std::string why) {
+  FramePtr end(Message why) {
     why_ = std::move(why);
     return nullptr;
   }
@@ -54,7 +56,8 @@ class SourceReader {
   ButtonPresses* button_;
   Console& console_;
   bool is_pressed_ = false;
-  std::string why_, last_problem_;
+  Message why_;
+  std::string last_problem_;
   std::uint64_t unreadable_ = 0;
 };
 

@@ -29,7 +29,7 @@ std::int64_t now_ms() {
 Console::Console(bool json)
     : json_(json),
       watched_(isatty(STDERR_FILENO) == 1),
-      job_([this](double fraction, std::string_view what) { draw(fraction, what); }) {
+      job_([this](double fraction, const Message& what) { draw(fraction, what); }) {
   running_job = &job_;
   struct sigaction action {};
   action.sa_handler = on_interrupt;
@@ -54,7 +54,8 @@ Status Console::put(std::string_view line) {
   if (std::fwrite(whole.data(), 1, whole.size(), stdout) == whole.size() &&
       std::fflush(stdout) == 0)
     return {};
-  return Error{"standard output could not be written", "", "looking at what reads it"};
+  return Error{
+      en::say("standard output could not be written"), "", en::say("looking at what reads it")};
 }
 
 void Console::warn(std::string_view line) {
@@ -62,7 +63,7 @@ void Console::warn(std::string_view line) {
   fmt::print(stderr, "{}\n", line);
 }
 
-void Console::draw(double fraction, std::string_view what) {
+void Console::draw(double fraction, const Message& what) {
   if (!watched_) return;
   const std::int64_t now = now_ms();
   if (drawn_ && now - last_drawn_ms_ < 100) return;
@@ -95,6 +96,12 @@ int Console::finish(const Status& status) {
   written = std::fflush(stdout) == 0 && written;
   if (!written) fmt::print(stderr, "Standard output could not be written.\n");
   return status.ok() && written ? 0 : 1;
+}
+
+Console::Json in_english(const std::vector<Message>& messages) {
+  Console::Json all = Console::Json::array();
+  for (const Message& message : messages) all.push_back(message.english());
+  return all;
 }
 
 }  // namespace alltact

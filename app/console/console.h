@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -43,7 +44,7 @@ class Console {
   [[nodiscard]] int finish(const Status& status);
 
  private:
-  void draw(double fraction, std::string_view what);
+  void draw(double fraction, const Message& what);
   void clear_progress();
 
   bool json_;
@@ -54,5 +55,8 @@ class Console {
   Json answer_ = Json::object();
   Job job_;
 };
+
+/// As the answer for --json lists them.
+[[nodiscard]] Console::Json in_english(const std::vector<Message>& messages);
 
 }  // namespace alltact

@@ -27,7 +27,7 @@ class SettingFlags {
       const auto take = [given = given_, &setting](const std::string& text) {
         S scratch;
         if (const Status status = setting.set(scratch, text); !status)
-          throw CLI::ValidationError("--" + setting.name, status.error().what);
+          throw CLI::ValidationError("--" + setting.name, status.error().what.english());
         (*given)[setting.name] = {&setting, text};
       };
       command

@@ -19,6 +19,10 @@ if(ALLTACT_CCACHE)
       CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${ALLTACT_CCACHE})
 endif()
 
+# Installed: programs in bin, what they share in lib/alltact.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../lib/alltact:$ORIGIN")
+
 add_library(alltact_options INTERFACE)
 target_compile_options(
   alltact_options
@@ -33,6 +37,10 @@ target_compile_options(
             -fno-math-errno
             -fno-trapping-math
             -fpch-preprocess
+            # Of sources that are compiled together g++ takes each for a header.
+            -Wno-subobject-linkage
+            # What is in one library is called as directly as in a static one.
+            -fno-semantic-interposition
             # Unless the target only calls what was built for speed (property ALLTACT_QUICK_BUILD).
             $<$<CONFIG:Release>:-O$<IF:$<BOOL:$<TARGET_PROPERTY:ALLTACT_QUICK_BUILD>>,1,3>>)
 if(ALLTACT_SANITIZE)
@@ -42,11 +50,19 @@ if(ALLTACT_SANITIZE)
   target_link_options(alltact_options INTERFACE -fsanitize=${ALLTACT_SANITIZE})
 endif()
 
-# alltact_library(NAME SOURCES... PUBLIC libs... PRIVATE libs... PCH headers...)
-# makes the static library alltact_NAME with the alias alltact::NAME.
+# alltact_library(NAME [SHARED] [TOGETHER] SOURCES... PUBLIC libs... PRIVATE libs... PCH headers...)
+# makes the library alltact_NAME with the alias alltact::NAME; static unless several parts of a program share it.
+# TOGETHER: see alltact_compile_together.
 function(alltact_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE;PCH" ${ARGN})
-  add_library(alltact_${name} STATIC ${arg_SOURCES})
+  cmake_parse_arguments(arg "SHARED;TOGETHER" "" "SOURCES;PUBLIC;PRIVATE;PCH" ${ARGN})
+  if(arg_SHARED)
+    add_library(alltact_${name} SHARED ${arg_SOURCES})
+    set_target_properties(alltact_${name} PROPERTIES OUTPUT_NAME alltact-${name})
+    target_link_options(alltact_${name} PRIVATE -Wl,--no-undefined)
+    install(TARGETS alltact_${name} LIBRARY DESTINATION lib/alltact)
+  else()
+    add_library(alltact_${name} STATIC ${arg_SOURCES})
+  endif()
   add_library(alltact::${name} ALIAS alltact_${name})
   target_include_directories(alltact_${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(
@@ -55,9 +71,39 @@ function(alltact_library name)
     PRIVATE ${arg_PRIVATE} alltact_options)
   target_precompile_headers(alltact_${name} PRIVATE ${arg_PCH})
   alltact_system_includes(alltact_${name})
+  if(arg_TOGETHER)
+    alltact_compile_together(alltact_${name})
+  endif()
 endfunction()
 
 # OpenCV's headers warn by the hundred in C++20; nobody here can mend them.
 function(alltact_system_includes target)
   target_include_directories(${target} SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIRS})
+endfunction()
+
+# Compiles a target's sources several at a time, those of one folder together: headers and templates that they share
+# are read and built once. In return a name in an unnamed namespace stands once in its folder.
+# -DALLTACT_UNITY=OFF builds each alone, which is quicker for whoever changes one file again and again.
+option(ALLTACT_UNITY "Compile the sources of a folder together" ON)
+function(alltact_compile_together target)
+  if(NOT ALLTACT_UNITY)
+    return()
+  endif()
+  set(most 8) # that one core still compiles in well under a minute
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  foreach(source IN LISTS sources)
+    get_filename_component(folder ${source} ABSOLUTE)
+    get_filename_component(folder ${folder} DIRECTORY)
+    string(MAKE_C_IDENTIFIER "${folder}" group)
+    if(NOT DEFINED count_${group})
+      set(count_${group} 0)
+    endif()
+    math(EXPR part "${count_${group}} / ${most}")
+    math(EXPR count_${group} "${count_${group}} + 1")
+    file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR} ${folder})
+    string(MAKE_C_IDENTIFIER "${name}" name)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${name}_${part}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()

@@ -7,6 +7,7 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/triangle_distance.h"
 #include "widgets/scene3d/face_surface.h"
+#include "widgets/scene3d/scene_options.h"
 
 #include <memory>
 #include <optional>
@@ -18,22 +19,6 @@
 class vtkRenderWindow;
 
 namespace alltact {
-
-/// Where one looks from.
-enum class Standpoint {
-  kTilted = 1,  ///< from the camera's side, square to the face but for a tilt
-  kCamera,      ///< as the camera sees the face
-  kOutside,     ///< from where objects press, square to the face but for a tilt
-  kSide,        ///< along y: the finger's profile
-};
-
-struct SceneOptions {
-  bool untouched = true;  ///< lines of the face as if nothing pressed
-  bool camera = true;     ///< the camera and its axes
-  double top_mm = 1.0;    ///< where the colours end
-  double times = 1.0;     ///< that depth is drawn larger than it is
-  bool operator==(const SceneOptions&) const = default;
-};
 
 struct SceneColours {
   cv::Vec3b ground{255, 255, 255}, text{0, 0, 0};  ///< red, green, blue

@@ -87,9 +87,9 @@ struct ScenePictures::State {
 Result<ScenePictures> ScenePictures::create(cv::Size size_px) {
   auto state = std::make_unique<State>();
   if (!state->context.make_current()) {
-    return Error{"this computer cannot draw in 3D: there is no EGL with OpenGL 3.2",
+    return Error{en::say("this computer cannot draw in 3D: there is no EGL with OpenGL 3.2"),
                  "",
-                 "installing libegl1 and libgl1-mesa-dri, which draw in software"};
+                 en::say("installing libegl1 and libgl1-mesa-dri, which draw in software")};
   }
   RenderWindow* window = state->window;
   observe(window,

@@ -1,0 +1,57 @@
+// What `alltact` can do, told before anything that does it is loaded.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+namespace alltact {
+
+struct CommandName {
+  const char* name;
+  const char* what;
+};
+
+/// In the order of a day with a new finger.
+inline constexpr std::array kCommands = {
+    CommandName{"new", "Makes the folder of a new finger"},
+    CommandName{"simulate", "Renders a scene, with the truth beside it"},
+    CommandName{"lens", "Calibrates a lens from pictures of a flat board"},
+    CommandName{"reference",
+                "Installs a recording of the finger bent in all ways but touched nowhere"},
+    CommandName{"calibrate", "Learns depth from presses of a ball of known radius"},
+    CommandName{"reconstruct", "Turns pictures into depth and 3D points"},
+    CommandName{"record", "Records a source without loss, and without losing anything when killed"},
+    CommandName{"check", "Is this finger fit to use? What is missing, stale or weak"},
+    CommandName{"export", "Writes the calibration for other programs"},
+    CommandName{"devices",
+                "Cameras and HID devices found, with what is wrong with those that can't be used"},
+    CommandName{"demo",
+                "A whole day in a minute: simulated finger, reference, calibration, "
+                "reconstruction, report"},
+};
+
+/// Adds one of kCommands, to be given its options.
+inline CLI::App* add_command(CLI::App& program, std::string_view name) {
+  for (const CommandName& command : kCommands)
+    if (name == command.name) return program.add_subcommand(command.name, command.what);
+  assert(!"a command that is not listed");
+  return nullptr;
+}
+
+/// Name, version and what stands below the help.
+inline void describe(CLI::App& program) {
+  program.name("alltact");
+  program.description(
+      "AllTact: turns a clear silicone finger with a camera inside into a measuring instrument.");
+  program.set_version_flag("--version", std::string("alltact ") + ALLTACT_VERSION);
+  program.require_subcommand(1);
+  program.footer(
+      "Exit status: 0 done, 1 the work could not be done, 2 wrong usage.\n"
+      "`alltact COMMAND --help` tells everything about a command.");
+}
+
+}  // namespace alltact

@@ -1,0 +1,54 @@
+// The library that draws.
+#include "app/pictures/pictures.h"
+#include "widgets/report/calibration_pages.h"
+#include "widgets/report/offscreen.h"
+#include "widgets/scene3d/face_surface.h"
+#include "widgets/scene3d/scene_pictures.h"
+
+namespace alltact {
+namespace {
+
+class ScenesOfFaces : public FacePictures {
+ public:
+  explicit ScenesOfFaces(ScenePictures pictures) : pictures_(std::move(pictures)) {}
+
+  Result<cv::Mat> picture(const FrameResult& result, const Pipeline& pipeline) override {
+    constexpr int kVertices = 100000;
+    const cv::Size grid = grid_for(result, kVertices);
+    const auto surface = face_surface(result, pipeline.finger().face, grid.width, grid.height);
+    if (!surface) return Error{en::say("there is no face to draw"), "", ""};
+    pictures_.scene().show(*surface, pipeline.camera());
+    return pictures_.picture();
+  }
+
+ private:
+  ScenePictures pictures_;
+};
+
+class DrawnPictures : public Pictures {
+ public:
+  Result<std::vector<ReportFile>> calibration_pages(const FingerCalibration& done,
+                                                    const std::filesystem::path& folder,
+                                                    const Job& job) const override {
+    const OffscreenDrawing drawing;
+    return make_calibration_pages(done, folder, job);
+  }
+
+  Result<std::unique_ptr<FacePictures>> faces(cv::Size size_px,
+                                              const SceneOptions& options,
+                                              Standpoint standpoint) const override {
+    auto pictures = ScenePictures::create(size_px);
+    if (!pictures) return pictures.error();
+    pictures->scene().set_options(options);
+    pictures->scene().look_from(standpoint);
+    return std::unique_ptr<FacePictures>(std::make_unique<ScenesOfFaces>(std::move(*pictures)));
+  }
+};
+
+}  // namespace
+}  // namespace alltact
+
+extern "C" __attribute__((visibility("default"))) const alltact::Pictures* alltact_pictures() {
+  static const alltact::DrawnPictures pictures;
+  return &pictures;
+}
