@@ -8,9 +8,9 @@
 #include "core/result.h"
 #include "core/simulation/frame_geometry.h"
 #include "core/simulation/motion.h"
-#include "core/simulation/parameters.h"
 #include "core/simulation/row_view.h"
 #include "core/simulation/sent_picture.h"
+#include "core/simulation/varying.h"
 
 #include <algorithm>
 #include <memory>
@@ -105,7 +105,7 @@ struct EffectKind {
   Stage stage;
   int rank;  ///< place within the stage
   /// Reads the parameters; errors are left in them. The object is of the stage's class.
-  std::shared_ptr<const Effect> (*make)(Parameters&);
+  std::shared_ptr<const Effect> (*make)(YamlSection&);
 };
 
 /// All kinds there are, written by the build from the files in effects/.

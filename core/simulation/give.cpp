@@ -2,13 +2,13 @@
 
 namespace alltact {
 
-Give::Give(Parameters& parameters) {
-  if (parameters.has("give_mm")) give_mm_ = parameters.varying("give_mm", strength_up_to(100));
+Give::Give(YamlSection& section) {
+  if (section.has("give_mm")) give_mm_ = Varying::read(section, "give_mm", strength_up_to(100));
 }
 
 Status Give::fits(const SceneFacts& scene) const {
   if (give_mm_ && scene.finger.face.kind == FaceKind::kFlat)
-    return Error{"a flat sensor does not give way", "", "leave give_mm out"};
+    return Error{en::say("a flat sensor does not give way"), "", en::say("leave give_mm out")};
   return {};
 }
 

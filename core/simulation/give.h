@@ -13,7 +13,7 @@ namespace alltact {
 /// phi(a)).
 class Give {
  public:
-  explicit Give(Parameters& parameters);
+  explicit Give(YamlSection& section);
 
   [[nodiscard]] Status fits(const SceneFacts& scene) const;
   void shape(const FrameContext& frame, const Varying& s_mm, FaceCurve& curve) const;

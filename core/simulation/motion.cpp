@@ -1,5 +1,6 @@
 #include "core/simulation/motion.h"
 
+#include "core/either.h"
 #include "core/numerics/philox.h"
 
 #include <algorithm>
@@ -32,28 +33,28 @@ int base_of(const std::string& name) {
 
 }  // namespace
 
-Motion Motion::read(Parameters& parameters) {
+Motion Motion::read(YamlSection& section) {
   Motion motion;
-  motion.where_ = parameters.where("");
-  const std::string kind = parameters.word("kind", {"hold", "poses", "random", "wander"});
-  const auto read_pose = [](Parameters map) {
+  motion.where_ = section.where("");
+  const std::vector<std::string_view> kinds{"hold", "poses", "random", "wander"};
+  const std::string_view kind = kinds[section.choice("kind", kinds)];
+  const auto read_pose = [](YamlSection given) {
     Pose pose;
-    for (const std::string& key : map.keys()) pose[key] = map.number(key.c_str(), kPoseLimits);
+    for (const std::string& key : given.keys()) pose[key] = given.number(key, kPoseLimits);
     return pose;
   };
-  if (kind == "hold" && parameters.has("pose")) motion.poses_ = {read_pose(parameters.map("pose"))};
+  if (kind == "hold" && section.has("pose")) motion.poses_ = {read_pose(section.section("pose"))};
   if (kind == "poses") {
     motion.poses_.clear();
-    for (const Parameters& map : parameters.maps("poses")) motion.poses_.push_back(read_pose(map));
-    if (motion.poses_.empty()) {
-      parameters.refuse("poses", "the list is empty", "one pose a frame");
-      motion.poses_.emplace_back();
-    }
+    for (const YamlSection& given : section.sections("poses"))
+      motion.poses_.push_back(read_pose(given));
+    if (motion.poses_.empty())
+      section.refuse("poses", en::say("the list is empty"), en::say("one pose a frame"));
   }
   if (kind == "random") motion.kind_ = Kind::kRandom;
   if (kind == "wander") {
     motion.kind_ = Kind::kWander;
-    motion.frames_per_move_ = parameters.number("frames_per_move", {1, 10000});
+    motion.frames_per_move_ = section.number("frames_per_move", {1, 10000});
   }
   return motion;
 }
@@ -91,20 +92,20 @@ Status Motion::fits(const std::vector<DegreeOfFreedom>& dofs) const {
     for (const auto& [name, value] : pose) {
       const auto dof = std::find(names.begin(), names.end(), name);
       if (dof == names.end())
-        return Error{fmt::format("the motion moves '{}', but no effect of the scene does", name),
-                     where_,
-                     names.empty() ? "name `bend` or `sway` among the effects"
-                                   : fmt::format("one of {}", fmt::join(names, ", "))};
+        return Error{
+            en::say("the motion moves '{}', but no effect of the scene does", name),
+            where_,
+            names.empty() ? en::say("name `bend` or `sway` among the effects") : one_of(names)};
       const DegreeOfFreedom& range = dofs[static_cast<std::size_t>(dof - names.begin())];
       if (value < range.low || value > range.high)
-        return Error{fmt::format("{} = {:g} is outside the effect's range", name, value),
+        return Error{en::say("{} = {:g} is outside the effect's range", name, value),
                      where_,
-                     fmt::format("{:g} to {:g}", range.low, range.high)};
+                     en::say("{:g} to {:g}", range.low, range.high)};
     }
   if (kind_ != Kind::kPoses && dofs.empty())
-    return Error{"the motion has nothing to move",
+    return Error{en::say("the motion has nothing to move"),
                  where_,
-                 "name `bend` or `sway` among the effects, or leave the motion out"};
+                 en::say("name `bend` or `sway` among the effects, or leave the motion out")};
   return {};
 }
 

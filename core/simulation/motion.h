@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/result.h"
-#include "core/simulation/parameters.h"
+#include "core/simulation/varying.h"
 
 #include <cstdint>
 #include <map>
@@ -22,7 +22,7 @@ class Motion {
  public:
   /// The motion of a scene that names none: hold, everything 0.
   Motion() = default;
-  static Motion read(Parameters& parameters);
+  static Motion read(YamlSection& section);
 
   [[nodiscard]] double value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) const;
   /// Error: a pose names something that nothing moves, or puts it outside its range.

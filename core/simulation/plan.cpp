@@ -110,7 +110,7 @@ Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
   auto camera = Camera::create(content.finger.camera);
   if (!camera)
     return Error{camera.error().what,
-                 fmt::format("scene '{}': finger.camera", content.name),
+                 en::say("scene '{}': finger.camera", content.name),
                  camera.error().advice};
   // The noise of a recording must not be that of the press that is compared with it.
   seed ^= std::uint64_t{fnv1a(content.name)} << 32;
@@ -147,8 +147,9 @@ std::vector<std::string> Plan::effects() const {
 
 Status Plan::check_grey_levels(const std::string& scene_file) const {
   if (state_->gives_bytes) return {};
-  return Error{
-      "its camera does not give whole grey levels", scene_file, "name the effect quantisation too"};
+  return Error{en::say("its camera does not give whole grey levels"),
+               scene_file,
+               en::say("name the effect quantisation too")};
 }
 
 cv::Mat Plan::render(int frame, int threads) const {

@@ -1,5 +1,6 @@
 #include "core/simulation/scene.h"
 
+#include "core/either.h"
 #include "core/io/atomic_file.h"
 #include "core/printable.h"
 #include "core/simulation/scene_content.h"
@@ -13,59 +14,63 @@ namespace {
 
 constexpr std::size_t kLargestScene = std::size_t{1} << 20;
 
-CameraParameters read_camera(Parameters map) {
+CameraParameters read_camera(YamlSection section) {
   CameraParameters camera;
-  camera.model =
-      *camera_model_from(map.word("model", {"pinhole", "brown", "fisheye", "orthographic"}));
-  const auto size = map.numbers("size", 2, 2);
+  const std::vector<std::string_view> models{"pinhole", "brown", "fisheye", "orthographic"};
+  camera.model = *camera_model_from(models[section.choice("model", models)]);
+  const auto size = section.numbers("size", 2, 2, {16, 16384});
   for (const double length : size)
-    if (length != std::floor(length) || length < 16 || length > 16384)
-      map.refuse("size", "this is not [width, height]", "whole numbers from 16 to 16384");
+    if (length != std::floor(length))
+      section.refuse("size",
+                     en::say("this is not [width, height]"),
+                     en::say("whole numbers from 16 to 16384"));
   camera.width_px = static_cast<int>(size[0]);
   camera.height_px = static_cast<int>(size[1]);
-  camera.cx_px = map.number("cx", {-1e5, 1e5});
-  camera.cy_px = map.number("cy", {-1e5, 1e5});
+  camera.cx_px = section.number("cx", {-1e5, 1e5});
+  camera.cy_px = section.number("cy", {-1e5, 1e5});
   if (camera.model == CameraModel::kOrthographic) {
-    camera.mm_per_px = map.number("mm_per_px", strength_up_to(100));
+    camera.mm_per_px = section.number("mm_per_px", strength_up_to(100));
   } else {
-    camera.fx_px = map.number("fx", strength_up_to(1e6));
-    camera.fy_px = map.number("fy", strength_up_to(1e6));
+    camera.fx_px = section.number("fx", strength_up_to(1e6));
+    camera.fy_px = section.number("fy", strength_up_to(1e6));
   }
-  if (map.has("distortion")) camera.distortion = map.numbers("distortion", 0, 5);
+  if (section.has("distortion"))
+    camera.distortion = section.numbers("distortion", 0, 5, {-1e6, 1e6});
   return camera;
 }
 
-Face read_face(Parameters map) {
+Face read_face(YamlSection section) {
   Face face;
-  face.kind = map.word("kind", {"fin_ray", "flat"}) == "flat" ? FaceKind::kFlat : FaceKind::kFinRay;
-  face.layer_mm = map.number("layer_mm", strength_up_to(50));
+  face.kind =
+      section.choice("kind", {"fin_ray", "flat"}) == 1 ? FaceKind::kFlat : FaceKind::kFinRay;
+  face.layer_mm = section.number("layer_mm", strength_up_to(50));
   if (face.kind == FaceKind::kFinRay)
-    face.width_mm = map.number("width_mm", strength_up_to(500));
+    face.width_mm = section.number("width_mm", strength_up_to(500));
   else
-    face.plane_z_mm = map.number("plane_z_mm", {0.1, 10000});
+    face.plane_z_mm = section.number("plane_z_mm", {0.1, 10000});
   return face;
 }
 
-MarkerRows read_markers(Parameters map) {
+MarkerRows read_markers(YamlSection section) {
   MarkerRows rows;
-  rows.per_row = map.integer("per_row", 2, 64);
+  rows.per_row = section.whole_number("per_row", 2, 64);
   rows.polarity =
-      map.word("polarity", {"bright", "dark"}) == "dark" ? Polarity::kDark : Polarity::kBright;
+      section.choice("polarity", {"bright", "dark"}) == 1 ? Polarity::kDark : Polarity::kBright;
   return rows;
 }
 
-void read_untouched(Parameters map, Scene::Content& content) {
-  content.base_mm.x() = map.number("x_mm", {-1000, 1000});
-  content.base_mm.y() = map.number_or("y_mm", 0, {-1000, 1000});
-  content.base_mm.z() = map.number("z_mm", {1, 1000});
-  content.incline_rad = map.number("incline_deg", {-75, 75}) * std::numbers::pi / 180;
-  content.length_mm = map.number("length_mm", {1, 1000});
+void read_untouched(YamlSection section, Scene::Content& content) {
+  content.base_mm.x() = section.number("x_mm", {-1000, 1000});
+  content.base_mm.y() = section.number_or("y_mm", 0, {-1000, 1000});
+  content.base_mm.z() = section.number("z_mm", {1, 1000});
+  content.incline_rad = section.number("incline_deg", {-75, 75}) * std::numbers::pi / 180;
+  content.length_mm = section.number("length_mm", {1, 1000});
 }
 
-void read_effects(Parameters& scene, Scene::Content& content) {
+void read_effects(YamlSection& scene, Scene::Content& content) {
   std::set<std::string> seen;
-  for (Parameters& map : scene.maps("effects")) {
-    const std::string use = map.text("use");
+  for (YamlSection& section : scene.sections("effects")) {
+    const std::string use = section.text("use");
     const auto kinds = effect_kinds();
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const auto* k) { return k->name == use; });
@@ -73,15 +78,13 @@ void read_effects(Parameters& scene, Scene::Content& content) {
       std::vector<std::string> names;
       for (const auto* k : kinds) names.push_back(k->name);
       std::sort(names.begin(), names.end());
-      map.refuse("use",
-                 fmt::format("there is no effect '{}'", printable(use)),
-                 fmt::format("one of {}", fmt::join(names, ", ")));
-      return;
+      section.refuse("use", en::say("there is no effect '{}'", printable(use)), one_of(names, use));
     }
     if (!seen.insert(use).second)
-      map.refuse("use", fmt::format("the effect '{}' is named twice", use), "remove one of them");
-    map.rename(use);
-    content.effects.push_back({*kind, (*kind)->make(map), map.where("")});
+      section.refuse(
+          "use", en::say("the effect '{}' is named twice", use), en::say("remove one of them"));
+    section.rename(use);
+    content.effects.push_back({*kind, (*kind)->make(section), section.where("")});
   }
   std::stable_sort(
       content.effects.begin(), content.effects.end(), [](const auto& a, const auto& b) {
@@ -89,30 +92,30 @@ void read_effects(Parameters& scene, Scene::Content& content) {
       });
 }
 
-Result<std::shared_ptr<const Scene::Content>> read_scene(const YAML::Node& root,
-                                                         const std::string& origin) {
-  if (!root.IsMap())
-    return Error{"this is not a scene", origin, "name, why, finger, frames and effects"};
-  auto content = std::make_shared<Scene::Content>();
-  Parameters scene(root, origin, "");
-  content->name = scene.text("name");
-  content->why = scene.text("why");
-  content->frame_count = scene.integer_or("frames", 1, 1, 1000000);
-  content->frames_per_s = scene.number_or("frames_per_s", 30, {0.1, 10000});
-  Parameters finger = scene.map("finger");
-  content->finger.name = content->name;
-  content->finger.camera = read_camera(finger.map("camera"));
-  content->finger.face = read_face(finger.map("face"));
-  if (finger.has("markers")) content->finger.markers = read_markers(finger.map("markers"));
-  if (content->finger.face.kind == FaceKind::kFinRay)
-    read_untouched(scene.map("untouched"), *content);
+std::string read_sentence(YamlSection& scene, const char* key) {
+  std::string sentence = scene.text(key);
+  if (sentence.empty())
+    scene.refuse(key, en::say("this is not a text"), en::say("a word or a sentence"));
+  return sentence;
+}
+
+void read_scene(YamlSection& scene, Scene::Content& content) {
+  content.name = read_sentence(scene, "name");
+  content.why = read_sentence(scene, "why");
+  content.frame_count = scene.whole_number_or("frames", 1, 1, 1000000);
+  content.frames_per_s = scene.number_or("frames_per_s", 30, {0.1, 10000});
+  YamlSection finger = scene.section("finger");
+  content.finger.name = content.name;
+  content.finger.camera = read_camera(finger.section("camera"));
+  content.finger.face = read_face(finger.section("face"));
+  if (finger.has("markers")) content.finger.markers = read_markers(finger.section("markers"));
+  if (content.finger.face.kind == FaceKind::kFinRay)
+    read_untouched(scene.section("untouched"), content);
   if (scene.has("motion")) {
-    Parameters motion = scene.map("motion");
-    content->motion = Motion::read(motion);
+    YamlSection motion = scene.section("motion");
+    content.motion = Motion::read(motion);
   }
-  read_effects(scene, *content);
-  if (Status status = scene.status(); !status) return status.error();
-  return std::shared_ptr<const Scene::Content>(std::move(content));
+  read_effects(scene, content);
 }
 
 }  // namespace
@@ -124,17 +127,14 @@ Result<Scene> Scene::load(const std::filesystem::path& file) {
 }
 
 Result<Scene> Scene::parse(std::string_view yaml, const std::string& origin) {
-  try {
-    auto content = read_scene(YAML::Load(std::string(yaml)), origin);
-    if (!content) return content.error();
-    Scene scene;
-    scene.content_ = *content;
-    return scene;
-  } catch (const YAML::Exception& e) {
-    return Error{e.msg, fmt::format("{}:{}", origin, e.mark.line + 1), "mend the YAML there"};
-  } catch (const cv::Exception& e) {
-    return Error{e.err, origin, ""};
-  }
+  YamlFile file(origin, YamlFile::Unknown::kRefused);
+  auto content = std::make_shared<Content>();
+  const Status read =
+      file.read(std::string(yaml), [&](YamlSection& top) { read_scene(top, *content); });
+  if (!read) return read.error();
+  Scene scene;
+  scene.content_ = std::move(content);
+  return scene;
 }
 
 const std::string& Scene::name() const {

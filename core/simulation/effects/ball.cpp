@@ -8,17 +8,19 @@ namespace {
 
 class Ball final : public GeometryEffect {
  public:
-  explicit Ball(Parameters& p)
-      : radius_(p.varying("radius_mm", strength_up_to(100))),
-        depth_(p.varying("depth_mm", strength_up_to(20))),
-        s_(p.varying("s_mm", {-1000, 1000})),
-        y_(p.varying("y_mm", {-1000, 1000})),
+  explicit Ball(YamlSection& p)
+      : radius_(Varying::read(p, "radius_mm", strength_up_to(100))),
+        depth_(Varying::read(p, "depth_mm", strength_up_to(20))),
+        s_(Varying::read(p, "s_mm", {-1000, 1000})),
+        y_(Varying::read(p, "y_mm", {-1000, 1000})),
         give_(p) {}
 
   Status fits(const SceneFacts& scene) const override {
     if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
     if (depth_.greatest() >= radius_.least())
-      return Error{"the ball would sink in beyond its middle", "", "depth_mm below radius_mm"};
+      return Error{en::say("the ball would sink in beyond its middle"),
+                   "",
+                   en::say("depth_mm below radius_mm")};
     return give_.fits(scene);
   }
 
@@ -40,7 +42,7 @@ class Ball final : public GeometryEffect {
 
 const EffectKind& effect_ball() {
   static const EffectKind kKind{
-      "ball", Stage::kGeometry, 30, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "ball", Stage::kGeometry, 30, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Ball>(p);
       }};
   return kKind;

@@ -9,13 +9,13 @@ namespace {
 
 class Bend final : public GeometryEffect {
  public:
-  explicit Bend(Parameters& p)
-      : q1_(p.degree_of_freedom("q1_mm", {-100, 100})),
-        q2_(p.degree_of_freedom("q2_mm", {-100, 100})) {}
+  explicit Bend(YamlSection& p)
+      : q1_(DegreeOfFreedom::read(p, "q1_mm", {-100, 100})),
+        q2_(DegreeOfFreedom::read(p, "q2_mm", {-100, 100})) {}
 
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
-      return Error{"a flat sensor does not bend", "", "leave bend out"};
+      return Error{en::say("a flat sensor does not bend"), "", en::say("leave bend out")};
     return {};
   }
   std::vector<DegreeOfFreedom> degrees_of_freedom() const override { return {q1_, q2_}; }
@@ -32,7 +32,7 @@ class Bend final : public GeometryEffect {
 
 const EffectKind& effect_bend() {
   static const EffectKind kKind{
-      "bend", Stage::kGeometry, 10, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "bend", Stage::kGeometry, 10, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Bend>(p);
       }};
   return kKind;

@@ -3,6 +3,8 @@
 // smooth ring of that height one width away from the rim.
 #include "core/simulation/effect.h"
 
+#include <opencv2/imgproc.hpp>
+
 namespace alltact {
 
 namespace {
@@ -39,13 +41,14 @@ void swell(ReliefPress& press, double height_mm, double width_mm) {
 
 class Bulge final : public GeometryEffect {
  public:
-  explicit Bulge(Parameters& p)
+  explicit Bulge(YamlSection& p)
       : share_(p.number("share", strength_up_to(0.5))),
         width_mm_(p.number("width_mm", strength_up_to(20))) {}
 
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("ball") && !scene.names("relief"))
-      return Error{"nothing presses, so nothing bulges", "", "name ball or relief too"};
+      return Error{
+          en::say("nothing presses, so nothing bulges"), "", en::say("name ball or relief too")};
     return {};
   }
 
@@ -62,7 +65,7 @@ class Bulge final : public GeometryEffect {
 
 const EffectKind& effect_bulge() {
   static const EffectKind kKind{
-      "bulge", Stage::kGeometry, 50, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "bulge", Stage::kGeometry, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Bulge>(p);
       }};
   return kKind;

@@ -9,8 +9,9 @@ namespace {
 
 class Drop final : public TransportEffect {
  public:
-  explicit Drop(Parameters& p)
-      : share_(p.number("share", {0, 1, true, true})), run_(p.integer_or("run", 1, 1, 1000)) {}
+  explicit Drop(YamlSection& p)
+      : share_(p.number("share", {0, 1, true, true, true})),
+        run_(p.whole_number_or("run", 1, 1, 1000)) {}
 
   void arrival(const FrameContext& frame, Arrival& arrival) const override {
     for (int first = std::max(0, frame.frame - run_ + 1); first <= frame.frame; ++first)
@@ -27,7 +28,7 @@ class Drop final : public TransportEffect {
 
 const EffectKind& effect_drop() {
   static const EffectKind kKind{
-      "drop", Stage::kTransport, 60, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "drop", Stage::kTransport, 60, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Drop>(p);
       }};
   return kKind;

@@ -9,9 +9,9 @@ namespace {
 
 class Late final : public TransportEffect {
  public:
-  explicit Late(Parameters& p)
-      : share_(p.number("share", {0, 1, true, false})),
-        by_ms_(p.varying("by_ms", strength_up_to(60000))) {}
+  explicit Late(YamlSection& p)
+      : share_(p.number("share", strength_up_to(1))),
+        by_ms_(Varying::read(p, "by_ms", strength_up_to(60000))) {}
 
   void arrival(const FrameContext& frame, Arrival& arrival) const override {
     const auto number = static_cast<std::uint32_t>(frame.frame);
@@ -27,7 +27,7 @@ class Late final : public TransportEffect {
 
 const EffectKind& effect_late() {
   static const EffectKind kKind{
-      "late", Stage::kTransport, 70, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "late", Stage::kTransport, 70, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Late>(p);
       }};
   return kKind;

@@ -25,10 +25,10 @@ ALLTACT_WIDE void reflect(int first,
 
 class Layer final : public RadianceEffect {
  public:
-  explicit Layer(Parameters& p)
+  explicit Layer(YamlSection& p)
       : scatter_per_mm_(p.number("scatter_per_mm", strength_up_to(100))),
         absorb_per_mm_(p.number_or("absorb_per_mm", 0, strength_up_to(100))),
-        along_z_(p.word("along", {"normal", "z"}) == "z") {}
+        along_z_(p.choice("along", {"normal", "z"}) == 1) {}
 
   std::unique_ptr<const Rows> begin(const FrameContext&,
                                     const FrameGeometry& geometry) const override {
@@ -110,7 +110,7 @@ class Layer final : public RadianceEffect {
 
 const EffectKind& effect_layer() {
   static const EffectKind kKind{
-      "layer", Stage::kRadiance, 10, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "layer", Stage::kRadiance, 10, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Layer>(p);
       }};
   return kKind;

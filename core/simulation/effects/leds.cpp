@@ -8,6 +8,8 @@ namespace alltact {
 
 namespace {
 
+constexpr Limits kLampPlaceMm{-1e6, 1e6};
+
 struct Lamp {
   float x, y, z, power;
   bool aimed;
@@ -49,9 +51,10 @@ ALLTACT_WIDE void shine_aimed(const Surface& s, const Lamp& lamp, float* __restr
 
 class Leds final : public RadianceEffect {
  public:
-  explicit Leds(Parameters& p) {
-    for (Parameters& map : p.maps("lamps")) lamps_.push_back(read_lamp(map));
-    if (lamps_.empty()) p.refuse("lamps", "there is no lamp", "- {at_mm: [x, y, z], power: p}");
+  explicit Leds(YamlSection& p) {
+    for (YamlSection& section : p.sections("lamps")) lamps_.push_back(read_lamp(section));
+    if (lamps_.empty())
+      p.refuse("lamps", en::say("there is no lamp"), en::say("- {{at_mm: [x, y, z], power: p}}"));
   }
 
   std::unique_ptr<const Rows> begin(const FrameContext&, const FrameGeometry&) const override {
@@ -76,28 +79,30 @@ class Leds final : public RadianceEffect {
     const Leds& leds_;
   };
 
-  static Lamp read_lamp(Parameters& map) {
-    const auto at = map.numbers("at_mm", 3, 3);
+  static Lamp read_lamp(YamlSection& section) {
+    const auto at = section.numbers("at_mm", 3, 3, kLampPlaceMm);
     Lamp lamp{static_cast<float>(at[0]),
               static_cast<float>(at[1]),
               static_cast<float>(at[2]),
-              static_cast<float>(map.number("power", strength_up_to(1e9))),
-              map.has("aim_mm"),
+              static_cast<float>(section.number("power", strength_up_to(1e9))),
+              section.has("aim_mm"),
               0,
               0,
               0,
               0};
     if (!lamp.aimed) return lamp;
-    const auto to = map.numbers("aim_mm", 3, 3);
+    const auto to = section.numbers("aim_mm", 3, 3, kLampPlaceMm);
     const Eigen::Vector3d way(to[0] - at[0], to[1] - at[1], to[2] - at[2]);
-    if (way.norm() < 1e-6) map.refuse("aim_mm", "the lamp aims at itself", "another point");
+    if (way.norm() < 1e-6)
+      section.refuse("aim_mm", en::say("the lamp aims at itself"), en::say("another point"));
     const Eigen::Vector3d aim = way.normalized();
     lamp.aim_x = static_cast<float>(aim.x());
     lamp.aim_y = static_cast<float>(aim.y());
     lamp.aim_z = static_cast<float>(aim.z());
-    const int lobe = map.integer("lobe", 1, 8);
+    const int lobe = section.whole_number("lobe", 1, 8);
     while (1 << lamp.squarings < lobe) ++lamp.squarings;
-    if (1 << lamp.squarings != lobe) map.refuse("lobe", "this lobe is not known", "1, 2, 4 or 8");
+    if (1 << lamp.squarings != lobe)
+      section.refuse("lobe", en::say("this lobe is not known"), en::say("1, 2, 4 or 8"));
     return lamp;
   }
 
@@ -108,7 +113,7 @@ class Leds final : public RadianceEffect {
 
 const EffectKind& effect_leds() {
   static const EffectKind kKind{
-      "leds", Stage::kRadiance, 50, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "leds", Stage::kRadiance, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Leds>(p);
       }};
   return kKind;

@@ -13,22 +13,29 @@ constexpr int kCorners = 96;
 
 class Markers final : public GeometryEffect {
  public:
-  explicit Markers(Parameters& p)
+  explicit Markers(YamlSection& p)
       : radius_mm_(p.number("radius_mm", strength_up_to(20))),
         setback_mm_(p.number("setback_mm", strength_up_to(100))),
         first_(p.number("first", {0, 1})),
         last_(p.number("last", {0, 1})),
         albedo_(p.number("albedo", {0, 1})) {
-    if (!(first_ < last_)) p.refuse("first", "'first' is not below 'last'", "e.g. 0.1 and 0.9");
+    if (!(first_ < last_))
+      p.refuse("first", en::say("'first' is not below 'last'"), en::say("e.g. 0.1 and 0.9"));
     if (radius_mm_ >= setback_mm_)
-      p.refuse("radius_mm", "the dots would cut the face's edge", "less than setback_mm");
+      p.refuse("radius_mm",
+               en::say("the dots would cut the face's edge"),
+               en::say("less than setback_mm"));
   }
 
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.markers.per_row < 2)
-      return Error{"the finger has no markers", "", "finger.markers with per_row and polarity"};
+      return Error{en::say("the finger has no markers"),
+                   "",
+                   en::say("finger.markers with per_row and polarity")};
     if (!scene.names("sides"))
-      return Error{"markers are engraved in the side faces", "", "name the effect sides too"};
+      return Error{en::say("markers are engraved in the side faces"),
+                   "",
+                   en::say("name the effect sides too")};
     return {};
   }
 
@@ -72,7 +79,7 @@ class Markers final : public GeometryEffect {
 
 const EffectKind& effect_markers() {
   static const EffectKind kKind{
-      "markers", Stage::kGeometry, 60, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "markers", Stage::kGeometry, 60, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Markers>(p);
       }};
   return kKind;

@@ -9,11 +9,12 @@ namespace {
 
 class Mjpeg final : public TransportEffect {
  public:
-  explicit Mjpeg(Parameters& p) : quality_(p.integer("quality", 1, 100)) {}
+  explicit Mjpeg(YamlSection& p) : quality_(p.whole_number("quality", 1, 100)) {}
 
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("quantisation"))
-      return Error{"JPEG needs whole grey levels", "", "name the effect quantisation too"};
+      return Error{
+          en::say("JPEG needs whole grey levels"), "", en::say("name the effect quantisation too")};
     return {};
   }
   void picture(const FrameContext&, SentPicture& sent) const override {
@@ -31,7 +32,7 @@ class Mjpeg final : public TransportEffect {
 
 const EffectKind& effect_mjpeg() {
   static const EffectKind kKind{
-      "mjpeg", Stage::kTransport, 50, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "mjpeg", Stage::kTransport, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Mjpeg>(p);
       }};
   return kKind;

@@ -11,16 +11,19 @@ namespace {
 
 class Occlusion final : public GeometryEffect {
  public:
-  explicit Occlusion(Parameters& p) : by_count_(p.has("count")) {
+  explicit Occlusion(YamlSection& p) : by_count_(p.has("count")) {
     if (by_count_) {
-      count_ = p.varying("count", {0, 128});
+      count_ = Varying::read(p, "count", {0, 128});
       if (count_.greatest() < 0.5)
-        p.refuse("count", "no dot would ever be hidden", "leave occlusion out, or 1 and more");
+        p.refuse("count",
+                 en::say("no dot would ever be hidden"),
+                 en::say("leave occlusion out, or 1 and more"));
       return;
     }
-    for (const double number : p.numbers("markers", 1, 128)) {
+    for (const double number : p.numbers("markers", 1, 128, {-1e6, 1e6})) {
       if (number < 0 || number != std::floor(number))
-        p.refuse("markers", fmt::format("{:g} is not a marker's number", number), "0, 1, 2, ...");
+        p.refuse(
+            "markers", en::say("{:g} is not a marker's number", number), en::say("0, 1, 2, ..."));
       else
         markers_.push_back(static_cast<std::size_t>(number));
     }
@@ -28,14 +31,14 @@ class Occlusion final : public GeometryEffect {
 
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("markers"))
-      return Error{"there are no dots to hide", "", "name the effect markers too"};
+      return Error{
+          en::say("there are no dots to hide"), "", en::say("name the effect markers too")};
     const auto n = static_cast<std::size_t>(scene.finger.marker_count());
     for (const std::size_t number : markers_)
       if (number >= n)
-        return Error{
-            fmt::format("there is no marker {}", number), "", fmt::format("0 to {}", n - 1)};
+        return Error{en::say("there is no marker {}", number), "", en::say("0 to {}", n - 1)};
     if (count_.greatest() > static_cast<double>(n))
-      return Error{"more dots would be hidden than there are", "", fmt::format("up to {}", n)};
+      return Error{en::say("more dots would be hidden than there are"), "", en::say("up to {}", n)};
     return {};
   }
 
@@ -71,7 +74,7 @@ class Occlusion final : public GeometryEffect {
 
 const EffectKind& effect_occlusion() {
   static const EffectKind kKind{
-      "occlusion", Stage::kGeometry, 61, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "occlusion", Stage::kGeometry, 61, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Occlusion>(p);
       }};
   return kKind;

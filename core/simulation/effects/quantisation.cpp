@@ -15,7 +15,7 @@ ALLTACT_WIDE void quantise(int n, const float* __restrict value, std::uint8_t* _
 
 class Quantisation final : public SensorEffect {
  public:
-  explicit Quantisation(Parameters&) {}
+  explicit Quantisation(YamlSection&) {}
   bool gives_bytes() const override { return true; }
   void row(const FrameContext&, RowView& row) const override {
     quantise(row.width, row.value, row.bytes);
@@ -26,7 +26,7 @@ class Quantisation final : public SensorEffect {
 
 const EffectKind& effect_quantisation() {
   static const EffectKind kKind{
-      "quantisation", Stage::kSensor, 90, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "quantisation", Stage::kSensor, 90, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Quantisation>(p);
       }};
   return kKind;

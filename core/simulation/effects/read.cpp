@@ -6,7 +6,10 @@ namespace alltact {
 
 namespace {
 
-ALLTACT_WIDE void add(int n, float sd, const float* __restrict normal, float* __restrict value) {
+ALLTACT_WIDE void add_read(int n,
+                           float sd,
+                           const float* __restrict normal,
+                           float* __restrict value) {
   for (int u = 0; u < n; ++u) value[u] += sd * normal[u];
 }
 
@@ -14,8 +17,8 @@ ALLTACT_WIDE void add(int n, float sd, const float* __restrict normal, float* __
 
 const EffectKind& effect_read() {
   static const EffectKind kKind{
-      "read", Stage::kSensor, 60, [](Parameters& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<NoiseEffect>("read", p.number("sd", strength_up_to(100)), add);
+      "read", Stage::kSensor, 60, [](YamlSection& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<NoiseEffect>("read", p.number("sd", strength_up_to(100)), add_read);
       }};
   return kKind;
 }

@@ -59,13 +59,14 @@ cv::Mat_<float> tabulate(const Gap& gap, double size_mm) {
 
 class Relief final : public GeometryEffect {
  public:
-  explicit Relief(Parameters& p)
-      : depth_(p.varying("depth_mm", strength_up_to(20))),
-        s_(p.varying("s_mm", {-1000, 1000})),
-        y_(p.varying("y_mm", {-1000, 1000})),
-        rotation_deg_(p.varying_or("rotation_deg", 0, {-360, 360})),
+  explicit Relief(YamlSection& p)
+      : depth_(Varying::read(p, "depth_mm", strength_up_to(20))),
+        s_(Varying::read(p, "s_mm", {-1000, 1000})),
+        y_(Varying::read(p, "y_mm", {-1000, 1000})),
+        rotation_deg_(Varying::read_or(p, "rotation_deg", 0, {-360, 360})),
         give_(p) {
-    const std::string shape = p.word("shape", {"t_bar", "thread_m8", "picture"});
+    const std::vector<std::string_view> shapes{"t_bar", "thread_m8", "picture"};
+    const std::string_view shape = shapes[p.choice("shape", shapes)];
     if (shape == "picture") {
       read_picture(p);
       return;
@@ -76,7 +77,8 @@ class Relief final : public GeometryEffect {
       return;
     }
     const double bar = p.number("bar_mm", {0.1, 50});
-    if (bar >= size) p.refuse("bar_mm", "the bars are wider than the T", "less than size_mm");
+    if (bar >= size)
+      p.refuse("bar_mm", en::say("the bars are wider than the T"), en::say("less than size_mm"));
     gap_mm_ = tabulate(TBar{size, bar}, size);
   }
 
@@ -99,15 +101,12 @@ class Relief final : public GeometryEffect {
   }
 
  private:
-  void read_picture(Parameters& p) {
+  void read_picture(YamlSection& p) {
     step_mm_ = p.number("mm_per_px", strength_up_to(10));
     const double height_mm = p.number("height_mm", strength_up_to(100));
-    const std::filesystem::path beside = std::filesystem::path(p.origin()).parent_path();
+    const std::filesystem::path beside = p.file().path().parent_path();
     const auto picture = read_grey_picture(beside / p.text("file"));
-    if (!picture) {
-      p.refuse("file", picture.error().what, picture.error().advice);
-      return;
-    }
+    if (!picture) p.refuse("file", picture.error().what, picture.error().advice);
     double greatest = 0;
     cv::minMaxLoc(*picture, nullptr, &greatest);
     picture->convertTo(gap_mm_, CV_32F, -height_mm / 255, height_mm * greatest / 255);
@@ -124,7 +123,7 @@ class Relief final : public GeometryEffect {
 
 const EffectKind& effect_relief() {
   static const EffectKind kKind{
-      "relief", Stage::kGeometry, 31, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "relief", Stage::kGeometry, 31, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Relief>(p);
       }};
   return kKind;

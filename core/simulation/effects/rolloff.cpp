@@ -91,16 +91,18 @@ void smooth(ReliefPress& press, double length_mm) {
 
 class Rolloff final : public GeometryEffect {
  public:
-  explicit Rolloff(Parameters& p) : hertz_(p.word("kind", {"hertz", "smooth"}) == "hertz") {
+  explicit Rolloff(YamlSection& p) : hertz_(p.choice("kind", {"hertz", "smooth"}) == 0) {
     length_mm_ = hertz_ ? p.number_or("length_mm", 0, strength_up_to(100))
                         : p.number("length_mm", {0.005, 5});
   }
 
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("ball") && !scene.names("relief"))
-      return Error{"nothing presses, so nothing rolls off", "", "name ball or relief too"};
+      return Error{
+          en::say("nothing presses, so nothing rolls off"), "", en::say("name ball or relief too")};
     if (hertz_ && scene.names("relief"))
-      return Error{"kind hertz is for balls only", "", "kind: smooth with a length_mm"};
+      return Error{
+          en::say("kind hertz is for balls only"), "", en::say("kind: smooth with a length_mm")};
     return {};
   }
 
@@ -124,7 +126,7 @@ class Rolloff final : public GeometryEffect {
 
 const EffectKind& effect_rolloff() {
   static const EffectKind kKind{
-      "rolloff", Stage::kGeometry, 40, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "rolloff", Stage::kGeometry, 40, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Rolloff>(p);
       }};
   return kKind;

@@ -6,7 +6,10 @@ namespace alltact {
 
 namespace {
 
-ALLTACT_WIDE void add(int n, float gain, const float* __restrict normal, float* __restrict value) {
+ALLTACT_WIDE void add_shot(int n,
+                           float gain,
+                           const float* __restrict normal,
+                           float* __restrict value) {
   for (int u = 0; u < n; ++u) value[u] += std::sqrt(gain * std::max(value[u], 0.0F)) * normal[u];
 }
 
@@ -14,8 +17,9 @@ ALLTACT_WIDE void add(int n, float gain, const float* __restrict normal, float* 
 
 const EffectKind& effect_shot() {
   static const EffectKind kKind{
-      "shot", Stage::kSensor, 50, [](Parameters& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<NoiseEffect>("shot", p.number("gain", strength_up_to(100)), add);
+      "shot", Stage::kSensor, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<NoiseEffect>(
+            "shot", p.number("gain", strength_up_to(100)), add_shot);
       }};
   return kKind;
 }

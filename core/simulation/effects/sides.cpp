@@ -56,15 +56,16 @@ ALLTACT_WIDE void meet_sides(const SideRow& r) {
 
 class Sides final : public RadianceEffect {
  public:
-  explicit Sides(Parameters& p)
-      : albedo_(static_cast<float>(p.number("albedo", {0, 1, true}))),
+  explicit Sides(YamlSection& p)
+      : albedo_(static_cast<float>(p.number("albedo", strength_up_to(1)))),
         depth_mm_(static_cast<float>(p.number("depth_mm", strength_up_to(1000)))) {}
 
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
-      return Error{"a flat sensor has no side faces", "", "leave sides out"};
+      return Error{en::say("a flat sensor has no side faces"), "", en::say("leave sides out")};
     if (scene.finger.camera.model == CameraModel::kOrthographic)
-      return Error{"an orthographic camera sees no side faces", "", "leave sides out"};
+      return Error{
+          en::say("an orthographic camera sees no side faces"), "", en::say("leave sides out")};
     return {};
   }
 
@@ -133,7 +134,7 @@ class Sides final : public RadianceEffect {
 
 const EffectKind& effect_sides() {
   static const EffectKind kKind{
-      "sides", Stage::kRadiance, 20, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "sides", Stage::kRadiance, 20, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Sides>(p);
       }};
   return kKind;

@@ -7,11 +7,11 @@ namespace {
 
 class Sway final : public GeometryEffect {
  public:
-  explicit Sway(Parameters& p) : sway_(p.degree_of_freedom("sway_mm", {-100, 100})) {}
+  explicit Sway(YamlSection& p) : sway_(DegreeOfFreedom::read(p, "sway_mm", {-100, 100})) {}
 
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
-      return Error{"a flat sensor does not sway", "", "leave sway out"};
+      return Error{en::say("a flat sensor does not sway"), "", en::say("leave sway out")};
     return {};
   }
   std::vector<DegreeOfFreedom> degrees_of_freedom() const override { return {sway_}; }
@@ -33,7 +33,7 @@ class Sway final : public GeometryEffect {
 
 const EffectKind& effect_sway() {
   static const EffectKind kKind{
-      "sway", Stage::kGeometry, 11, [](Parameters& p) -> std::shared_ptr<const Effect> {
+      "sway", Stage::kGeometry, 11, [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<Sway>(p);
       }};
   return kKind;

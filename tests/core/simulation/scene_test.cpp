@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <regex>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,6 +42,8 @@ TEST(Scene, UnknownThingsAreRefusedWithFileLineAndKey) {
   EXPECT_THAT(unknown_effect, HasSubstr("test.yaml:10"));
   EXPECT_THAT(unknown_effect, HasSubstr("'sparkle'"));
   EXPECT_THAT(unknown_effect, HasSubstr("quantisation"));  // names those that there are
+  EXPECT_THAT(problem_of(scene_text("  - {use: quantization}\n")),
+              HasSubstr("Try: 'quantisation', or else one of"));
 
   const std::string unknown_key =
       problem_of(scene_text("  - {use: quantisation}\n  - {use: read, sd: 1, amount: 2}\n"));
@@ -97,6 +100,21 @@ TEST(Scene, SpoiledNumbersAreRefused) {
       ++spoiled;
     }
   EXPECT_GT(spoiled, 100);
+}
+
+TEST(Scene, HostileTextsAreRefused) {
+  const std::string text = scene_text("  - {use: shot, gain: 0.03}\n");
+  ASSERT_EQ(problem_of(text), "");
+  EXPECT_THAT(problem_of(text + "name: again\n"), HasSubstr("given twice"));
+  EXPECT_THAT(problem_of(text + "---\n" + text), HasSubstr("more than one document"));
+  EXPECT_THAT(problem_of(text + "self: &x [*x]\n"), HasSubstr("unknown key 'self'"));
+  EXPECT_THAT(problem_of(text + std::string(5000, '[')), HasSubstr("not YAML"));
+  EXPECT_NE(problem_of(text + std::string(1, '\0') + "\n"), "");
+  std::string many = "  - {use: shot, gain: 0.03}\n  - {use: leds, lamps: [&lamp {a: 1";
+  for (int i = 0; i < 2000; ++i) many += fmt::format(", a{}: 1", i);
+  many += "}";
+  for (int i = 0; i < 2000; ++i) many += ", *lamp";
+  EXPECT_THAT(problem_of(scene_text(many + "]}\n")), HasSubstr("too large to be read"));
 }
 
 TEST(Scene, NoTruncationOfASceneCrashes) {

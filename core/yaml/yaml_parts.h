@@ -1,0 +1,49 @@
+// What the reader's own files share.
+#pragma once
+
+#include "core/yaml/yaml_reader.h"
+
+#include <string>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+namespace alltact {
+
+inline constexpr std::size_t kLongestYamlKey = 200;
+
+/// Ends the reading of a file; YamlFile::read() catches it.
+struct RefusedYaml {
+  Error error;
+};
+
+inline int line_of_mark(const YAML::Mark& mark) {
+  return mark.is_null() ? 1 : mark.line + 1;
+}
+
+inline bool is_quoted(const YAML::Node& node) {
+  return node.Tag() == "!";
+}
+
+struct YamlSection::Entry {
+  std::string key;
+  YAML::Node value;
+  int line;
+  bool is_read = false;
+};
+
+struct YamlFile::Section {
+  std::string name;
+  int line;
+  std::vector<YamlSection::Entry> entries;
+  std::vector<std::string> asked;
+
+  /// Keys that were asked for in vain.
+  [[nodiscard]] std::vector<std::string> absent() const {
+    std::vector<std::string> keys = asked;
+    for (const YamlSection::Entry& entry : entries) std::erase(keys, entry.key);
+    return keys;
+  }
+};
+
+}  // namespace alltact

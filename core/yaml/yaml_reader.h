@@ -1,0 +1,98 @@
+// Strict reading of YAML: every value is looked at, every complaint names file, line and key and
+// what would be right. The one reader of all YAML files.
+#pragma once
+
+#include "core/yaml/yaml_file.h"
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace YAML {
+class Node;
+}
+
+namespace alltact {
+
+/// Limits of a number, inclusive; `low_open` and `high_open` take the ends away.
+struct Limits {
+  double low, high;
+  bool low_open = false, high_open = false;
+  bool zero_is_absence = false;  ///< 0 is refused with a sentence saying so
+};
+inline constexpr Limits kAnyNumber{std::numeric_limits<double>::lowest(),
+                                   std::numeric_limits<double>::max()};
+
+/// A block of `key: value` lines, for a reader that YamlFile::read() calls and no longer than that.
+/// What is not as asked for ends that reader there; those with `otherwise` give it when the key is
+/// absent, the others refuse that. Copies are the same section.
+class YamlSection {
+ public:
+  [[nodiscard]] bool has(const std::string& key) const;
+  [[nodiscard]] bool has_list(const std::string& key) const;
+  [[nodiscard]] bool has_section(const std::string& key) const;
+  /// All keys, for sections whose keys are names.
+  [[nodiscard]] std::vector<std::string> keys() const;
+
+  [[nodiscard]] YamlSection section(const std::string& key);
+  /// A list of sections.
+  [[nodiscard]] std::vector<YamlSection> sections(const std::string& key);
+  [[nodiscard]] std::string text(const std::string& key);
+  /// One of `words`, by its place among them.
+  [[nodiscard]] std::size_t choice(const std::string& key,
+                                   const std::vector<std::string_view>& words);
+  /// `meaning`: what the number is, for the message ("a length in mm").
+  [[nodiscard]] double number(const std::string& key, const Message& meaning);
+  [[nodiscard]] double number(const std::string& key, Limits limits);
+  [[nodiscard]] double number_or(const std::string& key, double otherwise, Limits limits);
+  /// From `low` to `high`.
+  [[nodiscard]] int whole_number(const std::string& key, int low, int high);
+  [[nodiscard]] int whole_number_or(const std::string& key, int otherwise, int low, int high);
+  [[nodiscard]] std::vector<double> numbers(const std::string& key, Limits limits = kAnyNumber);
+  /// From `least` to `most` of them.
+  [[nodiscard]] std::vector<double> numbers(const std::string& key,
+                                            std::size_t least,
+                                            std::size_t most,
+                                            Limits limits);
+  [[nodiscard]] std::vector<std::string> texts(const std::string& key);
+  /// A list of lists of numbers.
+  [[nodiscard]] std::vector<std::vector<double>> rows(const std::string& key,
+                                                      Limits limits = kAnyNumber);
+  /// Every key that has a single value, and that value.
+  [[nodiscard]] std::map<std::string, std::string> all_texts();
+
+  /// For what only the reader can see. An empty key: the whole section.
+  [[noreturn]] void refuse(const std::string& key, Message what, Message advice) const;
+  /// "file:line: section.key", as errors say it; of the whole section where `key` is empty.
+  [[nodiscard]] std::string where(const std::string& key) const;
+  [[nodiscard]] const YamlFile& file() const { return *file_; }
+  /// "camera.port"; empty for the top of the file.
+  [[nodiscard]] const std::string& name() const;
+  /// What messages call this section from now on, and the names of those in it.
+  void rename(std::string name);
+
+ private:
+  friend class YamlFile;
+  struct Entry;
+  YamlSection(YamlFile& file, const YAML::Node& node, std::string name, int line);
+  [[nodiscard]] const Entry* find(const std::string& key) const;
+  [[nodiscard]] Entry& required(const std::string& key);
+  [[nodiscard]] const YAML::Node& list(const std::string& key);
+  [[nodiscard]] double checked(const std::string& key,
+                               const YAML::Node& node,
+                               Limits limits,
+                               bool is_item) const;
+  [[nodiscard]] std::vector<double> numbers_of(const std::string& key,
+                                               const YAML::Node& list,
+                                               Limits limits) const;
+  [[nodiscard]] int line_of(const std::string& key) const;
+  [[nodiscard]] std::string full_name(const std::string& key) const;
+
+  YamlFile* file_;
+  std::shared_ptr<YamlFile::Section> here_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,24 @@
+// What a YAML file holds that this version does not know.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace alltact {
+
+/// A part of a file that this version does not know, kept to be written back.
+struct YamlValue {
+  enum class Kind { kScalar = 1, kNull, kList, kMap };
+  Kind kind = Kind::kNull;
+  std::string tag;   ///< as written in the file, empty when there was none
+  std::string text;  ///< scalar
+  bool is_quoted = false;
+  std::vector<YamlValue> items;                            ///< list
+  std::vector<std::pair<std::string, YamlValue>> entries;  ///< map, in the order of the file
+};
+/// By section ("" for the top of the file, "camera", ...), in the order of the file.
+using UnknownKeys = std::map<std::string, std::vector<std::pair<std::string, YamlValue>>>;
+
+}  // namespace alltact
