@@ -253,7 +253,9 @@ TEST_F(Inspect, SaysWhyThereIsNothing) {
   ASSERT_TRUE(wait_until([&] {
     return studio_.problems().find("reference") != std::string::npos &&
            map->accessibleDescription().contains(QStringLiteral("above stands why"));
-  }));
+  })) << studio_.problems()
+      << "\n"
+      << map->accessibleDescription().toStdString();
 }
 
 TEST_F(Inspect, IsNamedForThoseWhoHearIt) {

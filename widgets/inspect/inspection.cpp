@@ -115,8 +115,10 @@ void Inspection::take() {
   }
   recording_ = answer.recording;
   problem_ = answer.problem;
-  if (answer.frame) frame_ = answer.frame;
-  if (answer.frame) Q_EMIT frame_ready();
+  if (answer.frame || problem_) {  // what was shown before is of another frame, or another finger
+    frame_ = answer.frame;
+    Q_EMIT frame_ready();
+  }
   Q_EMIT state_changed();
 }
 
