@@ -1,7 +1,10 @@
 // The outcome of work that can go wrong because of data: a value, or an error a person can act on.
 #pragma once
 
+#include "core/message.h"
+
 #include <cassert>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,20 +12,29 @@
 
 namespace alltact {
 
-/// What happened, where, and what the technician can try. Each part is a sentence or a phrase
-/// without a full stop; `where` names a file, a line or a key and may be empty.
-struct Error {
-  std::string what;
-  std::string where;
-  std::string advice;
+/// Where something is wrong: a file, a line, a key, as they are, or a phrase.
+struct Where : Message {
+  Where() = default;
+  Where(const char (&nothing)[1]) : Message(nothing) {}                        // NOLINT
+  Where(std::string text) : Message(typed(std::move(text))) {}                 // NOLINT
+  Where(const std::filesystem::path& path) : Message(typed(path.string())) {}  // NOLINT
+  Where(Message phrase) : Message(std::move(phrase)) {}                        // NOLINT
+};
 
-  /// "where: what. Try: advice." on one line.
-  [[nodiscard]] std::string sentence() const {
-    std::string text = where.empty() ? what : where + ": " + what;
-    text += '.';
-    if (!advice.empty()) text += " Try: " + advice + ".";
-    return text;
+/// What happened, where, and what the technician can try. Each part is a sentence or a phrase
+/// without a full stop; `where` and `advice` may be empty.
+struct Error {
+  Message what;
+  Where where;
+  Message advice;
+
+  /// "where: what. Try: advice", without the last full stop.
+  [[nodiscard]] Message message() const {
+    const Message said = en::at(where, what);
+    return advice.empty() ? said : en::say("{}. Try: {}", said, advice);
   }
+  /// The same in English, on one line, with the full stop.
+  [[nodiscard]] std::string sentence() const { return message().english() + "."; }
 };
 
 /// Either a T or an Error. Asking the wrong one is our own mistake and asserts.

@@ -1,6 +1,8 @@
 // A named choice, declared once: its flag, its key in files, its help and its check come from here.
 #pragma once
 
+#include "core/either.h"
+#include "core/message.h"
 #include "core/printable.h"
 #include "core/result.h"
 
@@ -17,9 +19,9 @@ namespace alltact {
 /// One choice within a group S of settings.
 template <class S>
 struct Setting {
-  std::string name;      ///< as flag (--name) and as key, words joined by '-'
-  std::string sentence;  ///< what it does, for help and dialogs
-  std::string range;     ///< "1 to 64" or "nearest or local"
+  std::string name;   ///< as flag (--name) and as key, words joined by '-'
+  Message sentence;   ///< what it does, for help and dialogs
+  std::string range;  ///< "1 to 64" or "nearest or local"
   std::function<std::string(const S&)> get;
   /// Error: outside the range, or not a value at all.
   std::function<Status(S&, std::string_view)> set;
@@ -29,7 +31,7 @@ struct Setting {
 
 /// A number in [low, high]. `member` is a pointer to an arithmetic member of S.
 template <class S, class T>
-Setting<S> number_setting(std::string name, std::string sentence, T S::*member, T low, T high) {
+Setting<S> number_setting(std::string name, Message sentence, T S::*member, T low, T high) {
   Setting<S> setting{
       std::move(name), std::move(sentence), fmt::format("{} to {}", low, high), {}, {}};
   setting.get = [member](const S& s) { return fmt::format("{}", s.*member); };
@@ -39,7 +41,7 @@ Setting<S> number_setting(std::string name, std::string sentence, T S::*member, 
     if (status != std::errc{} || end != text.data() + text.size() ||
         !(value >= low && value <= high))
       return Error{
-          fmt::format("'{}' is not a number from {} to {}", printable(text), low, high), name, ""};
+          en::say("'{}' is not a number from {} to {}", printable(text), low, high), name, ""};
     s.*member = value;
     return {};
   };
@@ -49,12 +51,13 @@ Setting<S> number_setting(std::string name, std::string sentence, T S::*member, 
 /// One of several words.
 template <class S, class E>
 Setting<S> choice_setting(std::string name,
-                          std::string sentence,
+                          Message sentence,
                           E S::*member,
                           std::vector<std::pair<std::string, E>> words) {
-  std::string range;
-  for (const auto& [word, value] : words) range += (range.empty() ? "" : " or ") + word;
-  Setting<S> setting{std::move(name), std::move(sentence), range, {}, {}};
+  std::vector<std::string> known;
+  for (const auto& [word, value] : words) known.push_back(word);
+  const Message range = either(known);
+  Setting<S> setting{std::move(name), std::move(sentence), range.english(), {}, {}};
   setting.get = [member, words](const S& s) -> std::string {
     for (const auto& [word, value] : words)
       if (value == s.*member) return word;
@@ -63,7 +66,7 @@ Setting<S> choice_setting(std::string name,
   setting.set = [member, words, range, name = setting.name](S& s, std::string_view text) -> Status {
     for (const auto& [word, value] : words)
       if (word == text) return s.*member = value, Status{};
-    return Error{fmt::format("'{}' is not {}", printable(text), range), name, ""};
+    return Error{en::say("'{}' is not {}", printable(text), range), name, ""};
   };
   return setting;
 }

@@ -33,4065 +33,6 @@
     </message>
 </context>
 <context>
-    <name>Library</name>
-    <message>
-        <source>in the middle of the face</source>
-        <translation>in der Mitte der Fläche</translation>
-    </message>
-    <message>
-        <source>%1 mm from the middle on the %2 side</source>
-        <translation>%1 mm von der Mitte, Seite %2</translation>
-    </message>
-    <message>
-        <source>upper</source>
-        <translation>oben</translation>
-    </message>
-    <message>
-        <source>lower</source>
-        <translation>unten</translation>
-    </message>
-    <message>
-        <source>%1 mm from the base, %2</source>
-        <translation>%1 mm vom Fuß, %2</translation>
-    </message>
-    <message>
-        <source>least certain is the scale: all depths may be too large or too small together, by %1 mm at %2 mm (one standard deviation)</source>
-        <translation>am wenigsten sicher ist der Maßstab: Alle Tiefen können zusammen zu groß oder zu klein sein, um %1 mm bei %2 mm (eine Standardabweichung)</translation>
-    </message>
-    <message>
-        <source>least certain is how shallow and deep go together: by %1 mm at %2 mm (one standard deviation), the other way at the other end</source>
-        <translation>am wenigsten sicher ist, wie flach und tief zusammenhängen: um %1 mm bei %2 mm (eine Standardabweichung), am anderen Ende umgekehrt</translation>
-    </message>
-    <message>
-        <source>a ball 1 % larger than said makes depths %1 % %2; the residual is %3 mm with a radius 1 % smaller, %4 mm as given, %5 mm with one 1 % larger</source>
-        <translation>eine um 1 % größere Kugel als angegeben macht Tiefen %1 % %2; der Restfehler ist %3 mm mit einem 1 % kleineren Radius, %4 mm wie angegeben, %5 mm mit einem 1 % größeren</translation>
-    </message>
-    <message>
-        <source>smaller</source>
-        <translation>kleiner</translation>
-    </message>
-    <message>
-        <source>larger</source>
-        <translation>größer</translation>
-    </message>
-    <message>
-        <source>a wrong radius would be noticed</source>
-        <translation>ein falscher Radius würde auffallen</translation>
-    </message>
-    <message>
-        <source>the presses cannot show a wrong radius, so measure the ball to a hundredth of a millimetre</source>
-        <translation>die Eindrücke können einen falschen Radius nicht zeigen, darum die Kugel auf ein hundertstel Millimeter messen</translation>
-    </message>
-    <message>
-        <source>press next: at another place, 0.5 to 1 mm deep</source>
-        <translation>als Nächstes drücken: an einer anderen Stelle, 0.5 bis 1 mm tief</translation>
-    </message>
-    <message>
-        <source>press next: %1, %2 mm deep; no press tells whether the mapping holds in that third</source>
-        <translation>als Nächstes drücken: %1, %2 mm tief; kein Eindruck sagt, ob die Abbildung in diesem Drittel gilt</translation>
-    </message>
-    <message>
-        <source>enough: one press more would take the standard deviation of depth from %1 mm to %2 mm at best</source>
-        <translation>genug: Ein Eindruck mehr brächte die Standardabweichung der Tiefe bestenfalls von %1 mm auf %2 mm</translation>
-    </message>
-    <message>
-        <source>press next: %1, %2 mm deep; that would take the standard deviation of depth from %3 mm to %4 mm</source>
-        <translation>als Nächstes drücken: %1, %2 mm tief; das brächte die Standardabweichung der Tiefe von %3 mm auf %4 mm</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>middle</source>
-        <translation>Mitte</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>base</source>
-        <translation>Fuß</translation>
-    </message>
-    <message>
-        <source>tip</source>
-        <translation>Spitze</translation>
-    </message>
-    <message>
-        <source>upper half</source>
-        <translation>obere Hälfte</translation>
-    </message>
-    <message>
-        <source>lower half</source>
-        <translation>untere Hälfte</translation>
-    </message>
-    <message>
-        <source>%1 %2 mm (%3 press)</source>
-        <translation>%1 %2 mm (%3 Eindruck)</translation>
-    </message>
-    <message>
-        <source>%1 %2 mm (%3 presses)</source>
-        <translation>%1 %2 mm (%3 Eindrücke)</translation>
-    </message>
-    <message>
-        <source>%1 unknown: no press there</source>
-        <translation>%1 unbekannt: dort kein Eindruck</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 1000</source>
-        <translation>muss über 0 und höchstens 1000 sein</translation>
-    </message>
-    <message>
-        <source>the ball&apos;s radius in mm</source>
-        <translation>der Radius der Kugel in mm</translation>
-    </message>
-    <message>
-        <source>is not the centre of a ball before the camera</source>
-        <translation>ist nicht die Mitte einer Kugel vor der Kamera</translation>
-    </message>
-    <message>
-        <source>x, y, z in mm</source>
-        <translation>x, y, z in mm</translation>
-    </message>
-    <message>
-        <source>the balls&apos; radii in mm</source>
-        <translation>die Radien der Kugeln in mm</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error on the very presses it was made from</source>
-        <translation>%1 mm Tiefenfehler bei eben den Eindrücken, aus denen sie entstand</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error to be expected (%2 mm in shape, on presses it had not seen; %3 mm as a whole)</source>
-        <translation>%1 mm Tiefenfehler zu erwarten (%2 mm in der Form, bei Eindrücken, die sie nicht kannte; %3 mm im Ganzen)</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error to be expected (%2 mm in shape, on presses it had not seen; %3 mm as a whole; %4 mm of a single pixel)</source>
-        <translation>%1 mm Tiefenfehler zu erwarten (%2 mm in der Form, bei Eindrücken, die sie nicht kannte; %3 mm im Ganzen; %4 mm eines einzelnen Bildpunkts)</translation>
-    </message>
-    <message>
-        <source>not fit to measure with</source>
-        <translation>zum Messen nicht geeignet</translation>
-    </message>
-    <message>
-        <source>press again with a clean ball of the radius given, whole on the face</source>
-        <translation>neu drücken, mit einer sauberen Kugel des angegebenen Radius, ganz auf der Fläche</translation>
-    </message>
-    <message>
-        <source>unproven</source>
-        <translation>unbewiesen</translation>
-    </message>
-    <message>
-        <source>none was left out to show what happens on others</source>
-        <translation>keiner wurde ausgelassen, um zu zeigen, was bei anderen geschieht</translation>
-    </message>
-    <message>
-        <source>one press cannot show what happens on others, add presses of different depth</source>
-        <translation>ein Eindruck kann nicht zeigen, was bei anderen geschieht, Eindrücke verschiedener Tiefe hinzufügen</translation>
-    </message>
-    <message>
-        <source>usable for contact and its place</source>
-        <translation>für Kontakt und seinen Ort brauchbar</translation>
-    </message>
-    <message>
-        <source>usable</source>
-        <translation>brauchbar</translation>
-    </message>
-    <message>
-        <source>good</source>
-        <translation>gut</translation>
-    </message>
-    <message>
-        <source>add presses of different depth and place to measure relief</source>
-        <translation>zum Messen von Reliefs Eindrücke verschiedener Tiefe an verschiedenen Stellen hinzufügen</translation>
-    </message>
-    <message>
-        <source>The %1 was not taken with one setting of camera and light: %2</source>
-        <translation>Nicht mit einer einzigen Einstellung von Kamera und Licht aufgenommen (%1): %2</translation>
-    </message>
-    <message>
-        <source>Lock them, and record it again</source>
-        <translation>Sperren Sie sie, und nehmen Sie noch einmal auf</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>Referenz</translation>
-    </message>
-    <message>
-        <source>set of presses</source>
-        <translation>Eindrücke</translation>
-    </message>
-    <message>
-        <source>presses</source>
-        <translation>Eindrücke</translation>
-    </message>
-    <message>
-        <source>The %1 and the %2 were taken with other settings: %3</source>
-        <translation>Mit verschiedenen Einstellungen aufgenommen (%1, %2): %3</translation>
-    </message>
-    <message>
-        <source>Depth comes from comparing their brightness: record one of them again</source>
-        <translation>Tiefe entsteht aus dem Vergleich ihrer Helligkeit: Nehmen Sie eines davon neu auf</translation>
-    </message>
-    <message>
-        <source>The finger was calibrated with other settings: %1</source>
-        <translation>Der Finger wurde mit anderen Einstellungen kalibriert: %1</translation>
-    </message>
-    <message>
-        <source>Set them as they were, or calibrate again</source>
-        <translation>Stellen Sie sie wie damals ein, oder kalibrieren Sie neu</translation>
-    </message>
-    <message>
-        <source>%1 was %2 and is %3</source>
-        <translation>%1 war %2 und ist %3</translation>
-    </message>
-    <message>
-        <source>stopped before there was a solution</source>
-        <translation>angehalten, bevor es eine Lösung gab</translation>
-    </message>
-    <message>
-        <source>solving: round %1, unknowns move by %2 mm</source>
-        <translation>Lösen: Runde %1, die Unbekannten bewegen sich um %2 mm</translation>
-    </message>
-    <message>
-        <source>no increasing mapping fits the presses</source>
-        <translation>keine steigende Abbildung passt zu den Eindrücken</translation>
-    </message>
-    <message>
-        <source>the ball lies %1 mm deep in a layer of %2 mm</source>
-        <translation>die Kugel liegt %1 mm tief in einer Schicht von %2 mm</translation>
-    </message>
-    <message>
-        <source>pressing less deep, and checking the ball&apos;s radius and the camera&apos;s scale in mm per px</source>
-        <translation>weniger tief drücken und den Radius der Kugel und den Maßstab der Kamera in mm je px prüfen</translation>
-    </message>
-    <message>
-        <source>leaving out presses with the largest residual, a lower degree, or checking the ball&apos;s radius</source>
-        <translation>Eindrücke mit dem größten Restfehler weglassen, ein kleinerer Grad, oder den Radius der Kugel prüfen</translation>
-    </message>
-    <message>
-        <source>solving all presses together</source>
-        <translation>alle Eindrücke werden gemeinsam gelöst</translation>
-    </message>
-    <message>
-        <source>%1, because the %2 does not increase on all samples</source>
-        <translation>%1, weil dies nicht auf allen Messpunkten steigt: %2</translation>
-    </message>
-    <message>
-        <source>the solution is no mapping: %1</source>
-        <translation>die Lösung ist keine Abbildung: %1</translation>
-    </message>
-    <message>
-        <source>more presses of different depth, or a lower degree</source>
-        <translation>mehr Eindrücke verschiedener Tiefe, oder ein kleinerer Grad</translation>
-    </message>
-    <message>
-        <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other places</source>
-        <translation>ein Eindruck kann die Tiefe der Kugel nicht von der Abbildung trennen: Eindrücke verschiedener Tiefe an anderen Stellen hinzufügen</translation>
-    </message>
-    <message>
-        <source>the presses do not determine every unknown: add presses</source>
-        <translation>die Eindrücke bestimmen nicht jede Unbekannte: Eindrücke hinzufügen</translation>
-    </message>
-    <message>
-        <source>how presses become a mapping: all balls and the mapping in one fit; or, to compare with, every ball from its dark border alone: the source paper&apos;s way, a circle on the face, or the cone of the ball&apos;s outline</source>
-        <translation>wie Eindrücke zu einer Abbildung werden: alle Kugeln und die Abbildung in einer Anpassung; oder zum Vergleich jede Kugel nur aus ihrem dunklen Rand: nach der Veröffentlichung, als Kreis auf der Fläche oder als Kegel des Kugelumrisses</translation>
-    </message>
-    <message>
-        <source>the mapping&apos;s curve; auto: whichever predicts presses left out best</source>
-        <translation>die Kurve der Abbildung; auto: die ausgelassene Eindrücke am besten vorhersagt</translation>
-    </message>
-    <message>
-        <source>degree of the polynomial; 0: chosen by leaving presses out</source>
-        <translation>Grad des Polynoms; 0: durch Auslassen von Eindrücken gewählt</translation>
-    </message>
-    <message>
-        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out say otherwise</source>
-        <translation>welcher Dicke der Schicht die Helligkeit folgt: längs z, längs ihrer Normalen, oder der längs z, auf die Normale projiziert; auto: längs der Normalen, wenn ausgelassene Eindrücke nichts anderes sagen</translation>
-    </message>
-    <message>
-        <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: when presses left out agree clearly better then</source>
-        <translation>ob die Abbildung sich langsam über die Fläche ändern darf, bei ungleichem Licht oder ungleicher Schicht; auto: wenn ausgelassene Eindrücke dann deutlich besser passen</translation>
-    </message>
-    <message>
-        <source>the calibration failed: %1</source>
-        <translation>die Kalibrierung scheiterte: %1</translation>
-    </message>
-    <message>
-        <source>fewer presses</source>
-        <translation>weniger Eindrücke</translation>
-    </message>
-    <message>
-        <source>stopped before the calibration was done</source>
-        <translation>vor dem Ende der Kalibrierung angehalten</translation>
-    </message>
-    <message>
-        <source>the reference picture</source>
-        <translation>das Referenzbild</translation>
-    </message>
-    <message>
-        <source>the untouched picture of this sensor, at the size of its presses</source>
-        <translation>das unberührte Bild dieses Sensors, in der Größe seiner Eindrücke</translation>
-    </message>
-    <message>
-        <source>this is not the picture that the finger was calibrated with</source>
-        <translation>dies ist nicht das Bild, mit dem der Finger kalibriert wurde</translation>
-    </message>
-    <message>
-        <source>calibrating anew with the pictures that are there</source>
-        <translation>mit den vorhandenen Bildern neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>solving</source>
-        <translation>wird gelöst</translation>
-    </message>
-    <message>
-        <source>stopped before the end: this is the best solution until then, without a report; calibrating again from what is kept finishes it</source>
-        <translation>vor dem Ende angehalten: Dies ist die beste Lösung bis dahin, ohne Bericht; neu kalibrieren aus dem, was aufbewahrt ist, schließt es ab</translation>
-    </message>
-    <message>
-        <source>comparing with other methods</source>
-        <translation>Vergleich mit anderen Verfahren</translation>
-    </message>
-    <message>
-        <source>The finger has another reference than it was calibrated with: this is a new calibration</source>
-        <translation>Der Finger hat eine andere Referenz als bei seiner Kalibrierung: Dies ist eine neue Kalibrierung</translation>
-    </message>
-    <message>
-        <source>The finger&apos;s camera, face or markers are not what they were when it was calibrated: this is a new calibration</source>
-        <translation>Kamera, Fläche oder Marken des Fingers sind nicht mehr, was sie bei der Kalibrierung waren: Dies ist eine neue Kalibrierung</translation>
-    </message>
-    <message>
-        <source>The finger was calibrated by version %1: this is a new calibration, by version %2</source>
-        <translation>Der Finger wurde mit Version %1 kalibriert: Dies ist eine neue Kalibrierung, mit Version %2</translation>
-    </message>
-    <message>
-        <source>writing the report</source>
-        <translation>Bericht wird geschrieben</translation>
-    </message>
-    <message>
-        <source>only a flat sensor has one untouched picture</source>
-        <translation>nur ein flacher Sensor hat ein einziges unberührtes Bild</translation>
-    </message>
-    <message>
-        <source>leaving --reference out; this finger is compared with its reference recording</source>
-        <translation>--reference weglassen; dieser Finger wird mit seiner Referenzaufnahme verglichen</translation>
-    </message>
-    <message>
-        <source>is no checksum of 16 digits</source>
-        <translation>ist keine Prüfsumme aus 16 Ziffern</translation>
-    </message>
-    <message>
-        <source>calibrating again</source>
-        <translation>neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>names no press</source>
-        <translation>nennt keinen Eindruck</translation>
-    </message>
-    <message>
-        <source>has %1 entries for %2 presses</source>
-        <translation>hat %1 Einträge für %2 Eindrücke</translation>
-    </message>
-    <message>
-        <source>one for each press</source>
-        <translation>einer für jeden Eindruck</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no picture&apos;s name</source>
-        <translation>&apos;%1&apos; ist kein Name eines Bildes</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no checksum of 16 digits</source>
-        <translation>&apos;%1&apos; ist keine Prüfsumme aus 16 Ziffern</translation>
-    </message>
-    <message>
-        <source>names &apos;%1&apos; twice</source>
-        <translation>nennt &apos;%1&apos; zweimal</translation>
-    </message>
-    <message>
-        <source>leave one of the two</source>
-        <translation>eines der beiden stehen lassen</translation>
-    </message>
-    <message>
-        <source>remove it</source>
-        <translation>entfernen</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be read by this version</source>
-        <translation>&apos;%1&apos; kann diese Version nicht lesen</translation>
-    </message>
-    <message>
-        <source>the version of this program that wrote it, or calibrating again with the pictures in presses/ (this version writes &apos;%1&apos;)</source>
-        <translation>die Version dieses Programms, die es schrieb, oder mit den Bildern in presses/ neu kalibrieren (diese Version schreibt &apos;%1&apos;)</translation>
-    </message>
-    <message>
-        <source>there is nothing to repeat: this finger was not calibrated, or by a version that did not keep what with</source>
-        <translation>es gibt nichts zu wiederholen: Dieser Finger wurde nicht kalibriert, oder mit einer Version, die nicht aufbewahrte, womit</translation>
-    </message>
-    <message>
-        <source>calibrating it with the pictures in presses/ and --ball-radius-mm</source>
-        <translation>ihn mit den Bildern in presses/ und --ball-radius-mm kalibrieren</translation>
-    </message>
-    <message>
-        <source>this is not YAML: %1</source>
-        <translation>dies ist kein YAML: %1</translation>
-    </message>
-    <message>
-        <source>results and truth are of different size</source>
-        <translation>Ergebnisse und Wahrheit sind verschieden groß</translation>
-    </message>
-    <message>
-        <source>not as `alltact simulate` and `alltact reconstruct` write it (%1)</source>
-        <translation>nicht wie `alltact simulate` und `alltact reconstruct` es schreiben (%1)</translation>
-    </message>
-    <message>
-        <source>%1 with %2</source>
-        <translation>%1 mit %2</translation>
-    </message>
-    <message>
-        <source>running both again</source>
-        <translation>beide noch einmal ausführen</translation>
-    </message>
-    <message>
-        <source>the brightness of the untouched face changes from press to press (standard deviation %1 %): exposure or gain is automatic, or the room&apos;s light gets in; lock them, shade the finger and press again</source>
-        <translation>die Helligkeit der unberührten Fläche ändert sich von Eindruck zu Eindruck (Standardabweichung %1 %): Belichtung oder Verstärkung ist automatisch, oder Raumlicht dringt ein; beide sperren, den Finger abschirmen und neu drücken</translation>
-    </message>
-    <message>
-        <source>the untouched face is %1 % %2 in all presses than in the reference: the light, the exposure or the gain has changed between them; depth is corrected for it as far as it is smooth, but let the lamps warm up and record the reference again</source>
-        <translation>die unberührte Fläche ist in allen Eindrücken %1 % %2 als in der Referenz: Licht, Belichtung oder Verstärkung hat sich dazwischen geändert; die Tiefe wird darum korrigiert, soweit es glatt ist, aber lassen Sie die Lampen warm werden und nehmen Sie die Referenz neu auf</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 presses the finger is bent in a way that the reference recording does not hold, or it has moved in its mount since: record a reference that bends as far, or press with less bending</source>
-        <translation>in %1 von %2 Eindrücken ist der Finger gebogen, wie es die Referenzaufnahme nicht enthält, oder er hat sich seither in der Halterung bewegt: eine Referenz aufnehmen, die so weit biegt, oder mit weniger Biegung drücken</translation>
-    </message>
-    <message>
-        <source>no untouched picture; give one to calibrate with --reference</source>
-        <translation>kein unberührtes Bild; zum Kalibrieren eines mit --reference angeben</translation>
-    </message>
-    <message>
-        <source>no recording of the bending, untouched finger; run alltact reference</source>
-        <translation>keine Aufnahme des sich biegenden, unberührten Fingers; alltact reference ausführen</translation>
-    </message>
-    <message>
-        <source>one untouched picture</source>
-        <translation>ein unberührtes Bild</translation>
-    </message>
-    <message>
-        <source>only %1 frames; poses between them are guessed, record more bending</source>
-        <translation>nur %1 Bilder; Haltungen dazwischen sind geraten, mehr Biegung aufnehmen</translation>
-    </message>
-    <message>
-        <source>no layout at rest, so touch cannot be told; run alltact reference again</source>
-        <translation>keine Anordnung in Ruhe, also ist Berührung nicht zu erkennen; alltact reference noch einmal ausführen</translation>
-    </message>
-    <message>
-        <source>%1 markers; touch is told from %2 px of summed offset</source>
-        <translation>%1 Marken; Berührung wird ab %2 px summierter Verschiebung erkannt</translation>
-    </message>
-    <message>
-        <source>not calibrated; run alltact calibrate with ball presses</source>
-        <translation>nicht kalibriert; alltact calibrate mit Kugeleindrücken ausführen</translation>
-    </message>
-    <message>
-        <source>nothing says how it came about or how good it is; run alltact calibrate again</source>
-        <translation>nichts sagt, wie sie entstand oder wie gut sie ist; alltact calibrate noch einmal ausführen</translation>
-    </message>
-    <message>
-        <source>the reference (%1) is newer than the calibration (%2); calibrate again</source>
-        <translation>die Referenz (%1) ist neuer als die Kalibrierung (%2); neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>made %1</source>
-        <translation>erstellt %1</translation>
-    </message>
-    <message>
-        <source>at an unknown date</source>
-        <translation>an einem unbekannten Tag</translation>
-    </message>
-    <message>
-        <source>the calibration cannot be repeated</source>
-        <translation>die Kalibrierung lässt sich nicht wiederholen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 press pictures are gone, so the calibration cannot be repeated</source>
-        <translation>%1 von %2 Eindruckbildern fehlen, also lässt sich die Kalibrierung nicht wiederholen</translation>
-    </message>
-    <message>
-        <source>what is kept is of a calibration that was cut off; complete it with %1</source>
-        <translation>was aufbewahrt ist, stammt von einer abgebrochenen Kalibrierung; zu Ende führen mit %1</translation>
-    </message>
-    <message>
-        <source>%1 pictures kept</source>
-        <translation>%1 Bilder aufbewahrt</translation>
-    </message>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 Bilder</translation>
-    </message>
-    <message>
-        <source>fine</source>
-        <translation>in Ordnung</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>schwach</translation>
-    </message>
-    <message>
-        <source>stale</source>
-        <translation>veraltet</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>Moebius curve</source>
-        <translation>Möbius-Kurve</translation>
-    </message>
-    <message>
-        <source>Kubelka-Munk curve</source>
-        <translation>Kubelka-Munk-Kurve</translation>
-    </message>
-    <message>
-        <source>polynomial of degree %1</source>
-        <translation>Polynom vom Grad %1</translation>
-    </message>
-    <message>
-        <source>%1 that varies over the face</source>
-        <translation>%1, über die Fläche veränderlich</translation>
-    </message>
-    <message>
-        <source>no mapping came of it</source>
-        <translation>es ergab keine Abbildung</translation>
-    </message>
-    <message>
-        <source>the inner %1 % of each contact&apos;s radius was used, where the skin surely touches the ball</source>
-        <translation>verwendet wurden die inneren %1 % des Radius jedes Kontakts, wo die Haut die Kugel sicher berührt</translation>
-    </message>
-    <message>
-        <source>the inner %1 % of each contact&apos;s radius was used; the skin comes back from the ball over %2 mm</source>
-        <translation>verwendet wurden die inneren %1 % des Radius jedes Kontakts; die Haut löst sich über %2 mm von der Kugel</translation>
-    </message>
-    <message>
-        <source>trying a %1</source>
-        <translation>wird versucht: %1</translation>
-    </message>
-    <message>
-        <source>with one press nothing can be held out</source>
-        <translation>mit einem Eindruck lässt sich nichts auslassen</translation>
-    </message>
-    <message>
-        <source>as asked for</source>
-        <translation>wie verlangt</translation>
-    </message>
-    <message>
-        <source>least error on presses left out, %1 mm</source>
-        <translation>kleinster Fehler bei ausgelassenen Eindrücken, %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm on presses left out, not distinguishable from the best (%2, %3 mm) and simpler</source>
-        <translation>%1 mm bei ausgelassenen Eindrücken, vom besten nicht zu unterscheiden (%2, %3 mm) und einfacher</translation>
-    </message>
-    <message>
-        <source>brightness follows the layer&apos;s thickness %1: %2 mm on presses left out, against %3 mm along its normal</source>
-        <translation>die Helligkeit folgt der Dicke der Schicht %1: %2 mm bei ausgelassenen Eindrücken, gegen %3 mm längs ihrer Normalen</translation>
-    </message>
-    <message>
-        <source>along z</source>
-        <translation>längs z</translation>
-    </message>
-    <message>
-        <source>along z projected onto its normal</source>
-        <translation>längs z, auf ihre Normale projiziert</translation>
-    </message>
-    <message>
-        <source>the mapping varies over the face, as uneven light or an uneven layer make it: by %1 % from the presses nearest to the base to those nearest to the tip, by %2 % from side to side; %3 mm on presses left out, against %4 mm with one mapping for all</source>
-        <translation>die Abbildung ändert sich über die Fläche, wie ungleiches Licht oder eine ungleiche Schicht es bewirken: um %1 % von den Eindrücken nahe dem Fuß zu denen nahe der Spitze, um %2 % von Seite zu Seite; %3 mm bei ausgelassenen Eindrücken, gegen %4 mm mit einer Abbildung für alle</translation>
-    </message>
-    <message>
-        <source>the polynomial through the balls&apos; depths does not increase</source>
-        <translation>das Polynom durch die Tiefen der Kugeln steigt nicht</translation>
-    </message>
-    <message>
-        <source>the cubic does not increase; degree %1 was used instead</source>
-        <translation>die kubische Kurve steigt nicht; stattdessen wurde Grad %1 verwendet</translation>
-    </message>
-    <message>
-        <source>the source paper&apos;s</source>
-        <translation>das der Veröffentlichung</translation>
-    </message>
-    <message>
-        <source>%1, in place of the paper&apos;s cubic</source>
-        <translation>%1, anstelle der kubischen Kurve der Veröffentlichung</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; describes no button</source>
-        <translation>&apos;%1&apos; beschreibt keinen Taster</translation>
-    </message>
-    <message>
-        <source>learn the button again</source>
-        <translation>den Taster neu anlernen</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; names no device and its button</source>
-        <translation>&apos;%1&apos; nennt kein Gerät mit seinem Taster</translation>
-    </message>
-    <message>
-        <source>&apos;alltact devices --learn-button&apos;, which says what to write here</source>
-        <translation>&apos;alltact devices --learn-button&apos;, das sagt, was hier stehen muss</translation>
-    </message>
-    <message>
-        <source>learning the button was stopped</source>
-        <translation>das Anlernen des Tasters wurde angehalten</translation>
-    </message>
-    <message>
-        <source>press it now, twice</source>
-        <translation>jetzt drücken, zweimal</translation>
-    </message>
-    <message>
-        <source>press it once more</source>
-        <translation>noch einmal drücken</translation>
-    </message>
-    <message>
-        <source>no button was pressed and let go twice</source>
-        <translation>kein Taster wurde zweimal gedrückt und losgelassen</translation>
-    </message>
-    <message>
-        <source>another device; a pedal that only clicks must be set to send a key</source>
-        <translation>ein anderes Gerät; ein Pedal, das nur klickt, muss auf eine Taste eingestellt werden</translation>
-    </message>
-    <message>
-        <source>the device cannot be opened</source>
-        <translation>das Gerät lässt sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>unplug it and plug it in again</source>
-        <translation>abziehen und wieder einstecken</translation>
-    </message>
-    <message>
-        <source>access to the device is not allowed</source>
-        <translation>der Zugriff auf das Gerät ist nicht erlaubt</translation>
-    </message>
-    <message>
-        <source>install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in again; a device it does not name needs this line in it: KERNEL==&quot;hidraw*&quot;, ATTRS{idVendor}==&quot;%1&quot;, ATTRS{idProduct}==&quot;%2&quot;, TAG+=&quot;uaccess&quot;</source>
-        <translation>packaging/70-alltact.rules in /etc/udev/rules.d einrichten und wieder einstecken; ein Gerät, das darin nicht genannt ist, braucht diese Zeile: KERNEL==&quot;hidraw*&quot;, ATTRS{idVendor}==&quot;%1&quot;, ATTRS{idProduct}==&quot;%2&quot;, TAG+=&quot;uaccess&quot;</translation>
-    </message>
-    <message>
-        <source>the device was unplugged</source>
-        <translation>das Gerät wurde abgezogen</translation>
-    </message>
-    <message>
-        <source>plug it in again</source>
-        <translation>wieder einstecken</translation>
-    </message>
-    <message>
-        <source>the device took no report</source>
-        <translation>das Gerät nahm keinen Report an</translation>
-    </message>
-    <message>
-        <source>plug it in again, and check its description</source>
-        <translation>wieder einstecken, und die Beschreibung prüfen</translation>
-    </message>
-    <message>
-        <source>no HID device was found</source>
-        <translation>kein HID-Gerät wurde gefunden</translation>
-    </message>
-    <message>
-        <source>there is no such HID device; there is %1</source>
-        <translation>es gibt kein solches HID-Gerät; es gibt %1</translation>
-    </message>
-    <message>
-        <source>plug it in; &apos;alltact devices&apos; lists what is found</source>
-        <translation>einstecken; &apos;alltact devices&apos; zeigt, was gefunden wird</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; describes no dimmer</source>
-        <translation>&apos;%1&apos; beschreibt keinen Dimmer</translation>
-    </message>
-    <message>
-        <source>mcp2221a gp2, mcp2221a gp3, or a report such as &apos;output id=0 bytes=8 at=1 range=0..255&apos;</source>
-        <translation>mcp2221a gp2, mcp2221a gp3, oder ein Report wie &apos;output id=0 bytes=8 at=1 range=0..255&apos;</translation>
-    </message>
-    <message>
-        <source>the brightness %1 is not from 0 to 1</source>
-        <translation>die Helligkeit %1 liegt nicht zwischen 0 und 1</translation>
-    </message>
-    <message>
-        <source>the MCP2221A did not answer as it should</source>
-        <translation>der MCP2221A antwortete nicht, wie er soll</translation>
-    </message>
-    <message>
-        <source>plug it in again; close other programs that use it</source>
-        <translation>wieder einstecken; andere Programme schließen, die ihn benutzen</translation>
-    </message>
-    <message>
-        <source>%1 by %2 (%3)</source>
-        <translation>%1 mit %2 (%3)</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read: %1</source>
-        <translation>der Ordner lässt sich nicht lesen: %1</translation>
-    </message>
-    <message>
-        <source>ask its owner for access</source>
-        <translation>seinen Besitzer um Zugriff bitten</translation>
-    </message>
-    <message>
-        <source>the folder holds no pictures</source>
-        <translation>der Ordner enthält keine Bilder</translation>
-    </message>
-    <message>
-        <source>a folder with png, jpg, bmp, tif or pgm files</source>
-        <translation>ein Ordner mit png-, jpg-, bmp-, tif- oder pgm-Dateien</translation>
-    </message>
-    <message>
-        <source>this is neither a picture, nor a folder of pictures, nor a video, nor a scene</source>
-        <translation>dies ist weder ein Bild, noch ein Ordner mit Bildern, noch ein Video, noch eine Szene</translation>
-    </message>
-    <message>
-        <source>png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene</source>
-        <translation>png-, jpg-, bmp-, tif- oder pgm-Bilder, ein mkv-, avi- oder mp4-Video, oder eine yaml-Szene</translation>
-    </message>
-    <message>
-        <source>a %1 cannot be mixed with other inputs</source>
-        <translation>lässt sich nicht mit anderen Eingaben mischen: %1</translation>
-    </message>
-    <message>
-        <source>video</source>
-        <translation>Video</translation>
-    </message>
-    <message>
-        <source>scene</source>
-        <translation>Szene</translation>
-    </message>
-    <message>
-        <source>it alone, or pictures only</source>
-        <translation>dies allein, oder nur Bilder</translation>
-    </message>
-    <message>
-        <source>no input was given</source>
-        <translation>es wurde keine Eingabe angegeben</translation>
-    </message>
-    <message>
-        <source>name a picture, a folder of pictures, a video, a scene or a camera</source>
-        <translation>ein Bild, einen Ordner mit Bildern, ein Video, eine Szene oder eine Kamera nennen</translation>
-    </message>
-    <message>
-        <source>there is no such file or folder</source>
-        <translation>es gibt keine solche Datei und keinen solchen Ordner</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be read</source>
-        <translation>&apos;%1&apos; lässt sich nicht lesen</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be set to %2</source>
-        <translation>&apos;%1&apos; lässt sich nicht auf %2 stellen</translation>
-    </message>
-    <message>
-        <source>the camera refuses this value</source>
-        <translation>die Kamera lehnt diesen Wert ab</translation>
-    </message>
-    <message>
-        <source>a value within its range; &apos;alltact devices --details&apos; lists them</source>
-        <translation>ein Wert in seinem Bereich; &apos;alltact devices --details&apos; zeigt die Bereiche</translation>
-    </message>
-    <message>
-        <source>an automatic mode has it in hand</source>
-        <translation>eine Automatik stellt es ein</translation>
-    </message>
-    <message>
-        <source>switch that mode off first</source>
-        <translation>diese Automatik zuerst ausschalten</translation>
-    </message>
-    <message>
-        <source>the camera took %1 instead</source>
-        <translation>die Kamera nahm stattdessen %1</translation>
-    </message>
-    <message>
-        <source>a value within its range and steps; &apos;alltact devices --details&apos; lists them</source>
-        <translation>ein Wert in seinem Bereich und seinen Schritten; &apos;alltact devices --details&apos; zeigt sie</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be switched off: brightness may drift</source>
-        <translation>&apos;%1&apos; lässt sich nicht ausschalten: Die Helligkeit kann driften</translation>
-    </message>
-    <message>
-        <source>it sends its pictures in several planes, which cannot be read here</source>
-        <translation>sie sendet ihre Bilder in mehreren Ebenen, die hier nicht gelesen werden können</translation>
-    </message>
-    <message>
-        <source>a USB camera</source>
-        <translation>eine USB-Kamera</translation>
-    </message>
-    <message>
-        <source>it cannot stream</source>
-        <translation>sie kann nicht streamen</translation>
-    </message>
-    <message>
-        <source>it has no format that can be read here</source>
-        <translation>sie hat kein Format, das hier gelesen werden kann</translation>
-    </message>
-    <message>
-        <source>a camera with MJPG or YUYV</source>
-        <translation>eine Kamera mit MJPG oder YUYV</translation>
-    </message>
-    <message>
-        <source>it cannot be used now</source>
-        <translation>sie kann gerade nicht benutzt werden</translation>
-    </message>
-    <message>
-        <source>the camera is not there</source>
-        <translation>die Kamera ist nicht da</translation>
-    </message>
-    <message>
-        <source>plug it in</source>
-        <translation>einstecken</translation>
-    </message>
-    <message>
-        <source>several cameras have this name: %1</source>
-        <translation>mehrere Kameras haben diesen Namen: %1</translation>
-    </message>
-    <message>
-        <source>the name before the brackets</source>
-        <translation>der Name vor den Klammern</translation>
-    </message>
-    <message>
-        <source>no camera was found</source>
-        <translation>keine Kamera wurde gefunden</translation>
-    </message>
-    <message>
-        <source>there is no such camera; there is %1</source>
-        <translation>es gibt keine solche Kamera; es gibt %1</translation>
-    </message>
-    <message>
-        <source>plug one in; &apos;alltact devices&apos; lists what is found</source>
-        <translation>eine einstecken; &apos;alltact devices&apos; zeigt, was gefunden wird</translation>
-    </message>
-    <message>
-        <source>one of these names</source>
-        <translation>einer dieser Namen</translation>
-    </message>
-    <message>
-        <source>the camera has sent no picture for a second</source>
-        <translation>die Kamera hat seit einer Sekunde kein Bild gesendet</translation>
-    </message>
-    <message>
-        <source>look after the cable and the USB port</source>
-        <translation>Kabel und USB-Anschluss prüfen</translation>
-    </message>
-    <message>
-        <source>a shorter USB cable or another port; if it stays, another format or a lower rate</source>
-        <translation>ein kürzeres USB-Kabel oder ein anderer Anschluss; wenn es bleibt, ein anderes Format oder eine kleinere Bildrate</translation>
-    </message>
-    <message>
-        <source>a picture came with %1 of %2 bytes</source>
-        <translation>ein Bild kam mit %1 von %2 Bytes</translation>
-    </message>
-    <message>
-        <source>a picture came that is no JPEG</source>
-        <translation>ein Bild kam, das kein JPEG ist</translation>
-    </message>
-    <message>
-        <source>a picture of %1x%2 came where %3x%4 was agreed</source>
-        <translation>ein Bild von %1x%2 kam, wo %3x%4 vereinbart war</translation>
-    </message>
-    <message>
-        <source>a JPEG came that is truncated or damaged</source>
-        <translation>ein JPEG kam, das abgeschnitten oder beschädigt ist</translation>
-    </message>
-    <message>
-        <source>the camera was unplugged</source>
-        <translation>die Kamera wurde abgezogen</translation>
-    </message>
-    <message>
-        <source>plug it in again; it goes on by itself with the same settings</source>
-        <translation>wieder einstecken; es geht mit denselben Einstellungen von selbst weiter</translation>
-    </message>
-    <message>
-        <source>this node gives no pictures that can be read</source>
-        <translation>dieser Knoten liefert keine lesbaren Bilder</translation>
-    </message>
-    <message>
-        <source>a camera that &apos;alltact devices&apos; lists as usable</source>
-        <translation>eine Kamera, die &apos;alltact devices&apos; als brauchbar zeigt</translation>
-    </message>
-    <message>
-        <source>the camera stopped sending pictures</source>
-        <translation>die Kamera sendet keine Bilder mehr</translation>
-    </message>
-    <message>
-        <source>no picture came for %1 seconds</source>
-        <translation>seit %1 Sekunden kam kein Bild</translation>
-    </message>
-    <message>
-        <source>look after the cable and the USB port; the stream is being started again</source>
-        <translation>Kabel und USB-Anschluss prüfen; der Bilderstrom wird neu gestartet</translation>
-    </message>
-    <message>
-        <source>a picture cannot be taken</source>
-        <translation>ein Bild lässt sich nicht aufnehmen</translation>
-    </message>
-    <message>
-        <source>Pictures come again</source>
-        <translation>Bilder kommen wieder</translation>
-    </message>
-    <message>
-        <source>the camera is back and has not sent a picture yet</source>
-        <translation>die Kamera ist wieder da und hat noch kein Bild gesendet</translation>
-    </message>
-    <message>
-        <source>The camera was plugged in again at %1</source>
-        <translation>Die Kamera wurde wieder eingesteckt, an %1</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s signal changed: it sent %1, and sends %2 now</source>
-        <translation>das Signal der Kamera hat sich geändert: Sie sendete %1 und sendet jetzt %2</translation>
-    </message>
-    <message>
-        <source>look after what is plugged into it, if this was not meant</source>
-        <translation>prüfen, was an ihr angeschlossen ist, falls das nicht gewollt war</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was changed from %2 to %3 by something else</source>
-        <translation>&apos;%1&apos; wurde von etwas anderem von %2 auf %3 geändert</translation>
-    </message>
-    <message>
-        <source>it was put back</source>
-        <translation>es wurde zurückgestellt</translation>
-    </message>
-    <message>
-        <source>sudo usermod -aG video $USER, then log in again; or install packaging/70-alltact.rules in /etc/udev/rules.d and plug the camera in again</source>
-        <translation>sudo usermod -aG video $USER, dann neu anmelden; oder packaging/70-alltact.rules in /etc/udev/rules.d einrichten und die Kamera wieder einstecken</translation>
-    </message>
-    <message>
-        <source>another program is using it</source>
-        <translation>ein anderes Programm benutzt sie</translation>
-    </message>
-    <message>
-        <source>close that program (fuser -v /dev/video* names it)</source>
-        <translation>dieses Programm schließen (fuser -v /dev/video* nennt es)</translation>
-    </message>
-    <message>
-        <source>it is not there</source>
-        <translation>sie ist nicht da</translation>
-    </message>
-    <message>
-        <source>plug the camera in; &apos;alltact devices&apos; lists what is found</source>
-        <translation>die Kamera einstecken; &apos;alltact devices&apos; zeigt, was gefunden wird</translation>
-    </message>
-    <message>
-        <source>the USB port has no bandwidth left</source>
-        <translation>der USB-Anschluss hat keine Bandbreite mehr</translation>
-    </message>
-    <message>
-        <source>another USB port, MJPG instead of YUYV, or smaller pictures</source>
-        <translation>ein anderer USB-Anschluss, MJPG statt YUYV, oder kleinere Bilder</translation>
-    </message>
-    <message>
-        <source>the USB connection is disturbed</source>
-        <translation>die USB-Verbindung ist gestört</translation>
-    </message>
-    <message>
-        <source>a shorter cable or another port</source>
-        <translation>ein kürzeres Kabel oder ein anderer Anschluss</translation>
-    </message>
-    <message>
-        <source>the camera refuses</source>
-        <translation>die Kamera lehnt ab</translation>
-    </message>
-    <message>
-        <source>another format or value; &apos;alltact devices --details&apos; lists them</source>
-        <translation>ein anderes Format oder ein anderer Wert; &apos;alltact devices --details&apos; zeigt sie</translation>
-    </message>
-    <message>
-        <source>there is not enough memory</source>
-        <translation>der Speicher reicht nicht</translation>
-    </message>
-    <message>
-        <source>unplug the camera and plug it in again</source>
-        <translation>die Kamera abziehen und wieder einstecken</translation>
-    </message>
-    <message>
-        <source>%1 and more</source>
-        <translation>%1 und weitere</translation>
-    </message>
-    <message>
-        <source>%1 at %2 frames per second</source>
-        <translation>%1 mit %2 Bildern je Sekunde</translation>
-    </message>
-    <message>
-        <source>the camera has no such format that can be read; it offers %1</source>
-        <translation>die Kamera hat kein solches lesbares Format; sie bietet %1</translation>
-    </message>
-    <message>
-        <source>one of these in GREY, Y16, YUYV or MJPG</source>
-        <translation>eines davon in GREY, Y16, YUYV oder MJPG</translation>
-    </message>
-    <message>
-        <source>the camera cannot be opened</source>
-        <translation>die Kamera lässt sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>this does not answer as a camera</source>
-        <translation>dies antwortet nicht wie eine Kamera</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s format cannot be set to %1</source>
-        <translation>das Format der Kamera lässt sich nicht auf %1 stellen</translation>
-    </message>
-    <message>
-        <source>the camera was asked for %1 and chose %2</source>
-        <translation>die Kamera wurde um %1 gebeten und wählte %2</translation>
-    </message>
-    <message>
-        <source>a format that &apos;alltact devices --details&apos; lists for it</source>
-        <translation>ein Format, das &apos;alltact devices --details&apos; für sie zeigt</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s rate cannot be set</source>
-        <translation>die Bildrate der Kamera lässt sich nicht einstellen</translation>
-    </message>
-    <message>
-        <source>the camera takes no buffer</source>
-        <translation>die Kamera nimmt keinen Puffer an</translation>
-    </message>
-    <message>
-        <source>the camera does not start</source>
-        <translation>die Kamera startet nicht</translation>
-    </message>
-    <message>
-        <source>the camera gives no buffers</source>
-        <translation>die Kamera gibt keine Puffer</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s buffer cannot be found</source>
-        <translation>der Puffer der Kamera lässt sich nicht finden</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s buffer cannot be mapped</source>
-        <translation>der Puffer der Kamera lässt sich nicht einblenden</translation>
-    </message>
-    <message>
-        <source>could not write the file</source>
-        <translation>die Datei ließ sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>could not make sure that the folder is on the disk</source>
-        <translation>es ließ sich nicht sicherstellen, dass der Ordner auf dem Datenträger ist</translation>
-    </message>
-    <message>
-        <source>its folder does not exist</source>
-        <translation>ihr Ordner existiert nicht</translation>
-    </message>
-    <message>
-        <source>make the folder first, or check the path for typing errors</source>
-        <translation>zuerst den Ordner anlegen, oder den Pfad auf Tippfehler prüfen</translation>
-    </message>
-    <message>
-        <source>could not read the file</source>
-        <translation>die Datei ließ sich nicht lesen</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 bytes</source>
-        <translation>sie ist größer als %1 Bytes</translation>
-    </message>
-    <message>
-        <source>check that it is the right file</source>
-        <translation>prüfen, ob es die richtige Datei ist</translation>
-    </message>
-    <message>
-        <source>could not make the folder</source>
-        <translation>der Ordner ließ sich nicht anlegen</translation>
-    </message>
-    <message>
-        <source>the picture says it is %1 x %2 px; a side must have 1 to %3</source>
-        <translation>das Bild gibt %1 x %2 px an; eine Seite muss 1 bis %3 haben</translation>
-    </message>
-    <message>
-        <source>a smaller picture, or copy it again if that size is wrong</source>
-        <translation>ein kleineres Bild, oder noch einmal kopieren, wenn diese Größe falsch ist</translation>
-    </message>
-    <message>
-        <source>the picture is damaged or cut short</source>
-        <translation>das Bild ist beschädigt oder abgeschnitten</translation>
-    </message>
-    <message>
-        <source>copy or record it again</source>
-        <translation>noch einmal kopieren oder aufnehmen</translation>
-    </message>
-    <message>
-        <source>the picture has %1 bits per channel; 8 are needed</source>
-        <translation>das Bild hat %1 Bit je Kanal; 8 sind nötig</translation>
-    </message>
-    <message>
-        <source>the picture has %1 bits per channel (floating point); 8 are needed</source>
-        <translation>das Bild hat %1 Bit je Kanal (Gleitkomma); 8 sind nötig</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s 8-bit pictures</source>
-        <translation>die 8-Bit-Bilder der Kamera</translation>
-    </message>
-    <message>
-        <source>the picture has transparent parts; a camera takes none</source>
-        <translation>das Bild hat durchsichtige Teile; eine Kamera macht keine</translation>
-    </message>
-    <message>
-        <source>the picture as the camera took it, without an alpha channel</source>
-        <translation>das Bild, wie die Kamera es aufnahm, ohne Alphakanal</translation>
-    </message>
-    <message>
-        <source>the picture has %1 channels; 1 or 3 are needed</source>
-        <translation>das Bild hat %1 Kanäle; 1 oder 3 sind nötig</translation>
-    </message>
-    <message>
-        <source>the picture as the camera took it</source>
-        <translation>das Bild, wie die Kamera es aufnahm</translation>
-    </message>
-    <message>
-        <source>cannot write this kind of picture (%1) under that name</source>
-        <translation>diese Art von Bild (%1) lässt sich unter diesem Namen nicht schreiben</translation>
-    </message>
-    <message>
-        <source>empty</source>
-        <translation>leer</translation>
-    </message>
-    <message>
-        <source>&apos;.png&apos; for 8-bit pictures, &apos;.tiff&apos; for floating point</source>
-        <translation>&apos;.png&apos; für 8-Bit-Bilder, &apos;.tiff&apos; für Gleitkomma</translation>
-    </message>
-    <message>
-        <source>could not encode the picture</source>
-        <translation>das Bild ließ sich nicht kodieren</translation>
-    </message>
-    <message>
-        <source>the picture is of a kind that cannot be used (%1)</source>
-        <translation>das Bild ist von einer Art, die nicht verwendet werden kann (%1)</translation>
-    </message>
-    <message>
-        <source>8-bit grey pictures</source>
-        <translation>8-Bit-Graubilder</translation>
-    </message>
-    <message>
-        <source>the picture is in colour: its channels differ from grey by %1 %</source>
-        <translation>das Bild ist farbig: Seine Kanäle weichen um %1 % von Grau ab</translation>
-    </message>
-    <message>
-        <source>a picture of the finger under white light</source>
-        <translation>ein Bild des Fingers unter weißem Licht</translation>
-    </message>
-    <message>
-        <source>the picture is all black</source>
-        <translation>das Bild ist ganz schwarz</translation>
-    </message>
-    <message>
-        <source>switch on the light, or take off the lens cap</source>
-        <translation>das Licht einschalten, oder den Objektivdeckel abnehmen</translation>
-    </message>
-    <message>
-        <source>the picture is no TIFF of 32-bit floating point with 1 or 3 channels</source>
-        <translation>das Bild ist kein TIFF mit 32-Bit-Gleitkomma und 1 oder 3 Kanälen</translation>
-    </message>
-    <message>
-        <source>a depth or points picture written by this program</source>
-        <translation>ein Tiefen- oder Punktebild, das dieses Programm schrieb</translation>
-    </message>
-    <message>
-        <source>the picture is cut short</source>
-        <translation>das Bild ist abgeschnitten</translation>
-    </message>
-    <message>
-        <source>the picture is damaged</source>
-        <translation>das Bild ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it does not begin with its header</source>
-        <translation>es beginnt nicht mit seinem Kopf</translation>
-    </message>
-    <message>
-        <source>a check sum is wrong</source>
-        <translation>eine Prüfsumme stimmt nicht</translation>
-    </message>
-    <message>
-        <source>its parts do not join</source>
-        <translation>seine Teile passen nicht zusammen</translation>
-    </message>
-    <message>
-        <source>it has no header</source>
-        <translation>es hat keinen Kopf</translation>
-    </message>
-    <message>
-        <source>its header is of a kind no longer in use</source>
-        <translation>sein Kopf ist von einer Art, die nicht mehr gebräuchlich ist</translation>
-    </message>
-    <message>
-        <source>its width is negative</source>
-        <translation>seine Breite ist negativ</translation>
-    </message>
-    <message>
-        <source>its header holds something that is no number</source>
-        <translation>sein Kopf enthält etwas, das keine Zahl ist</translation>
-    </message>
-    <message>
-        <source>its white is not 255</source>
-        <translation>sein Weiß ist nicht 255</translation>
-    </message>
-    <message>
-        <source>the file is empty</source>
-        <translation>die Datei ist leer</translation>
-    </message>
-    <message>
-        <source>the file is no picture of a kind that is known here</source>
-        <translation>die Datei ist kein Bild einer hier bekannten Art</translation>
-    </message>
-    <message>
-        <source>PNG, JPEG, BMP, binary PGM or TIFF</source>
-        <translation>PNG, JPEG, BMP, binäres PGM oder TIFF</translation>
-    </message>
-    <message>
-        <source>no surface can be written under such a name</source>
-        <translation>unter einem solchen Namen lässt sich keine Oberfläche schreiben</translation>
-    </message>
-    <message>
-        <source>a name that ends in .ply, .vtp, .stl or .glb</source>
-        <translation>ein Name, der auf .ply, .vtp, .stl oder .glb endet</translation>
-    </message>
-    <message>
-        <source>there is no point of the face to write</source>
-        <translation>es gibt keinen Punkt der Fläche zu schreiben</translation>
-    </message>
-    <message>
-        <source>the disk is full</source>
-        <translation>der Datenträger ist voll</translation>
-    </message>
-    <message>
-        <source>free some space, or choose a folder on another disk</source>
-        <translation>Platz schaffen, oder einen Ordner auf einem anderen Datenträger wählen</translation>
-    </message>
-    <message>
-        <source>your share of the disk is used up</source>
-        <translation>Ihr Anteil am Datenträger ist aufgebraucht</translation>
-    </message>
-    <message>
-        <source>free some space, or choose another disk</source>
-        <translation>Platz schaffen, oder einen anderen Datenträger wählen</translation>
-    </message>
-    <message>
-        <source>the file would be larger than this system allows</source>
-        <translation>die Datei würde größer, als dieses System erlaubt</translation>
-    </message>
-    <message>
-        <source>another disk</source>
-        <translation>ein anderer Datenträger</translation>
-    </message>
-    <message>
-        <source>the disk is read-only</source>
-        <translation>der Datenträger ist schreibgeschützt</translation>
-    </message>
-    <message>
-        <source>a folder on a disk that can be written to</source>
-        <translation>ein Ordner auf einem beschreibbaren Datenträger</translation>
-    </message>
-    <message>
-        <source>access is not allowed</source>
-        <translation>der Zugriff ist nicht erlaubt</translation>
-    </message>
-    <message>
-        <source>another folder, or ask its owner for access</source>
-        <translation>ein anderer Ordner, oder seinen Besitzer um Zugriff bitten</translation>
-    </message>
-    <message>
-        <source>it does not exist</source>
-        <translation>existiert nicht</translation>
-    </message>
-    <message>
-        <source>check the path for typing errors</source>
-        <translation>den Pfad auf Tippfehler prüfen</translation>
-    </message>
-    <message>
-        <source>a part of the path is no folder</source>
-        <translation>ein Teil des Pfads ist kein Ordner</translation>
-    </message>
-    <message>
-        <source>it is a folder</source>
-        <translation>es ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>name a file inside it</source>
-        <translation>eine Datei darin nennen</translation>
-    </message>
-    <message>
-        <source>the name is too long</source>
-        <translation>der Name ist zu lang</translation>
-    </message>
-    <message>
-        <source>a shorter name</source>
-        <translation>ein kürzerer Name</translation>
-    </message>
-    <message>
-        <source>the disk reports a fault</source>
-        <translation>der Datenträger meldet einen Fehler</translation>
-    </message>
-    <message>
-        <source>another disk, and look after this one</source>
-        <translation>ein anderer Datenträger, und diesen prüfen</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>zu viele Dateien sind offen</translation>
-    </message>
-    <message>
-        <source>close other programs</source>
-        <translation>andere Programme schließen</translation>
-    </message>
-    <message>
-        <source>once more, or another folder</source>
-        <translation>noch einmal, oder ein anderer Ordner</translation>
-    </message>
-    <message>
-        <source>could not write the recording&apos;s journal</source>
-        <translation>das Journal der Aufnahme ließ sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>play it in a video player; if that fails too, record it again</source>
-        <translation>in einem Videoprogramm abspielen; geht auch das nicht, neu aufnehmen</translation>
-    </message>
-    <message>
-        <source>once more</source>
-        <translation>noch einmal</translation>
-    </message>
-    <message>
-        <source>the video cannot be opened</source>
-        <translation>das Video lässt sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>its kind of picture has no brightness</source>
-        <translation>seine Bildart hat keine Helligkeit</translation>
-    </message>
-    <message>
-        <source>a grey or colour video</source>
-        <translation>ein graues oder farbiges Video</translation>
-    </message>
-    <message>
-        <source>could not write the video</source>
-        <translation>das Video ließ sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>it is being recorded or mended right now</source>
-        <translation>sie wird gerade aufgenommen oder repariert</translation>
-    </message>
-    <message>
-        <source>another name</source>
-        <translation>ein anderer Name</translation>
-    </message>
-    <message>
-        <source>this is no Matroska file</source>
-        <translation>dies ist keine Matroska-Datei</translation>
-    </message>
-    <message>
-        <source>stopped before it was mended</source>
-        <translation>angehalten, bevor sie repariert war</translation>
-    </message>
-    <message>
-        <source>mending an interrupted recording</source>
-        <translation>eine unterbrochene Aufnahme wird repariert</translation>
-    </message>
-    <message>
-        <source>only %1 of its %2 frames could be read</source>
-        <translation>nur %1 ihrer %2 Bilder ließen sich lesen</translation>
-    </message>
-    <message>
-        <source>another copy of the recording</source>
-        <translation>eine andere Kopie der Aufnahme</translation>
-    </message>
-    <message>
-        <source>the interrupted recording cannot be mended</source>
-        <translation>die unterbrochene Aufnahme lässt sich nicht reparieren</translation>
-    </message>
-    <message>
-        <source>wait for its end</source>
-        <translation>ihr Ende abwarten</translation>
-    </message>
-    <message>
-        <source>could not put the recording back</source>
-        <translation>die Aufnahme ließ sich nicht zurücklegen</translation>
-    </message>
-    <message>
-        <source>stopped when %1 of %2 MB of the recording were put back</source>
-        <translation>angehalten, als %1 von %2 MB der Aufnahme zurückgelegt waren</translation>
-    </message>
-    <message>
-        <source>putting the removed recording back: %1 of %2 MB</source>
-        <translation>die entfernte Aufnahme wird zurückgelegt: %1 von %2 MB</translation>
-    </message>
-    <message>
-        <source>the disk is nearly full: %1 MB are left, %2 MB are kept free</source>
-        <translation>der Datenträger ist fast voll: %1 MB sind übrig, %2 MB bleiben frei</translation>
-    </message>
-    <message>
-        <source>free some space, or record to another disk</source>
-        <translation>Platz schaffen, oder auf einen anderen Datenträger aufnehmen</translation>
-    </message>
-    <message>
-        <source>there is a file already</source>
-        <translation>es gibt schon eine Datei</translation>
-    </message>
-    <message>
-        <source>another name, or remove the old one</source>
-        <translation>ein anderer Name, oder die alte entfernen</translation>
-    </message>
-    <message>
-        <source>could not begin the recording: its folder does not exist</source>
-        <translation>die Aufnahme konnte nicht beginnen: Ihr Ordner existiert nicht</translation>
-    </message>
-    <message>
-        <source>could not begin the recording</source>
-        <translation>die Aufnahme konnte nicht beginnen</translation>
-    </message>
-    <message>
-        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else ffv1 where this computer keeps up with it, else magicyuv</source>
-        <translation>wie Bilder gespeichert werden, alle ohne Verlust: auto nimmt die Pakete der Kamera (mjpeg), wo sie solche sendet, sonst ffv1, wo dieser Rechner mitkommt, sonst magicyuv</translation>
-    </message>
-    <message>
-        <source>memory for frames that wait for the disk, in megabytes</source>
-        <translation>Speicher für Bilder, die auf den Datenträger warten, in Megabyte</translation>
-    </message>
-    <message>
-        <source>space that is left free on the disk, in megabytes; the recording ends before</source>
-        <translation>Platz, der auf dem Datenträger frei bleibt, in Megabyte; die Aufnahme endet vorher</translation>
-    </message>
-    <message>
-        <source>1 frame</source>
-        <translation>1 Bild</translation>
-    </message>
-    <message>
-        <source>%1 before frame %2 lost here: the disk was too slow</source>
-        <translation>%1 vor Bild %2 hier verloren: Der Datenträger war zu langsam</translation>
-    </message>
-    <message>
-        <source>%1 before frame %2 never came from the source</source>
-        <translation>%1 vor Bild %2 kam nie von der Quelle</translation>
-    </message>
-    <message>
-        <source>the recording was removed while it was being made</source>
-        <translation>die Aufnahme wurde entfernt, während sie lief</translation>
-    </message>
-    <message>
-        <source>%1 at the end lost here</source>
-        <translation>%1 am Ende hier verloren</translation>
-    </message>
-    <message>
-        <source>ended: %1</source>
-        <translation>beendet: %1</translation>
-    </message>
-    <message>
-        <source>no frame came, so nothing was recorded</source>
-        <translation>kein Bild kam, also wurde nichts aufgenommen</translation>
-    </message>
-    <message>
-        <source>check the source</source>
-        <translation>die Quelle prüfen</translation>
-    </message>
-    <message>
-        <source>the recording was removed at its end</source>
-        <translation>die Aufnahme wurde an ihrem Ende entfernt</translation>
-    </message>
-    <message>
-        <source>%1, and it could not be put back (%2)</source>
-        <translation>%1, und sie ließ sich nicht zurücklegen (%2)</translation>
-    </message>
-    <message>
-        <source>record again, and leave the folder alone meanwhile</source>
-        <translation>neu aufnehmen, und den Ordner dabei in Ruhe lassen</translation>
-    </message>
-    <message>
-        <source>what was recorded until then was put back</source>
-        <translation>was bis dahin aufgenommen war, wurde zurückgelegt</translation>
-    </message>
-    <message>
-        <source>leave the folder alone while it records</source>
-        <translation>den Ordner während der Aufnahme in Ruhe lassen</translation>
-    </message>
-    <message>
-        <source>given up</source>
-        <translation>aufgegeben</translation>
-    </message>
-    <message>
-        <source>recordings are Matroska files</source>
-        <translation>Aufnahmen sind Matroska-Dateien</translation>
-    </message>
-    <message>
-        <source>a name that ends in .mkv</source>
-        <translation>ein Name, der auf .mkv endet</translation>
-    </message>
-    <message>
-        <source>the video cannot be opened: no decoder for %1</source>
-        <translation>das Video lässt sich nicht öffnen: kein Dekoder für %1</translation>
-    </message>
-    <message>
-        <source>frame %1 of the video cannot be read</source>
-        <translation>Bild %1 des Videos lässt sich nicht lesen</translation>
-    </message>
-    <message>
-        <source>frame %1 is older than frame %2</source>
-        <translation>Bild %1 ist älter als Bild %2</translation>
-    </message>
-    <message>
-        <source>move this file away: the video&apos;s own times count then</source>
-        <translation>schieben Sie diese Datei beiseite: dann gelten die Zeiten des Videos selbst</translation>
-    </message>
-    <message>
-        <source>the video holds no frame</source>
-        <translation>das Video enthält kein Bild</translation>
-    </message>
-    <message>
-        <source>this system&apos;s libavcodec cannot write %1</source>
-        <translation>die libavcodec dieses Systems kann %1 nicht schreiben</translation>
-    </message>
-    <message>
-        <source>another codec, or Debian&apos;s libavcodec</source>
-        <translation>ein anderer Codec, oder die libavcodec von Debian</translation>
-    </message>
-    <message>
-        <source>only 8-bit grey pictures can be recorded</source>
-        <translation>nur 8-Bit-Graubilder lassen sich aufnehmen</translation>
-    </message>
-    <message>
-        <source>a grey source</source>
-        <translation>eine graue Quelle</translation>
-    </message>
-    <message>
-        <source>the picture is %1 x %2, those before were %3 x %4</source>
-        <translation>das Bild hat %1 x %2, die davor hatten %3 x %4</translation>
-    </message>
-    <message>
-        <source>one recording for each size</source>
-        <translation>eine Aufnahme je Größe</translation>
-    </message>
-    <message>
-        <source>the source gives no JPEG packets that could be stored untouched</source>
-        <translation>die Quelle liefert keine JPEG-Pakete, die sich unverändert speichern ließen</translation>
-    </message>
-    <message>
-        <source>the codec magicyuv or ffv1</source>
-        <translation>der Codec magicyuv oder ffv1</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s own JPEG packets</source>
-        <translation>die JPEG-Pakete der Kamera</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>automatisch</translation>
-    </message>
-    <message>
-        <source>%1 x %2 px is no picture size; a side must have 16 to 16384</source>
-        <translation>%1 x %2 px ist keine Bildgröße; eine Seite muss 16 bis 16384 haben</translation>
-    </message>
-    <message>
-        <source>the size of the camera&apos;s pictures, [width, height]</source>
-        <translation>die Größe der Kamerabilder, [Breite, Höhe]</translation>
-    </message>
-    <message>
-        <source>must be a number from %1 to %2</source>
-        <translation>muss eine Zahl von %1 bis %2 sein</translation>
-    </message>
-    <message>
-        <source>must be a number from 0.000001 to 100</source>
-        <translation>muss eine Zahl von 0.000001 bis 100 sein</translation>
-    </message>
-    <message>
-        <source>must be a number from 1 to 1000000</source>
-        <translation>muss eine Zahl von 1 bis 1000000 sein</translation>
-    </message>
-    <message>
-        <source>must be a number from -10000 to 10000</source>
-        <translation>muss eine Zahl von -10000 bis 10000 sein</translation>
-    </message>
-    <message>
-        <source>must be a number from 0 to 1000</source>
-        <translation>muss eine Zahl von 0 bis 1000 sein</translation>
-    </message>
-    <message>
-        <source>millimetres on the object per pixel</source>
-        <translation>Millimeter am Gegenstand je Pixel</translation>
-    </message>
-    <message>
-        <source>the focal length in pixels, as &apos;alltact lens&apos; finds it</source>
-        <translation>die Brennweite in Pixeln, wie &apos;alltact lens&apos; sie findet</translation>
-    </message>
-    <message>
-        <source>the picture&apos;s centre, or run &apos;alltact lens&apos;</source>
-        <translation>die Bildmitte, oder &apos;alltact lens&apos; ausführen</translation>
-    </message>
-    <message>
-        <source>a %1 camera has %2 coefficients, here are %3</source>
-        <translation>eine Kamera dieser Art (%1) hat %2 Koeffizienten, hier sind %3</translation>
-    </message>
-    <message>
-        <source>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []</source>
-        <translation>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, andere: []</translation>
-    </message>
-    <message>
-        <source>holds a number that no lens has</source>
-        <translation>enthält eine Zahl, die kein Objektiv hat</translation>
-    </message>
-    <message>
-        <source>run &apos;alltact lens&apos;</source>
-        <translation>&apos;alltact lens&apos; ausführen</translation>
-    </message>
-    <message>
-        <source>belongs to a perspective camera; an orthographic one sees no nearer through it</source>
-        <translation>gehört zu einer perspektivischen Kamera; eine orthografische sieht dadurch nicht näher</translation>
-    </message>
-    <message>
-        <source>leave it out</source>
-        <translation>weglassen</translation>
-    </message>
-    <message>
-        <source>the distortion folds over inside the picture: near its border two directions would be seen in one pixel</source>
-        <translation>die Verzeichnung faltet sich im Bild: Nahe seinem Rand würden zwei Richtungen in einem Pixel gesehen</translation>
-    </message>
-    <message>
-        <source>run &apos;alltact lens&apos; with boards that reach into the corners, or with fewer coefficients</source>
-        <translation>&apos;alltact lens&apos; mit Tafeln ausführen, die in die Ecken reichen, oder mit weniger Koeffizienten</translation>
-    </message>
-    <message>
-        <source>%1 is %2 x %3 px, the camera of this finger gives %4 x %5</source>
-        <translation>%1 hat %2 x %3 px, die Kamera dieses Fingers liefert %4 x %5</translation>
-    </message>
-    <message>
-        <source>must be a length from 0 to 1000 mm</source>
-        <translation>muss eine Länge von 0 bis 1000 mm sein</translation>
-    </message>
-    <message>
-        <source>a caliper&apos;s reading</source>
-        <translation>mit dem Messschieber messen</translation>
-    </message>
-    <message>
-        <source>must be an index of refraction from 1 to 3</source>
-        <translation>muss ein Brechungsindex von 1 bis 3 sein</translation>
-    </message>
-    <message>
-        <source>1 for air, 1.33 water, 1.41 silicone, 1.49 acrylic, 1.52 glass</source>
-        <translation>1 für Luft, 1.33 Wasser, 1.41 Silikon, 1.49 Acryl, 1.52 Glas</translation>
-    </message>
-    <message>
-        <source>must be two whole numbers</source>
-        <translation>muss aus zwei ganzen Zahlen bestehen</translation>
-    </message>
-    <message>
-        <source>[width, height] in pixels</source>
-        <translation>[Breite, Höhe] in Pixeln</translation>
-    </message>
-    <message>
-        <source>the air between lens and window in mm</source>
-        <translation>die Luft zwischen Objektiv und Fenster in mm</translation>
-    </message>
-    <message>
-        <source>the window&apos;s thickness in mm</source>
-        <translation>die Dicke des Fensters in mm</translation>
-    </message>
-    <message>
-        <source>the window&apos;s index of refraction</source>
-        <translation>der Brechungsindex des Fensters</translation>
-    </message>
-    <message>
-        <source>the index of what lies behind it</source>
-        <translation>der Brechungsindex dahinter</translation>
-    </message>
-    <message>
-        <source>the size of a pixel in mm</source>
-        <translation>die Größe eines Pixels in mm</translation>
-    </message>
-    <message>
-        <source>the focal length in pixels</source>
-        <translation>die Brennweite in Pixeln</translation>
-    </message>
-    <message>
-        <source>the principal point in pixels</source>
-        <translation>der Hauptpunkt in Pixeln</translation>
-    </message>
-    <message>
-        <source>look at its brackets</source>
-        <translation>die Klammern ansehen</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 50</source>
-        <translation>muss über 0 und höchstens 50 sein</translation>
-    </message>
-    <message>
-        <source>the thickness of the translucent layer in mm, for example 1.5</source>
-        <translation>die Dicke der durchscheinenden Schicht in mm, zum Beispiel 1.5</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 500</source>
-        <translation>muss über 0 und höchstens 500 sein</translation>
-    </message>
-    <message>
-        <source>the distance between the two edges of the view face in mm</source>
-        <translation>der Abstand der beiden Kanten der Fläche in mm</translation>
-    </message>
-    <message>
-        <source>a fin_ray needs a camera with perspective: its shape comes from it</source>
-        <translation>ein fin_ray braucht eine perspektivische Kamera: Seine Form kommt daraus</translation>
-    </message>
-    <message>
-        <source>pinhole, brown or fisheye</source>
-        <translation>pinhole, brown oder fisheye</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 10000: the face lies before the camera</source>
-        <translation>muss über 0 und höchstens 10000 sein: Die Fläche liegt vor der Kamera</translation>
-    </message>
-    <message>
-        <source>the distance of the face from the camera in mm</source>
-        <translation>der Abstand der Fläche von der Kamera in mm</translation>
-    </message>
-    <message>
-        <source>a flat sensor has no markers</source>
-        <translation>ein flacher Sensor hat keine Marken</translation>
-    </message>
-    <message>
-        <source>remove the block &apos;markers&apos;</source>
-        <translation>den Block &apos;markers&apos; entfernen</translation>
-    </message>
-    <message>
-        <source>calibrate again</source>
-        <translation>neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no file inside the finger&apos;s folder</source>
-        <translation>&apos;%1&apos; ist keine Datei im Ordner des Fingers</translation>
-    </message>
-    <message>
-        <source>copy the file into the folder and give its name only</source>
-        <translation>die Datei in den Ordner kopieren und nur ihren Namen angeben</translation>
-    </message>
-    <message>
-        <source>there is either a video with its markers or one picture, not both</source>
-        <translation>es gibt entweder ein Video mit seinen Marken oder ein Bild, nicht beides</translation>
-    </message>
-    <message>
-        <source>remove one of them</source>
-        <translation>eines davon entfernen</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 1000000</source>
-        <translation>muss über 0 und höchstens 1000000 sein</translation>
-    </message>
-    <message>
-        <source>holds %1 positions, but there are %2 markers</source>
-        <translation>enthält %1 Orte, aber es gibt %2 Marken</translation>
-    </message>
-    <message>
-        <source>gives depths up to %1 mm in a layer of %2 mm</source>
-        <translation>ergibt Tiefen bis %1 mm in einer Schicht von %2 mm</translation>
-    </message>
-    <message>
-        <source>holds a position far outside the picture</source>
-        <translation>enthält einen Ort weit außerhalb des Bildes</translation>
-    </message>
-    <message>
-        <source>must be a text of 1 to 200 letters</source>
-        <translation>muss ein Text von 1 bis 200 Zeichen sein</translation>
-    </message>
-    <message>
-        <source>what is written on the finger</source>
-        <translation>was auf dem Finger steht</translation>
-    </message>
-    <message>
-        <source>says how a mapping was made, but there is none</source>
-        <translation>sagt, wie eine Abbildung entstand, aber es gibt keine</translation>
-    </message>
-    <message>
-        <source>calibrate</source>
-        <translation>kalibrieren</translation>
-    </message>
-    <message>
-        <source>a length in mm</source>
-        <translation>eine Länge in mm</translation>
-    </message>
-    <message>
-        <source>a distance in mm</source>
-        <translation>ein Abstand in mm</translation>
-    </message>
-    <message>
-        <source>the dots on one side face</source>
-        <translation>die Punkte auf einer Seitenfläche</translation>
-    </message>
-    <message>
-        <source>must have as many numbers in each row as there are rows</source>
-        <translation>muss in jeder Zeile so viele Zahlen haben, wie es Zeilen gibt</translation>
-    </message>
-    <message>
-        <source>is not the curve that &apos;chebyshev&apos; gives</source>
-        <translation>ist nicht die Kurve, die &apos;chebyshev&apos; ergibt</translation>
-    </message>
-    <message>
-        <source>remove this line: it is only for people to read</source>
-        <translation>diese Zeile entfernen: Sie ist nur zum Lesen da</translation>
-    </message>
-    <message>
-        <source>a part of the depth</source>
-        <translation>ein Teil der Tiefe</translation>
-    </message>
-    <message>
-        <source>must be two numbers: mm along and across the face</source>
-        <translation>müssen zwei Zahlen sein: mm längs und quer zur Fläche</translation>
-    </message>
-    <message>
-        <source>must be two numbers, the first of them 0</source>
-        <translation>müssen zwei Zahlen sein, die erste davon 0</translation>
-    </message>
-    <message>
-        <source>for example [0.0, 0.62]</source>
-        <translation>zum Beispiel [0.0, 0.62]</translation>
-    </message>
-    <message>
-        <source>a depth in mm</source>
-        <translation>eine Tiefe in mm</translation>
-    </message>
-    <message>
-        <source>without unit</source>
-        <translation>ohne Einheit</translation>
-    </message>
-    <message>
-        <source>in mm</source>
-        <translation>in mm</translation>
-    </message>
-    <message>
-        <source>a sum of offsets in pixels</source>
-        <translation>eine Summe von Verschiebungen in Pixeln</translation>
-    </message>
-    <message>
-        <source>must hold two numbers for each marker</source>
-        <translation>muss für jede Marke zwei Zahlen enthalten</translation>
-    </message>
-    <message>
-        <source>a newer version of this program, or &apos;%1&apos;</source>
-        <translation>eine neuere Version dieses Programms, oder &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>must name a file</source>
-        <translation>muss eine Datei nennen</translation>
-    </message>
-    <message>
-        <source>leave it out, or calibrate again</source>
-        <translation>weglassen, oder neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>must be %1 rows of %2 numbers</source>
-        <translation>muss aus %1 Zeilen mit %2 Zahlen bestehen</translation>
-    </message>
-    <message>
-        <source>holds values that no covariance has</source>
-        <translation>enthält Werte, die keine Kovarianz hat</translation>
-    </message>
-    <message>
-        <source>has a negative variance</source>
-        <translation>hat eine negative Varianz</translation>
-    </message>
-    <message>
-        <source>is not symmetric</source>
-        <translation>ist nicht symmetrisch</translation>
-    </message>
-    <message>
-        <source>must hold finite numbers, half_mm above 0, along and across together at most 0.5</source>
-        <translation>muss endliche Zahlen enthalten, half_mm über 0, along und across zusammen höchstens 0.5</translation>
-    </message>
-    <message>
-        <source>must be a positive number</source>
-        <translation>muss eine positive Zahl sein</translation>
-    </message>
-    <message>
-        <source>must be greater than %1, where the curve has its pole, and at most 1000000</source>
-        <translation>muss größer als %1 sein, wo die Kurve ihren Pol hat, und höchstens 1000000</translation>
-    </message>
-    <message>
-        <source>must hold 1 to %1 numbers</source>
-        <translation>muss 1 bis %1 Zahlen enthalten</translation>
-    </message>
-    <message>
-        <source>holds a number that is no coefficient in mm</source>
-        <translation>enthält eine Zahl, die kein Koeffizient in mm ist</translation>
-    </message>
-    <message>
-        <source>must end above 0 and at 1 or below: it is a relative difference of brightness</source>
-        <translation>muss über 0 und bei 1 oder darunter enden: Es ist ein relativer Helligkeitsunterschied</translation>
-    </message>
-    <message>
-        <source>the curve does not rise at x = %1 (slope %2 mm)</source>
-        <translation>die Kurve steigt bei x = %1 nicht (Steigung %2 mm)</translation>
-    </message>
-    <message>
-        <source>calibrate with fewer coefficients or as moebius, or with deeper presses</source>
-        <translation>mit weniger Koeffizienten oder als moebius kalibrieren, oder mit tieferen Eindrücken</translation>
-    </message>
-    <message>
-        <source>gives a depth of %1 mm at the end of its domain; it must lie above 0 and below %2 mm</source>
-        <translation>ergibt am Ende ihres Bereichs eine Tiefe von %1 mm; sie muss über 0 und unter %2 mm liegen</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>eine Liste</translation>
-    </message>
-    <message>
-        <source>a block of keys</source>
-        <translation>ein Block von Schlüsseln</translation>
-    </message>
-    <message>
-        <source>holds more than one document</source>
-        <translation>enthält mehr als ein Dokument</translation>
-    </message>
-    <message>
-        <source>leave out the lines &apos;---&apos;</source>
-        <translation>die Zeilen &apos;---&apos; weglassen</translation>
-    </message>
-    <message>
-        <source>look at the brackets, quotes and the space before each key</source>
-        <translation>Klammern, Anführungszeichen und den Leerraum vor jedem Schlüssel ansehen</translation>
-    </message>
-    <message>
-        <source>must be a block of &apos;key: value&apos; lines, not %1</source>
-        <translation>muss ein Block von Zeilen &apos;key: value&apos; sein, nicht %1</translation>
-    </message>
-    <message>
-        <source>compare with the file of another finger</source>
-        <translation>mit der Datei eines anderen Fingers vergleichen</translation>
-    </message>
-    <message>
-        <source>holds a key that is not a word</source>
-        <translation>enthält einen Schlüssel, der kein Wort ist</translation>
-    </message>
-    <message>
-        <source>one word before each colon</source>
-        <translation>ein Wort vor jedem Doppelpunkt</translation>
-    </message>
-    <message>
-        <source>is given twice</source>
-        <translation>steht zweimal da</translation>
-    </message>
-    <message>
-        <source>is missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>add &apos;%1: ...&apos;</source>
-        <translation>&apos;%1: ...&apos; hinzufügen</translation>
-    </message>
-    <message>
-        <source>add &apos;%1: ...&apos; under &apos;%2:&apos;</source>
-        <translation>&apos;%1: ...&apos; unter &apos;%2:&apos; hinzufügen</translation>
-    </message>
-    <message>
-        <source>must be a text, not %1</source>
-        <translation>muss ein Text sein, nicht %1</translation>
-    </message>
-    <message>
-        <source>%1 is not known here</source>
-        <translation>%1 ist hier nicht bekannt</translation>
-    </message>
-    <message>
-        <source>must be a number, %1, not %2</source>
-        <translation>muss eine Zahl sein, %1, nicht %2</translation>
-    </message>
-    <message>
-        <source>a number such as 24.0, with a point and without a unit</source>
-        <translation>eine Zahl wie 24.0, mit Punkt und ohne Einheit</translation>
-    </message>
-    <message>
-        <source>must be a whole number, %1, not %2</source>
-        <translation>muss eine ganze Zahl sein, %1, nicht %2</translation>
-    </message>
-    <message>
-        <source>must be a list, not %1</source>
-        <translation>muss eine Liste sein, nicht %1</translation>
-    </message>
-    <message>
-        <source>holds %1, which is not a number</source>
-        <translation>enthält %1, was keine Zahl ist</translation>
-    </message>
-    <message>
-        <source>holds %1, which is not a text</source>
-        <translation>enthält %1, was kein Text ist</translation>
-    </message>
-    <message>
-        <source>holds %1, which is not a list</source>
-        <translation>enthält %1, was keine Liste ist</translation>
-    </message>
-    <message>
-        <source>is not known, and too large or too odd to be kept</source>
-        <translation>ist nicht bekannt, und zu groß oder zu seltsam, um behalten zu werden</translation>
-    </message>
-    <message>
-        <source>is not known here; it is kept as it is</source>
-        <translation>ist hier nicht bekannt; es bleibt, wie es ist</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1, and %2</source>
-        <translation>%1, und %2</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 und %2</translation>
-    </message>
-    <message>
-        <source>%1 or %2</source>
-        <translation>%1 oder %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>one of %1</source>
-        <translation>eines von %1</translation>
-    </message>
-    <message>
-        <source>Try: %1</source>
-        <translation>Abhilfe: %1</translation>
-    </message>
-    <message>
-        <source>Warning: %1</source>
-        <translation>Warnung: %1</translation>
-    </message>
-    <message>
-        <source>Left out: %1</source>
-        <translation>Weggelassen: %1</translation>
-    </message>
-    <message>
-        <source>Remark: %1</source>
-        <translation>Anmerkung: %1</translation>
-    </message>
-    <message>
-        <source>Not yet seen: %1</source>
-        <translation>Noch nicht gesehen: %1</translation>
-    </message>
-    <message>
-        <source>unexpected: %1</source>
-        <translation>unerwartet: %1</translation>
-    </message>
-    <message>
-        <source>reporting this as a defect</source>
-        <translation>dies als Fehler melden</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>bis %1</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>höchstens %1</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>angehalten</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>fertig</translation>
-    </message>
-    <message>
-        <source>dots</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>inner corners</source>
-        <translation>innere Ecken</translation>
-    </message>
-    <message>
-        <source>%1 x %2 %3</source>
-        <translation>%1 x %2 %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no board; it takes two counts from 3 to 100</source>
-        <translation>&apos;%1&apos; ist keine Tafel; sie braucht zwei Anzahlen von 3 bis 100</translation>
-    </message>
-    <message>
-        <source>9x6 for nine inner corners in a row and six rows</source>
-        <translation>9x6 für neun innere Ecken in einer Zeile und sechs Zeilen</translation>
-    </message>
-    <message>
-        <source>the board finder gave up: %1</source>
-        <translation>die Suche nach der Tafel gab auf: %1</translation>
-    </message>
-    <message>
-        <source>another picture</source>
-        <translation>ein anderes Bild</translation>
-    </message>
-    <message>
-        <source>only %1 different views of the board are left, %2 are needed at least</source>
-        <translation>nur %1 verschiedene Ansichten der Tafel bleiben, mindestens %2 sind nötig</translation>
-    </message>
-    <message>
-        <source>%1 pictures or more, with the board tilted and in all parts of the picture</source>
-        <translation>%1 Bilder oder mehr, mit geneigter Tafel und in allen Teilen des Bildes</translation>
-    </message>
-    <message>
-        <source>shows the board just where %1 shows it</source>
-        <translation>zeigt die Tafel genau dort, wo %1 sie zeigt</translation>
-    </message>
-    <message>
-        <source>no flat board can look so</source>
-        <translation>so kann keine flache Tafel aussehen</translation>
-    </message>
-    <message>
-        <source>stopped before the lens was known</source>
-        <translation>angehalten, bevor das Objektiv bekannt war</translation>
-    </message>
-    <message>
-        <source>views that reach into the picture&apos;s corners, or another --model</source>
-        <translation>Ansichten, die in die Ecken des Bildes reichen, oder ein anderes --model</translation>
-    </message>
-    <message>
-        <source>leaving views out</source>
-        <translation>Ansichten werden ausgelassen</translation>
-    </message>
-    <message>
-        <source>comparing halves</source>
-        <translation>Hälften werden verglichen</translation>
-    </message>
-    <message>
-        <source>with %1 coefficients of distortion the lens folds over inside the picture or stays undetermined; %2 are used</source>
-        <translation>mit %1 Koeffizienten der Verzeichnung faltet sich das Objektiv im Bild oder bleibt unbestimmt; %2 werden verwendet</translation>
-    </message>
-    <message>
-        <source>corners scatter by %1 px; good boards give 0.2 or less: look at focus, motion, and whether the board is flat</source>
-        <translation>die Ecken streuen um %1 px; gute Tafeln ergeben 0.2 oder weniger: Schärfe, Bewegung und Ebenheit der Tafel ansehen</translation>
-    </message>
-    <message>
-        <source>stopped before everything was judged</source>
-        <translation>angehalten, bevor alles beurteilt war</translation>
-    </message>
-    <message>
-        <source>What is printed on the board</source>
-        <translation>Was auf die Tafel gedruckt ist</translation>
-    </message>
-    <message>
-        <source>brown up to about 120 degrees of view, fisheye beyond</source>
-        <translation>brown bis etwa 120 Grad Bildwinkel, darüber fisheye</translation>
-    </message>
-    <message>
-        <source>Distance of the finger, at which errors are told in mm</source>
-        <translation>Abstand des Fingers, bei dem Fehler in mm angegeben werden</translation>
-    </message>
-    <message>
-        <source>ChArUco: the markers&apos; family</source>
-        <translation>ChArUco: die Familie der Marken</translation>
-    </message>
-    <message>
-        <source>ChArUco: a marker&apos;s side as part of a square&apos;s</source>
-        <translation>ChArUco: die Seite einer Marke als Teil der Seite eines Quadrats</translation>
-    </message>
-    <message>
-        <source>all %1 views show the board in the same place</source>
-        <translation>alle %1 Ansichten zeigen die Tafel am selben Ort</translation>
-    </message>
-    <message>
-        <source>move and tilt the board, or the camera, between pictures</source>
-        <translation>Tafel oder Kamera zwischen den Bildern bewegen und neigen</translation>
-    </message>
-    <message>
-        <source>looking for a first lens</source>
-        <translation>ein erstes Objektiv wird gesucht</translation>
-    </message>
-    <message>
-        <source>fitting the lens</source>
-        <translation>das Objektiv wird angepasst</translation>
-    </message>
-    <message>
-        <source>no %1 with %2 can be seen</source>
-        <translation>nicht zu sehen: %1 mit %2</translation>
-    </message>
-    <message>
-        <source>chessboard</source>
-        <translation>Schachbrett</translation>
-    </message>
-    <message>
-        <source>the picture has hardly any contrast</source>
-        <translation>das Bild hat kaum Kontrast</translation>
-    </message>
-    <message>
-        <source>more light, and the board in focus</source>
-        <translation>mehr Licht, und die Tafel scharf</translation>
-    </message>
-    <message>
-        <source>a large part of the picture is white without detail</source>
-        <translation>ein großer Teil des Bildes ist weiß ohne Zeichnung</translation>
-    </message>
-    <message>
-        <source>a shorter exposure</source>
-        <translation>eine kürzere Belichtung</translation>
-    </message>
-    <message>
-        <source>the whole board in the picture, with its white border, sharp and evenly lit</source>
-        <translation>die ganze Tafel im Bild, mit ihrem weißen Rand, scharf und gleichmäßig beleuchtet</translation>
-    </message>
-    <message>
-        <source>ChArUco board</source>
-        <translation>ChArUco-Tafel</translation>
-    </message>
-    <message>
-        <source>not one of its markers</source>
-        <translation>keine einzige ihrer Marken</translation>
-    </message>
-    <message>
-        <source>only %1 of the ChArUco board&apos;s corners can be seen, %2 are needed</source>
-        <translation>nur %1 Ecken der ChArUco-Tafel sind zu sehen, %2 sind nötig</translation>
-    </message>
-    <message>
-        <source>more of the board in the picture, sharp and evenly lit</source>
-        <translation>mehr von der Tafel im Bild, scharf und gleichmäßig beleuchtet</translation>
-    </message>
-    <message>
-        <source>only corners in one line of the ChArUco board can be seen</source>
-        <translation>nur Ecken in einer Linie der ChArUco-Tafel sind zu sehen</translation>
-    </message>
-    <message>
-        <source>more of the board in the picture</source>
-        <translation>mehr von der Tafel im Bild</translation>
-    </message>
-    <message>
-        <source>dot grid</source>
-        <translation>Punktraster</translation>
-    </message>
-    <message>
-        <source>a dot of the grid lies at the picture&apos;s border or has no contrast</source>
-        <translation>ein Punkt des Rasters liegt am Bildrand oder hat keinen Kontrast</translation>
-    </message>
-    <message>
-        <source>the whole board in the picture, evenly lit</source>
-        <translation>die ganze Tafel im Bild, gleichmäßig beleuchtet</translation>
-    </message>
-    <message>
-        <source>top left corner</source>
-        <translation>Ecke oben links</translation>
-    </message>
-    <message>
-        <source>top edge</source>
-        <translation>oberer Rand</translation>
-    </message>
-    <message>
-        <source>top right corner</source>
-        <translation>Ecke oben rechts</translation>
-    </message>
-    <message>
-        <source>left edge</source>
-        <translation>linker Rand</translation>
-    </message>
-    <message>
-        <source>right edge</source>
-        <translation>rechter Rand</translation>
-    </message>
-    <message>
-        <source>bottom left corner</source>
-        <translation>Ecke unten links</translation>
-    </message>
-    <message>
-        <source>bottom edge</source>
-        <translation>unterer Rand</translation>
-    </message>
-    <message>
-        <source>bottom right corner</source>
-        <translation>Ecke unten rechts</translation>
-    </message>
-    <message>
-        <source>%1 more, tilted</source>
-        <translation>noch %1, geneigt</translation>
-    </message>
-    <message>
-        <source>%1 more, tilted %2</source>
-        <translation>noch %1, geneigt %2</translation>
-    </message>
-    <message>
-        <source>one</source>
-        <translation>eine</translation>
-    </message>
-    <message>
-        <source>two</source>
-        <translation>zwei</translation>
-    </message>
-    <message>
-        <source>three</source>
-        <translation>drei</translation>
-    </message>
-    <message>
-        <source>four</source>
-        <translation>vier</translation>
-    </message>
-    <message>
-        <source>five</source>
-        <translation>fünf</translation>
-    </message>
-    <message>
-        <source>six</source>
-        <translation>sechs</translation>
-    </message>
-    <message>
-        <source>seven</source>
-        <translation>sieben</translation>
-    </message>
-    <message>
-        <source>eight</source>
-        <translation>acht</translation>
-    </message>
-    <message>
-        <source>nine</source>
-        <translation>neun</translation>
-    </message>
-    <message>
-        <source>ten</source>
-        <translation>zehn</translation>
-    </message>
-    <message>
-        <source>large enough to fill the picture</source>
-        <translation>groß genug, das Bild zu füllen</translation>
-    </message>
-    <message>
-        <source>near the %1</source>
-        <translation>nahe: %1</translation>
-    </message>
-    <message>
-        <source>to the left</source>
-        <translation>nach links</translation>
-    </message>
-    <message>
-        <source>to the right</source>
-        <translation>nach rechts</translation>
-    </message>
-    <message>
-        <source>up</source>
-        <translation>nach oben</translation>
-    </message>
-    <message>
-        <source>down</source>
-        <translation>nach unten</translation>
-    </message>
-    <message>
-        <source>these views leave the lens undetermined</source>
-        <translation>diese Ansichten lassen das Objektiv unbestimmt</translation>
-    </message>
-    <message>
-        <source>more views, with the board tilted by 20 to 40 degrees in different directions</source>
-        <translation>mehr Ansichten, mit der Tafel um 20 bis 40 Grad in verschiedene Richtungen geneigt</translation>
-    </message>
-    <message>
-        <source>no lens could be fitted to the corners that were found</source>
-        <translation>kein Objektiv ließ sich an die gefundenen Ecken anpassen</translation>
-    </message>
-    <message>
-        <source>a flat board of the size given with --board, and views that show it tilted</source>
-        <translation>eine flache Tafel der mit --board angegebenen Größe, und Ansichten, die sie geneigt zeigen</translation>
-    </message>
-    <message>
-        <source>no lens explains the corners that were found</source>
-        <translation>kein Objektiv erklärt die gefundenen Ecken</translation>
-    </message>
-    <message>
-        <source>a flat board of the size given with --board; --model fisheye for a lens wider than 120 degrees</source>
-        <translation>eine flache Tafel der mit --board angegebenen Größe; --model fisheye für ein Objektiv mit mehr als 120 Grad</translation>
-    </message>
-    <message>
-        <source>the focal length is known to %1 %, %2 mm at %3 mm</source>
-        <translation>die Brennweite ist auf %1 % bekannt, %2 mm bei %3 mm</translation>
-    </message>
-    <message>
-        <source>but two halves of the views disagree by %1 px (%2 mm)</source>
-        <translation>aber zwei Hälften der Ansichten weichen um %1 px (%2 mm) voneinander ab</translation>
-    </message>
-    <message>
-        <source>but views left out fit worse (%1 px) than those fitted (%2 px)</source>
-        <translation>aber ausgelassene Ansichten passen schlechter (%1 px) als die angepassten (%2 px)</translation>
-    </message>
-    <message>
-        <source>but the views do not cover the picture and the tilts it needs</source>
-        <translation>aber die Ansichten decken Bild und nötige Neigungen nicht ab</translation>
-    </message>
-    <message>
-        <source>with so few views none could be left out to show what it is worth</source>
-        <translation>bei so wenigen Ansichten ließ sich keine auslassen, um zu zeigen, was es wert ist</translation>
-    </message>
-    <message>
-        <source>add views, sharp and tilted, that fill the picture</source>
-        <translation>Ansichten hinzufügen, scharf und geneigt, die das Bild füllen</translation>
-    </message>
-    <message>
-        <source>no board was found in any of %1 pictures</source>
-        <translation>in keinem von %1 Bildern wurde eine Tafel gefunden</translation>
-    </message>
-    <message>
-        <source>no board with %1 was found, but one with %2</source>
-        <translation>keine Tafel mit %1 wurde gefunden, aber eine mit %2</translation>
-    </message>
-    <message>
-        <source>--board with %1: inner corners are counted, not squares</source>
-        <translation>--board mit %1: Gezählt werden innere Ecken, nicht Quadrate</translation>
-    </message>
-    <message>
-        <source>--board and --pattern as the board is, and the whole board in the picture</source>
-        <translation>--board und --pattern wie die Tafel ist, und die ganze Tafel im Bild</translation>
-    </message>
-    <message>
-        <source>stopped while looking for boards; nothing was written</source>
-        <translation>bei der Suche nach Tafeln angehalten; nichts wurde geschrieben</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>Tafel in %1 wird gesucht</translation>
-    </message>
-    <message>
-        <source>is %1 x %2 px, the pictures before it %3 x %4</source>
-        <translation>hat %1 x %2 px, die Bilder davor %3 x %4</translation>
-    </message>
-    <message>
-        <source>pictures of one camera in one mode; a lens differs with the picture&apos;s size</source>
-        <translation>Bilder einer Kamera in einer Betriebsart; mit der Bildgröße ändert sich das Objektiv</translation>
-    </message>
-    <message>
-        <source>another picture is called &apos;%1&apos; as well</source>
-        <translation>ein anderes Bild heißt auch &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>giving the pictures different names</source>
-        <translation>den Bildern verschiedene Namen geben</translation>
-    </message>
-    <message>
-        <source>its corners lie %1 px from where the lens sees them, those of the others %2 px</source>
-        <translation>seine Ecken liegen %1 px von dort, wo das Objektiv sie sieht, die der anderen %2 px</translation>
-    </message>
-    <message>
-        <source>blurred, by motion or focus: its edges are %1 px wide, those of the others %2 px</source>
-        <translation>unscharf, durch Bewegung oder Fokus: Seine Kanten sind %1 px breit, die der anderen %2 px</translation>
-    </message>
-    <message>
-        <source>the board is bent in it, glue it to something stiff</source>
-        <translation>die Tafel ist darin gebogen, auf etwas Steifes kleben</translation>
-    </message>
-    <message>
-        <source>%1 of its %2 corners lie elsewhere: covered, mirrored in something, or blurred</source>
-        <translation>%1 seiner %2 Ecken liegen anderswo: verdeckt, gespiegelt oder unscharf</translation>
-    </message>
-    <message>
-        <source>moved during the exposure, or not this board</source>
-        <translation>während der Belichtung bewegt, oder nicht diese Tafel</translation>
-    </message>
-    <message>
-        <source>its squares are %1 % %2 than they are high</source>
-        <translation>ihre Quadrate sind %1 % %2 als hoch</translation>
-    </message>
-    <message>
-        <source>wider</source>
-        <translation>breiter</translation>
-    </message>
-    <message>
-        <source>narrower</source>
-        <translation>schmaler</translation>
-    </message>
-    <message>
-        <source>it is bent by about %1 mm from its middle to its corners</source>
-        <translation>sie ist von der Mitte zu den Ecken um etwa %1 mm gebogen</translation>
-    </message>
-    <message>
-        <source>the board is not the flat, even one it is taken for: %1; with that allowed for fx would be %2 instead of %3 px; use a board on glass or metal</source>
-        <translation>die Tafel ist nicht so flach und gleichmäßig wie angenommen: %1; berücksichtigt man das, wäre fx %2 statt %3 px; eine Tafel auf Glas oder Metall verwenden</translation>
-    </message>
-    <message>
-        <source>hardly any pixel of the face could be compared with the reference</source>
-        <translation>kaum ein Pixel der Fläche ließ sich mit der Referenz vergleichen</translation>
-    </message>
-    <message>
-        <source>a press and a reference of the same size in which the face is lit</source>
-        <translation>ein Eindruck und eine Referenz gleicher Größe, auf denen die Fläche beleuchtet ist</translation>
-    </message>
-    <message>
-        <source>nothing on the face is clearly darker than in the reference (the darkest part differs by %1 %, the rest scatters by %2 %)</source>
-        <translation>nichts auf der Fläche ist deutlich dunkler als in der Referenz (der dunkelste Teil weicht um %1 % ab, der Rest streut um %2 %)</translation>
-    </message>
-    <message>
-        <source>pressing the ball in deeper, and checking that the reference shows the same finger in the same pose</source>
-        <translation>die Kugel tiefer eindrücken und prüfen, ob die Referenz denselben Finger in derselben Haltung zeigt</translation>
-    </message>
-    <message>
-        <source>only specks are dark, none larger than %1 pixels</source>
-        <translation>nur Flecken sind dunkel, keiner größer als %1 Pixel</translation>
-    </message>
-    <message>
-        <source>pressing the ball in deeper</source>
-        <translation>die Kugel tiefer eindrücken</translation>
-    </message>
-    <message>
-        <source>two contacts were found, the second with %1 % of the first</source>
-        <translation>zwei Kontakte wurden gefunden, der zweite mit %1 % des ersten</translation>
-    </message>
-    <message>
-        <source>a press in which only the ball touches the face</source>
-        <translation>ein Eindruck, bei dem nur die Kugel die Fläche berührt</translation>
-    </message>
-    <message>
-        <source>the border of the dark part is no arc of a circle</source>
-        <translation>der Rand des dunklen Teils ist kein Kreisbogen</translation>
-    </message>
-    <message>
-        <source>a press in which the ball lies wholly on the face</source>
-        <translation>ein Eindruck, bei dem die Kugel ganz auf der Fläche liegt</translation>
-    </message>
-    <message>
-        <source>only %1 degrees of the dark disc&apos;s rim lie on the face</source>
-        <translation>nur %1 Grad vom Rand der dunklen Scheibe liegen auf der Fläche</translation>
-    </message>
-    <message>
-        <source>a press nearer to the middle of the face</source>
-        <translation>ein Eindruck näher an der Mitte der Fläche</translation>
-    </message>
-    <message>
-        <source>the dark part has a radius of %1 mm, more than the ball&apos;s %2 mm</source>
-        <translation>der dunkle Teil hat einen Radius von %1 mm, mehr als die Kugel mit %2 mm</translation>
-    </message>
-    <message>
-        <source>checking the ball&apos;s radius, or a picture in which only the ball touches</source>
-        <translation>den Radius der Kugel prüfen, oder ein Bild, auf dem nur die Kugel berührt</translation>
-    </message>
-    <message>
-        <source>the dark part is no disc: its rim is off a circle by %1 % of the radius, and %2 % of the circle is dark</source>
-        <translation>der dunkle Teil ist keine Scheibe: Sein Rand weicht um %1 % des Radius von einem Kreis ab, und %2 % des Kreises sind dunkel</translation>
-    </message>
-    <message>
-        <source>a picture in which a ball, and only the ball, touches the face</source>
-        <translation>ein Bild, auf dem eine Kugel und nur die Kugel die Fläche berührt</translation>
-    </message>
-    <message>
-        <source>the middle of the dark disc lies off the face</source>
-        <translation>die Mitte der dunklen Scheibe liegt neben der Fläche</translation>
-    </message>
-    <message>
-        <source>a ball radius of %1 mm is impossible</source>
-        <translation>ein Kugelradius von %1 mm ist unmöglich</translation>
-    </message>
-    <message>
-        <source>the radius in millimetres, as measured with callipers</source>
-        <translation>der Radius in Millimetern, mit dem Messschieber gemessen</translation>
-    </message>
-    <message>
-        <source>the press has no difference picture</source>
-        <translation>der Eindruck hat kein Differenzbild</translation>
-    </message>
-    <message>
-        <source>taking the picture again</source>
-        <translation>das Bild noch einmal aufnehmen</translation>
-    </message>
-    <message>
-        <source>OpenCV failed: %1</source>
-        <translation>OpenCV scheiterte: %1</translation>
-    </message>
-    <message>
-        <source>a smaller picture</source>
-        <translation>ein kleineres Bild</translation>
-    </message>
-    <message>
-        <source>looking for the ball in %1</source>
-        <translation>Kugel in %1 wird gesucht</translation>
-    </message>
-    <message>
-        <source>the same picture as %1, counted once</source>
-        <translation>dasselbe Bild wie %1, einmal gezählt</translation>
-    </message>
-    <message>
-        <source>the contact covers too few pixels</source>
-        <translation>der Kontakt bedeckt zu wenige Pixel</translation>
-    </message>
-    <message>
-        <source>pressing deeper, or a larger picture</source>
-        <translation>tiefer drücken, oder ein größeres Bild</translation>
-    </message>
-    <message>
-        <source>no press was given</source>
-        <translation>es wurde kein Eindruck angegeben</translation>
-    </message>
-    <message>
-        <source>at least one picture of a pressed ball</source>
-        <translation>mindestens ein Bild einer eingedrückten Kugel</translation>
-    </message>
-    <message>
-        <source>none of %1 presses could be used: %2</source>
-        <translation>keiner von %1 Eindrücken war brauchbar: %2</translation>
-    </message>
-    <message>
-        <source>pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
-        <translation>Bilder, auf denen die Kugel, und nichts sonst, 0.3 mm oder mehr in die Fläche gedrückt ist</translation>
-    </message>
-    <message>
-        <source>no face was found</source>
-        <translation>es wurde keine Fläche gefunden</translation>
-    </message>
-    <message>
-        <source>two presses are called &apos;%1&apos;</source>
-        <translation>zwei Eindrücke heißen &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>giving the pictures different names; they are kept by name with the finger</source>
-        <translation>den Bildern verschiedene Namen geben; sie werden beim Finger unter ihrem Namen aufbewahrt</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>%1 wird gelesen</translation>
-    </message>
-    <message>
-        <source>no press is called &apos;%1&apos;</source>
-        <translation>kein Eindruck heißt &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>excluded</source>
-        <translation>ausgeschlossen</translation>
-    </message>
-    <message>
-        <source>%1 mm, more than three times the others; look at the picture, or leave it out</source>
-        <translation>%1 mm, mehr als das Dreifache der anderen; das Bild ansehen oder ihn weglassen</translation>
-    </message>
-    <message>
-        <source>no press can be used</source>
-        <translation>kein Eindruck ist brauchbar</translation>
-    </message>
-    <message>
-        <source>pictures of this finger with a ball pressed into its face</source>
-        <translation>Bilder dieses Fingers, in dessen Fläche eine Kugel gedrückt ist</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 markers found</source>
-        <translation>nur %1 von %2 Marken gefunden</translation>
-    </message>
-    <message>
-        <source>no circle goes through the dark border</source>
-        <translation>kein Kreis geht durch den dunklen Rand</translation>
-    </message>
-    <message>
-        <source>the circle&apos;s middle lies off the face</source>
-        <translation>die Mitte des Kreises liegt neben der Fläche</translation>
-    </message>
-    <message>
-        <source>the circle lies off the face</source>
-        <translation>der Kreis liegt neben der Fläche</translation>
-    </message>
-    <message>
-        <source>the circle is larger than the ball</source>
-        <translation>der Kreis ist größer als die Kugel</translation>
-    </message>
-    <message>
-        <source>%1 degrees of the ball&apos;s outline are seen, a cone needs %2; the rest of the dark border is where the skin leaves the ball</source>
-        <translation>vom Umriss der Kugel sind %1 Grad zu sehen, ein Kegel braucht %2; der übrige dunkle Rand ist dort, wo die Haut die Kugel verlässt</translation>
-    </message>
-    <message>
-        <source>no cone touches the outline</source>
-        <translation>kein Kegel berührt den Umriss</translation>
-    </message>
-    <message>
-        <source>the camera does not see the circle&apos;s middle</source>
-        <translation>die Kamera sieht die Mitte des Kreises nicht</translation>
-    </message>
-    <message>
-        <source>no place of the ball gives a cubic</source>
-        <translation>kein Ort der Kugel ergibt eine kubische Kurve</translation>
-    </message>
-    <message>
-        <source>the ball that follows from the dark border hardly touches the face</source>
-        <translation>die Kugel, die aus dem dunklen Rand folgt, berührt die Fläche kaum</translation>
-    </message>
-    <message>
-        <source>no ball follows from the dark border of any of %1 presses (%2)</source>
-        <translation>aus dem dunklen Rand folgt bei keinem von %1 Eindrücken eine Kugel (%2)</translation>
-    </message>
-    <message>
-        <source>the joint method, which fits the ball itself</source>
-        <translation>das gemeinsame Verfahren, das die Kugel selbst anpasst</translation>
-    </message>
-    <message>
-        <source>the joint method, or more presses of different depth</source>
-        <translation>das gemeinsame Verfahren, oder mehr Eindrücke verschiedener Tiefe</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; does not say where a ball is</source>
-        <translation>&apos;%1&apos; sagt nicht, wo eine Kugel ist</translation>
-    </message>
-    <message>
-        <source>NAME=X,Y,Z with the ball&apos;s centre in mm before the camera, as press_3=1.5,-2,48</source>
-        <translation>NAME=X,Y,Z mit der Mitte der Kugel in mm vor der Kamera, etwa press_3=1.5,-2,48</translation>
-    </message>
-    <message>
-        <source>the ball that was put there by hand does not touch the face</source>
-        <translation>die von Hand gelegte Kugel berührt die Fläche nicht</translation>
-    </message>
-    <message>
-        <source>moving its outline onto the dark disc, or having the ball found</source>
-        <translation>ihren Umriss auf die dunkle Scheibe ziehen oder die Kugel suchen lassen</translation>
-    </message>
-    <message>
-        <source>no ball fits the contact</source>
-        <translation>keine Kugel passt zum Kontakt</translation>
-    </message>
-    <message>
-        <source>a clean ball</source>
-        <translation>eine saubere Kugel</translation>
-    </message>
-    <message>
-        <source>pass</source>
-        <translation>bestanden</translation>
-    </message>
-    <message>
-        <source>drifting</source>
-        <translation>driftet</translation>
-    </message>
-    <message>
-        <source>recalibrate</source>
-        <translation>neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>the contacts have no ball&apos;s shape: is ball or face dirty?</source>
-        <translation>die Kontakte haben nicht die Form einer Kugel: Ist Kugel oder Fläche schmutzig?</translation>
-    </message>
-    <message>
-        <source>the mapping reads %1 % too %2: layer, ball or camera are not what they were</source>
-        <translation>die Abbildung liest %1 % zu %2: Schicht, Kugel oder Kamera sind nicht mehr, was sie waren</translation>
-    </message>
-    <message>
-        <source>shallow</source>
-        <translation>flach</translation>
-    </message>
-    <message>
-        <source>deep</source>
-        <translation>tief</translation>
-    </message>
-    <message>
-        <source>the face is %1 % %2 than it was: look at lamps, exposure and layer</source>
-        <translation>die Fläche ist %1 % %2 als zuvor: Lampen, Belichtung und Schicht ansehen</translation>
-    </message>
-    <message>
-        <source>brighter</source>
-        <translation>heller</translation>
-    </message>
-    <message>
-        <source>darker</source>
-        <translation>dunkler</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error on %2 press (passes up to %3 mm), light %4 %</source>
-        <translation>%1 mm Tiefenfehler bei %2 Eindruck (bestanden bis %3 mm), Licht %4 %</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error on %2 presses (passes up to %3 mm), light %4 %</source>
-        <translation>%1 mm Tiefenfehler bei %2 Eindrücken (bestanden bis %3 mm), Licht %4 %</translation>
-    </message>
-    <message>
-        <source>calibrate again soon</source>
-        <translation>bald neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>calibrate again before measuring with it</source>
-        <translation>vor dem Messen neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>stopped before the check was done</source>
-        <translation>vor dem Ende der Prüfung angehalten</translation>
-    </message>
-    <message>
-        <source>the finger is not calibrated, so there is nothing to check</source>
-        <translation>der Finger ist nicht kalibriert, also gibt es nichts zu prüfen</translation>
-    </message>
-    <message>
-        <source>the finger does not tell the ball it was calibrated with</source>
-        <translation>der Finger sagt nicht, mit welcher Kugel er kalibriert wurde</translation>
-    </message>
-    <message>
-        <source>--ball-radius-mm with the radius of the ball that was pressed</source>
-        <translation>--ball-radius-mm mit dem Radius der eingedrückten Kugel</translation>
-    </message>
-    <message>
-        <source>measuring the presses</source>
-        <translation>Eindrücke werden gemessen</translation>
-    </message>
-    <message>
-        <source>pictures of this finger with the ball pressed 0.3 mm or more into its face</source>
-        <translation>Bilder dieses Fingers, in dessen Fläche die Kugel 0.3 mm oder mehr gedrückt ist</translation>
-    </message>
-    <message>
-        <source>measuring the presses of the calibration</source>
-        <translation>Eindrücke der Kalibrierung werden gemessen</translation>
-    </message>
-    <message>
-        <source>moving it away; only what was said of presses is lost with it</source>
-        <translation>sie wegräumen; nur was über Eindrücke gesagt wurde, geht dabei verloren</translation>
-    </message>
-    <message>
-        <source>one for each press, &quot;&quot; where there is nothing to say</source>
-        <translation>eines für jeden Eindruck, &quot;&quot; wo nichts zu sagen ist</translation>
-    </message>
-    <message>
-        <source>the face is %1 % %2 than when its reference was recorded; false depth %3 mm in the worst twentieth of it (%4 mm if the light were not corrected; up to %5 mm is noise)</source>
-        <translation>die Fläche ist %1 % %2 als bei der Aufnahme ihrer Referenz; falsche Tiefe %3 mm in ihrem schlechtesten Zwanzigstel (%4 mm, wenn das Licht nicht korrigiert würde; bis %5 mm ist Rauschen)</translation>
-    </message>
-    <message>
-        <source>let the lamps warm up, look at exposure and gain, and record the reference again when it goes on</source>
-        <translation>die Lampen warm werden lassen, Belichtung und Verstärkung ansehen und die Referenz neu aufnehmen, wenn es anhält</translation>
-    </message>
-    <message>
-        <source>record the reference again</source>
-        <translation>die Referenz neu aufnehmen</translation>
-    </message>
-    <message>
-        <source>the finger is not calibrated yet</source>
-        <translation>der Finger ist noch nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>calibrate with ball presses</source>
-        <translation>mit Kugeleindrücken kalibrieren</translation>
-    </message>
-    <message>
-        <source>nothing could be measured</source>
-        <translation>es ließ sich nichts messen</translation>
-    </message>
-    <message>
-        <source>none of the pictures can be compared with the reference</source>
-        <translation>keines der Bilder lässt sich mit der Referenz vergleichen</translation>
-    </message>
-    <message>
-        <source>pictures of the untouched finger in poses that were recorded</source>
-        <translation>Bilder des unberührten Fingers in aufgenommenen Haltungen</translation>
-    </message>
-    <message>
-        <source>this is no check and is left out</source>
-        <translation>dies ist keine Prüfung und wird weggelassen</translation>
-    </message>
-    <message>
-        <source>the report could not be printed</source>
-        <translation>der Bericht ließ sich nicht drucken</translation>
-    </message>
-    <message>
-        <source>this computer cannot draw in 3D: there is no EGL with OpenGL 3.2</source>
-        <translation>dieser Rechner kann nicht in 3D zeichnen: Es gibt kein EGL mit OpenGL 3.2</translation>
-    </message>
-    <message>
-        <source>installing libegl1 and libgl1-mesa-dri, which draw in software</source>
-        <translation>libegl1 und libgl1-mesa-dri einrichten, die per Software zeichnen</translation>
-    </message>
-    <message>
-        <source>the press could not be removed: %1</source>
-        <translation>der Eindruck ließ sich nicht entfernen: %1</translation>
-    </message>
-    <message>
-        <source>no finger is open, so the recording cannot be measured</source>
-        <translation>kein Finger ist offen, also lässt sich die Aufnahme nicht vermessen</translation>
-    </message>
-    <message>
-        <source>opening a finger</source>
-        <translation>einen Finger öffnen</translation>
-    </message>
-    <message>
-        <source>there is no face to save</source>
-        <translation>es gibt keine Fläche zu speichern</translation>
-    </message>
-    <message>
-        <source>another frame</source>
-        <translation>ein anderes Bild</translation>
-    </message>
-    <message>
-        <source>no frame of the recording shows a face</source>
-        <translation>kein Bild der Aufnahme zeigt eine Fläche</translation>
-    </message>
-    <message>
-        <source>this is not a session of this program</source>
-        <translation>dies ist keine Sitzung dieses Programms</translation>
-    </message>
-    <message>
-        <source>beginning a new one</source>
-        <translation>eine neue beginnen</translation>
-    </message>
-    <message>
-        <source>there is a finger already, and it is never overwritten</source>
-        <translation>es gibt schon einen Finger, und er wird nie überschrieben</translation>
-    </message>
-    <message>
-        <source>another folder, or moving that one away</source>
-        <translation>ein anderer Ordner, oder diesen wegräumen</translation>
-    </message>
-    <message>
-        <source>this file that comes with the program is not there</source>
-        <translation>diese Datei, die zum Programm gehört, ist nicht da</translation>
-    </message>
-    <message>
-        <source>installing the program again</source>
-        <translation>das Programm neu installieren</translation>
-    </message>
-    <message>
-        <source>standard output could not be written</source>
-        <translation>die Standardausgabe ließ sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>looking at what reads it</source>
-        <translation>nachsehen, was sie liest</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not excluded</source>
-        <translation>&apos;%1&apos; ist nicht ausgeschlossen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 %3 reached</source>
-        <translation>%1 von %2 %3 erreicht</translation>
-    </message>
-    <message>
-        <source>degrees</source>
-        <translation>Grad</translation>
-    </message>
-    <message>
-        <source>bend it further away from the camera</source>
-        <translation>weiter von der Kamera weg biegen</translation>
-    </message>
-    <message>
-        <source>bend it further towards the camera</source>
-        <translation>weiter zur Kamera hin biegen</translation>
-    </message>
-    <message>
-        <source>push its tip further to one side</source>
-        <translation>die Spitze weiter zur einen Seite drücken</translation>
-    </message>
-    <message>
-        <source>push its tip further to the other side</source>
-        <translation>die Spitze weiter zur anderen Seite drücken</translation>
-    </message>
-    <message>
-        <source>twist it further one way</source>
-        <translation>weiter in die eine Richtung verdrehen</translation>
-    </message>
-    <message>
-        <source>twist it further the other way</source>
-        <translation>weiter in die andere Richtung verdrehen</translation>
-    </message>
-    <message>
-        <source>bend it while its tip is pushed aside: %1 % of the combinations were seen</source>
-        <translation>biegen, während die Spitze zur Seite gedrückt ist: %1 % der Kombinationen wurden gesehen</translation>
-    </message>
-    <message>
-        <source>no frame shows the face</source>
-        <translation>kein Bild zeigt die Fläche</translation>
-    </message>
-    <message>
-        <source>a recording in which both long edges of the bright face are visible</source>
-        <translation>eine Aufnahme, auf der beide langen Kanten der hellen Fläche zu sehen sind</translation>
-    </message>
-    <message>
-        <source>%1 dots were found but they fit no pose of the %2 markers</source>
-        <translation>%1 Punkte wurden gefunden, aber sie passen zu keiner Haltung der %2 Marken</translation>
-    </message>
-    <message>
-        <source>the markers lie %1 px from where they can be</source>
-        <translation>die Marken liegen %1 px von dort, wo sie sein können</translation>
-    </message>
-    <message>
-        <source>stopped before the recording was read</source>
-        <translation>angehalten, bevor die Aufnahme gelesen war</translation>
-    </message>
-    <message>
-        <source>reading frame %1 of %2</source>
-        <translation>Bild %1 von %2 wird gelesen</translation>
-    </message>
-    <message>
-        <source>the picture</source>
-        <translation>das Bild</translation>
-    </message>
-    <message>
-        <source>a recording made with this finger&apos;s camera, or the right camera.size and orientation</source>
-        <translation>eine Aufnahme mit der Kamera dieses Fingers, oder die richtige camera.size und orientation</translation>
-    </message>
-    <message>
-        <source>the recording cannot be renamed: %1</source>
-        <translation>die Aufnahme lässt sich nicht umbenennen: %1</translation>
-    </message>
-    <message>
-        <source>stopped before the recording was written</source>
-        <translation>angehalten, bevor die Aufnahme geschrieben war</translation>
-    </message>
-    <message>
-        <source>writing the frames that are kept</source>
-        <translation>behaltene Bilder werden geschrieben</translation>
-    </message>
-    <message>
-        <source>stopped before the recording was compared</source>
-        <translation>angehalten, bevor die Aufnahme verglichen war</translation>
-    </message>
-    <message>
-        <source>comparing frame %1 of %2</source>
-        <translation>Bild %1 von %2 wird verglichen</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>Bild %1</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 frames can be used (%3)</source>
-        <translation>nur %1 von %2 Bildern sind brauchbar (%3)</translation>
-    </message>
-    <message>
-        <source>record again with every marker in view and nothing on the contact face</source>
-        <translation>noch einmal aufnehmen, mit allen Marken im Bild und nichts auf der Kontaktfläche</translation>
-    </message>
-    <message>
-        <source>the recording&apos;s picture</source>
-        <translation>das Bild der Aufnahme</translation>
-    </message>
-    <message>
-        <source>frame %1: something pressed on the contact face, %2 mm from its base (%3 % darker than untouched)</source>
-        <translation>Bild %1: Etwas drückte auf die Kontaktfläche, %2 mm von ihrem Fuß (%3 % dunkler als unberührt)</translation>
-    </message>
-    <message>
-        <source>the recording holds %1 frame; at least 2 are needed</source>
-        <translation>die Aufnahme enthält %1 Bild; mindestens 2 sind nötig</translation>
-    </message>
-    <message>
-        <source>the recording holds %1 frames; at least 2 are needed</source>
-        <translation>die Aufnahme enthält %1 Bilder; mindestens 2 sind nötig</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>Aufnahme</translation>
-    </message>
-    <message>
-        <source>record the finger while it bends slowly in every direction, untouched</source>
-        <translation>den Finger aufnehmen, während er sich unberührt langsam in alle Richtungen biegt</translation>
-    </message>
-    <message>
-        <source>numbering the markers</source>
-        <translation>Marken werden nummeriert</translation>
-    </message>
-    <message>
-        <source>%1 marker positions in %2 frames are estimates, because the markers were covered or not found</source>
-        <translation>%1 Markenpositionen in %2 Bildern sind Schätzungen, weil die Marken verdeckt oder nicht gefunden waren</translation>
-    </message>
-    <message>
-        <source>%1 frames are few: a recording of a minute (about 1500 frames) over all directions of bending gives closer references</source>
-        <translation>%1 Bilder sind wenig: Eine Aufnahme von einer Minute (etwa 1500 Bilder) über alle Biegerichtungen gibt genauere Referenzen</translation>
-    </message>
-    <message>
-        <source>this finger has no markers to record a reference with</source>
-        <translation>dieser Finger hat keine Marken, um eine Referenz aufzunehmen</translation>
-    </message>
-    <message>
-        <source>the recording could not be processed (%1)</source>
-        <translation>die Aufnahme ließ sich nicht verarbeiten (%1)</translation>
-    </message>
-    <message>
-        <source>reference installed</source>
-        <translation>Referenz eingerichtet</translation>
-    </message>
-    <message>
-        <source>only a flat sensor takes one untouched picture as its reference</source>
-        <translation>nur ein flacher Sensor nimmt ein einziges unberührtes Bild als Referenz</translation>
-    </message>
-    <message>
-        <source>a recording of the bending, untouched finger</source>
-        <translation>eine Aufnahme des sich biegenden, unberührten Fingers</translation>
-    </message>
-    <message>
-        <source>an untouched picture taken with this sensor&apos;s camera</source>
-        <translation>ein unberührtes Bild von der Kamera dieses Sensors</translation>
-    </message>
-    <message>
-        <source>the two long edges of the face were not found</source>
-        <translation>die beiden langen Kanten der Fläche wurden nicht gefunden</translation>
-    </message>
-    <message>
-        <source>light the finger as in its recording, and check that the picture shows the face from base to tip with the finger&apos;s length along the picture&apos;s width</source>
-        <translation>den Finger wie bei seiner Aufnahme beleuchten, und prüfen, ob das Bild die Fläche vom Fuß bis zur Spitze zeigt, mit der Länge des Fingers längs der Breite des Bildes</translation>
-    </message>
-    <message>
-        <source>the face&apos;s edges</source>
-        <translation>die Kanten der Fläche</translation>
-    </message>
-    <message>
-        <source>a picture in which both long edges of the bright face are visible and lit evenly; check that the lamps are on and that the lens is clean</source>
-        <translation>ein Bild, auf dem beide langen Kanten der hellen Fläche zu sehen und gleichmäßig beleuchtet sind; prüfen, ob die Lampen an sind und das Objektiv sauber ist</translation>
-    </message>
-    <message>
-        <source>the shape of a Fin Ray needs a perspective camera, not an orthographic one</source>
-        <translation>die Form eines Fin Ray braucht eine perspektivische Kamera, keine orthografische</translation>
-    </message>
-    <message>
-        <source>the %1 edge of the face was seen in too few columns</source>
-        <translation>die Kante der Fläche %1 wurde in zu wenigen Spalten gesehen</translation>
-    </message>
-    <message>
-        <source>the two edges were never seen together</source>
-        <translation>die beiden Kanten wurden nie zusammen gesehen</translation>
-    </message>
-    <message>
-        <source>no smooth shape fits them</source>
-        <translation>keine glatte Form passt zu ihnen</translation>
-    </message>
-    <message>
-        <source>no smooth shape fits the outline of the face: it jumps at column %1</source>
-        <translation>keine glatte Form passt zum Umriss der Fläche: Er springt bei Spalte %1</translation>
-    </message>
-    <message>
-        <source>bending the finger less, until no part of it hides another</source>
-        <translation>den Finger weniger biegen, bis kein Teil von ihm einen anderen verdeckt</translation>
-    </message>
-    <message>
-        <source>the distance of the face is too uncertain in every column</source>
-        <translation>der Abstand der Fläche ist in jeder Spalte zu unsicher</translation>
-    </message>
-    <message>
-        <source>only %1 recorded pictures show every marker; at least 2 are needed</source>
-        <translation>nur %1 aufgenommene Bilder zeigen jede Marke; mindestens 2 sind nötig</translation>
-    </message>
-    <message>
-        <source>marker model</source>
-        <translation>Markenmodell</translation>
-    </message>
-    <message>
-        <source>record the finger bending with both side faces in view and evenly lit</source>
-        <translation>den Finger beim Biegen aufnehmen, mit beiden Seitenflächen im Bild und gleichmäßig beleuchtet</translation>
-    </message>
-    <message>
-        <source>%1 markers have a position but %2 have a size</source>
-        <translation>%1 Marken haben einen Ort, aber %2 haben eine Größe</translation>
-    </message>
-    <message>
-        <source>the markers&apos; positions are not finite numbers</source>
-        <translation>die Orte der Marken sind keine endlichen Zahlen</translation>
-    </message>
-    <message>
-        <source>make the reference anew from the recording</source>
-        <translation>die Referenz aus der Aufnahme neu erstellen</translation>
-    </message>
-    <message>
-        <source>the finger has no markers, so it has no marker table</source>
-        <translation>der Finger hat keine Marken, also auch keine Markentabelle</translation>
-    </message>
-    <message>
-        <source>set markers.per_row</source>
-        <translation>markers.per_row setzen</translation>
-    </message>
-    <message>
-        <source>%1, line %2</source>
-        <translation>%1, Zeile %2</translation>
-    </message>
-    <message>
-        <source>not a marker table; its first line must be &apos;%1&apos;</source>
-        <translation>keine Markentabelle; ihre erste Zeile muss &apos;%1&apos; sein</translation>
-    </message>
-    <message>
-        <source>the table ends too early</source>
-        <translation>die Tabelle endet zu früh</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; does not close a table of %2 frames</source>
-        <translation>&apos;%1&apos; schließt keine Tabelle mit %2 Bildern ab</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not &apos;%2&apos; with possible values</source>
-        <translation>&apos;%1&apos; ist nicht &apos;%2&apos; mit möglichen Werten</translation>
-    </message>
-    <message>
-        <source>marker %1 stands where marker %2 of %3 must</source>
-        <translation>Marke %1 steht, wo Marke %2 von %3 stehen muss</translation>
-    </message>
-    <message>
-        <source>frame %1 comes after frame %2</source>
-        <translation>Bild %1 kommt nach Bild %2</translation>
-    </message>
-    <message>
-        <source>frame %1 has %2 markers instead of %3</source>
-        <translation>Bild %1 hat %2 Marken statt %3</translation>
-    </message>
-    <message>
-        <source>marker %1 has another radius or contrast than before</source>
-        <translation>Marke %1 hat einen anderen Radius oder Kontrast als zuvor</translation>
-    </message>
-    <message>
-        <source>the table holds no frame</source>
-        <translation>die Tabelle enthält kein Bild</translation>
-    </message>
-    <message>
-        <source>%1 dots were found beside the face, but no third of the %2 markers among them fits a pose of the reference recording</source>
-        <translation>%1 Punkte wurden neben der Fläche gefunden, aber kein Drittel der %2 Marken darunter passt zu einer Haltung der Referenzaufnahme</translation>
-    </message>
-    <message>
-        <source>the markers were not found: the face&apos;s shape alone tells this pose, so that depth is less sure and neither twist nor what touches the finger is told; uncover and light the dots on the side faces</source>
-        <translation>die Marken wurden nicht gefunden: nur die Form der Fläche verrät diese Haltung, sodass die Tiefe weniger sicher ist und weder Verdrehung noch was den Finger berührt angegeben wird; die Punkte auf den Seitenflächen freilegen und beleuchten</translation>
-    </message>
-    <message>
-        <source>a picture at the size that the finger was calibrated with</source>
-        <translation>ein Bild in der Größe, mit der der Finger kalibriert wurde</translation>
-    </message>
-    <message>
-        <source>this pose was never recorded: the nearest reference frame is %1 px away; record the finger bending further in this direction</source>
-        <translation>diese Haltung wurde nie aufgenommen: Das nächste Referenzbild ist %1 px entfernt; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
-    </message>
-    <message>
-        <source>the picture is black: its brightest parts reach %1 of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
-        <translation>das Bild ist schwarz: Seine hellsten Stellen erreichen %1 von 255 Graustufen; die Kappe vom Objektiv nehmen, die Lampen einschalten oder länger belichten</translation>
-    </message>
-    <message>
-        <source>the picture is too bright: %1 % of it is saturated; expose shorter, or dim the lamps</source>
-        <translation>das Bild ist zu hell: %1 % davon sind gesättigt; kürzer belichten oder die Lampen dimmen</translation>
-    </message>
-    <message>
-        <source>the picture is blank: all of it has %1 of 255 grey levels, without even a camera&apos;s noise; plug the camera in again</source>
-        <translation>das Bild ist leer: Es hat überall %1 von 255 Graustufen, ohne auch nur das Rauschen einer Kamera; die Kamera neu einstecken</translation>
-    </message>
-    <message>
-        <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
-        <translation>das Bild gleicht dem vorigen bis auf die letzte Graustufe: Die Kamera steht; sie neu einstecken</translation>
-    </message>
-    <message>
-        <source>%1 % of the face is too bright to be measured; expose shorter, or dim the lamps</source>
-        <translation>%1 % der Fläche sind zu hell, um gemessen zu werden; kürzer belichten oder die Lampen dimmen</translation>
-    </message>
-    <message>
-        <source>%1 % of the face was never recorded in a pose like this; record the finger bending further in this direction</source>
-        <translation>%1 % der Fläche wurden in einer solchen Haltung nie aufgenommen; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
-    </message>
-    <message>
-        <source>%1 % of the face, at its end, is hidden in this frame: nothing is told of it, neither that it is touched nor that it is not</source>
-        <translation>%1 % der Fläche, an ihrem Ende, sind in diesem Bild verdeckt: über sie wird nichts gesagt, weder dass sie berührt ist noch dass sie es nicht ist</translation>
-    </message>
-    <message>
-        <source>the face is %1 % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
-        <translation>die Fläche ist %1 % dunkler als bei der Aufnahme ihrer Referenz; Belichtung, Verstärkung und Lampen wie damals einstellen</translation>
-    </message>
-    <message>
-        <source>the face is %1 % brighter than when its reference was recorded; set exposure, gain and lamps as they were then</source>
-        <translation>die Fläche ist %1 % heller als bei der Aufnahme ihrer Referenz; Belichtung, Verstärkung und Lampen wie damals einstellen</translation>
-    </message>
-    <message>
-        <source>%1 % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the finger that it is, or record the reference again</source>
-        <translation>%1 % der Fläche sind heller als ihre Referenz: Das ist ein anderer Finger, oder seine Haut hat sich verändert; den richtigen Finger wählen oder die Referenz neu aufnehmen</translation>
-    </message>
-    <message>
-        <source>few recorded frames are near this pose: its reference is %1 times less sure than usual; record the finger bending slowly through it</source>
-        <translation>bei dieser Haltung liegen wenige aufgenommene Bilder: Ihre Referenz ist %1-mal unsicherer als sonst; den Finger langsam durch sie hindurch gebogen aufnehmen</translation>
-    </message>
-    <message>
-        <source>the finger is not calibrated: calibrate it with ball presses</source>
-        <translation>der Finger ist nicht kalibriert: mit Kugeleindrücken kalibrieren</translation>
-    </message>
-    <message>
-        <source>how the face&apos;s edges are placed: half-way crossing to a fiftieth of a pixel, or the steepest whole pixel</source>
-        <translation>wie die Kanten der Fläche gefunden werden: am halben Anstieg auf ein fünfzigstel Pixel, oder am steilsten ganzen Pixel</translation>
-    </message>
-    <message>
-        <source>pixel columns averaged into one place on each edge</source>
-        <translation>Pixelspalten, die zu einem Ort auf jeder Kante gemittelt werden</translation>
-    </message>
-    <message>
-        <source>degree of the smooth curve through each edge of the face</source>
-        <translation>Grad der glatten Kurve durch jede Kante der Fläche</translation>
-    </message>
-    <message>
-        <source>which untouched picture a frame is compared with: the nearest recorded one, or one computed from the nearest several</source>
-        <translation>mit welchem unberührten Bild verglichen wird: dem nächsten aufgenommenen, oder einem aus den nächsten berechneten</translation>
-    </message>
-    <message>
-        <source>whether a change of the light since the reference is read from the untouched skin and taken out</source>
-        <translation>ob eine Änderung des Lichts seit der Referenz aus der unberührten Haut gelesen und herausgerechnet wird</translation>
-    </message>
-    <message>
-        <source>standard deviation of the smoothing before depth is read, in pixels; 0: none</source>
-        <translation>Standardabweichung der Glättung vor dem Lesen der Tiefe, in Pixeln; 0: keine</translation>
-    </message>
-    <message>
-        <source>depth that counts as touched, in millimetres</source>
-        <translation>Tiefe, die als Berührung zählt, in Millimetern</translation>
-    </message>
-    <message>
-        <source>stopped before the reference was read</source>
-        <translation>angehalten, bevor die Referenz gelesen war</translation>
-    </message>
-    <message>
-        <source>reading reference frame %1 of %2</source>
-        <translation>Referenzbild %1 von %2 wird gelesen</translation>
-    </message>
-    <message>
-        <source>the marker table names frame %1 but the recording ends after %2 frames</source>
-        <translation>die Markentabelle nennt Bild %1, aber die Aufnahme endet nach %2 Bildern</translation>
-    </message>
-    <message>
-        <source>the sensor has no untouched picture</source>
-        <translation>der Sensor hat kein unberührtes Bild</translation>
-    </message>
-    <message>
-        <source>give one with the calibration</source>
-        <translation>eines bei der Kalibrierung angeben</translation>
-    </message>
-    <message>
-        <source>the untouched picture</source>
-        <translation>das unberührte Bild</translation>
-    </message>
-    <message>
-        <source>give the untouched picture anew</source>
-        <translation>das unberührte Bild neu angeben</translation>
-    </message>
-    <message>
-        <source>the finger has no reference recording</source>
-        <translation>der Finger hat keine Referenzaufnahme</translation>
-    </message>
-    <message>
-        <source>record the bending, untouched finger and make its reference</source>
-        <translation>den unberührten Finger beim Biegen aufnehmen und seine Referenz erstellen</translation>
-    </message>
-    <message>
-        <source>the reference recording is missing or no video</source>
-        <translation>die Referenzaufnahme fehlt oder ist kein Video</translation>
-    </message>
-    <message>
-        <source>the recording cannot be read (%1)</source>
-        <translation>die Aufnahme lässt sich nicht lesen (%1)</translation>
-    </message>
-    <message>
-        <source>the face was found in %1 of %2 recorded pictures; 2 are needed</source>
-        <translation>die Fläche wurde in %1 von %2 aufgenommenen Bildern gefunden; 2 sind nötig</translation>
-    </message>
-    <message>
-        <source>the reference picture is not an 8-bit grey picture</source>
-        <translation>das Referenzbild ist kein 8-Bit-Graubild</translation>
-    </message>
-    <message>
-        <source>save it as such</source>
-        <translation>als solches speichern</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a number from %2 to %3</source>
-        <translation>&apos;%1&apos; ist keine Zahl von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not %2</source>
-        <translation>&apos;%1&apos; ist nicht %2</translation>
-    </message>
-    <message>
-        <source>depth_mm = %1 goes through the layer of %2 mm</source>
-        <translation>depth_mm = %1 geht durch die Schicht von %2 mm</translation>
-    </message>
-    <message>
-        <source>less than finger.face.layer_mm</source>
-        <translation>weniger als finger.face.layer_mm</translation>
-    </message>
-    <message>
-        <source>s_mm is beyond the ends of the face</source>
-        <translation>s_mm liegt jenseits der Enden der Fläche</translation>
-    </message>
-    <message>
-        <source>y_mm is beside the face</source>
-        <translation>y_mm liegt neben der Fläche</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>the ball would sink in beyond its middle</source>
-        <translation>die Kugel würde über ihre Mitte hinaus einsinken</translation>
-    </message>
-    <message>
-        <source>depth_mm below radius_mm</source>
-        <translation>depth_mm unter radius_mm</translation>
-    </message>
-    <message>
-        <source>a flat sensor does not bend</source>
-        <translation>ein flacher Sensor biegt sich nicht</translation>
-    </message>
-    <message>
-        <source>leave bend out</source>
-        <translation>bend weglassen</translation>
-    </message>
-    <message>
-        <source>nothing presses, so nothing bulges</source>
-        <translation>nichts drückt, also wölbt sich nichts</translation>
-    </message>
-    <message>
-        <source>name ball or relief too</source>
-        <translation>auch ball oder relief nennen</translation>
-    </message>
-    <message>
-        <source>there is no lamp</source>
-        <translation>es gibt keine Lampe</translation>
-    </message>
-    <message>
-        <source>the lamp aims at itself</source>
-        <translation>die Lampe zielt auf sich selbst</translation>
-    </message>
-    <message>
-        <source>another point</source>
-        <translation>ein anderer Punkt</translation>
-    </message>
-    <message>
-        <source>this lobe is not known</source>
-        <translation>diese Keule ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>1, 2, 4 or 8</source>
-        <translation>1, 2, 4 oder 8</translation>
-    </message>
-    <message>
-        <source>&apos;first&apos; is not below &apos;last&apos;</source>
-        <translation>&apos;first&apos; ist nicht kleiner als &apos;last&apos;</translation>
-    </message>
-    <message>
-        <source>e.g. 0.1 and 0.9</source>
-        <translation>z. B. 0.1 und 0.9</translation>
-    </message>
-    <message>
-        <source>the dots would cut the face&apos;s edge</source>
-        <translation>die Punkte würden die Kante der Fläche schneiden</translation>
-    </message>
-    <message>
-        <source>less than setback_mm</source>
-        <translation>weniger als setback_mm</translation>
-    </message>
-    <message>
-        <source>the finger has no markers</source>
-        <translation>der Finger hat keine Marken</translation>
-    </message>
-    <message>
-        <source>finger.markers with per_row and polarity</source>
-        <translation>finger.markers mit per_row und polarity</translation>
-    </message>
-    <message>
-        <source>markers are engraved in the side faces</source>
-        <translation>Marken sind in die Seitenflächen graviert</translation>
-    </message>
-    <message>
-        <source>name the effect sides too</source>
-        <translation>auch den Effekt sides nennen</translation>
-    </message>
-    <message>
-        <source>JPEG needs whole grey levels</source>
-        <translation>JPEG braucht ganze Graustufen</translation>
-    </message>
-    <message>
-        <source>name the effect quantisation too</source>
-        <translation>auch den Effekt quantisation nennen</translation>
-    </message>
-    <message>
-        <source>no dot would ever be hidden</source>
-        <translation>kein Punkt wäre je verdeckt</translation>
-    </message>
-    <message>
-        <source>leave occlusion out, or 1 and more</source>
-        <translation>occlusion weglassen, oder 1 und mehr</translation>
-    </message>
-    <message>
-        <source>%1 is not a marker&apos;s number</source>
-        <translation>%1 ist keine Markennummer</translation>
-    </message>
-    <message>
-        <source>there are no dots to hide</source>
-        <translation>es gibt keine Punkte zu verdecken</translation>
-    </message>
-    <message>
-        <source>name the effect markers too</source>
-        <translation>auch den Effekt markers nennen</translation>
-    </message>
-    <message>
-        <source>there is no marker %1</source>
-        <translation>es gibt keine Marke %1</translation>
-    </message>
-    <message>
-        <source>0 to %1</source>
-        <translation>0 bis %1</translation>
-    </message>
-    <message>
-        <source>more dots would be hidden than there are</source>
-        <translation>mehr Punkte wären verdeckt, als es gibt</translation>
-    </message>
-    <message>
-        <source>the bars are wider than the T</source>
-        <translation>die Balken sind breiter als das T</translation>
-    </message>
-    <message>
-        <source>less than size_mm</source>
-        <translation>weniger als size_mm</translation>
-    </message>
-    <message>
-        <source>nothing presses, so nothing rolls off</source>
-        <translation>nichts drückt, also läuft nichts aus</translation>
-    </message>
-    <message>
-        <source>kind hertz is for balls only</source>
-        <translation>kind hertz ist nur für Kugeln</translation>
-    </message>
-    <message>
-        <source>kind: smooth with a length_mm</source>
-        <translation>kind: smooth mit einem length_mm</translation>
-    </message>
-    <message>
-        <source>a flat sensor has no side faces</source>
-        <translation>ein flacher Sensor hat keine Seitenflächen</translation>
-    </message>
-    <message>
-        <source>leave sides out</source>
-        <translation>sides weglassen</translation>
-    </message>
-    <message>
-        <source>an orthographic camera sees no side faces</source>
-        <translation>eine orthografische Kamera sieht keine Seitenflächen</translation>
-    </message>
-    <message>
-        <source>a flat sensor does not sway</source>
-        <translation>ein flacher Sensor schwenkt nicht</translation>
-    </message>
-    <message>
-        <source>leave sway out</source>
-        <translation>sway weglassen</translation>
-    </message>
-    <message>
-        <source>a flat sensor does not give way</source>
-        <translation>ein flacher Sensor gibt nicht nach</translation>
-    </message>
-    <message>
-        <source>leave give_mm out</source>
-        <translation>give_mm weglassen</translation>
-    </message>
-    <message>
-        <source>the list is empty</source>
-        <translation>die Liste ist leer</translation>
-    </message>
-    <message>
-        <source>one pose a frame</source>
-        <translation>eine Haltung je Bild</translation>
-    </message>
-    <message>
-        <source>the motion moves &apos;%1&apos;, but no effect of the scene does</source>
-        <translation>die Bewegung bewegt &apos;%1&apos;, aber kein Effekt der Szene tut es</translation>
-    </message>
-    <message>
-        <source>name `bend` or `sway` among the effects</source>
-        <translation>`bend` oder `sway` unter den Effekten nennen</translation>
-    </message>
-    <message>
-        <source>%1 = %2 is outside the effect&apos;s range</source>
-        <translation>%1 = %2 liegt außerhalb des Bereichs des Effekts</translation>
-    </message>
-    <message>
-        <source>the motion has nothing to move</source>
-        <translation>die Bewegung hat nichts zu bewegen</translation>
-    </message>
-    <message>
-        <source>name `bend` or `sway` among the effects, or leave the motion out</source>
-        <translation>`bend` oder `sway` unter den Effekten nennen, oder die Bewegung weglassen</translation>
-    </message>
-    <message>
-        <source>a number %1 %2 and %3 %4</source>
-        <translation>eine Zahl %1 %2 und %3 %4</translation>
-    </message>
-    <message>
-        <source>above</source>
-        <translation>über</translation>
-    </message>
-    <message>
-        <source>from</source>
-        <translation>ab</translation>
-    </message>
-    <message>
-        <source>below</source>
-        <translation>unter</translation>
-    </message>
-    <message>
-        <source>up to</source>
-        <translation>bis</translation>
-    </message>
-    <message>
-        <source>(not a word)</source>
-        <translation>(kein Wort)</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;%1&apos;</source>
-        <translation>unbekannter Schlüssel &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; stands here twice</source>
-        <translation>der Schlüssel &apos;%1&apos; steht hier zweimal</translation>
-    </message>
-    <message>
-        <source>remove one of the two</source>
-        <translation>eines der beiden entfernen</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is missing</source>
-        <translation>der Schlüssel &apos;%1&apos; fehlt</translation>
-    </message>
-    <message>
-        <source>add &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; hinzufügen</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a finite number</source>
-        <translation>&apos;%1&apos; ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>a list or map</source>
-        <translation>Liste oder Zuordnung</translation>
-    </message>
-    <message>
-        <source>0 would mean that this is absent, and what is absent is not named</source>
-        <translation>0 hieße, dass dies fehlt, und was fehlt, wird nicht genannt</translation>
-    </message>
-    <message>
-        <source>leave it out, or give %1</source>
-        <translation>weglassen, oder angeben: %1</translation>
-    </message>
-    <message>
-        <source>%1 is out of range</source>
-        <translation>%1 ist außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>%1 is not a whole number</source>
-        <translation>%1 ist keine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>a whole number</source>
-        <translation>eine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>one number a frame</source>
-        <translation>eine Zahl je Bild</translation>
-    </message>
-    <message>
-        <source>&apos;from&apos; is not below &apos;to&apos;</source>
-        <translation>&apos;from&apos; ist nicht kleiner als &apos;to&apos;</translation>
-    </message>
-    <message>
-        <source>a range that grows</source>
-        <translation>ein wachsender Bereich</translation>
-    </message>
-    <message>
-        <source>this is not a text</source>
-        <translation>dies ist kein Text</translation>
-    </message>
-    <message>
-        <source>a word or a sentence</source>
-        <translation>ein Wort oder ein Satz</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not known here</source>
-        <translation>&apos;%1&apos; ist hier nicht bekannt</translation>
-    </message>
-    <message>
-        <source>this is not a list of the right length</source>
-        <translation>dies ist keine Liste der richtigen Länge</translation>
-    </message>
-    <message>
-        <source>[%1 numbers]</source>
-        <translation>[%1 Zahlen]</translation>
-    </message>
-    <message>
-        <source>[%1 to %2 numbers]</source>
-        <translation>[%1 bis %2 Zahlen]</translation>
-    </message>
-    <message>
-        <source>this is not a map</source>
-        <translation>dies ist keine Zuordnung</translation>
-    </message>
-    <message>
-        <source>key: value, indented</source>
-        <translation>key: value, eingerückt</translation>
-    </message>
-    <message>
-        <source>this is not a list</source>
-        <translation>dies ist keine Liste</translation>
-    </message>
-    <message>
-        <source>a list of maps</source>
-        <translation>eine Liste von Zuordnungen</translation>
-    </message>
-    <message>
-        <source>an entry of the list is not a map</source>
-        <translation>ein Eintrag der Liste ist keine Zuordnung</translation>
-    </message>
-    <message>
-        <source>scene &apos;%1&apos;: finger.camera</source>
-        <translation>Szene &apos;%1&apos;: finger.camera</translation>
-    </message>
-    <message>
-        <source>this is not [width, height]</source>
-        <translation>dies ist nicht [Breite, Höhe]</translation>
-    </message>
-    <message>
-        <source>whole numbers from 16 to 16384</source>
-        <translation>ganze Zahlen von 16 bis 16384</translation>
-    </message>
-    <message>
-        <source>there is no effect &apos;%1&apos;</source>
-        <translation>es gibt keinen Effekt &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>the effect &apos;%1&apos; is named twice</source>
-        <translation>der Effekt &apos;%1&apos; ist zweimal genannt</translation>
-    </message>
-    <message>
-        <source>this is not a scene</source>
-        <translation>dies ist keine Szene</translation>
-    </message>
-    <message>
-        <source>name, why, finger, frames and effects</source>
-        <translation>name, why, finger, frames und effects</translation>
-    </message>
-    <message>
-        <source>mend the YAML there</source>
-        <translation>dort das YAML berichtigen</translation>
-    </message>
-    <message>
-        <source>its camera does not give whole grey levels</source>
-        <translation>ihre Kamera liefert keine ganzen Graustufen</translation>
-    </message>
-    <message>
-        <source>Serial number</source>
-        <translation>Seriennummer</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>Format</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>Kamera</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Licht</translation>
-    </message>
-    <message>
-        <source>take %1</source>
-        <translation>aufnehmen: %1</translation>
-    </message>
-    <message>
-        <source>%1 (the first: %2)</source>
-        <translation>%1 (das erste: %2)</translation>
-    </message>
-    <message>
-        <source>the finger that belongs to this camera, or this finger&apos;s camera</source>
-        <translation>der Finger, der zu dieser Kamera gehört, oder die Kamera dieses Fingers</translation>
-    </message>
-    <message>
-        <source>stopped by hand</source>
-        <translation>von Hand angehalten</translation>
-    </message>
-    <message>
-        <source>the source ended</source>
-        <translation>die Quelle endete</translation>
-    </message>
-    <message>
-        <source>frame %1 of %2</source>
-        <translation>Bild %1 von %2</translation>
-    </message>
-    <message>
-        <source>%1 has no camera matrix, so %2 has no form for it</source>
-        <translation>%1 hat keine Kameramatrix, darum hat %2 keine Form dafür</translation>
-    </message>
-    <message>
-        <source>an orthographic camera</source>
-        <translation>eine orthografische Kamera</translation>
-    </message>
-    <message>
-        <source>a camera behind a window</source>
-        <translation>eine Kamera hinter einem Fenster</translation>
-    </message>
-    <message>
-        <source>json, or zip for the whole finger</source>
-        <translation>json, oder zip für den ganzen Finger</translation>
-    </message>
-    <message>
-        <source>is a link to another folder, which a zip cannot hold</source>
-        <translation>ist ein Verweis auf einen anderen Ordner, den ein Zip nicht enthalten kann</translation>
-    </message>
-    <message>
-        <source>is neither a file nor a folder, so a zip cannot hold it</source>
-        <translation>ist weder Datei noch Ordner, darum kann ein Zip es nicht enthalten</translation>
-    </message>
-    <message>
-        <source>moving it out of the finger&apos;s folder</source>
-        <translation>es aus dem Ordner des Fingers nehmen</translation>
-    </message>
-    <message>
-        <source>the finger&apos;s folder could not be read</source>
-        <translation>der Ordner des Fingers ließ sich nicht lesen</translation>
-    </message>
-    <message>
-        <source>its permissions, and that its disk is there</source>
-        <translation>seine Rechte prüfen, und ob sein Datenträger da ist</translation>
-    </message>
-    <message>
-        <source>a zip of the finger cannot lie in the finger&apos;s own folder</source>
-        <translation>ein Zip des Fingers kann nicht im Ordner des Fingers selbst liegen</translation>
-    </message>
-    <message>
-        <source>another folder</source>
-        <translation>ein anderer Ordner</translation>
-    </message>
-    <message>
-        <source>stopped before it was written</source>
-        <translation>angehalten, bevor es geschrieben war</translation>
-    </message>
-    <message>
-        <source>could not write the archive</source>
-        <translation>das Archiv ließ sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>another name for the file that is meant</source>
-        <translation>ein anderer Name für die gemeinte Datei</translation>
-    </message>
-    <message>
-        <source>stopped before it was packed</source>
-        <translation>angehalten, bevor es gepackt war</translation>
-    </message>
-    <message>
-        <source>there is no HID device that can be read</source>
-        <translation>Es gibt kein lesbares HID-Gerät</translation>
-    </message>
-    <message>
-        <source>plugging in a pedal</source>
-        <translation>ein Pedal anstecken</translation>
-    </message>
-    <message>
-        <source>must be three numbers from -10000 to 10000</source>
-        <translation>muss drei Zahlen von -10000 bis 10000 enthalten</translation>
-    </message>
-    <message>
-        <source>where the camera sits in the gripper, in mm</source>
-        <translation>wo die Kamera im Greifer sitzt, in mm</translation>
-    </message>
-    <message>
-        <source>is no rotation: a quaternion w, x, y, z has the length 1</source>
-        <translation>ist keine Drehung: ein Quaternion w, x, y, z hat die Länge 1</translation>
-    </message>
-    <message>
-        <source>[1.0, 0.0, 0.0, 0.0] for a camera that is not turned</source>
-        <translation>[1.0, 0.0, 0.0, 0.0] für eine nicht gedrehte Kamera</translation>
-    </message>
-    <message>
-        <source>must be three numbers: x, y, z in mm</source>
-        <translation>muss drei Zahlen enthalten: x, y, z in mm</translation>
-    </message>
-    <message>
-        <source>must be four numbers: w, x, y, z of a unit quaternion</source>
-        <translation>muss vier Zahlen enthalten: w, x, y, z eines Einheitsquaternions</translation>
-    </message>
-    <message>
-        <source>this recording is not there any more</source>
-        <translation>Diese Aufnahme ist nicht mehr da</translation>
-    </message>
-    <message>
-        <source>plugging in the disk it lies on, or opening another one</source>
-        <translation>den Datenträger anstecken, auf dem sie liegt, oder eine andere öffnen</translation>
-    </message>
-    <message>
-        <source>must be a whole number from 0 to 64</source>
-        <translation>muss eine ganze Zahl von 0 bis 64 sein</translation>
-    </message>
-    <message>
-        <source>the number of dots on one side face, 0 for a finger without</source>
-        <translation>die Zahl der Punkte auf einer Seitenfläche, 0 bei einem Finger ohne Punkte</translation>
-    </message>
-    <message>
-        <source>must be numbers from 0 to %1, ascending</source>
-        <translation>müssen aufsteigende Nummern von 0 bis %1 sein</translation>
-    </message>
-    <message>
-        <source>must be a list of whole numbers</source>
-        <translation>muss eine Liste ganzer Zahlen sein</translation>
-    </message>
-    <message>
-        <source>must be a column of the picture and a step of 0.001 to 500 mm</source>
-        <translation>muss eine Spalte des Bildes und ein Schritt von 0.001 bis 500 mm sein</translation>
-    </message>
-    <message>
-        <source>must be two numbers: a column in px, a step in mm</source>
-        <translation>müssen zwei Zahlen sein: eine Spalte in px, ein Schritt in mm</translation>
-    </message>
-    <message>
-        <source>too little of the face is seen to tell the pose by its shape</source>
-        <translation>von der Fläche ist zu wenig zu sehen, um die Haltung aus ihrer Form zu lesen</translation>
-    </message>
-    <message>
-        <source>a frame shows %1 dots on the upper and %2 on the lower side face (median of %3 frames), but no two rows of up to %4 that keep their places on the finger</source>
-        <translation>ein Bild zeigt %1 Punkte auf der oberen und %2 auf der unteren Seitenfläche (Median von %3 Bildern), aber keine zwei Reihen von bis zu %4, die ihren Platz auf dem Finger behalten</translation>
-    </message>
-    <message>
-        <source>No markers can be used: %1; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
-        <translation>Keine Marken sind brauchbar: %1. Haltungen werden allein aus der Form der Fläche gelesen, die keine Verdrehung zeigt; hat der Finger Punkte, beide Seitenflächen so beleuchten, dass sie sich abheben, und scharf stellen</translation>
-    </message>
-    <message>
-        <source>Markers %1 were not found anywhere; the finger works with the other %2</source>
-        <translation>Die Marken %1 wurden nirgends gefunden; der Finger arbeitet mit den anderen %2</translation>
-    </message>
-    <message>
-        <source>%1 shows what was found</source>
-        <translation>%1 zeigt, was gefunden wurde</translation>
-    </message>
-    <message>
-        <source>frame %1 cannot be the finger&apos;s rest: %2</source>
-        <translation>Bild %1 kann nicht die Ruhelage des Fingers sein: %2</translation>
-    </message>
-    <message>
-        <source>the recording has no such frame</source>
-        <translation>die Aufnahme hat kein solches Bild</translation>
-    </message>
-    <message>
-        <source>another frame in which the finger rests</source>
-        <translation>ein anderes Bild, in dem der Finger ruht</translation>
-    </message>
-    <message>
-        <source>a flat sensor takes one untouched picture</source>
-        <translation>ein flacher Sensor bekommt ein unberührtes Bild</translation>
-    </message>
-    <message>
-        <source>lines: edges of the face</source>
-        <translation>Linien: Kanten der Fläche</translation>
-    </message>
-    <message>
-        <source>outlined: darker than the untouched face</source>
-        <translation>umrandet: dunkler als die unberührte Fläche</translation>
-    </message>
-    <message>
-        <source>circle: a marker, with its number</source>
-        <translation>Kreis: eine Marke mit ihrer Nummer</translation>
-    </message>
-    <message>
-        <source>cross: looks like a dot, but is none of the rows</source>
-        <translation>Kreuz: sieht aus wie ein Punkt, gehört aber zu keiner Reihe</translation>
-    </message>
-    <message>
-        <source>broken circle: a marker should be here</source>
-        <translation>unterbrochener Kreis: hier sollte eine Marke sein</translation>
-    </message>
-    <message>
-        <source>%1 in its frame %2 out of %3</source>
-        <translation>%1 in Bild %2, von %3</translation>
-    </message>
-    <message>
-        <source>none; poses are told by the shape of the face, which cannot tell twist</source>
-        <translation>keine; Haltungen werden aus der Form der Fläche gelesen, die keine Verdrehung zeigt</translation>
-    </message>
-    <message>
-        <source>of %1 markers none may be hidden</source>
-        <translation>von %1 Marken darf keine verdeckt sein</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 100</source>
-        <translation>muss über 0 und höchstens 100 sein</translation>
-    </message>
-    <message>
-        <source>a depth and its standard deviation in mm</source>
-        <translation>eine Tiefe und ihre Standardabweichung in mm</translation>
-    </message>
-    <message>
-        <source>the steps&apos; heights in mm</source>
-        <translation>die Höhen der Stufen in mm</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not among the presses, and something is said of it</source>
-        <translation>&apos;%1&apos; ist nicht unter den Eindrücken, und es wird etwas darüber gesagt</translation>
-    </message>
-    <message>
-        <source>remove that</source>
-        <translation>das entfernen</translation>
-    </message>
-    <message>
-        <source>only the joint method uses measured depths and punches with a step</source>
-        <translation>nur das gemeinsame Verfahren benutzt gemessene Tiefen und Stempel mit einer Stufe</translation>
-    </message>
-    <message>
-        <source>leaving them out, or --method joint</source>
-        <translation>sie weglassen, oder --method joint</translation>
-    </message>
-    <message>
-        <source>or --bursts where each video shows one press held still</source>
-        <translation>oder --bursts, wo jedes Video einen stillgehaltenen Eindruck zeigt</translation>
-    </message>
-    <message>
-        <source>there are only presses of a punch with a step</source>
-        <translation>es gibt nur Eindrücke eines Stempels mit einer Stufe</translation>
-    </message>
-    <message>
-        <source>pressing a ball as well, once at least: a step tells how far apart two depths are, not where they begin</source>
-        <translation>auch eine Kugel eindrücken, mindestens einmal: Eine Stufe sagt, wie weit zwei Tiefen auseinanderliegen, nicht, wo sie beginnen</translation>
-    </message>
-    <message>
-        <source>the punch touches too little of the face</source>
-        <translation>der Stempel berührt zu wenig von der Fläche</translation>
-    </message>
-    <message>
-        <source>one of the punch&apos;s levels touches too little of the face</source>
-        <translation>eine der Ebenen des Stempels berührt zu wenig von der Fläche</translation>
-    </message>
-    <message>
-        <source>no step is to be seen</source>
-        <translation>es ist keine Stufe zu sehen</translation>
-    </message>
-    <message>
-        <source>pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more</source>
-        <translation>den Stempel eindrücken, bis die Haut auf seinen beiden Ebenen aufliegt, jede mindestens 4 mm breit</translation>
-    </message>
-    <message>
-        <source>its measured depth of %1 +- %2 mm was left out, because the pictures say %3 +- %4 mm; it counts from where the ball first touches, normal to the face</source>
-        <translation>seine gemessene Tiefe von %1 +- %2 mm wurde weggelassen, denn die Bilder sagen %3 +- %4 mm; sie zählt von der ersten Berührung der Kugel an, senkrecht zur Fläche</translation>
-    </message>
-    <message>
-        <source>its step of %1 mm was left out, because the balls say %2 +- %3 mm; is the balls&apos; radius right</source>
-        <translation>seine Stufe von %1 mm wurde weggelassen, denn die Kugeln sagen %2 +- %3 mm; stimmt der Radius der Kugeln</translation>
-    </message>
-    <message>
-        <source>the finger moves: no more than %1 of %2 frames in a row show the same</source>
-        <translation>der Finger bewegt sich: nicht mehr als %1 von %2 Bildern hintereinander zeigen dasselbe</translation>
-    </message>
-    <message>
-        <source>holding ball and finger still for half a second, at a steady light</source>
-        <translation>Kugel und Finger bei gleichmäßigem Licht eine halbe Sekunde stillhalten</translation>
-    </message>
-    <message>
-        <source>the mean of %1 frames held still, of %2 read</source>
-        <translation>das Mittel von %1 stillgehaltenen Bildern, von %2 gelesenen</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not NAME=R, a press and its ball&apos;s radius in mm</source>
-        <translation>&apos;%1&apos; ist nicht NAME=R, ein Eindruck und der Radius seiner Kugel in mm</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not NAME=MM+-SD, a press, how deep its ball was pressed in and how well that is known, in mm</source>
-        <translation>&apos;%1&apos; ist nicht NAME=MM+-SD, ein Eindruck, wie tief seine Kugel eingedrückt wurde und wie genau das bekannt ist, in mm</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not NAME=MM, a press and the height of its punch&apos;s step in mm</source>
-        <translation>&apos;%1&apos; ist nicht NAME=MM, ein Eindruck und die Höhe der Stufe seines Stempels in mm</translation>
-    </message>
-</context>
-<context>
     <name>alltact::CalibratePlace</name>
     <message>
         <source>&amp;Next: %1</source>
@@ -7345,6 +3286,3961 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Verdict</source>
         <translation>Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::en</name>
+    <message>
+        <source>{} x {} px is no picture size; a side must have 16 to 16384</source>
+        <translation>{} x {} px ist keine Bildgröße; eine Seite muss 16 bis 16384 haben</translation>
+    </message>
+    <message>
+        <source>the size of the camera&apos;s pictures, [width, height]</source>
+        <translation>die Größe der Kamerabilder, [Breite, Höhe]</translation>
+    </message>
+    <message>
+        <source>must be a number from 0.000001 to 100</source>
+        <translation>muss eine Zahl von 0.000001 bis 100 sein</translation>
+    </message>
+    <message>
+        <source>millimetres on the object per pixel</source>
+        <translation>Millimeter am Gegenstand je Pixel</translation>
+    </message>
+    <message>
+        <source>must be a number from 1 to 1000000</source>
+        <translation>muss eine Zahl von 1 bis 1000000 sein</translation>
+    </message>
+    <message>
+        <source>the focal length in pixels, as &apos;alltact lens&apos; finds it</source>
+        <translation>die Brennweite in Pixeln, wie &apos;alltact lens&apos; sie findet</translation>
+    </message>
+    <message>
+        <source>must be a number from {} to {}</source>
+        <translation>muss eine Zahl von {} bis {} sein</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s centre, or run &apos;alltact lens&apos;</source>
+        <translation>die Bildmitte, oder &apos;alltact lens&apos; ausführen</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>at most {}</source>
+        <translation>höchstens {}</translation>
+    </message>
+    <message>
+        <source>a {} camera has {} coefficients, here are {}</source>
+        <translation>eine Kamera dieser Art ({}) hat {} Koeffizienten, hier sind {}</translation>
+    </message>
+    <message>
+        <source>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []</source>
+        <translation>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, andere: []</translation>
+    </message>
+    <message>
+        <source>holds a number that no lens has</source>
+        <translation>enthält eine Zahl, die kein Objektiv hat</translation>
+    </message>
+    <message>
+        <source>run &apos;alltact lens&apos;</source>
+        <translation>&apos;alltact lens&apos; ausführen</translation>
+    </message>
+    <message>
+        <source>belongs to a perspective camera; an orthographic one sees no nearer through it</source>
+        <translation>gehört zu einer perspektivischen Kamera; eine orthografische sieht dadurch nicht näher</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>weglassen</translation>
+    </message>
+    <message>
+        <source>the distortion folds over inside the picture: near its border two directions would be seen in one pixel</source>
+        <translation>die Verzeichnung faltet sich im Bild: Nahe seinem Rand würden zwei Richtungen in einem Pixel gesehen</translation>
+    </message>
+    <message>
+        <source>run &apos;alltact lens&apos; with boards that reach into the corners, or with fewer coefficients</source>
+        <translation>&apos;alltact lens&apos; mit Tafeln ausführen, die in die Ecken reichen, oder mit weniger Koeffizienten</translation>
+    </message>
+    <message>
+        <source>{} is {} x {} px, the camera of this finger gives {} x {}</source>
+        <translation>{} hat {} x {} px, die Kamera dieses Fingers liefert {} x {}</translation>
+    </message>
+    <message>
+        <source>must be a number from {:g} to {:g}</source>
+        <translation>muss eine Zahl von {} bis {} sein</translation>
+    </message>
+    <message>
+        <source>must be a length from 0 to 1000 mm</source>
+        <translation>muss eine Länge von 0 bis 1000 mm sein</translation>
+    </message>
+    <message>
+        <source>a caliper&apos;s reading</source>
+        <translation>mit dem Messschieber messen</translation>
+    </message>
+    <message>
+        <source>must be an index of refraction from 1 to 3</source>
+        <translation>muss ein Brechungsindex von 1 bis 3 sein</translation>
+    </message>
+    <message>
+        <source>1 for air, 1.33 water, 1.41 silicone, 1.49 acrylic, 1.52 glass</source>
+        <translation>1 für Luft, 1.33 Wasser, 1.41 Silikon, 1.49 Acryl, 1.52 Glas</translation>
+    </message>
+    <message>
+        <source>{} or {}</source>
+        <translation>{} oder {}</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>eines von {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos;, or else {}</source>
+        <translation>&apos;{}&apos;, sonst {}</translation>
+    </message>
+    <message>
+        <source>must be two whole numbers</source>
+        <translation>muss aus zwei ganzen Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>[width, height] in pixels</source>
+        <translation>[Breite, Höhe] in Pixeln</translation>
+    </message>
+    <message>
+        <source>the air between lens and window in mm</source>
+        <translation>die Luft zwischen Objektiv und Fenster in mm</translation>
+    </message>
+    <message>
+        <source>the window&apos;s thickness in mm</source>
+        <translation>die Dicke des Fensters in mm</translation>
+    </message>
+    <message>
+        <source>the window&apos;s index of refraction</source>
+        <translation>der Brechungsindex des Fensters</translation>
+    </message>
+    <message>
+        <source>the index of what lies behind it</source>
+        <translation>der Brechungsindex dahinter</translation>
+    </message>
+    <message>
+        <source>the size of a pixel in mm</source>
+        <translation>die Größe eines Pixels in mm</translation>
+    </message>
+    <message>
+        <source>the focal length in pixels</source>
+        <translation>die Brennweite in Pixeln</translation>
+    </message>
+    <message>
+        <source>the principal point in pixels</source>
+        <translation>der Hauptpunkt in Pixeln</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 50</source>
+        <translation>muss über 0 und höchstens 50 sein</translation>
+    </message>
+    <message>
+        <source>the thickness of the translucent layer in mm, for example 1.5</source>
+        <translation>die Dicke der durchscheinenden Schicht in mm, zum Beispiel 1.5</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 500</source>
+        <translation>muss über 0 und höchstens 500 sein</translation>
+    </message>
+    <message>
+        <source>the distance between the two edges of the view face in mm</source>
+        <translation>der Abstand der beiden Kanten der Fläche in mm</translation>
+    </message>
+    <message>
+        <source>a fin_ray needs a camera with perspective: its shape comes from it</source>
+        <translation>ein fin_ray braucht eine perspektivische Kamera: Seine Form kommt daraus</translation>
+    </message>
+    <message>
+        <source>pinhole, brown or fisheye</source>
+        <translation>pinhole, brown oder fisheye</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 10000: the face lies before the camera</source>
+        <translation>muss über 0 und höchstens 10000 sein: Die Fläche liegt vor der Kamera</translation>
+    </message>
+    <message>
+        <source>must be a number from -10000 to 10000</source>
+        <translation>muss eine Zahl von -10000 bis 10000 sein</translation>
+    </message>
+    <message>
+        <source>the distance of the face from the camera in mm</source>
+        <translation>der Abstand der Fläche von der Kamera in mm</translation>
+    </message>
+    <message>
+        <source>a flat sensor has no markers</source>
+        <translation>ein flacher Sensor hat keine Marken</translation>
+    </message>
+    <message>
+        <source>remove the block &apos;markers&apos;</source>
+        <translation>den Block &apos;markers&apos; entfernen</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to 64</source>
+        <translation>muss eine ganze Zahl von 0 bis 64 sein</translation>
+    </message>
+    <message>
+        <source>the number of dots on one side face, 0 for a finger without</source>
+        <translation>die Zahl der Punkte auf einer Seitenfläche, 0 bei einem Finger ohne Punkte</translation>
+    </message>
+    <message>
+        <source>must be numbers from 0 to {}, ascending</source>
+        <translation>müssen aufsteigende Nummern von 0 bis {} sein</translation>
+    </message>
+    <message>
+        <source>record the reference again</source>
+        <translation>die Referenz neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>calibrate again</source>
+        <translation>neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>gives depths up to {:.3g} mm in a layer of {:g} mm</source>
+        <translation>ergibt Tiefen bis {} mm in einer Schicht von {} mm</translation>
+    </message>
+    <message>
+        <source>must be a number from 0 to 1000</source>
+        <translation>muss eine Zahl von 0 bis 1000 sein</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no file inside the finger&apos;s folder</source>
+        <translation>&apos;{}&apos; ist keine Datei im Ordner des Fingers</translation>
+    </message>
+    <message>
+        <source>copy the file into the folder and give its name only</source>
+        <translation>die Datei in den Ordner kopieren und nur ihren Namen angeben</translation>
+    </message>
+    <message>
+        <source>must be a column of the picture and a step of 0.001 to 500 mm</source>
+        <translation>muss eine Spalte des Bildes und ein Schritt von 0.001 bis 500 mm sein</translation>
+    </message>
+    <message>
+        <source>there is either a video with its markers or one picture, not both</source>
+        <translation>es gibt entweder ein Video mit seinen Marken oder ein Bild, nicht beides</translation>
+    </message>
+    <message>
+        <source>remove one of them</source>
+        <translation>eines davon entfernen</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 1000000</source>
+        <translation>muss über 0 und höchstens 1000000 sein</translation>
+    </message>
+    <message>
+        <source>holds {} positions, but there are {} markers</source>
+        <translation>enthält {} Orte, aber es gibt {} Marken</translation>
+    </message>
+    <message>
+        <source>holds a position far outside the picture</source>
+        <translation>enthält einen Ort weit außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>must be three numbers from -10000 to 10000</source>
+        <translation>muss drei Zahlen von -10000 bis 10000 enthalten</translation>
+    </message>
+    <message>
+        <source>where the camera sits in the gripper, in mm</source>
+        <translation>wo die Kamera im Greifer sitzt, in mm</translation>
+    </message>
+    <message>
+        <source>is no rotation: a quaternion w, x, y, z has the length 1</source>
+        <translation>ist keine Drehung: ein Quaternion w, x, y, z hat die Länge 1</translation>
+    </message>
+    <message>
+        <source>[1.0, 0.0, 0.0, 0.0] for a camera that is not turned</source>
+        <translation>[1.0, 0.0, 0.0, 0.0] für eine nicht gedrehte Kamera</translation>
+    </message>
+    <message>
+        <source>must be a text of 1 to 200 letters</source>
+        <translation>muss ein Text von 1 bis 200 Zeichen sein</translation>
+    </message>
+    <message>
+        <source>what is written on the finger</source>
+        <translation>was auf dem Finger steht</translation>
+    </message>
+    <message>
+        <source>says how a mapping was made, but there is none</source>
+        <translation>sagt, wie eine Abbildung entstand, aber es gibt keine</translation>
+    </message>
+    <message>
+        <source>calibrate</source>
+        <translation>kalibrieren</translation>
+    </message>
+    <message>
+        <source>a length in mm</source>
+        <translation>eine Länge in mm</translation>
+    </message>
+    <message>
+        <source>a distance in mm</source>
+        <translation>ein Abstand in mm</translation>
+    </message>
+    <message>
+        <source>must be a list of whole numbers</source>
+        <translation>muss eine Liste ganzer Zahlen sein</translation>
+    </message>
+    <message>
+        <source>[3, 9]</source>
+        <translation>[3, 9]</translation>
+    </message>
+    <message>
+        <source>must have as many numbers in each row as there are rows</source>
+        <translation>muss in jeder Zeile so viele Zahlen haben, wie es Zeilen gibt</translation>
+    </message>
+    <message>
+        <source>is not the curve that &apos;chebyshev&apos; gives</source>
+        <translation>ist nicht die Kurve, die &apos;chebyshev&apos; ergibt</translation>
+    </message>
+    <message>
+        <source>remove this line: it is only for people to read</source>
+        <translation>diese Zeile entfernen: Sie ist nur zum Lesen da</translation>
+    </message>
+    <message>
+        <source>a part of the depth</source>
+        <translation>ein Teil der Tiefe</translation>
+    </message>
+    <message>
+        <source>must be two numbers: mm along and across the face</source>
+        <translation>müssen zwei Zahlen sein: mm längs und quer zur Fläche</translation>
+    </message>
+    <message>
+        <source>must be two numbers, the first of them 0</source>
+        <translation>müssen zwei Zahlen sein, die erste davon 0</translation>
+    </message>
+    <message>
+        <source>for example [0.0, 0.62]</source>
+        <translation>zum Beispiel [0.0, 0.62]</translation>
+    </message>
+    <message>
+        <source>a depth in mm</source>
+        <translation>eine Tiefe in mm</translation>
+    </message>
+    <message>
+        <source>without unit</source>
+        <translation>ohne Einheit</translation>
+    </message>
+    <message>
+        <source>in mm</source>
+        <translation>in mm</translation>
+    </message>
+    <message>
+        <source>must be two numbers: a column in px, a step in mm</source>
+        <translation>müssen zwei Zahlen sein: eine Spalte in px, ein Schritt in mm</translation>
+    </message>
+    <message>
+        <source>a sum of offsets in pixels</source>
+        <translation>eine Summe von Verschiebungen in Pixeln</translation>
+    </message>
+    <message>
+        <source>must hold two numbers for each marker</source>
+        <translation>muss für jede Marke zwei Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>[[u, v], ...]</source>
+        <translation>[[u, v], ...]</translation>
+    </message>
+    <message>
+        <source>must be three numbers: x, y, z in mm</source>
+        <translation>muss drei Zahlen enthalten: x, y, z in mm</translation>
+    </message>
+    <message>
+        <source>must be four numbers: w, x, y, z of a unit quaternion</source>
+        <translation>muss vier Zahlen enthalten: w, x, y, z eines Einheitsquaternions</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be read by this version</source>
+        <translation>&apos;{}&apos; kann diese Version nicht lesen</translation>
+    </message>
+    <message>
+        <source>a newer version of this program, or &apos;{}&apos;</source>
+        <translation>eine neuere Version dieses Programms, oder &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>must name a file</source>
+        <translation>muss eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>force.yaml</source>
+        <translation>force.yaml</translation>
+    </message>
+    <message>
+        <source>leave it out, or calibrate again</source>
+        <translation>weglassen, oder neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>must be {0} rows of {0} numbers</source>
+        <translation>muss aus {0} Zeilen mit {0} Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>holds values that no covariance has</source>
+        <translation>enthält Werte, die keine Kovarianz hat</translation>
+    </message>
+    <message>
+        <source>has a negative variance</source>
+        <translation>hat eine negative Varianz</translation>
+    </message>
+    <message>
+        <source>is not symmetric</source>
+        <translation>ist nicht symmetrisch</translation>
+    </message>
+    <message>
+        <source>must hold finite numbers, half_mm above 0, along and across together at most 0.5</source>
+        <translation>muss endliche Zahlen enthalten, half_mm über 0, along und across zusammen höchstens 0.5</translation>
+    </message>
+    <message>
+        <source>must be a positive number</source>
+        <translation>muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be greater than {:.6g}, where the curve has its pole, and at most 1000000</source>
+        <translation>muss größer als {} sein, wo die Kurve ihren Pol hat, und höchstens 1000000</translation>
+    </message>
+    <message>
+        <source>must hold 1 to {} numbers</source>
+        <translation>muss 1 bis {} Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>holds a number that is no coefficient in mm</source>
+        <translation>enthält eine Zahl, die kein Koeffizient in mm ist</translation>
+    </message>
+    <message>
+        <source>must end above 0 and at 1 or below: it is a relative difference of brightness</source>
+        <translation>muss über 0 und bei 1 oder darunter enden: Es ist ein relativer Helligkeitsunterschied</translation>
+    </message>
+    <message>
+        <source>the curve does not rise at x = {:.4g} (slope {:.4g} mm)</source>
+        <translation>die Kurve steigt bei x = {} nicht (Steigung {} mm)</translation>
+    </message>
+    <message>
+        <source>calibrate with fewer coefficients or as moebius, or with deeper presses</source>
+        <translation>mit weniger Koeffizienten oder als moebius kalibrieren, oder mit tieferen Eindrücken</translation>
+    </message>
+    <message>
+        <source>gives a depth of {:.4g} mm at the end of its domain; it must lie above 0 and below {:g} mm</source>
+        <translation>ergibt am Ende ihres Bereichs eine Tiefe von {} mm; sie muss über 0 und unter {} mm liegen</translation>
+    </message>
+    <message>
+        <source>there is a finger already, and it is never overwritten</source>
+        <translation>es gibt schon einen Finger, und er wird nie überschrieben</translation>
+    </message>
+    <message>
+        <source>another folder, or moving that one away</source>
+        <translation>ein anderer Ordner, oder diesen wegräumen</translation>
+    </message>
+    <message>
+        <source>could not write the file</source>
+        <translation>die Datei ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>could not make sure that the folder is on the disk</source>
+        <translation>es ließ sich nicht sicherstellen, dass der Ordner auf dem Datenträger ist</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>ihr Ordner existiert nicht</translation>
+    </message>
+    <message>
+        <source>make the folder first, or check the path for typing errors</source>
+        <translation>zuerst den Ordner anlegen, oder den Pfad auf Tippfehler prüfen</translation>
+    </message>
+    <message>
+        <source>could not read the file</source>
+        <translation>die Datei ließ sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>it is larger than {} bytes</source>
+        <translation>sie ist größer als {} Bytes</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>prüfen, ob es die richtige Datei ist</translation>
+    </message>
+    <message>
+        <source>could not make the folder</source>
+        <translation>der Ordner ließ sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>a shorter USB cable or another port; if it stays, another format or a lower rate</source>
+        <translation>ein kürzeres USB-Kabel oder ein anderer Anschluss; wenn es bleibt, ein anderes Format oder eine kleinere Bildrate</translation>
+    </message>
+    <message>
+        <source>a picture came with {} of {} bytes</source>
+        <translation>ein Bild kam mit {} von {} Bytes</translation>
+    </message>
+    <message>
+        <source>a picture came that is no JPEG</source>
+        <translation>ein Bild kam, das kein JPEG ist</translation>
+    </message>
+    <message>
+        <source>a picture of {}x{} came where {}x{} was agreed</source>
+        <translation>ein Bild von {}x{} kam, wo {}x{} vereinbart war</translation>
+    </message>
+    <message>
+        <source>a JPEG came that is truncated or damaged</source>
+        <translation>ein JPEG kam, das abgeschnitten oder beschädigt ist</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>somebody else is at work here: {0}</source>
+        <translation>hier arbeitet schon jemand: {0}</translation>
+    </message>
+    <message>
+        <source>waiting until that is done</source>
+        <translation>warten, bis das fertig ist</translation>
+    </message>
+    <message>
+        <source>could not be written</source>
+        <translation>ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>could not be held</source>
+        <translation>ließ sich nicht belegen</translation>
+    </message>
+    <message>
+        <source>the picture says it is {} x {} px; a side must have 1 to {}</source>
+        <translation>das Bild gibt {} x {} px an; eine Seite muss 1 bis {} haben</translation>
+    </message>
+    <message>
+        <source>a smaller picture, or copy it again if that size is wrong</source>
+        <translation>ein kleineres Bild, oder noch einmal kopieren, wenn diese Größe falsch ist</translation>
+    </message>
+    <message>
+        <source>the picture is damaged or cut short</source>
+        <translation>das Bild ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>copy or record it again</source>
+        <translation>noch einmal kopieren oder aufnehmen</translation>
+    </message>
+    <message>
+        <source>the picture has {} bits per channel (floating point); 8 are needed</source>
+        <translation>das Bild hat {} Bit je Kanal (Gleitkomma); 8 sind nötig</translation>
+    </message>
+    <message>
+        <source>the picture has {} bits per channel; 8 are needed</source>
+        <translation>das Bild hat {} Bit je Kanal; 8 sind nötig</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s 8-bit pictures</source>
+        <translation>die 8-Bit-Bilder der Kamera</translation>
+    </message>
+    <message>
+        <source>the picture has transparent parts; a camera takes none</source>
+        <translation>das Bild hat durchsichtige Teile; eine Kamera macht keine</translation>
+    </message>
+    <message>
+        <source>the picture as the camera took it, without an alpha channel</source>
+        <translation>das Bild, wie die Kamera es aufnahm, ohne Alphakanal</translation>
+    </message>
+    <message>
+        <source>the picture has {} channels; 1 or 3 are needed</source>
+        <translation>das Bild hat {} Kanäle; 1 oder 3 sind nötig</translation>
+    </message>
+    <message>
+        <source>the picture as the camera took it</source>
+        <translation>das Bild, wie die Kamera es aufnahm</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>cannot write this kind of picture ({}) under that name</source>
+        <translation>diese Art von Bild ({}) lässt sich unter diesem Namen nicht schreiben</translation>
+    </message>
+    <message>
+        <source>&apos;.png&apos; for 8-bit pictures, &apos;.tiff&apos; for floating point</source>
+        <translation>&apos;.png&apos; für 8-Bit-Bilder, &apos;.tiff&apos; für Gleitkomma</translation>
+    </message>
+    <message>
+        <source>could not encode the picture</source>
+        <translation>das Bild ließ sich nicht kodieren</translation>
+    </message>
+    <message>
+        <source>a smaller picture</source>
+        <translation>ein kleineres Bild</translation>
+    </message>
+    <message>
+        <source>the picture is of a kind that cannot be used ({})</source>
+        <translation>das Bild ist von einer Art, die nicht verwendet werden kann ({})</translation>
+    </message>
+    <message>
+        <source>8-bit grey pictures</source>
+        <translation>8-Bit-Graubilder</translation>
+    </message>
+    <message>
+        <source>the picture is in colour: its channels differ from grey by {:.0f} %</source>
+        <translation>das Bild ist farbig: Seine Kanäle weichen um {} % von Grau ab</translation>
+    </message>
+    <message>
+        <source>a picture of the finger under white light</source>
+        <translation>ein Bild des Fingers unter weißem Licht</translation>
+    </message>
+    <message>
+        <source>the picture is all black</source>
+        <translation>das Bild ist ganz schwarz</translation>
+    </message>
+    <message>
+        <source>switch on the light, or take off the lens cap</source>
+        <translation>das Licht einschalten, oder den Objektivdeckel abnehmen</translation>
+    </message>
+    <message>
+        <source>the picture is no TIFF of 32-bit floating point with 1 or 3 channels</source>
+        <translation>das Bild ist kein TIFF mit 32-Bit-Gleitkomma und 1 oder 3 Kanälen</translation>
+    </message>
+    <message>
+        <source>a depth or points picture written by this program</source>
+        <translation>ein Tiefen- oder Punktebild, das dieses Programm schrieb</translation>
+    </message>
+    <message>
+        <source>the picture is cut short</source>
+        <translation>das Bild ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the picture is damaged</source>
+        <translation>das Bild ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it does not begin with its header</source>
+        <translation>es beginnt nicht mit seinem Kopf</translation>
+    </message>
+    <message>
+        <source>a check sum is wrong</source>
+        <translation>eine Prüfsumme stimmt nicht</translation>
+    </message>
+    <message>
+        <source>its parts do not join</source>
+        <translation>seine Teile passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>it has no header</source>
+        <translation>es hat keinen Kopf</translation>
+    </message>
+    <message>
+        <source>its header is of a kind no longer in use</source>
+        <translation>sein Kopf ist von einer Art, die nicht mehr gebräuchlich ist</translation>
+    </message>
+    <message>
+        <source>its width is negative</source>
+        <translation>seine Breite ist negativ</translation>
+    </message>
+    <message>
+        <source>its header holds something that is no number</source>
+        <translation>sein Kopf enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>its white is not 255</source>
+        <translation>sein Weiß ist nicht 255</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the file is no picture of a kind that is known here</source>
+        <translation>die Datei ist kein Bild einer hier bekannten Art</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, BMP, binary PGM or TIFF</source>
+        <translation>PNG, JPEG, BMP, binäres PGM oder TIFF</translation>
+    </message>
+    <message>
+        <source>no surface can be written under such a name</source>
+        <translation>unter einem solchen Namen lässt sich keine Oberfläche schreiben</translation>
+    </message>
+    <message>
+        <source>a name that ends in .ply, .vtp, .stl or .glb</source>
+        <translation>ein Name, der auf .ply, .vtp, .stl oder .glb endet</translation>
+    </message>
+    <message>
+        <source>there is no point of the face to write</source>
+        <translation>es gibt keinen Punkt der Fläche zu schreiben</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>free some space, or choose a folder on another disk</source>
+        <translation>Platz schaffen, oder einen Ordner auf einem anderen Datenträger wählen</translation>
+    </message>
+    <message>
+        <source>your share of the disk is used up</source>
+        <translation>Ihr Anteil am Datenträger ist aufgebraucht</translation>
+    </message>
+    <message>
+        <source>free some space, or choose another disk</source>
+        <translation>Platz schaffen, oder einen anderen Datenträger wählen</translation>
+    </message>
+    <message>
+        <source>the file would be larger than this system allows</source>
+        <translation>die Datei würde größer, als dieses System erlaubt</translation>
+    </message>
+    <message>
+        <source>another disk</source>
+        <translation>ein anderer Datenträger</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>der Datenträger ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>a folder on a disk that can be written to</source>
+        <translation>ein Ordner auf einem beschreibbaren Datenträger</translation>
+    </message>
+    <message>
+        <source>access is not allowed</source>
+        <translation>der Zugriff ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>another folder, or ask its owner for access</source>
+        <translation>ein anderer Ordner, oder seinen Besitzer um Zugriff bitten</translation>
+    </message>
+    <message>
+        <source>it does not exist</source>
+        <translation>existiert nicht</translation>
+    </message>
+    <message>
+        <source>check the path for typing errors</source>
+        <translation>den Pfad auf Tippfehler prüfen</translation>
+    </message>
+    <message>
+        <source>a part of the path is no folder</source>
+        <translation>ein Teil des Pfads ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>name a file inside it</source>
+        <translation>eine Datei darin nennen</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>der Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>a shorter name</source>
+        <translation>ein kürzerer Name</translation>
+    </message>
+    <message>
+        <source>the disk reports a fault</source>
+        <translation>der Datenträger meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>another disk, and look after this one</source>
+        <translation>ein anderer Datenträger, und diesen prüfen</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>zu viele Dateien sind offen</translation>
+    </message>
+    <message>
+        <source>close other programs</source>
+        <translation>andere Programme schließen</translation>
+    </message>
+    <message>
+        <source>once more, or another folder</source>
+        <translation>noch einmal, oder ein anderer Ordner</translation>
+    </message>
+    <message>
+        <source>could not write the archive</source>
+        <translation>das Archiv ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>another name for the file that is meant</source>
+        <translation>ein anderer Name für die gemeinte Datei</translation>
+    </message>
+    <message>
+        <source>packing {}</source>
+        <translation>{} wird gepackt</translation>
+    </message>
+    <message>
+        <source>stopped before it was packed</source>
+        <translation>angehalten, bevor es gepackt war</translation>
+    </message>
+    <message>
+        <source>{}, {}</source>
+        <translation>{}, {}</translation>
+    </message>
+    <message>
+        <source>{}; {}</source>
+        <translation>{}; {}</translation>
+    </message>
+    <message>
+        <source>{}. {}</source>
+        <translation>{}. {}</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>this file that comes with the program is not there</source>
+        <translation>diese Datei, die zum Programm gehört, ist nicht da</translation>
+    </message>
+    <message>
+        <source>installing the program again</source>
+        <translation>das Programm neu installieren</translation>
+    </message>
+    <message>
+        <source>could not write the recording&apos;s journal</source>
+        <translation>das Journal der Aufnahme ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>frame {} is older than frame {}</source>
+        <translation>Bild {} ist älter als Bild {}</translation>
+    </message>
+    <message>
+        <source>move this file away: the video&apos;s own times count then</source>
+        <translation>schieben Sie diese Datei beiseite: dann gelten die Zeiten des Videos selbst</translation>
+    </message>
+    <message>
+        <source>play it in a video player; if that fails too, record it again</source>
+        <translation>in einem Videoprogramm abspielen; geht auch das nicht, neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>once more</source>
+        <translation>noch einmal</translation>
+    </message>
+    <message>
+        <source>the video cannot be opened</source>
+        <translation>das Video lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>its kind of picture has no brightness</source>
+        <translation>seine Bildart hat keine Helligkeit</translation>
+    </message>
+    <message>
+        <source>a grey or colour video</source>
+        <translation>ein graues oder farbiges Video</translation>
+    </message>
+    <message>
+        <source>could not write the video</source>
+        <translation>das Video ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>it is being recorded or mended right now</source>
+        <translation>sie wird gerade aufgenommen oder repariert</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>ein anderer Name</translation>
+    </message>
+    <message>
+        <source>this is no Matroska file</source>
+        <translation>dies ist keine Matroska-Datei</translation>
+    </message>
+    <message>
+        <source>stopped before it was mended</source>
+        <translation>angehalten, bevor sie repariert war</translation>
+    </message>
+    <message>
+        <source>mending an interrupted recording</source>
+        <translation>eine unterbrochene Aufnahme wird repariert</translation>
+    </message>
+    <message>
+        <source>only {} of its {} frames could be read</source>
+        <translation>nur {} ihrer {} Bilder ließen sich lesen</translation>
+    </message>
+    <message>
+        <source>another copy of the recording</source>
+        <translation>eine andere Kopie der Aufnahme</translation>
+    </message>
+    <message>
+        <source>the interrupted recording cannot be mended</source>
+        <translation>die unterbrochene Aufnahme lässt sich nicht reparieren</translation>
+    </message>
+    <message>
+        <source>wait for its end</source>
+        <translation>ihr Ende abwarten</translation>
+    </message>
+    <message>
+        <source>could not put the recording back</source>
+        <translation>die Aufnahme ließ sich nicht zurücklegen</translation>
+    </message>
+    <message>
+        <source>stopped when {} of {} MB of the recording were put back</source>
+        <translation>angehalten, als {} von {} MB der Aufnahme zurückgelegt waren</translation>
+    </message>
+    <message>
+        <source>putting the removed recording back: {} of {} MB</source>
+        <translation>die entfernte Aufnahme wird zurückgelegt: {} von {} MB</translation>
+    </message>
+    <message>
+        <source>the disk is nearly full: {} MB are left, {} MB are kept free</source>
+        <translation>der Datenträger ist fast voll: {} MB sind übrig, {} MB bleiben frei</translation>
+    </message>
+    <message>
+        <source>free some space, or record to another disk</source>
+        <translation>Platz schaffen, oder auf einen anderen Datenträger aufnehmen</translation>
+    </message>
+    <message>
+        <source>there is a file already</source>
+        <translation>es gibt schon eine Datei</translation>
+    </message>
+    <message>
+        <source>another name, or remove the old one</source>
+        <translation>ein anderer Name, oder die alte entfernen</translation>
+    </message>
+    <message>
+        <source>could not begin the recording: its folder does not exist</source>
+        <translation>die Aufnahme konnte nicht beginnen: Ihr Ordner existiert nicht</translation>
+    </message>
+    <message>
+        <source>could not begin the recording</source>
+        <translation>die Aufnahme konnte nicht beginnen</translation>
+    </message>
+    <message>
+        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else ffv1 where this computer keeps up with it, else magicyuv</source>
+        <translation>wie Bilder gespeichert werden, alle ohne Verlust: auto nimmt die Pakete der Kamera (mjpeg), wo sie solche sendet, sonst ffv1, wo dieser Rechner mitkommt, sonst magicyuv</translation>
+    </message>
+    <message>
+        <source>memory for frames that wait for the disk, in megabytes</source>
+        <translation>Speicher für Bilder, die auf den Datenträger warten, in Megabyte</translation>
+    </message>
+    <message>
+        <source>space that is left free on the disk, in megabytes; the recording ends before</source>
+        <translation>Platz, der auf dem Datenträger frei bleibt, in Megabyte; die Aufnahme endet vorher</translation>
+    </message>
+    <message>
+        <source>the recording was removed while it was being made</source>
+        <translation>die Aufnahme wurde entfernt, während sie lief</translation>
+    </message>
+    <message>
+        <source>no frame came, so nothing was recorded</source>
+        <translation>kein Bild kam, also wurde nichts aufgenommen</translation>
+    </message>
+    <message>
+        <source>check the source</source>
+        <translation>die Quelle prüfen</translation>
+    </message>
+    <message>
+        <source>the recording was removed at its end</source>
+        <translation>die Aufnahme wurde an ihrem Ende entfernt</translation>
+    </message>
+    <message>
+        <source>{}, and it could not be put back ({})</source>
+        <translation>{}, und sie ließ sich nicht zurücklegen ({})</translation>
+    </message>
+    <message>
+        <source>record again, and leave the folder alone meanwhile</source>
+        <translation>neu aufnehmen, und den Ordner dabei in Ruhe lassen</translation>
+    </message>
+    <message>
+        <source>what was recorded until then was put back</source>
+        <translation>was bis dahin aufgenommen war, wurde zurückgelegt</translation>
+    </message>
+    <message>
+        <source>leave the folder alone while it records</source>
+        <translation>den Ordner während der Aufnahme in Ruhe lassen</translation>
+    </message>
+    <message>
+        <source>recordings are Matroska files</source>
+        <translation>Aufnahmen sind Matroska-Dateien</translation>
+    </message>
+    <message>
+        <source>a name that ends in .mkv</source>
+        <translation>ein Name, der auf .mkv endet</translation>
+    </message>
+    <message>
+        <source>the video cannot be opened: no decoder for {}</source>
+        <translation>das Video lässt sich nicht öffnen: kein Dekoder für {}</translation>
+    </message>
+    <message>
+        <source>frame {} of the video cannot be read</source>
+        <translation>Bild {} des Videos lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>the video holds no frame</source>
+        <translation>das Video enthält kein Bild</translation>
+    </message>
+    <message>
+        <source>this system&apos;s libavcodec cannot write {}</source>
+        <translation>die libavcodec dieses Systems kann {} nicht schreiben</translation>
+    </message>
+    <message>
+        <source>another codec, or Debian&apos;s libavcodec</source>
+        <translation>ein anderer Codec, oder die libavcodec von Debian</translation>
+    </message>
+    <message>
+        <source>only 8-bit grey pictures can be recorded</source>
+        <translation>nur 8-Bit-Graubilder lassen sich aufnehmen</translation>
+    </message>
+    <message>
+        <source>a grey source</source>
+        <translation>eine graue Quelle</translation>
+    </message>
+    <message>
+        <source>the picture is {} x {}, those before were {} x {}</source>
+        <translation>das Bild hat {} x {}, die davor hatten {} x {}</translation>
+    </message>
+    <message>
+        <source>one recording for each size</source>
+        <translation>eine Aufnahme je Größe</translation>
+    </message>
+    <message>
+        <source>the source gives no JPEG packets that could be stored untouched</source>
+        <translation>die Quelle liefert keine JPEG-Pakete, die sich unverändert speichern ließen</translation>
+    </message>
+    <message>
+        <source>the codec magicyuv or ffv1</source>
+        <translation>der Codec magicyuv oder ffv1</translation>
+    </message>
+    <message>
+        <source>{}. Try: {}</source>
+        <translation>{}. Abhilfe: {}</translation>
+    </message>
+    <message>
+        <source>the two long edges of the face were not found</source>
+        <translation>die beiden langen Kanten der Fläche wurden nicht gefunden</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>das Bild</translation>
+    </message>
+    <message>
+        <source>light the finger as in its recording, and check that the picture shows the face from base to tip with the finger&apos;s length along the picture&apos;s width</source>
+        <translation>den Finger wie bei seiner Aufnahme beleuchten, und prüfen, ob das Bild die Fläche vom Fuß bis zur Spitze zeigt, mit der Länge des Fingers längs der Breite des Bildes</translation>
+    </message>
+    <message>
+        <source>the face&apos;s edges</source>
+        <translation>die Kanten der Fläche</translation>
+    </message>
+    <message>
+        <source>a picture in which both long edges of the bright face are visible and lit evenly; check that the lamps are on and that the lens is clean</source>
+        <translation>ein Bild, auf dem beide langen Kanten der hellen Fläche zu sehen und gleichmäßig beleuchtet sind; prüfen, ob die Lampen an sind und das Objektiv sauber ist</translation>
+    </message>
+    <message>
+        <source>the shape of a Fin Ray needs a perspective camera, not an orthographic one</source>
+        <translation>die Form eines Fin Ray braucht eine perspektivische Kamera, keine orthografische</translation>
+    </message>
+    <message>
+        <source>no smooth shape fits the outline of the face: it jumps at column {:.0f}</source>
+        <translation>keine glatte Form passt zum Umriss der Fläche: Er springt bei Spalte {}</translation>
+    </message>
+    <message>
+        <source>bending the finger less, until no part of it hides another</source>
+        <translation>den Finger weniger biegen, bis kein Teil von ihm einen anderen verdeckt</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>the {} edge of the face was seen in too few columns</source>
+        <translation>die Kante der Fläche {} wurde in zu wenigen Spalten gesehen</translation>
+    </message>
+    <message>
+        <source>the two edges were never seen together</source>
+        <translation>die beiden Kanten wurden nie zusammen gesehen</translation>
+    </message>
+    <message>
+        <source>no smooth shape fits them</source>
+        <translation>keine glatte Form passt zu ihnen</translation>
+    </message>
+    <message>
+        <source>the distance of the face is too uncertain in every column</source>
+        <translation>der Abstand der Fläche ist in jeder Spalte zu unsicher</translation>
+    </message>
+    <message>
+        <source>the picture is black: its brightest parts reach {} of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
+        <translation>das Bild ist schwarz: Seine hellsten Stellen erreichen {} von 255 Graustufen; die Kappe vom Objektiv nehmen, die Lampen einschalten oder länger belichten</translation>
+    </message>
+    <message>
+        <source>the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps</source>
+        <translation>das Bild ist zu hell: {} % davon sind gesättigt; kürzer belichten oder die Lampen dimmen</translation>
+    </message>
+    <message>
+        <source>the picture is blank: all of it has {} of 255 grey levels, without even a camera&apos;s noise; plug the camera in again</source>
+        <translation>das Bild ist leer: Es hat überall {} von 255 Graustufen, ohne auch nur das Rauschen einer Kamera; die Kamera neu einstecken</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the face is too bright to be measured; expose shorter, or dim the lamps</source>
+        <translation>{} % der Fläche sind zu hell, um gemessen zu werden; kürzer belichten oder die Lampen dimmen</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the face was never recorded in a pose like this; record the finger bending further in this direction</source>
+        <translation>{} % der Fläche wurden in einer solchen Haltung nie aufgenommen; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
+    </message>
+    <message>
+        <source>{:.1f} % of the face, at its end, is hidden in this frame: nothing is told of it, neither that it is touched nor that it is not</source>
+        <translation>{} % der Fläche, an ihrem Ende, sind in diesem Bild verdeckt: über sie wird nichts gesagt, weder dass sie berührt ist noch dass sie es nicht ist</translation>
+    </message>
+    <message>
+        <source>the face is {:.0f} % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
+        <translation>die Fläche ist {} % dunkler als bei der Aufnahme ihrer Referenz; Belichtung, Verstärkung und Lampen wie damals einstellen</translation>
+    </message>
+    <message>
+        <source>the face is {:.0f} % brighter than when its reference was recorded; set exposure, gain and lamps as they were then</source>
+        <translation>die Fläche ist {} % heller als bei der Aufnahme ihrer Referenz; Belichtung, Verstärkung und Lampen wie damals einstellen</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the finger that it is, or record the reference again</source>
+        <translation>{} % der Fläche sind heller als ihre Referenz: Das ist ein anderer Finger, oder seine Haut hat sich verändert; den richtigen Finger wählen oder die Referenz neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>only {} recorded pictures show every marker; at least 2 are needed</source>
+        <translation>nur {} aufgenommene Bilder zeigen jede Marke; mindestens 2 sind nötig</translation>
+    </message>
+    <message>
+        <source>marker model</source>
+        <translation>Markenmodell</translation>
+    </message>
+    <message>
+        <source>record the finger bending with both side faces in view and evenly lit</source>
+        <translation>den Finger beim Biegen aufnehmen, mit beiden Seitenflächen im Bild und gleichmäßig beleuchtet</translation>
+    </message>
+    <message>
+        <source>{} markers have a position but {} have a size</source>
+        <translation>{} Marken haben einen Ort, aber {} haben eine Größe</translation>
+    </message>
+    <message>
+        <source>the markers&apos; positions are not finite numbers</source>
+        <translation>die Orte der Marken sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>{} dots were found beside the face, but no third of the {} markers among them fits a pose of the reference recording</source>
+        <translation>{} Punkte wurden neben der Fläche gefunden, aber kein Drittel der {} Marken darunter passt zu einer Haltung der Referenzaufnahme</translation>
+    </message>
+    <message>
+        <source>this pose was never recorded: the nearest reference frame is {:.1f} px away; record the finger bending further in this direction</source>
+        <translation>diese Haltung wurde nie aufgenommen: Das nächste Referenzbild ist {} px entfernt; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
+    </message>
+    <message>
+        <source>a picture at the size that the finger was calibrated with</source>
+        <translation>ein Bild in der Größe, mit der der Finger kalibriert wurde</translation>
+    </message>
+    <message>
+        <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
+        <translation>das Bild gleicht dem vorigen bis auf die letzte Graustufe: Die Kamera steht; sie neu einstecken</translation>
+    </message>
+    <message>
+        <source>{}.</source>
+        <translation>{}.</translation>
+    </message>
+    <message>
+        <source>too little of the face is seen to tell the pose by its shape</source>
+        <translation>von der Fläche ist zu wenig zu sehen, um die Haltung aus ihrer Form zu lesen</translation>
+    </message>
+    <message>
+        <source>the markers were not found: the face&apos;s shape alone tells this pose, so that depth is less sure and neither twist nor what touches the finger is told; uncover and light the dots on the side faces</source>
+        <translation>die Marken wurden nicht gefunden: nur die Form der Fläche verrät diese Haltung, sodass die Tiefe weniger sicher ist und weder Verdrehung noch was den Finger berührt angegeben wird; die Punkte auf den Seitenflächen freilegen und beleuchten</translation>
+    </message>
+    <message>
+        <source>few recorded frames are near this pose: its reference is {:.0f} times less sure than usual; record the finger bending slowly through it</source>
+        <translation>bei dieser Haltung liegen wenige aufgenommene Bilder: Ihre Referenz ist {}-mal unsicherer als sonst; den Finger langsam durch sie hindurch gebogen aufnehmen</translation>
+    </message>
+    <message>
+        <source>the finger is not calibrated: calibrate it with ball presses</source>
+        <translation>der Finger ist nicht kalibriert: mit Kugeleindrücken kalibrieren</translation>
+    </message>
+    <message>
+        <source>how the face&apos;s edges are placed: half-way crossing to a fiftieth of a pixel, or the steepest whole pixel</source>
+        <translation>wie die Kanten der Fläche gefunden werden: am halben Anstieg auf ein fünfzigstel Pixel, oder am steilsten ganzen Pixel</translation>
+    </message>
+    <message>
+        <source>pixel columns averaged into one place on each edge</source>
+        <translation>Pixelspalten, die zu einem Ort auf jeder Kante gemittelt werden</translation>
+    </message>
+    <message>
+        <source>degree of the smooth curve through each edge of the face</source>
+        <translation>Grad der glatten Kurve durch jede Kante der Fläche</translation>
+    </message>
+    <message>
+        <source>which untouched picture a frame is compared with: the nearest recorded one, or one computed from the nearest several</source>
+        <translation>mit welchem unberührten Bild verglichen wird: dem nächsten aufgenommenen, oder einem aus den nächsten berechneten</translation>
+    </message>
+    <message>
+        <source>whether a change of the light since the reference is read from the untouched skin and taken out</source>
+        <translation>ob eine Änderung des Lichts seit der Referenz aus der unberührten Haut gelesen und herausgerechnet wird</translation>
+    </message>
+    <message>
+        <source>standard deviation of the smoothing before depth is read, in pixels; 0: none</source>
+        <translation>Standardabweichung der Glättung vor dem Lesen der Tiefe, in Pixeln; 0: keine</translation>
+    </message>
+    <message>
+        <source>depth that counts as touched, in millimetres</source>
+        <translation>Tiefe, die als Berührung zählt, in Millimetern</translation>
+    </message>
+    <message>
+        <source>make the reference anew from the recording</source>
+        <translation>die Referenz aus der Aufnahme neu erstellen</translation>
+    </message>
+    <message>
+        <source>the finger has no markers, so it has no marker table</source>
+        <translation>der Finger hat keine Marken, also auch keine Markentabelle</translation>
+    </message>
+    <message>
+        <source>set markers.per_row</source>
+        <translation>markers.per_row setzen</translation>
+    </message>
+    <message>
+        <source>{}, line {}</source>
+        <translation>{}, Zeile {}</translation>
+    </message>
+    <message>
+        <source>not a marker table; its first line must be &apos;{}&apos;</source>
+        <translation>keine Markentabelle; ihre erste Zeile muss &apos;{}&apos; sein</translation>
+    </message>
+    <message>
+        <source>the table ends too early</source>
+        <translation>die Tabelle endet zu früh</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; does not close a table of {} frames</source>
+        <translation>&apos;{}&apos; schließt keine Tabelle mit {} Bildern ab</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not &apos;{}&apos; with possible values</source>
+        <translation>&apos;{}&apos; ist nicht &apos;{}&apos; mit möglichen Werten</translation>
+    </message>
+    <message>
+        <source>marker {} stands where marker {} of {} must</source>
+        <translation>Marke {} steht, wo Marke {} von {} stehen muss</translation>
+    </message>
+    <message>
+        <source>frame {} comes after frame {}</source>
+        <translation>Bild {} kommt nach Bild {}</translation>
+    </message>
+    <message>
+        <source>frame {} has {} markers instead of {}</source>
+        <translation>Bild {} hat {} Marken statt {}</translation>
+    </message>
+    <message>
+        <source>marker {} has another radius or contrast than before</source>
+        <translation>Marke {} hat einen anderen Radius oder Kontrast als zuvor</translation>
+    </message>
+    <message>
+        <source>the table holds no frame</source>
+        <translation>die Tabelle enthält kein Bild</translation>
+    </message>
+    <message>
+        <source>stopped before the reference was read</source>
+        <translation>angehalten, bevor die Referenz gelesen war</translation>
+    </message>
+    <message>
+        <source>reading reference frame {} of {}</source>
+        <translation>Referenzbild {} von {} wird gelesen</translation>
+    </message>
+    <message>
+        <source>the face was found in {} of {} recorded pictures; 2 are needed</source>
+        <translation>die Fläche wurde in {} von {} aufgenommenen Bildern gefunden; 2 sind nötig</translation>
+    </message>
+    <message>
+        <source>the marker table names frame {} but the recording ends after {} frames</source>
+        <translation>die Markentabelle nennt Bild {}, aber die Aufnahme endet nach {} Bildern</translation>
+    </message>
+    <message>
+        <source>the recording cannot be read ({})</source>
+        <translation>die Aufnahme lässt sich nicht lesen ({})</translation>
+    </message>
+    <message>
+        <source>the sensor has no untouched picture</source>
+        <translation>der Sensor hat kein unberührtes Bild</translation>
+    </message>
+    <message>
+        <source>give one with the calibration</source>
+        <translation>eines bei der Kalibrierung angeben</translation>
+    </message>
+    <message>
+        <source>the untouched picture</source>
+        <translation>das unberührte Bild</translation>
+    </message>
+    <message>
+        <source>give the untouched picture anew</source>
+        <translation>das unberührte Bild neu angeben</translation>
+    </message>
+    <message>
+        <source>the finger has no reference recording</source>
+        <translation>der Finger hat keine Referenzaufnahme</translation>
+    </message>
+    <message>
+        <source>record the bending, untouched finger and make its reference</source>
+        <translation>den unberührten Finger beim Biegen aufnehmen und seine Referenz erstellen</translation>
+    </message>
+    <message>
+        <source>the reference recording is missing or no video</source>
+        <translation>die Referenzaufnahme fehlt oder ist kein Video</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s picture</source>
+        <translation>das Bild der Aufnahme</translation>
+    </message>
+    <message>
+        <source>the reference picture is not an 8-bit grey picture</source>
+        <translation>das Referenzbild ist kein 8-Bit-Graubild</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>save it as such</source>
+        <translation>als solches speichern</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number from {} to {}</source>
+        <translation>&apos;{}&apos; ist keine Zahl von {} bis {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not {}</source>
+        <translation>&apos;{}&apos; ist nicht {}</translation>
+    </message>
+    <message>
+        <source>depth_mm = {:g} goes through the layer of {:g} mm</source>
+        <translation>depth_mm = {} geht durch die Schicht von {} mm</translation>
+    </message>
+    <message>
+        <source>less than finger.face.layer_mm</source>
+        <translation>weniger als finger.face.layer_mm</translation>
+    </message>
+    <message>
+        <source>s_mm is beyond the ends of the face</source>
+        <translation>s_mm liegt jenseits der Enden der Fläche</translation>
+    </message>
+    <message>
+        <source>0 to {:g}</source>
+        <translation>0 bis {}</translation>
+    </message>
+    <message>
+        <source>y_mm is beside the face</source>
+        <translation>y_mm liegt neben der Fläche</translation>
+    </message>
+    <message>
+        <source>{:g} to {:g}</source>
+        <translation>{} bis {}</translation>
+    </message>
+    <message>
+        <source>the ball would sink in beyond its middle</source>
+        <translation>die Kugel würde über ihre Mitte hinaus einsinken</translation>
+    </message>
+    <message>
+        <source>depth_mm below radius_mm</source>
+        <translation>depth_mm unter radius_mm</translation>
+    </message>
+    <message>
+        <source>a flat sensor does not bend</source>
+        <translation>ein flacher Sensor biegt sich nicht</translation>
+    </message>
+    <message>
+        <source>leave bend out</source>
+        <translation>bend weglassen</translation>
+    </message>
+    <message>
+        <source>nothing presses, so nothing bulges</source>
+        <translation>nichts drückt, also wölbt sich nichts</translation>
+    </message>
+    <message>
+        <source>name ball or relief too</source>
+        <translation>auch ball oder relief nennen</translation>
+    </message>
+    <message>
+        <source>there is no lamp</source>
+        <translation>es gibt keine Lampe</translation>
+    </message>
+    <message>
+        <source>- {{at_mm: [x, y, z], power: p}}</source>
+        <translation>- {{at_mm: [x, y, z], power: p}}</translation>
+    </message>
+    <message>
+        <source>the lamp aims at itself</source>
+        <translation>die Lampe zielt auf sich selbst</translation>
+    </message>
+    <message>
+        <source>another point</source>
+        <translation>ein anderer Punkt</translation>
+    </message>
+    <message>
+        <source>this lobe is not known</source>
+        <translation>diese Keule ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>1, 2, 4 or 8</source>
+        <translation>1, 2, 4 oder 8</translation>
+    </message>
+    <message>
+        <source>&apos;first&apos; is not below &apos;last&apos;</source>
+        <translation>&apos;first&apos; ist nicht kleiner als &apos;last&apos;</translation>
+    </message>
+    <message>
+        <source>e.g. 0.1 and 0.9</source>
+        <translation>z. B. 0.1 und 0.9</translation>
+    </message>
+    <message>
+        <source>the dots would cut the face&apos;s edge</source>
+        <translation>die Punkte würden die Kante der Fläche schneiden</translation>
+    </message>
+    <message>
+        <source>less than setback_mm</source>
+        <translation>weniger als setback_mm</translation>
+    </message>
+    <message>
+        <source>the finger has no markers</source>
+        <translation>der Finger hat keine Marken</translation>
+    </message>
+    <message>
+        <source>finger.markers with per_row and polarity</source>
+        <translation>finger.markers mit per_row und polarity</translation>
+    </message>
+    <message>
+        <source>markers are engraved in the side faces</source>
+        <translation>Marken sind in die Seitenflächen graviert</translation>
+    </message>
+    <message>
+        <source>name the effect sides too</source>
+        <translation>auch den Effekt sides nennen</translation>
+    </message>
+    <message>
+        <source>JPEG needs whole grey levels</source>
+        <translation>JPEG braucht ganze Graustufen</translation>
+    </message>
+    <message>
+        <source>name the effect quantisation too</source>
+        <translation>auch den Effekt quantisation nennen</translation>
+    </message>
+    <message>
+        <source>no dot would ever be hidden</source>
+        <translation>kein Punkt wäre je verdeckt</translation>
+    </message>
+    <message>
+        <source>leave occlusion out, or 1 and more</source>
+        <translation>occlusion weglassen, oder 1 und mehr</translation>
+    </message>
+    <message>
+        <source>{:g} is not a marker&apos;s number</source>
+        <translation>{} ist keine Markennummer</translation>
+    </message>
+    <message>
+        <source>0, 1, 2, ...</source>
+        <translation>0, 1, 2, ...</translation>
+    </message>
+    <message>
+        <source>there are no dots to hide</source>
+        <translation>es gibt keine Punkte zu verdecken</translation>
+    </message>
+    <message>
+        <source>name the effect markers too</source>
+        <translation>auch den Effekt markers nennen</translation>
+    </message>
+    <message>
+        <source>there is no marker {}</source>
+        <translation>es gibt keine Marke {}</translation>
+    </message>
+    <message>
+        <source>0 to {}</source>
+        <translation>0 bis {}</translation>
+    </message>
+    <message>
+        <source>more dots would be hidden than there are</source>
+        <translation>mehr Punkte wären verdeckt, als es gibt</translation>
+    </message>
+    <message>
+        <source>up to {}</source>
+        <translation>bis {}</translation>
+    </message>
+    <message>
+        <source>the bars are wider than the T</source>
+        <translation>die Balken sind breiter als das T</translation>
+    </message>
+    <message>
+        <source>less than size_mm</source>
+        <translation>weniger als size_mm</translation>
+    </message>
+    <message>
+        <source>nothing presses, so nothing rolls off</source>
+        <translation>nichts drückt, also läuft nichts aus</translation>
+    </message>
+    <message>
+        <source>kind hertz is for balls only</source>
+        <translation>kind hertz ist nur für Kugeln</translation>
+    </message>
+    <message>
+        <source>kind: smooth with a length_mm</source>
+        <translation>kind: smooth mit einem length_mm</translation>
+    </message>
+    <message>
+        <source>a flat sensor has no side faces</source>
+        <translation>ein flacher Sensor hat keine Seitenflächen</translation>
+    </message>
+    <message>
+        <source>leave sides out</source>
+        <translation>sides weglassen</translation>
+    </message>
+    <message>
+        <source>an orthographic camera sees no side faces</source>
+        <translation>eine orthografische Kamera sieht keine Seitenflächen</translation>
+    </message>
+    <message>
+        <source>a flat sensor does not sway</source>
+        <translation>ein flacher Sensor schwenkt nicht</translation>
+    </message>
+    <message>
+        <source>leave sway out</source>
+        <translation>sway weglassen</translation>
+    </message>
+    <message>
+        <source>a flat sensor does not give way</source>
+        <translation>ein flacher Sensor gibt nicht nach</translation>
+    </message>
+    <message>
+        <source>leave give_mm out</source>
+        <translation>give_mm weglassen</translation>
+    </message>
+    <message>
+        <source>the list is empty</source>
+        <translation>die Liste ist leer</translation>
+    </message>
+    <message>
+        <source>one pose a frame</source>
+        <translation>eine Haltung je Bild</translation>
+    </message>
+    <message>
+        <source>the motion moves &apos;{}&apos;, but no effect of the scene does</source>
+        <translation>die Bewegung bewegt &apos;{}&apos;, aber kein Effekt der Szene tut es</translation>
+    </message>
+    <message>
+        <source>name `bend` or `sway` among the effects</source>
+        <translation>`bend` oder `sway` unter den Effekten nennen</translation>
+    </message>
+    <message>
+        <source>{} = {:g} is outside the effect&apos;s range</source>
+        <translation>{} = {} liegt außerhalb des Bereichs des Effekts</translation>
+    </message>
+    <message>
+        <source>the motion has nothing to move</source>
+        <translation>die Bewegung hat nichts zu bewegen</translation>
+    </message>
+    <message>
+        <source>name `bend` or `sway` among the effects, or leave the motion out</source>
+        <translation>`bend` oder `sway` unter den Effekten nennen, oder die Bewegung weglassen</translation>
+    </message>
+    <message>
+        <source>scene &apos;{}&apos;: finger.camera</source>
+        <translation>Szene &apos;{}&apos;: finger.camera</translation>
+    </message>
+    <message>
+        <source>its camera does not give whole grey levels</source>
+        <translation>ihre Kamera liefert keine ganzen Graustufen</translation>
+    </message>
+    <message>
+        <source>this is not [width, height]</source>
+        <translation>dies ist nicht [Breite, Höhe]</translation>
+    </message>
+    <message>
+        <source>whole numbers from 16 to 16384</source>
+        <translation>ganze Zahlen von 16 bis 16384</translation>
+    </message>
+    <message>
+        <source>there is no effect &apos;{}&apos;</source>
+        <translation>es gibt keinen Effekt &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>the effect &apos;{}&apos; is named twice</source>
+        <translation>der Effekt &apos;{}&apos; ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>this is not a text</source>
+        <translation>dies ist kein Text</translation>
+    </message>
+    <message>
+        <source>a word or a sentence</source>
+        <translation>ein Wort oder ein Satz</translation>
+    </message>
+    <message>
+        <source>one number a frame</source>
+        <translation>eine Zahl je Bild</translation>
+    </message>
+    <message>
+        <source>&apos;from&apos; is not below &apos;to&apos;</source>
+        <translation>&apos;from&apos; ist nicht kleiner als &apos;to&apos;</translation>
+    </message>
+    <message>
+        <source>a range that grows</source>
+        <translation>ein wachsender Bereich</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: {}</source>
+        <translation>der Ordner lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>ask its owner for access</source>
+        <translation>seinen Besitzer um Zugriff bitten</translation>
+    </message>
+    <message>
+        <source>the folder holds no pictures</source>
+        <translation>der Ordner enthält keine Bilder</translation>
+    </message>
+    <message>
+        <source>a folder with png, jpg, bmp, tif or pgm files</source>
+        <translation>ein Ordner mit png-, jpg-, bmp-, tif- oder pgm-Dateien</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>{} was {} and is {}</source>
+        <translation>{} war {} und ist {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; describes no button</source>
+        <translation>&apos;{}&apos; beschreibt keinen Taster</translation>
+    </message>
+    <message>
+        <source>learn the button again</source>
+        <translation>den Taster neu anlernen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; names no device and its button</source>
+        <translation>&apos;{}&apos; nennt kein Gerät mit seinem Taster</translation>
+    </message>
+    <message>
+        <source>&apos;alltact devices --learn-button&apos;, which says what to write here</source>
+        <translation>&apos;alltact devices --learn-button&apos;, das sagt, was hier stehen muss</translation>
+    </message>
+    <message>
+        <source>learning the button was stopped</source>
+        <translation>das Anlernen des Tasters wurde angehalten</translation>
+    </message>
+    <message>
+        <source>press it now, twice</source>
+        <translation>jetzt drücken, zweimal</translation>
+    </message>
+    <message>
+        <source>press it once more</source>
+        <translation>noch einmal drücken</translation>
+    </message>
+    <message>
+        <source>no button was pressed and let go twice</source>
+        <translation>kein Taster wurde zweimal gedrückt und losgelassen</translation>
+    </message>
+    <message>
+        <source>another device; a pedal that only clicks must be set to send a key</source>
+        <translation>ein anderes Gerät; ein Pedal, das nur klickt, muss auf eine Taste eingestellt werden</translation>
+    </message>
+    <message>
+        <source>the device cannot be opened</source>
+        <translation>das Gerät lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>unplug it and plug it in again</source>
+        <translation>abziehen und wieder einstecken</translation>
+    </message>
+    <message>
+        <source>access to the device is not allowed</source>
+        <translation>der Zugriff auf das Gerät ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in again; a device it does not name needs this line in it: KERNEL==&quot;hidraw*&quot;, ATTRS{{idVendor}}==&quot;{:04x}&quot;, ATTRS{{idProduct}}==&quot;{:04x}&quot;, TAG+=&quot;uaccess&quot;</source>
+        <translation>packaging/70-alltact.rules in /etc/udev/rules.d einrichten und wieder einstecken; ein Gerät, das darin nicht genannt ist, braucht diese Zeile: KERNEL==&quot;hidraw*&quot;, ATTRS{{idVendor}}==&quot;{}&quot;, ATTRS{{idProduct}}==&quot;{}&quot;, TAG+=&quot;uaccess&quot;</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>das Gerät wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>plug it in again</source>
+        <translation>wieder einstecken</translation>
+    </message>
+    <message>
+        <source>the device took no report</source>
+        <translation>das Gerät nahm keinen Report an</translation>
+    </message>
+    <message>
+        <source>plug it in again, and check its description</source>
+        <translation>wieder einstecken, und die Beschreibung prüfen</translation>
+    </message>
+    <message>
+        <source>no HID device was found</source>
+        <translation>kein HID-Gerät wurde gefunden</translation>
+    </message>
+    <message>
+        <source>there is no such HID device; there is {}</source>
+        <translation>es gibt kein solches HID-Gerät; es gibt {}</translation>
+    </message>
+    <message>
+        <source>plug it in; &apos;alltact devices&apos; lists what is found</source>
+        <translation>einstecken; &apos;alltact devices&apos; zeigt, was gefunden wird</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; describes no dimmer</source>
+        <translation>&apos;{}&apos; beschreibt keinen Dimmer</translation>
+    </message>
+    <message>
+        <source>mcp2221a gp2, mcp2221a gp3, or a report such as &apos;output id=0 bytes=8 at=1 range=0..255&apos;</source>
+        <translation>mcp2221a gp2, mcp2221a gp3, oder ein Report wie &apos;output id=0 bytes=8 at=1 range=0..255&apos;</translation>
+    </message>
+    <message>
+        <source>the brightness {} is not from 0 to 1</source>
+        <translation>die Helligkeit {} liegt nicht zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>the MCP2221A did not answer as it should</source>
+        <translation>der MCP2221A antwortete nicht, wie er soll</translation>
+    </message>
+    <message>
+        <source>plug it in again; close other programs that use it</source>
+        <translation>wieder einstecken; andere Programme schließen, die ihn benutzen</translation>
+    </message>
+    <message>
+        <source>this is neither a picture, nor a folder of pictures, nor a video, nor a scene</source>
+        <translation>dies ist weder ein Bild, noch ein Ordner mit Bildern, noch ein Video, noch eine Szene</translation>
+    </message>
+    <message>
+        <source>png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene</source>
+        <translation>png-, jpg-, bmp-, tif- oder pgm-Bilder, ein mkv-, avi- oder mp4-Video, oder eine yaml-Szene</translation>
+    </message>
+    <message>
+        <source>video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>a {} cannot be mixed with other inputs</source>
+        <translation>lässt sich nicht mit anderen Eingaben mischen: {}</translation>
+    </message>
+    <message>
+        <source>it alone, or pictures only</source>
+        <translation>dies allein, oder nur Bilder</translation>
+    </message>
+    <message>
+        <source>no input was given</source>
+        <translation>es wurde keine Eingabe angegeben</translation>
+    </message>
+    <message>
+        <source>name a picture, a folder of pictures, a video, a scene or a camera</source>
+        <translation>ein Bild, einen Ordner mit Bildern, ein Video, eine Szene oder eine Kamera nennen</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>es gibt keine solche Datei und keinen solchen Ordner</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be read</source>
+        <translation>&apos;{}&apos; lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be set to {}</source>
+        <translation>&apos;{}&apos; lässt sich nicht auf {} stellen</translation>
+    </message>
+    <message>
+        <source>the camera refuses this value</source>
+        <translation>die Kamera lehnt diesen Wert ab</translation>
+    </message>
+    <message>
+        <source>a value within its range; &apos;alltact devices --details&apos; lists them</source>
+        <translation>ein Wert in seinem Bereich; &apos;alltact devices --details&apos; zeigt die Bereiche</translation>
+    </message>
+    <message>
+        <source>an automatic mode has it in hand</source>
+        <translation>eine Automatik stellt es ein</translation>
+    </message>
+    <message>
+        <source>switch that mode off first</source>
+        <translation>diese Automatik zuerst ausschalten</translation>
+    </message>
+    <message>
+        <source>the camera took {} instead</source>
+        <translation>die Kamera nahm stattdessen {}</translation>
+    </message>
+    <message>
+        <source>a value within its range and steps; &apos;alltact devices --details&apos; lists them</source>
+        <translation>ein Wert in seinem Bereich und seinen Schritten; &apos;alltact devices --details&apos; zeigt sie</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be switched off: brightness may drift</source>
+        <translation>&apos;{}&apos; lässt sich nicht ausschalten: Die Helligkeit kann driften</translation>
+    </message>
+    <message>
+        <source>it sends its pictures in several planes, which cannot be read here</source>
+        <translation>sie sendet ihre Bilder in mehreren Ebenen, die hier nicht gelesen werden können</translation>
+    </message>
+    <message>
+        <source>a USB camera</source>
+        <translation>eine USB-Kamera</translation>
+    </message>
+    <message>
+        <source>it cannot stream</source>
+        <translation>sie kann nicht streamen</translation>
+    </message>
+    <message>
+        <source>it has no format that can be read here</source>
+        <translation>sie hat kein Format, das hier gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>a camera with MJPG or YUYV</source>
+        <translation>eine Kamera mit MJPG oder YUYV</translation>
+    </message>
+    <message>
+        <source>it cannot be used now</source>
+        <translation>sie kann gerade nicht benutzt werden</translation>
+    </message>
+    <message>
+        <source>the camera is not there</source>
+        <translation>die Kamera ist nicht da</translation>
+    </message>
+    <message>
+        <source>plug it in</source>
+        <translation>einstecken</translation>
+    </message>
+    <message>
+        <source>several cameras have this name: {}</source>
+        <translation>mehrere Kameras haben diesen Namen: {}</translation>
+    </message>
+    <message>
+        <source>the name before the brackets</source>
+        <translation>der Name vor den Klammern</translation>
+    </message>
+    <message>
+        <source>no camera was found</source>
+        <translation>keine Kamera wurde gefunden</translation>
+    </message>
+    <message>
+        <source>there is no such camera; there is {}</source>
+        <translation>es gibt keine solche Kamera; es gibt {}</translation>
+    </message>
+    <message>
+        <source>plug one in; &apos;alltact devices&apos; lists what is found</source>
+        <translation>eine einstecken; &apos;alltact devices&apos; zeigt, was gefunden wird</translation>
+    </message>
+    <message>
+        <source>one of these names</source>
+        <translation>einer dieser Namen</translation>
+    </message>
+    <message>
+        <source>the camera has sent no picture for a second</source>
+        <translation>die Kamera hat seit einer Sekunde kein Bild gesendet</translation>
+    </message>
+    <message>
+        <source>look after the cable and the USB port</source>
+        <translation>Kabel und USB-Anschluss prüfen</translation>
+    </message>
+    <message>
+        <source>this node gives no pictures that can be read</source>
+        <translation>dieser Knoten liefert keine lesbaren Bilder</translation>
+    </message>
+    <message>
+        <source>a camera that &apos;alltact devices&apos; lists as usable</source>
+        <translation>eine Kamera, die &apos;alltact devices&apos; als brauchbar zeigt</translation>
+    </message>
+    <message>
+        <source>the camera stopped sending pictures</source>
+        <translation>die Kamera sendet keine Bilder mehr</translation>
+    </message>
+    <message>
+        <source>no picture came for {:.1f} seconds</source>
+        <translation>seit {} Sekunden kam kein Bild</translation>
+    </message>
+    <message>
+        <source>look after the cable and the USB port; the stream is being started again</source>
+        <translation>Kabel und USB-Anschluss prüfen; der Bilderstrom wird neu gestartet</translation>
+    </message>
+    <message>
+        <source>a picture cannot be taken</source>
+        <translation>ein Bild lässt sich nicht aufnehmen</translation>
+    </message>
+    <message>
+        <source>Pictures come again</source>
+        <translation>Bilder kommen wieder</translation>
+    </message>
+    <message>
+        <source>the camera is back and has not sent a picture yet</source>
+        <translation>die Kamera ist wieder da und hat noch kein Bild gesendet</translation>
+    </message>
+    <message>
+        <source>The camera was plugged in again at {}</source>
+        <translation>Die Kamera wurde wieder eingesteckt, an {}</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s signal changed: it sent {}, and sends {} now</source>
+        <translation>das Signal der Kamera hat sich geändert: Sie sendete {} und sendet jetzt {}</translation>
+    </message>
+    <message>
+        <source>look after what is plugged into it, if this was not meant</source>
+        <translation>prüfen, was an ihr angeschlossen ist, falls das nicht gewollt war</translation>
+    </message>
+    <message>
+        <source>the camera was unplugged</source>
+        <translation>die Kamera wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>plug it in again; it goes on by itself with the same settings</source>
+        <translation>wieder einstecken; es geht mit denselben Einstellungen von selbst weiter</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; was changed from {} to {} by something else</source>
+        <translation>&apos;{}&apos; wurde von etwas anderem von {} auf {} geändert</translation>
+    </message>
+    <message>
+        <source>it was put back</source>
+        <translation>es wurde zurückgestellt</translation>
+    </message>
+    <message>
+        <source>sudo usermod -aG video $USER, then log in again; or install packaging/70-alltact.rules in /etc/udev/rules.d and plug the camera in again</source>
+        <translation>sudo usermod -aG video $USER, dann neu anmelden; oder packaging/70-alltact.rules in /etc/udev/rules.d einrichten und die Kamera wieder einstecken</translation>
+    </message>
+    <message>
+        <source>another program is using it</source>
+        <translation>ein anderes Programm benutzt sie</translation>
+    </message>
+    <message>
+        <source>close that program (fuser -v /dev/video* names it)</source>
+        <translation>dieses Programm schließen (fuser -v /dev/video* nennt es)</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>sie ist nicht da</translation>
+    </message>
+    <message>
+        <source>plug the camera in; &apos;alltact devices&apos; lists what is found</source>
+        <translation>die Kamera einstecken; &apos;alltact devices&apos; zeigt, was gefunden wird</translation>
+    </message>
+    <message>
+        <source>the USB port has no bandwidth left</source>
+        <translation>der USB-Anschluss hat keine Bandbreite mehr</translation>
+    </message>
+    <message>
+        <source>another USB port, MJPG instead of YUYV, or smaller pictures</source>
+        <translation>ein anderer USB-Anschluss, MJPG statt YUYV, oder kleinere Bilder</translation>
+    </message>
+    <message>
+        <source>the USB connection is disturbed</source>
+        <translation>die USB-Verbindung ist gestört</translation>
+    </message>
+    <message>
+        <source>a shorter cable or another port</source>
+        <translation>ein kürzeres Kabel oder ein anderer Anschluss</translation>
+    </message>
+    <message>
+        <source>the camera refuses</source>
+        <translation>die Kamera lehnt ab</translation>
+    </message>
+    <message>
+        <source>another format or value; &apos;alltact devices --details&apos; lists them</source>
+        <translation>ein anderes Format oder ein anderer Wert; &apos;alltact devices --details&apos; zeigt sie</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>unplug the camera and plug it in again</source>
+        <translation>die Kamera abziehen und wieder einstecken</translation>
+    </message>
+    <message>
+        <source>{} and more</source>
+        <translation>{} und weitere</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>{} at {:g} frames per second</source>
+        <translation>{} mit {} Bildern je Sekunde</translation>
+    </message>
+    <message>
+        <source>the camera has no such format that can be read; it offers {}</source>
+        <translation>die Kamera hat kein solches lesbares Format; sie bietet {}</translation>
+    </message>
+    <message>
+        <source>one of these in GREY, Y16, YUYV or MJPG</source>
+        <translation>eines davon in GREY, Y16, YUYV oder MJPG</translation>
+    </message>
+    <message>
+        <source>the camera cannot be opened</source>
+        <translation>die Kamera lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>this does not answer as a camera</source>
+        <translation>dies antwortet nicht wie eine Kamera</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s format cannot be set to {}</source>
+        <translation>das Format der Kamera lässt sich nicht auf {} stellen</translation>
+    </message>
+    <message>
+        <source>the camera was asked for {} and chose {}</source>
+        <translation>die Kamera wurde um {} gebeten und wählte {}</translation>
+    </message>
+    <message>
+        <source>a format that &apos;alltact devices --details&apos; lists for it</source>
+        <translation>ein Format, das &apos;alltact devices --details&apos; für sie zeigt</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s rate cannot be set</source>
+        <translation>die Bildrate der Kamera lässt sich nicht einstellen</translation>
+    </message>
+    <message>
+        <source>the camera takes no buffer</source>
+        <translation>die Kamera nimmt keinen Puffer an</translation>
+    </message>
+    <message>
+        <source>the camera does not start</source>
+        <translation>die Kamera startet nicht</translation>
+    </message>
+    <message>
+        <source>the camera gives no buffers</source>
+        <translation>die Kamera gibt keine Puffer</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s buffer cannot be found</source>
+        <translation>der Puffer der Kamera lässt sich nicht finden</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s buffer cannot be mapped</source>
+        <translation>der Puffer der Kamera lässt sich nicht einblenden</translation>
+    </message>
+    <message>
+        <source>holds more than one document</source>
+        <translation>enthält mehr als ein Dokument</translation>
+    </message>
+    <message>
+        <source>leave out the lines &apos;---&apos;</source>
+        <translation>die Zeilen &apos;---&apos; weglassen</translation>
+    </message>
+    <message>
+        <source>this is not YAML: {}</source>
+        <translation>dies ist kein YAML: {}</translation>
+    </message>
+    <message>
+        <source>look at the brackets, quotes and the space before each key</source>
+        <translation>Klammern, Anführungszeichen und den Leerraum vor jedem Schlüssel ansehen</translation>
+    </message>
+    <message>
+        <source>is too large to be read</source>
+        <translation>ist zu groß, um gelesen zu werden</translation>
+    </message>
+    <message>
+        <source>a file of fewer entries</source>
+        <translation>eine Datei mit weniger Einträgen</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;</source>
+        <translation>unbekannter Schlüssel &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>is not known, and too large or too odd to be kept</source>
+        <translation>ist nicht bekannt, und zu groß oder zu seltsam, um behalten zu werden</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>entfernen</translation>
+    </message>
+    <message>
+        <source>is not known here; it is kept as it is</source>
+        <translation>ist hier nicht bekannt; es bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos;</source>
+        <translation>&apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a block of keys</source>
+        <translation>ein Block von Schlüsseln</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>ab</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <source>up to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>a number {} {:g} and {} {:g}</source>
+        <translation>eine Zahl {} {} und {} {}</translation>
+    </message>
+    <message>
+        <source>a number such as 24.0, with a point and without a unit</source>
+        <translation>eine Zahl wie 24.0, mit Punkt und ohne Einheit</translation>
+    </message>
+    <message>
+        <source>must be a block of &apos;key: value&apos; lines, not {}</source>
+        <translation>muss ein Block von Zeilen &apos;key: value&apos; sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>compare with another file of this kind</source>
+        <translation>mit einer anderen Datei dieser Art vergleichen</translation>
+    </message>
+    <message>
+        <source>holds a key that is not a word</source>
+        <translation>enthält einen Schlüssel, der kein Wort ist</translation>
+    </message>
+    <message>
+        <source>one word before each colon</source>
+        <translation>ein Wort vor jedem Doppelpunkt</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>steht zweimal da</translation>
+    </message>
+    <message>
+        <source>leave one of the two</source>
+        <translation>eines der beiden stehen lassen</translation>
+    </message>
+    <message>
+        <source>add &apos;{}: ...&apos;</source>
+        <translation>&apos;{}: ...&apos; hinzufügen</translation>
+    </message>
+    <message>
+        <source>add &apos;{}: ...&apos; under &apos;{}:&apos;</source>
+        <translation>&apos;{}: ...&apos; unter &apos;{}:&apos; hinzufügen</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>write &apos;{}&apos; for &apos;{}&apos;</source>
+        <translation>&apos;{}&apos; statt &apos;{}&apos; schreiben</translation>
+    </message>
+    <message>
+        <source>must be a text, not {}</source>
+        <translation>muss ein Text sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} is not known here</source>
+        <translation>{} ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>must be a number, {}, not {}</source>
+        <translation>muss eine Zahl sein, {}, nicht {}</translation>
+    </message>
+    <message>
+        <source>0 would mean that this is absent, and what is absent is not named</source>
+        <translation>0 hieße, dass dies fehlt, und was fehlt, wird nicht genannt</translation>
+    </message>
+    <message>
+        <source>leave it out, or give {}</source>
+        <translation>weglassen, oder angeben: {}</translation>
+    </message>
+    <message>
+        <source>holds {}, which is not {}</source>
+        <translation>enthält {}, das nicht dem entspricht: {}</translation>
+    </message>
+    <message>
+        <source>must be {}, not {}</source>
+        <translation>muss {} sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>must be a whole number from {} to {}, not {}</source>
+        <translation>muss eine ganze Zahl von {} bis {} sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>must be a list, not {}</source>
+        <translation>muss eine Liste sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>[..., ...]</source>
+        <translation>[..., ...]</translation>
+    </message>
+    <message>
+        <source>this is not a list of the right length</source>
+        <translation>dies ist keine Liste der richtigen Länge</translation>
+    </message>
+    <message>
+        <source>[{} numbers]</source>
+        <translation>[{} Zahlen]</translation>
+    </message>
+    <message>
+        <source>[{} to {} numbers]</source>
+        <translation>[{} bis {} Zahlen]</translation>
+    </message>
+    <message>
+        <source>holds {}, which is not a text</source>
+        <translation>enthält {}, was kein Text ist</translation>
+    </message>
+    <message>
+        <source>holds {}, which is not a list</source>
+        <translation>enthält {}, was keine Liste ist</translation>
+    </message>
+    <message>
+        <source>[[..., ...], ...]</source>
+        <translation>[[..., ...], ...]</translation>
+    </message>
+    <message>
+        <source>{}:{}: this is no check and is left out.</source>
+        <translation>{}:{}: Dies ist keine Prüfung und wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>no untouched picture; give one to calibrate with --reference</source>
+        <translation>kein unberührtes Bild; zum Kalibrieren eines mit --reference angeben</translation>
+    </message>
+    <message>
+        <source>no recording of the bending, untouched finger; run alltact reference</source>
+        <translation>keine Aufnahme des sich biegenden, unberührten Fingers; alltact reference ausführen</translation>
+    </message>
+    <message>
+        <source>one untouched picture</source>
+        <translation>ein unberührtes Bild</translation>
+    </message>
+    <message>
+        <source>only {} frames; poses between them are guessed, record more bending</source>
+        <translation>nur {} Bilder; Haltungen dazwischen sind geraten, mehr Biegung aufnehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>{} frames</source>
+        <comment>{} frame</comment>
+        <translation>
+            <numerusform>{} Bild</numerusform>
+            <numerusform>{} Bilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no layout at rest, so touch cannot be told; run alltact reference again</source>
+        <translation>keine Anordnung in Ruhe, also ist Berührung nicht zu erkennen; alltact reference noch einmal ausführen</translation>
+    </message>
+    <message>
+        <source>none; poses are told by the shape of the face, which cannot tell twist</source>
+        <translation>keine; Haltungen werden aus der Form der Fläche gelesen, die keine Verdrehung zeigt</translation>
+    </message>
+    <message>
+        <source>{} markers; touch is told from {:.1f} px of summed offset</source>
+        <translation>{} Marken; Berührung wird ab {} px summierter Verschiebung erkannt</translation>
+    </message>
+    <message>
+        <source>not calibrated; run alltact calibrate with ball presses</source>
+        <translation>nicht kalibriert; alltact calibrate mit Kugeleindrücken ausführen</translation>
+    </message>
+    <message>
+        <source>nothing says how it came about or how good it is; run alltact calibrate again</source>
+        <translation>nichts sagt, wie sie entstand oder wie gut sie ist; alltact calibrate noch einmal ausführen</translation>
+    </message>
+    <message>
+        <source>the reference ({}) is newer than the calibration ({}); calibrate again</source>
+        <translation>die Referenz ({}) ist neuer als die Kalibrierung ({}); neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>made at an unknown date</source>
+        <translation>an einem unbekannten Tag gemacht</translation>
+    </message>
+    <message>
+        <source>made {}</source>
+        <translation>erstellt {}</translation>
+    </message>
+    <message>
+        <source>the calibration cannot be repeated: {}.</source>
+        <translation>die Kalibrierung lässt sich nicht wiederholen: {}.</translation>
+    </message>
+    <message>
+        <source>{} of {} press pictures are gone, so the calibration cannot be repeated</source>
+        <translation>{} von {} Eindruckbildern fehlen, also lässt sich die Kalibrierung nicht wiederholen</translation>
+    </message>
+    <message>
+        <source>what is kept is of a calibration that was cut off; complete it with {}</source>
+        <translation>was aufbewahrt ist, stammt von einer abgebrochenen Kalibrierung; zu Ende führen mit {}</translation>
+    </message>
+    <message>
+        <source>{} pictures kept</source>
+        <translation>{} Bilder aufbewahrt</translation>
+    </message>
+    <message>
+        <source>{}, {} x {} px</source>
+        <translation>{}, {} x {} px</translation>
+    </message>
+    <message>
+        <source>stopped before the check was done</source>
+        <translation>vor dem Ende der Prüfung angehalten</translation>
+    </message>
+    <message>
+        <source>{}: the contact covers too few pixels</source>
+        <translation>{}: der Kontakt bedeckt zu wenige Pixel</translation>
+    </message>
+    <message>
+        <source>pressing deeper, or a larger picture</source>
+        <translation>tiefer drücken, oder ein größeres Bild</translation>
+    </message>
+    <message>
+        <source>{}: no ball fits the contact</source>
+        <translation>{}: keine Kugel passt zum Kontakt</translation>
+    </message>
+    <message>
+        <source>a clean ball</source>
+        <translation>eine saubere Kugel</translation>
+    </message>
+    <message>
+        <source>{} {}</source>
+        <translation>{} {}</translation>
+    </message>
+    <message>
+        <source>no face was found</source>
+        <translation>es wurde keine Fläche gefunden</translation>
+    </message>
+    <message>
+        <source>the contacts have no ball&apos;s shape: is ball or face dirty?</source>
+        <translation>die Kontakte haben nicht die Form einer Kugel: Ist Kugel oder Fläche schmutzig?</translation>
+    </message>
+    <message>
+        <source>shallow</source>
+        <translation>flach</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>tief</translation>
+    </message>
+    <message>
+        <source>the mapping reads {:.0f} % too {}: layer, ball or camera are not what they were</source>
+        <translation>die Abbildung liest {} % zu {}: Schicht, Kugel oder Kamera sind nicht mehr, was sie waren</translation>
+    </message>
+    <message>
+        <source>brighter</source>
+        <translation>heller</translation>
+    </message>
+    <message>
+        <source>darker</source>
+        <translation>dunkler</translation>
+    </message>
+    <message>
+        <source>the face is {:.1f} % {} than it was: look at lamps, exposure and layer</source>
+        <translation>die Fläche ist {} % {} als zuvor: Lampen, Belichtung und Schicht ansehen</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>drifting</source>
+        <translation>driftet</translation>
+    </message>
+    <message>
+        <source>recalibrate</source>
+        <translation>neu kalibrieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %</source>
+        <comment>{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
+        <translation>
+            <numerusform>{1} mm Tiefenfehler bei {0} Eindruck (bestanden bis {2} mm), Licht {3} %</numerusform>
+            <numerusform>{1} mm Tiefenfehler bei {0} Eindrücken (bestanden bis {2} mm), Licht {3} %</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>calibrate again soon</source>
+        <translation>bald neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>calibrate again before measuring with it</source>
+        <translation>vor dem Messen neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>the finger is not calibrated, so there is nothing to check</source>
+        <translation>der Finger ist nicht kalibriert, also gibt es nichts zu prüfen</translation>
+    </message>
+    <message>
+        <source>alltact calibrate</source>
+        <translation>alltact calibrate</translation>
+    </message>
+    <message>
+        <source>the finger does not tell the ball it was calibrated with</source>
+        <translation>der Finger sagt nicht, mit welcher Kugel er kalibriert wurde</translation>
+    </message>
+    <message>
+        <source>--ball-radius-mm with the radius of the ball that was pressed</source>
+        <translation>--ball-radius-mm mit dem Radius der eingedrückten Kugel</translation>
+    </message>
+    <message>
+        <source>measuring the presses</source>
+        <translation>Eindrücke werden gemessen</translation>
+    </message>
+    <message>
+        <source>no press is called &apos;{}&apos;</source>
+        <translation>kein Eindruck heißt &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>no press can be used: {}</source>
+        <translation>kein Eindruck ist brauchbar: {}</translation>
+    </message>
+    <message>
+        <source>pictures of this finger with the ball pressed 0.3 mm or more into its face</source>
+        <translation>Bilder dieses Fingers, in dessen Fläche die Kugel 0.3 mm oder mehr gedrückt ist</translation>
+    </message>
+    <message>
+        <source>measuring the presses of the calibration</source>
+        <translation>Eindrücke der Kalibrierung werden gemessen</translation>
+    </message>
+    <message>
+        <source>the face is {:.1f} % {} than when its reference was recorded; false depth {:.3f} mm in the worst twentieth of it ({:.3f} mm if the light were not corrected; up to {:.3f} mm is noise)</source>
+        <translation>die Fläche ist {} % {} als bei der Aufnahme ihrer Referenz; falsche Tiefe {} mm in ihrem schlechtesten Zwanzigstel ({} mm, wenn das Licht nicht korrigiert würde; bis {} mm ist Rauschen)</translation>
+    </message>
+    <message>
+        <source>let the lamps warm up, look at exposure and gain, and record the reference again when it goes on</source>
+        <translation>die Lampen warm werden lassen, Belichtung und Verstärkung ansehen und die Referenz neu aufnehmen, wenn es anhält</translation>
+    </message>
+    <message>
+        <source>the finger is not calibrated yet</source>
+        <translation>der Finger ist noch nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>calibrate with ball presses</source>
+        <translation>mit Kugeleindrücken kalibrieren</translation>
+    </message>
+    <message>
+        <source>nothing could be measured</source>
+        <translation>es ließ sich nichts messen</translation>
+    </message>
+    <message>
+        <source>none of the pictures can be compared with the reference</source>
+        <translation>keines der Bilder lässt sich mit der Referenz vergleichen</translation>
+    </message>
+    <message>
+        <source>{} ({})</source>
+        <translation>{} ({})</translation>
+    </message>
+    <message>
+        <source>pictures of the untouched finger in poses that were recorded</source>
+        <translation>Bilder des unberührten Fingers in aufgenommenen Haltungen</translation>
+    </message>
+    <message>
+        <source>an orthographic camera</source>
+        <translation>eine orthografische Kamera</translation>
+    </message>
+    <message>
+        <source>a camera behind a window</source>
+        <translation>eine Kamera hinter einem Fenster</translation>
+    </message>
+    <message>
+        <source>{} has no camera matrix, so {} has no form for it</source>
+        <translation>{} hat keine Kameramatrix, darum hat {} keine Form dafür</translation>
+    </message>
+    <message>
+        <source>json, or zip for the whole finger</source>
+        <translation>json, oder zip für den ganzen Finger</translation>
+    </message>
+    <message>
+        <source>is a link to another folder, which a zip cannot hold</source>
+        <translation>ist ein Verweis auf einen anderen Ordner, den ein Zip nicht enthalten kann</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a folder, so a zip cannot hold it</source>
+        <translation>ist weder Datei noch Ordner, darum kann ein Zip es nicht enthalten</translation>
+    </message>
+    <message>
+        <source>moving it out of the finger&apos;s folder</source>
+        <translation>es aus dem Ordner des Fingers nehmen</translation>
+    </message>
+    <message>
+        <source>the finger&apos;s folder could not be read: {}</source>
+        <translation>der Ordner des Fingers ließ sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>its permissions, and that its disk is there</source>
+        <translation>seine Rechte prüfen, und ob sein Datenträger da ist</translation>
+    </message>
+    <message>
+        <source>a zip of the finger cannot lie in the finger&apos;s own folder</source>
+        <translation>ein Zip des Fingers kann nicht im Ordner des Fingers selbst liegen</translation>
+    </message>
+    <message>
+        <source>another folder</source>
+        <translation>ein anderer Ordner</translation>
+    </message>
+    <message>
+        <source>stopped before it was written</source>
+        <translation>angehalten, bevor es geschrieben war</translation>
+    </message>
+    <message>
+        <source>The finger has another reference than it was calibrated with: this is a new calibration.</source>
+        <translation>Der Finger hat eine andere Referenz als bei seiner Kalibrierung: Dies ist eine neue Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s camera, face or markers are not what they were when it was calibrated: this is a new calibration.</source>
+        <translation>Kamera, Fläche oder Marken des Fingers sind nicht mehr, was sie bei der Kalibrierung waren: Dies ist eine neue Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>The finger was calibrated by version {}: this is a new calibration, by version {}.</source>
+        <translation>Der Finger wurde mit Version {} kalibriert: Dies ist eine neue Kalibrierung, mit Version {}.</translation>
+    </message>
+    <message>
+        <source>writing the report</source>
+        <translation>Bericht wird geschrieben</translation>
+    </message>
+    <message>
+        <source>its camera, face or markers were changed while it was calibrated</source>
+        <translation>Kamera, Fläche oder Marken wurden während der Kalibrierung geändert</translation>
+    </message>
+    <message>
+        <source>calibrating again</source>
+        <translation>neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>only a flat sensor has one untouched picture</source>
+        <translation>nur ein flacher Sensor hat ein einziges unberührtes Bild</translation>
+    </message>
+    <message>
+        <source>leaving --reference out; this finger is compared with its reference recording</source>
+        <translation>--reference weglassen; dieser Finger wird mit seiner Referenzaufnahme verglichen</translation>
+    </message>
+    <message>
+        <source>{} shows what was found</source>
+        <translation>{} zeigt, was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>is no checksum of 16 digits</source>
+        <translation>ist keine Prüfsumme aus 16 Ziffern</translation>
+    </message>
+    <message>
+        <source>names no press</source>
+        <translation>nennt keinen Eindruck</translation>
+    </message>
+    <message>
+        <source>has {} entries for {} presses</source>
+        <translation>hat {} Einträge für {} Eindrücke</translation>
+    </message>
+    <message>
+        <source>one for each press</source>
+        <translation>einer für jeden Eindruck</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no picture&apos;s name</source>
+        <translation>&apos;{}&apos; ist kein Name eines Bildes</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no checksum of 16 digits</source>
+        <translation>&apos;{}&apos; ist keine Prüfsumme aus 16 Ziffern</translation>
+    </message>
+    <message>
+        <source>names &apos;{}&apos; twice</source>
+        <translation>nennt &apos;{}&apos; zweimal</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not among the presses, and something is said of it</source>
+        <translation>&apos;{}&apos; ist nicht unter den Eindrücken, und es wird etwas darüber gesagt</translation>
+    </message>
+    <message>
+        <source>remove that</source>
+        <translation>das entfernen</translation>
+    </message>
+    <message>
+        <source>the version of this program that wrote it, or calibrating again with the pictures in presses/ (this version writes &apos;{}&apos;)</source>
+        <translation>die Version dieses Programms, die es schrieb, oder mit den Bildern in presses/ neu kalibrieren (diese Version schreibt &apos;{}&apos;)</translation>
+    </message>
+    <message>
+        <source>there is nothing to repeat: this finger was not calibrated, or by a version that did not keep what with</source>
+        <translation>es gibt nichts zu wiederholen: Dieser Finger wurde nicht kalibriert, oder mit einer Version, die nicht aufbewahrte, womit</translation>
+    </message>
+    <message>
+        <source>calibrating it with the pictures in presses/ and --ball-radius-mm</source>
+        <translation>ihn mit den Bildern in presses/ und --ball-radius-mm kalibrieren</translation>
+    </message>
+    <message>
+        <source>{:.3f} mm, more than three times the others; look at the picture, or leave it out</source>
+        <translation>{} mm, mehr als das Dreifache der anderen; das Bild ansehen oder ihn weglassen</translation>
+    </message>
+    <message>
+        <source>only the joint method uses measured depths and punches with a step</source>
+        <translation>nur das gemeinsame Verfahren benutzt gemessene Tiefen und Stempel mit einer Stufe</translation>
+    </message>
+    <message>
+        <source>leaving them out, or --method joint</source>
+        <translation>sie weglassen, oder --method joint</translation>
+    </message>
+    <message>
+        <source>no press can be used</source>
+        <translation>kein Eindruck ist brauchbar</translation>
+    </message>
+    <message>
+        <source>pictures of this finger with a ball pressed into its face</source>
+        <translation>Bilder dieses Fingers, in dessen Fläche eine Kugel gedrückt ist</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>wird gelöst</translation>
+    </message>
+    <message>
+        <source>stopped before the end: this is the best solution until then, without a report; calibrating again from what is kept finishes it</source>
+        <translation>vor dem Ende angehalten: Dies ist die beste Lösung bis dahin, ohne Bericht; neu kalibrieren aus dem, was aufbewahrt ist, schließt es ab</translation>
+    </message>
+    <message>
+        <source>comparing with other methods</source>
+        <translation>Vergleich mit anderen Verfahren</translation>
+    </message>
+    <message>
+        <source>stopped before the calibration was done</source>
+        <translation>vor dem Ende der Kalibrierung angehalten</translation>
+    </message>
+    <message>
+        <source>the reference picture</source>
+        <translation>das Referenzbild</translation>
+    </message>
+    <message>
+        <source>the untouched picture of this sensor, at the size of its presses</source>
+        <translation>das unberührte Bild dieses Sensors, in der Größe seiner Eindrücke</translation>
+    </message>
+    <message>
+        <source>this is not the picture that the finger was calibrated with</source>
+        <translation>dies ist nicht das Bild, mit dem der Finger kalibriert wurde</translation>
+    </message>
+    <message>
+        <source>calibrating anew with the pictures that are there</source>
+        <translation>mit den vorhandenen Bildern neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>or --bursts where each video shows one press held still</source>
+        <translation>oder --bursts, wo jedes Video einen stillgehaltenen Eindruck zeigt</translation>
+    </message>
+    <message>
+        <source>two presses are called &apos;{}&apos;</source>
+        <translation>zwei Eindrücke heißen &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>giving the pictures different names; they are kept by name with the finger</source>
+        <translation>den Bildern verschiedene Namen geben; sie werden beim Finger unter ihrem Namen aufbewahrt</translation>
+    </message>
+    <message>
+        <source>reading {}</source>
+        <translation>{} wird gelesen</translation>
+    </message>
+    <message>
+        <source>no press was given</source>
+        <translation>es wurde kein Eindruck angegeben</translation>
+    </message>
+    <message>
+        <source>at least one picture of a pressed ball</source>
+        <translation>mindestens ein Bild einer eingedrückten Kugel</translation>
+    </message>
+    <message>
+        <source>there are only presses of a punch with a step</source>
+        <translation>es gibt nur Eindrücke eines Stempels mit einer Stufe</translation>
+    </message>
+    <message>
+        <source>pressing a ball as well, once at least: a step tells how far apart two depths are, not where they begin</source>
+        <translation>auch eine Kugel eindrücken, mindestens einmal: Eine Stufe sagt, wie weit zwei Tiefen auseinanderliegen, nicht, wo sie beginnen</translation>
+    </message>
+    <message>
+        <source>none of {} presses could be used: {}</source>
+        <translation>keiner von {} Eindrücken war brauchbar: {}</translation>
+    </message>
+    <message>
+        <source>pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
+        <translation>Bilder, auf denen die Kugel, und nichts sonst, 0.3 mm oder mehr in die Fläche gedrückt ist</translation>
+    </message>
+    <message>
+        <source>stopped before there was a solution</source>
+        <translation>angehalten, bevor es eine Lösung gab</translation>
+    </message>
+    <message>
+        <source>the ball lies {:.1f} mm deep in a layer of {:g} mm</source>
+        <translation>die Kugel liegt {} mm tief in einer Schicht von {} mm</translation>
+    </message>
+    <message>
+        <source>pressing less deep, and checking the ball&apos;s radius and the camera&apos;s scale in mm per px</source>
+        <translation>weniger tief drücken und den Radius der Kugel und den Maßstab der Kamera in mm je px prüfen</translation>
+    </message>
+    <message>
+        <source>no increasing mapping fits the presses</source>
+        <translation>keine steigende Abbildung passt zu den Eindrücken</translation>
+    </message>
+    <message>
+        <source>leaving out presses with the largest residual, a lower degree, or checking the ball&apos;s radius</source>
+        <translation>Eindrücke mit dem größten Restfehler weglassen, ein kleinerer Grad, oder den Radius der Kugel prüfen</translation>
+    </message>
+    <message>
+        <source>solving: round {}, unknowns move by {:.1e} mm</source>
+        <translation>Lösen: Runde {}, die Unbekannten bewegen sich um {} mm</translation>
+    </message>
+    <message>
+        <source>solving all presses together</source>
+        <translation>alle Eindrücke werden gemeinsam gelöst</translation>
+    </message>
+    <message>
+        <source>{}, because the {} does not increase on all samples</source>
+        <translation>{}, weil dies nicht auf allen Messpunkten steigt: {}</translation>
+    </message>
+    <message>
+        <source>the solution is no mapping: {}</source>
+        <translation>die Lösung ist keine Abbildung: {}</translation>
+    </message>
+    <message>
+        <source>more presses of different depth, or a lower degree</source>
+        <translation>mehr Eindrücke verschiedener Tiefe, oder ein kleinerer Grad</translation>
+    </message>
+    <message>
+        <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other places</source>
+        <translation>ein Eindruck kann die Tiefe der Kugel nicht von der Abbildung trennen: Eindrücke verschiedener Tiefe an anderen Stellen hinzufügen</translation>
+    </message>
+    <message>
+        <source>the presses do not determine every unknown: add presses</source>
+        <translation>die Eindrücke bestimmen nicht jede Unbekannte: Eindrücke hinzufügen</translation>
+    </message>
+    <message>
+        <source>a ball radius of {} mm is impossible</source>
+        <translation>ein Kugelradius von {} mm ist unmöglich</translation>
+    </message>
+    <message>
+        <source>the radius in millimetres, as measured with callipers</source>
+        <translation>der Radius in Millimetern, mit dem Messschieber gemessen</translation>
+    </message>
+    <message>
+        <source>the calibration failed: {}</source>
+        <translation>die Kalibrierung scheiterte: {}</translation>
+    </message>
+    <message>
+        <source>fewer presses</source>
+        <translation>weniger Eindrücke</translation>
+    </message>
+    <message>
+        <source>how presses become a mapping: all balls and the mapping in one fit; or, to compare with, every ball from its dark border alone: the source paper&apos;s way, a circle on the face, or the cone of the ball&apos;s outline</source>
+        <translation>wie Eindrücke zu einer Abbildung werden: alle Kugeln und die Abbildung in einer Anpassung; oder zum Vergleich jede Kugel nur aus ihrem dunklen Rand: nach der Veröffentlichung, als Kreis auf der Fläche oder als Kegel des Kugelumrisses</translation>
+    </message>
+    <message>
+        <source>the mapping&apos;s curve; auto: whichever predicts presses left out best</source>
+        <translation>die Kurve der Abbildung; auto: die ausgelassene Eindrücke am besten vorhersagt</translation>
+    </message>
+    <message>
+        <source>degree of the polynomial; 0: chosen by leaving presses out</source>
+        <translation>Grad des Polynoms; 0: durch Auslassen von Eindrücken gewählt</translation>
+    </message>
+    <message>
+        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out say otherwise</source>
+        <translation>welcher Dicke der Schicht die Helligkeit folgt: längs z, längs ihrer Normalen, oder der längs z, auf die Normale projiziert; auto: längs der Normalen, wenn ausgelassene Eindrücke nichts anderes sagen</translation>
+    </message>
+    <message>
+        <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: when presses left out agree clearly better then</source>
+        <translation>ob die Abbildung sich langsam über die Fläche ändern darf, bei ungleichem Licht oder ungleicher Schicht; auto: wenn ausgelassene Eindrücke dann deutlich besser passen</translation>
+    </message>
+    <message>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin surely touches the ball</source>
+        <translation>verwendet wurden die inneren {} % des Radius jedes Kontakts, wo die Haut die Kugel sicher berührt</translation>
+    </message>
+    <message>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used; the skin comes back from the ball over {:.2f} mm</source>
+        <translation>verwendet wurden die inneren {} % des Radius jedes Kontakts; die Haut löst sich über {} mm von der Kugel</translation>
+    </message>
+    <message>
+        <source>polynomial of degree {}</source>
+        <translation>Polynom vom Grad {}</translation>
+    </message>
+    <message>
+        <source>Kubelka-Munk curve</source>
+        <translation>Kubelka-Munk-Kurve</translation>
+    </message>
+    <message>
+        <source>Moebius curve</source>
+        <translation>Möbius-Kurve</translation>
+    </message>
+    <message>
+        <source>{} that varies over the face</source>
+        <translation>{}, über die Fläche veränderlich</translation>
+    </message>
+    <message>
+        <source>its measured depth of {:.3f} +- {:.3f} mm was left out, because the pictures say {:.3f} +- {:.3f} mm; it counts from where the ball first touches, normal to the face</source>
+        <translation>seine gemessene Tiefe von {} +- {} mm wurde weggelassen, denn die Bilder sagen {} +- {} mm; sie zählt von der ersten Berührung der Kugel an, senkrecht zur Fläche</translation>
+    </message>
+    <message>
+        <source>its step of {:.3f} mm was left out, because the balls say {:.3f} +- {:.3f} mm; is the balls&apos; radius right</source>
+        <translation>seine Stufe von {} mm wurde weggelassen, denn die Kugeln sagen {} +- {} mm; stimmt der Radius der Kugeln</translation>
+    </message>
+    <message>
+        <source>trying a {}</source>
+        <translation>wird versucht: {}</translation>
+    </message>
+    <message>
+        <source>least error on presses left out, {:.4f} mm</source>
+        <translation>kleinster Fehler bei ausgelassenen Eindrücken, {} mm</translation>
+    </message>
+    <message>
+        <source>{:.4f} mm on presses left out, not distinguishable from the best ({}, {:.4f} mm) and simpler</source>
+        <translation>{} mm bei ausgelassenen Eindrücken, vom besten nicht zu unterscheiden ({}, {} mm) und einfacher</translation>
+    </message>
+    <message>
+        <source>with one press nothing can be held out</source>
+        <translation>mit einem Eindruck lässt sich nichts auslassen</translation>
+    </message>
+    <message>
+        <source>as asked for</source>
+        <translation>wie verlangt</translation>
+    </message>
+    <message>
+        <source>the mapping varies over the face, as uneven light or an uneven layer make it: by {:+.0f} % from the presses nearest to the base to those nearest to the tip, by {:+.0f} % from side to side; {:.4f} mm on presses left out, against {:.4f} mm with one mapping for all</source>
+        <translation>die Abbildung ändert sich über die Fläche, wie ungleiches Licht oder eine ungleiche Schicht es bewirken: um {} % von den Eindrücken nahe dem Fuß zu denen nahe der Spitze, um {} % von Seite zu Seite; {} mm bei ausgelassenen Eindrücken, gegen {} mm mit einer Abbildung für alle</translation>
+    </message>
+    <message>
+        <source>no circle goes through the dark border</source>
+        <translation>kein Kreis geht durch den dunklen Rand</translation>
+    </message>
+    <message>
+        <source>the circle&apos;s middle lies off the face</source>
+        <translation>die Mitte des Kreises liegt neben der Fläche</translation>
+    </message>
+    <message>
+        <source>the circle lies off the face</source>
+        <translation>der Kreis liegt neben der Fläche</translation>
+    </message>
+    <message>
+        <source>the circle is larger than the ball</source>
+        <translation>der Kreis ist größer als die Kugel</translation>
+    </message>
+    <message>
+        <source>{:.0f} degrees of the ball&apos;s outline are seen, a cone needs {:.0f}; the rest of the dark border is where the skin leaves the ball</source>
+        <translation>vom Umriss der Kugel sind {} Grad zu sehen, ein Kegel braucht {}; der übrige dunkle Rand ist dort, wo die Haut die Kugel verlässt</translation>
+    </message>
+    <message>
+        <source>no cone touches the outline</source>
+        <translation>kein Kegel berührt den Umriss</translation>
+    </message>
+    <message>
+        <source>the camera does not see the circle&apos;s middle</source>
+        <translation>die Kamera sieht die Mitte des Kreises nicht</translation>
+    </message>
+    <message>
+        <source>no place of the ball gives a cubic</source>
+        <translation>kein Ort der Kugel ergibt eine kubische Kurve</translation>
+    </message>
+    <message>
+        <source>the ball that follows from the dark border hardly touches the face</source>
+        <translation>die Kugel, die aus dem dunklen Rand folgt, berührt die Fläche kaum</translation>
+    </message>
+    <message>
+        <source>no ball follows from the dark border of any of {} presses ({})</source>
+        <translation>aus dem dunklen Rand folgt bei keinem von {} Eindrücken eine Kugel ({})</translation>
+    </message>
+    <message>
+        <source>the joint method, which fits the ball itself</source>
+        <translation>das gemeinsame Verfahren, das die Kugel selbst anpasst</translation>
+    </message>
+    <message>
+        <source>the polynomial through the balls&apos; depths does not increase</source>
+        <translation>das Polynom durch die Tiefen der Kugeln steigt nicht</translation>
+    </message>
+    <message>
+        <source>the joint method, or more presses of different depth</source>
+        <translation>das gemeinsame Verfahren, oder mehr Eindrücke verschiedener Tiefe</translation>
+    </message>
+    <message>
+        <source>the cubic does not increase; degree {} was used instead</source>
+        <translation>die kubische Kurve steigt nicht; stattdessen wurde Grad {} verwendet</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s</source>
+        <translation>das der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>{}, in place of the paper&apos;s cubic</source>
+        <translation>{}, anstelle der kubischen Kurve der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>in the middle of the face</source>
+        <translation>in der Mitte der Fläche</translation>
+    </message>
+    <message>
+        <source>{:.0f} mm from the middle on the {} side</source>
+        <translation>{} mm von der Mitte, Seite {}</translation>
+    </message>
+    <message>
+        <source>{:.0f} mm from the base, {}</source>
+        <translation>{} mm vom Fuß, {}</translation>
+    </message>
+    <message>
+        <source>least certain is the scale: all depths may be too large or too small together, by {:.3f} mm at {:.2f} mm (one standard deviation)</source>
+        <translation>am wenigsten sicher ist der Maßstab: Alle Tiefen können zusammen zu groß oder zu klein sein, um {} mm bei {} mm (eine Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>least certain is how shallow and deep go together: by {:.3f} mm at {:.2f} mm (one standard deviation), the other way at the other end</source>
+        <translation>am wenigsten sicher ist, wie flach und tief zusammenhängen: um {} mm bei {} mm (eine Standardabweichung), am anderen Ende umgekehrt</translation>
+    </message>
+    <message>
+        <source>smaller</source>
+        <translation>kleiner</translation>
+    </message>
+    <message>
+        <source>larger</source>
+        <translation>größer</translation>
+    </message>
+    <message>
+        <source>a ball 1 % larger than said makes depths {:.1f} % {}; the residual is {:.4f} mm with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger</source>
+        <translation>eine um 1 % größere Kugel als angegeben macht Tiefen {} % {}; der Restfehler ist {} mm mit einem 1 % kleineren Radius, {} mm wie angegeben, {} mm mit einem 1 % größeren</translation>
+    </message>
+    <message>
+        <source>a wrong radius would be noticed</source>
+        <translation>ein falscher Radius würde auffallen</translation>
+    </message>
+    <message>
+        <source>the presses cannot show a wrong radius, so measure the ball to a hundredth of a millimetre</source>
+        <translation>die Eindrücke können einen falschen Radius nicht zeigen, darum die Kugel auf ein hundertstel Millimeter messen</translation>
+    </message>
+    <message>
+        <source>press next: at another place, 0.5 to 1 mm deep</source>
+        <translation>als Nächstes drücken: an einer anderen Stelle, 0.5 bis 1 mm tief</translation>
+    </message>
+    <message>
+        <source>press next: {}, {:.1f} mm deep; no press tells whether the mapping holds in that third</source>
+        <translation>als Nächstes drücken: {}, {} mm tief; kein Eindruck sagt, ob die Abbildung in diesem Drittel gilt</translation>
+    </message>
+    <message>
+        <source>enough: one press more would take the standard deviation of depth from {:.4f} mm to {:.4f} mm at best</source>
+        <translation>genug: Ein Eindruck mehr brächte die Standardabweichung der Tiefe bestenfalls von {} mm auf {} mm</translation>
+    </message>
+    <message>
+        <source>press next: {}, {:.1f} mm deep; that would take the standard deviation of depth from {:.4f} mm to {:.4f} mm</source>
+        <translation>als Nächstes drücken: {}, {} mm tief; das brächte die Standardabweichung der Tiefe von {} mm auf {} mm</translation>
+    </message>
+    <message>
+        <source>looking for the ball in {}</source>
+        <translation>Kugel in {} wird gesucht</translation>
+    </message>
+    <message>
+        <source>the same picture as {}, counted once</source>
+        <translation>dasselbe Bild wie {}, einmal gezählt</translation>
+    </message>
+    <message>
+        <source>the contact covers too few pixels</source>
+        <translation>der Kontakt bedeckt zu wenige Pixel</translation>
+    </message>
+    <message>
+        <source>pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more</source>
+        <translation>den Stempel eindrücken, bis die Haut auf seinen beiden Ebenen aufliegt, jede mindestens 4 mm breit</translation>
+    </message>
+    <message>
+        <source>the punch touches too little of the face</source>
+        <translation>der Stempel berührt zu wenig von der Fläche</translation>
+    </message>
+    <message>
+        <source>no step is to be seen</source>
+        <translation>es ist keine Stufe zu sehen</translation>
+    </message>
+    <message>
+        <source>one of the punch&apos;s levels touches too little of the face</source>
+        <translation>eine der Ebenen des Stempels berührt zu wenig von der Fläche</translation>
+    </message>
+    <message>
+        <source>along z</source>
+        <translation>längs z</translation>
+    </message>
+    <message>
+        <source>along z projected onto its normal</source>
+        <translation>längs z, auf ihre Normale projiziert</translation>
+    </message>
+    <message>
+        <source>brightness follows the layer&apos;s thickness {}: {:.4f} mm on presses left out, against {:.4f} mm along its normal</source>
+        <translation>die Helligkeit folgt der Dicke der Schicht {}: {} mm bei ausgelassenen Eindrücken, gegen {} mm längs ihrer Normalen</translation>
+    </message>
+    <message>
+        <source>{:.3f} mm of depth error on the very presses it was made from</source>
+        <translation>{} mm Tiefenfehler bei eben den Eindrücken, aus denen sie entstand</translation>
+    </message>
+    <message>
+        <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole)</source>
+        <translation>{} mm Tiefenfehler zu erwarten ({} mm in der Form, bei Eindrücken, die sie nicht kannte; {} mm im Ganzen)</translation>
+    </message>
+    <message>
+        <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole; {:.3f} mm of a single pixel)</source>
+        <translation>{} mm Tiefenfehler zu erwarten ({} mm in der Form, bei Eindrücken, die sie nicht kannte; {} mm im Ganzen; {} mm eines einzelnen Bildpunkts)</translation>
+    </message>
+    <message>
+        <source>not fit to measure with</source>
+        <translation>zum Messen nicht geeignet</translation>
+    </message>
+    <message>
+        <source>press again with a clean ball of the radius given, whole on the face</source>
+        <translation>neu drücken, mit einer sauberen Kugel des angegebenen Radius, ganz auf der Fläche</translation>
+    </message>
+    <message>
+        <source>unproven</source>
+        <translation>unbewiesen</translation>
+    </message>
+    <message>
+        <source>none was left out to show what happens on others</source>
+        <translation>keiner wurde ausgelassen, um zu zeigen, was bei anderen geschieht</translation>
+    </message>
+    <message>
+        <source>one press cannot show what happens on others, add presses of different depth</source>
+        <translation>ein Eindruck kann nicht zeigen, was bei anderen geschieht, Eindrücke verschiedener Tiefe hinzufügen</translation>
+    </message>
+    <message>
+        <source>usable for contact and its place</source>
+        <translation>für Kontakt und seinen Ort brauchbar</translation>
+    </message>
+    <message>
+        <source>add presses of different depth and place to measure relief</source>
+        <translation>zum Messen von Reliefs Eindrücke verschiedener Tiefe an verschiedenen Stellen hinzufügen</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>dots</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>inner corners</source>
+        <translation>innere Ecken</translation>
+    </message>
+    <message>
+        <source>{} x {} {}</source>
+        <translation>{} x {} {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no board; it takes two counts from 3 to 100</source>
+        <translation>&apos;{}&apos; ist keine Tafel; sie braucht zwei Anzahlen von 3 bis 100</translation>
+    </message>
+    <message>
+        <source>9x6 for nine inner corners in a row and six rows</source>
+        <translation>9x6 für neun innere Ecken in einer Zeile und sechs Zeilen</translation>
+    </message>
+    <message>
+        <source>the board finder gave up: {}</source>
+        <translation>die Suche nach der Tafel gab auf: {}</translation>
+    </message>
+    <message>
+        <source>another picture</source>
+        <translation>ein anderes Bild</translation>
+    </message>
+    <message>
+        <source>only {} different views of the board are left, {} are needed at least</source>
+        <translation>nur {} verschiedene Ansichten der Tafel bleiben, mindestens {} sind nötig</translation>
+    </message>
+    <message>
+        <source>{} pictures or more, with the board tilted and in all parts of the picture</source>
+        <translation>{} Bilder oder mehr, mit geneigter Tafel und in allen Teilen des Bildes</translation>
+    </message>
+    <message>
+        <source>shows the board just where {} shows it</source>
+        <translation>zeigt die Tafel genau dort, wo {} sie zeigt</translation>
+    </message>
+    <message>
+        <source>no flat board can look so</source>
+        <translation>so kann keine flache Tafel aussehen</translation>
+    </message>
+    <message>
+        <source>stopped before the lens was known</source>
+        <translation>angehalten, bevor das Objektiv bekannt war</translation>
+    </message>
+    <message>
+        <source>views that reach into the picture&apos;s corners, or another --model</source>
+        <translation>Ansichten, die in die Ecken des Bildes reichen, oder ein anderes --model</translation>
+    </message>
+    <message>
+        <source>leaving views out</source>
+        <translation>Ansichten werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>comparing halves</source>
+        <translation>Hälften werden verglichen</translation>
+    </message>
+    <message>
+        <source>with {} coefficients of distortion the lens folds over inside the picture or stays undetermined; {} are used</source>
+        <translation>mit {} Koeffizienten der Verzeichnung faltet sich das Objektiv im Bild oder bleibt unbestimmt; {} werden verwendet</translation>
+    </message>
+    <message>
+        <source>corners scatter by {:.2f} px; good boards give 0.2 or less: look at focus, motion, and whether the board is flat</source>
+        <translation>die Ecken streuen um {} px; gute Tafeln ergeben 0.2 oder weniger: Schärfe, Bewegung und Ebenheit der Tafel ansehen</translation>
+    </message>
+    <message>
+        <source>stopped before everything was judged</source>
+        <translation>angehalten, bevor alles beurteilt war</translation>
+    </message>
+    <message>
+        <source>What is printed on the board</source>
+        <translation>Was auf die Tafel gedruckt ist</translation>
+    </message>
+    <message>
+        <source>brown up to about 120 degrees of view, fisheye beyond</source>
+        <translation>brown bis etwa 120 Grad Bildwinkel, darüber fisheye</translation>
+    </message>
+    <message>
+        <source>Distance of the finger, at which errors are told in mm</source>
+        <translation>Abstand des Fingers, bei dem Fehler in mm angegeben werden</translation>
+    </message>
+    <message>
+        <source>ChArUco: the markers&apos; family</source>
+        <translation>ChArUco: die Familie der Marken</translation>
+    </message>
+    <message>
+        <source>ChArUco: a marker&apos;s side as part of a square&apos;s</source>
+        <translation>ChArUco: die Seite einer Marke als Teil der Seite eines Quadrats</translation>
+    </message>
+    <message>
+        <source>all {} views show the board in the same place</source>
+        <translation>alle {} Ansichten zeigen die Tafel am selben Ort</translation>
+    </message>
+    <message>
+        <source>move and tilt the board, or the camera, between pictures</source>
+        <translation>Tafel oder Kamera zwischen den Bildern bewegen und neigen</translation>
+    </message>
+    <message>
+        <source>looking for a first lens</source>
+        <translation>ein erstes Objektiv wird gesucht</translation>
+    </message>
+    <message>
+        <source>fitting the lens</source>
+        <translation>das Objektiv wird angepasst</translation>
+    </message>
+    <message>
+        <source>no {} with {} can be seen</source>
+        <translation>nicht zu sehen: {} mit {}</translation>
+    </message>
+    <message>
+        <source>the picture has hardly any contrast</source>
+        <translation>das Bild hat kaum Kontrast</translation>
+    </message>
+    <message>
+        <source>more light, and the board in focus</source>
+        <translation>mehr Licht, und die Tafel scharf</translation>
+    </message>
+    <message>
+        <source>a large part of the picture is white without detail</source>
+        <translation>ein großer Teil des Bildes ist weiß ohne Zeichnung</translation>
+    </message>
+    <message>
+        <source>a shorter exposure</source>
+        <translation>eine kürzere Belichtung</translation>
+    </message>
+    <message>
+        <source>the whole board in the picture, with its white border, sharp and evenly lit</source>
+        <translation>die ganze Tafel im Bild, mit ihrem weißen Rand, scharf und gleichmäßig beleuchtet</translation>
+    </message>
+    <message>
+        <source>chessboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>ChArUco-Tafel</translation>
+    </message>
+    <message>
+        <source>not one of its markers</source>
+        <translation>keine einzige ihrer Marken</translation>
+    </message>
+    <message>
+        <source>only {} of the ChArUco board&apos;s corners can be seen, {} are needed</source>
+        <translation>nur {} Ecken der ChArUco-Tafel sind zu sehen, {} sind nötig</translation>
+    </message>
+    <message>
+        <source>more of the board in the picture, sharp and evenly lit</source>
+        <translation>mehr von der Tafel im Bild, scharf und gleichmäßig beleuchtet</translation>
+    </message>
+    <message>
+        <source>only corners in one line of the ChArUco board can be seen</source>
+        <translation>nur Ecken in einer Linie der ChArUco-Tafel sind zu sehen</translation>
+    </message>
+    <message>
+        <source>more of the board in the picture</source>
+        <translation>mehr von der Tafel im Bild</translation>
+    </message>
+    <message>
+        <source>dot grid</source>
+        <translation>Punktraster</translation>
+    </message>
+    <message>
+        <source>a dot of the grid lies at the picture&apos;s border or has no contrast</source>
+        <translation>ein Punkt des Rasters liegt am Bildrand oder hat keinen Kontrast</translation>
+    </message>
+    <message>
+        <source>the whole board in the picture, evenly lit</source>
+        <translation>die ganze Tafel im Bild, gleichmäßig beleuchtet</translation>
+    </message>
+    <message>
+        <source>top left corner</source>
+        <translation>Ecke oben links</translation>
+    </message>
+    <message>
+        <source>top edge</source>
+        <translation>oberer Rand</translation>
+    </message>
+    <message>
+        <source>top right corner</source>
+        <translation>Ecke oben rechts</translation>
+    </message>
+    <message>
+        <source>left edge</source>
+        <translation>linker Rand</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>right edge</source>
+        <translation>rechter Rand</translation>
+    </message>
+    <message>
+        <source>bottom left corner</source>
+        <translation>Ecke unten links</translation>
+    </message>
+    <message>
+        <source>bottom edge</source>
+        <translation>unterer Rand</translation>
+    </message>
+    <message>
+        <source>bottom right corner</source>
+        <translation>Ecke unten rechts</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eine</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>zwei</translation>
+    </message>
+    <message>
+        <source>three</source>
+        <translation>drei</translation>
+    </message>
+    <message>
+        <source>four</source>
+        <translation>vier</translation>
+    </message>
+    <message>
+        <source>five</source>
+        <translation>fünf</translation>
+    </message>
+    <message>
+        <source>six</source>
+        <translation>sechs</translation>
+    </message>
+    <message>
+        <source>seven</source>
+        <translation>sieben</translation>
+    </message>
+    <message>
+        <source>eight</source>
+        <translation>acht</translation>
+    </message>
+    <message>
+        <source>nine</source>
+        <translation>neun</translation>
+    </message>
+    <message>
+        <source>ten</source>
+        <translation>zehn</translation>
+    </message>
+    <message>
+        <source>{} more, tilted {}</source>
+        <translation>noch {}, geneigt {}</translation>
+    </message>
+    <message>
+        <source>{} more, tilted</source>
+        <translation>noch {}, geneigt</translation>
+    </message>
+    <message>
+        <source>large enough to fill the picture</source>
+        <translation>groß genug, das Bild zu füllen</translation>
+    </message>
+    <message>
+        <source>near the {}</source>
+        <translation>nahe: {}</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>these views leave the lens undetermined</source>
+        <translation>diese Ansichten lassen das Objektiv unbestimmt</translation>
+    </message>
+    <message>
+        <source>more views, with the board tilted by 20 to 40 degrees in different directions</source>
+        <translation>mehr Ansichten, mit der Tafel um 20 bis 40 Grad in verschiedene Richtungen geneigt</translation>
+    </message>
+    <message>
+        <source>no lens could be fitted to the corners that were found</source>
+        <translation>kein Objektiv ließ sich an die gefundenen Ecken anpassen</translation>
+    </message>
+    <message>
+        <source>a flat board of the size given with --board, and views that show it tilted</source>
+        <translation>eine flache Tafel der mit --board angegebenen Größe, und Ansichten, die sie geneigt zeigen</translation>
+    </message>
+    <message>
+        <source>no lens explains the corners that were found</source>
+        <translation>kein Objektiv erklärt die gefundenen Ecken</translation>
+    </message>
+    <message>
+        <source>a flat board of the size given with --board; --model fisheye for a lens wider than 120 degrees</source>
+        <translation>eine flache Tafel der mit --board angegebenen Größe; --model fisheye für ein Objektiv mit mehr als 120 Grad</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>brauchbar</translation>
+    </message>
+    <message>
+        <source>the focal length is known to {:.2g} %, {:.2g} mm at {:g} mm</source>
+        <translation>die Brennweite ist auf {} % bekannt, {} mm bei {} mm</translation>
+    </message>
+    <message>
+        <source>but two halves of the views disagree by {:.2f} px ({:.2g} mm)</source>
+        <translation>aber zwei Hälften der Ansichten weichen um {} px ({} mm) voneinander ab</translation>
+    </message>
+    <message>
+        <source>but views left out fit worse ({:.2f} px) than those fitted ({:.2f} px)</source>
+        <translation>aber ausgelassene Ansichten passen schlechter ({} px) als die angepassten ({} px)</translation>
+    </message>
+    <message>
+        <source>but the views do not cover the picture and the tilts it needs</source>
+        <translation>aber die Ansichten decken Bild und nötige Neigungen nicht ab</translation>
+    </message>
+    <message>
+        <source>with so few views none could be left out to show what it is worth</source>
+        <translation>bei so wenigen Ansichten ließ sich keine auslassen, um zu zeigen, was es wert ist</translation>
+    </message>
+    <message>
+        <source>take {}</source>
+        <translation>aufnehmen: {}</translation>
+    </message>
+    <message>
+        <source>add views, sharp and tilted, that fill the picture</source>
+        <translation>Ansichten hinzufügen, scharf und geneigt, die das Bild füllen</translation>
+    </message>
+    <message>
+        <source>no board was found in any of {} pictures</source>
+        <translation>in keinem von {} Bildern wurde eine Tafel gefunden</translation>
+    </message>
+    <message>
+        <source>{} (the first: {})</source>
+        <translation>{} (das erste: {})</translation>
+    </message>
+    <message>
+        <source>no board with {} was found, but one with {}</source>
+        <translation>keine Tafel mit {} wurde gefunden, aber eine mit {}</translation>
+    </message>
+    <message>
+        <source>--board with {}: inner corners are counted, not squares</source>
+        <translation>--board mit {}: Gezählt werden innere Ecken, nicht Quadrate</translation>
+    </message>
+    <message>
+        <source>--board and --pattern as the board is, and the whole board in the picture</source>
+        <translation>--board und --pattern wie die Tafel ist, und die ganze Tafel im Bild</translation>
+    </message>
+    <message>
+        <source>stopped while looking for boards; nothing was written</source>
+        <translation>bei der Suche nach Tafeln angehalten; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>looking for the board in {}</source>
+        <translation>Tafel in {} wird gesucht</translation>
+    </message>
+    <message>
+        <source>is {} x {} px, the pictures before it {} x {}</source>
+        <translation>hat {} x {} px, die Bilder davor {} x {}</translation>
+    </message>
+    <message>
+        <source>pictures of one camera in one mode; a lens differs with the picture&apos;s size</source>
+        <translation>Bilder einer Kamera in einer Betriebsart; mit der Bildgröße ändert sich das Objektiv</translation>
+    </message>
+    <message>
+        <source>another picture is called &apos;{}&apos; as well</source>
+        <translation>ein anderes Bild heißt auch &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>giving the pictures different names</source>
+        <translation>den Bildern verschiedene Namen geben</translation>
+    </message>
+    <message>
+        <source>its corners lie {:.2f} px from where the lens sees them, those of the others {:.2f} px</source>
+        <translation>seine Ecken liegen {} px von dort, wo das Objektiv sie sieht, die der anderen {} px</translation>
+    </message>
+    <message>
+        <source>blurred, by motion or focus: its edges are {:.1f} px wide, those of the others {:.1f} px</source>
+        <translation>unscharf, durch Bewegung oder Fokus: Seine Kanten sind {} px breit, die der anderen {} px</translation>
+    </message>
+    <message>
+        <source>the board is bent in it, glue it to something stiff</source>
+        <translation>die Tafel ist darin gebogen, auf etwas Steifes kleben</translation>
+    </message>
+    <message>
+        <source>{} of its {} corners lie elsewhere: covered, mirrored in something, or blurred</source>
+        <translation>{} seiner {} Ecken liegen anderswo: verdeckt, gespiegelt oder unscharf</translation>
+    </message>
+    <message>
+        <source>moved during the exposure, or not this board</source>
+        <translation>während der Belichtung bewegt, oder nicht diese Tafel</translation>
+    </message>
+    <message>
+        <source>its squares are {:.2f} % {} than they are high</source>
+        <translation>ihre Quadrate sind {} % {} als hoch</translation>
+    </message>
+    <message>
+        <source>wider</source>
+        <translation>breiter</translation>
+    </message>
+    <message>
+        <source>narrower</source>
+        <translation>schmaler</translation>
+    </message>
+    <message>
+        <source>it is bent by about {:.2g} mm from its middle to its corners</source>
+        <translation>sie ist von der Mitte zu den Ecken um etwa {} mm gebogen</translation>
+    </message>
+    <message>
+        <source>{}, and {}</source>
+        <translation>{}, und {}</translation>
+    </message>
+    <message>
+        <source>the board is not the flat, even one it is taken for: {}; with that allowed for fx would be {:.2f} instead of {:.2f} px; use a board on glass or metal</source>
+        <translation>die Tafel ist nicht so flach und gleichmäßig wie angenommen: {}; berücksichtigt man das, wäre fx {} statt {} px; eine Tafel auf Glas oder Metall verwenden</translation>
+    </message>
+    <message>
+        <source>hardly any pixel of the face could be compared with the reference</source>
+        <translation>kaum ein Pixel der Fläche ließ sich mit der Referenz vergleichen</translation>
+    </message>
+    <message>
+        <source>a press and a reference of the same size in which the face is lit</source>
+        <translation>ein Eindruck und eine Referenz gleicher Größe, auf denen die Fläche beleuchtet ist</translation>
+    </message>
+    <message>
+        <source>nothing on the face is clearly darker than in the reference (the darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)</source>
+        <translation>nichts auf der Fläche ist deutlich dunkler als in der Referenz (der dunkelste Teil weicht um {} % ab, der Rest streut um {} %)</translation>
+    </message>
+    <message>
+        <source>pressing the ball in deeper, and checking that the reference shows the same finger in the same pose</source>
+        <translation>die Kugel tiefer eindrücken und prüfen, ob die Referenz denselben Finger in derselben Haltung zeigt</translation>
+    </message>
+    <message>
+        <source>only specks are dark, none larger than {} pixels</source>
+        <translation>nur Flecken sind dunkel, keiner größer als {} Pixel</translation>
+    </message>
+    <message>
+        <source>pressing the ball in deeper</source>
+        <translation>die Kugel tiefer eindrücken</translation>
+    </message>
+    <message>
+        <source>two contacts were found, the second with {:.0f} % of the first</source>
+        <translation>zwei Kontakte wurden gefunden, der zweite mit {} % des ersten</translation>
+    </message>
+    <message>
+        <source>a press in which only the ball touches the face</source>
+        <translation>ein Eindruck, bei dem nur die Kugel die Fläche berührt</translation>
+    </message>
+    <message>
+        <source>the border of the dark part is no arc of a circle</source>
+        <translation>der Rand des dunklen Teils ist kein Kreisbogen</translation>
+    </message>
+    <message>
+        <source>a press in which the ball lies wholly on the face</source>
+        <translation>ein Eindruck, bei dem die Kugel ganz auf der Fläche liegt</translation>
+    </message>
+    <message>
+        <source>only {:.0f} degrees of the dark disc&apos;s rim lie on the face</source>
+        <translation>nur {} Grad vom Rand der dunklen Scheibe liegen auf der Fläche</translation>
+    </message>
+    <message>
+        <source>a press nearer to the middle of the face</source>
+        <translation>ein Eindruck näher an der Mitte der Fläche</translation>
+    </message>
+    <message>
+        <source>the dark part has a radius of {:.2f} mm, more than the ball&apos;s {:g} mm</source>
+        <translation>der dunkle Teil hat einen Radius von {} mm, mehr als die Kugel mit {} mm</translation>
+    </message>
+    <message>
+        <source>checking the ball&apos;s radius, or a picture in which only the ball touches</source>
+        <translation>den Radius der Kugel prüfen, oder ein Bild, auf dem nur die Kugel berührt</translation>
+    </message>
+    <message>
+        <source>the dark part is no disc: its rim is off a circle by {:.0f} % of the radius, and {:.0f} % of the circle is dark</source>
+        <translation>der dunkle Teil ist keine Scheibe: Sein Rand weicht um {} % des Radius von einem Kreis ab, und {} % des Kreises sind dunkel</translation>
+    </message>
+    <message>
+        <source>a picture in which a ball, and only the ball, touches the face</source>
+        <translation>ein Bild, auf dem eine Kugel und nur die Kugel die Fläche berührt</translation>
+    </message>
+    <message>
+        <source>the middle of the dark disc lies off the face</source>
+        <translation>die Mitte der dunklen Scheibe liegt neben der Fläche</translation>
+    </message>
+    <message>
+        <source>the press has no difference picture</source>
+        <translation>der Eindruck hat kein Differenzbild</translation>
+    </message>
+    <message>
+        <source>taking the picture again</source>
+        <translation>das Bild noch einmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>OpenCV failed: {}</source>
+        <translation>OpenCV scheiterte: {}</translation>
+    </message>
+    <message>
+        <source>the finger moves: no more than {} of {} frames in a row show the same</source>
+        <translation>der Finger bewegt sich: nicht mehr als {} von {} Bildern hintereinander zeigen dasselbe</translation>
+    </message>
+    <message>
+        <source>holding ball and finger still for half a second, at a steady light</source>
+        <translation>Kugel und Finger bei gleichmäßigem Licht eine halbe Sekunde stillhalten</translation>
+    </message>
+    <message>
+        <source>the mean of {} frames held still, of {} read</source>
+        <translation>das Mittel von {} stillgehaltenen Bildern, von {} gelesenen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; does not say where a ball is</source>
+        <translation>&apos;{}&apos; sagt nicht, wo eine Kugel ist</translation>
+    </message>
+    <message>
+        <source>NAME=X,Y,Z with the ball&apos;s centre in mm before the camera, as press_3=1.5,-2,48</source>
+        <translation>NAME=X,Y,Z mit der Mitte der Kugel in mm vor der Kamera, etwa press_3=1.5,-2,48</translation>
+    </message>
+    <message>
+        <source>the ball that was put there by hand does not touch the face</source>
+        <translation>die von Hand gelegte Kugel berührt die Fläche nicht</translation>
+    </message>
+    <message>
+        <source>moving its outline onto the dark disc, or having the ball found</source>
+        <translation>ihren Umriss auf die dunkle Scheibe ziehen oder die Kugel suchen lassen</translation>
+    </message>
+    <message>
+        <source>one for each press, &quot;&quot; where there is nothing to say</source>
+        <translation>eines für jeden Eindruck, &quot;&quot; wo nichts zu sagen ist</translation>
+    </message>
+    <message>
+        <source>is not the centre of a ball before the camera</source>
+        <translation>ist nicht die Mitte einer Kugel vor der Kamera</translation>
+    </message>
+    <message>
+        <source>x, y, z in mm</source>
+        <translation>x, y, z in mm</translation>
+    </message>
+    <message>
+        <source>must hold two numbers for each press</source>
+        <translation>muss zwei Zahlen für jeden Eindruck enthalten</translation>
+    </message>
+    <message>
+        <source>a depth and its standard deviation in mm</source>
+        <translation>eine Tiefe und ihre Standardabweichung in mm</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not NAME=R, a press and its ball&apos;s radius in mm</source>
+        <translation>&apos;{}&apos; ist nicht NAME=R, ein Eindruck und der Radius seiner Kugel in mm</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not NAME=MM+-SD, a press, how deep its ball was pressed in and how well that is known, in mm</source>
+        <translation>&apos;{}&apos; ist nicht NAME=MM+-SD, ein Eindruck, wie tief seine Kugel eingedrückt wurde und wie genau das bekannt ist, in mm</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not NAME=MM, a press and the height of its punch&apos;s step in mm</source>
+        <translation>&apos;{}&apos; ist nicht NAME=MM, ein Eindruck und die Höhe der Stufe seines Stempels in mm</translation>
+    </message>
+    <message>
+        <source>frame {}</source>
+        <translation>Bild {}</translation>
+    </message>
+    <message>
+        <source>only {} of {} frames can be used ({})</source>
+        <translation>nur {} von {} Bildern sind brauchbar ({})</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>record again with every marker in view and nothing on the contact face</source>
+        <translation>noch einmal aufnehmen, mit allen Marken im Bild und nichts auf der Kontaktfläche</translation>
+    </message>
+    <message>
+        <source>the recording has no such frame</source>
+        <translation>die Aufnahme hat kein solches Bild</translation>
+    </message>
+    <message>
+        <source>frame {} cannot be the finger&apos;s rest: {}</source>
+        <translation>Bild {} kann nicht die Ruhelage des Fingers sein: {}</translation>
+    </message>
+    <message>
+        <source>another frame in which the finger rests</source>
+        <translation>ein anderes Bild, in dem der Finger ruht</translation>
+    </message>
+    <message>
+        <source>frame {}: something pressed on the contact face, {:.0f} mm from its base ({:.0f} % darker than untouched)</source>
+        <translation>Bild {}: Etwas drückte auf die Kontaktfläche, {} mm von ihrem Fuß ({} % dunkler als unberührt)</translation>
+    </message>
+    <message>
+        <source>No markers can be used: {}; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
+        <translation>Keine Marken sind brauchbar: {}. Haltungen werden allein aus der Form der Fläche gelesen, die keine Verdrehung zeigt; hat der Finger Punkte, beide Seitenflächen so beleuchten, dass sie sich abheben, und scharf stellen</translation>
+    </message>
+    <message>
+        <source>Markers {} were not found anywhere; the finger works with the other {}</source>
+        <translation>Die Marken {} wurden nirgends gefunden; der Finger arbeitet mit den anderen {}</translation>
+    </message>
+    <message numerus="yes">
+        <source>the recording holds {} frames; at least 2 are needed</source>
+        <comment>the recording holds {} frame; at least 2 are needed</comment>
+        <translation>
+            <numerusform>die Aufnahme enthält {} Bild; mindestens 2 sind nötig</numerusform>
+            <numerusform>die Aufnahme enthält {} Bilder; mindestens 2 sind nötig</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>record the finger while it bends slowly in every direction, untouched</source>
+        <translation>den Finger aufnehmen, während er sich unberührt langsam in alle Richtungen biegt</translation>
+    </message>
+    <message>
+        <source>numbering the markers</source>
+        <translation>Marken werden nummeriert</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>{:.1f} of {:.1f} {} reached</source>
+        <translation>{} von {} {} erreicht</translation>
+    </message>
+    <message>
+        <source>bend it further away from the camera</source>
+        <translation>weiter von der Kamera weg biegen</translation>
+    </message>
+    <message>
+        <source>bend it further towards the camera</source>
+        <translation>weiter zur Kamera hin biegen</translation>
+    </message>
+    <message>
+        <source>push its tip further to one side</source>
+        <translation>die Spitze weiter zur einen Seite drücken</translation>
+    </message>
+    <message>
+        <source>push its tip further to the other side</source>
+        <translation>die Spitze weiter zur anderen Seite drücken</translation>
+    </message>
+    <message>
+        <source>twist it further one way</source>
+        <translation>weiter in die eine Richtung verdrehen</translation>
+    </message>
+    <message>
+        <source>twist it further the other way</source>
+        <translation>weiter in die andere Richtung verdrehen</translation>
+    </message>
+    <message>
+        <source>bend it while its tip is pushed aside: {:.0f} % of the combinations were seen</source>
+        <translation>biegen, während die Spitze zur Seite gedrückt ist: {} % der Kombinationen wurden gesehen</translation>
+    </message>
+    <message>
+        <source>a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but no two rows of up to {} that keep their places on the finger</source>
+        <translation>ein Bild zeigt {} Punkte auf der oberen und {} auf der unteren Seitenfläche (Median von {} Bildern), aber keine zwei Reihen von bis zu {}, die ihren Platz auf dem Finger behalten</translation>
+    </message>
+    <message>
+        <source>{} dots were found but they fit no pose of the {} markers</source>
+        <translation>{} Punkte wurden gefunden, aber sie passen zu keiner Haltung der {} Marken</translation>
+    </message>
+    <message>
+        <source>only {} of {} markers found</source>
+        <translation>nur {} von {} Marken gefunden</translation>
+    </message>
+    <message>
+        <source>the markers lie {:.1f} px from where they can be</source>
+        <translation>die Marken liegen {} px von dort, wo sie sein können</translation>
+    </message>
+    <message>
+        <source>of {} markers none may be hidden</source>
+        <translation>von {} Marken darf keine verdeckt sein</translation>
+    </message>
+    <message>
+        <source>no frame shows the face</source>
+        <translation>kein Bild zeigt die Fläche</translation>
+    </message>
+    <message>
+        <source>a recording in which both long edges of the bright face are visible</source>
+        <translation>eine Aufnahme, auf der beide langen Kanten der hellen Fläche zu sehen sind</translation>
+    </message>
+    <message>
+        <source>stopped before the recording was read</source>
+        <translation>angehalten, bevor die Aufnahme gelesen war</translation>
+    </message>
+    <message>
+        <source>reading frame {} of {}</source>
+        <translation>Bild {} von {} wird gelesen</translation>
+    </message>
+    <message>
+        <source>a recording made with this finger&apos;s camera, or the right camera.size and orientation</source>
+        <translation>eine Aufnahme mit der Kamera dieses Fingers, oder die richtige camera.size und orientation</translation>
+    </message>
+    <message>
+        <source>the recording cannot be renamed: {}</source>
+        <translation>die Aufnahme lässt sich nicht umbenennen: {}</translation>
+    </message>
+    <message>
+        <source>stopped before the recording was written</source>
+        <translation>angehalten, bevor die Aufnahme geschrieben war</translation>
+    </message>
+    <message>
+        <source>writing the frames that are kept</source>
+        <translation>behaltene Bilder werden geschrieben</translation>
+    </message>
+    <message>
+        <source>stopped before the recording was compared</source>
+        <translation>angehalten, bevor die Aufnahme verglichen war</translation>
+    </message>
+    <message>
+        <source>comparing frame {} of {}</source>
+        <translation>Bild {} von {} wird verglichen</translation>
+    </message>
+    <message>
+        <source>{} marker positions in {} frames are estimates, because the markers were covered or not found</source>
+        <translation>{} Markenpositionen in {} Bildern sind Schätzungen, weil die Marken verdeckt oder nicht gefunden waren</translation>
+    </message>
+    <message>
+        <source>{} frames are few: a recording of a minute (about 1500 frames) over all directions of bending gives closer references</source>
+        <translation>{} Bilder sind wenig: Eine Aufnahme von einer Minute (etwa 1500 Bilder) über alle Biegerichtungen gibt genauere Referenzen</translation>
+    </message>
+    <message>
+        <source>Not yet seen: {}</source>
+        <translation>Noch nicht gesehen: {}</translation>
+    </message>
+    <message>
+        <source>this finger has no markers to record a reference with</source>
+        <translation>dieser Finger hat keine Marken, um eine Referenz aufzunehmen</translation>
+    </message>
+    <message>
+        <source>a flat sensor takes one untouched picture</source>
+        <translation>ein flacher Sensor bekommt ein unberührtes Bild</translation>
+    </message>
+    <message>
+        <source>the recording could not be processed ({})</source>
+        <translation>die Aufnahme ließ sich nicht verarbeiten ({})</translation>
+    </message>
+    <message>
+        <source>reference installed</source>
+        <translation>Referenz eingerichtet</translation>
+    </message>
+    <message>
+        <source>only a flat sensor takes one untouched picture as its reference</source>
+        <translation>nur ein flacher Sensor nimmt ein einziges unberührtes Bild als Referenz</translation>
+    </message>
+    <message>
+        <source>a recording of the bending, untouched finger</source>
+        <translation>eine Aufnahme des sich biegenden, unberührten Fingers</translation>
+    </message>
+    <message>
+        <source>an untouched picture taken with this sensor&apos;s camera</source>
+        <translation>ein unberührtes Bild von der Kamera dieses Sensors</translation>
+    </message>
+    <message>
+        <source>presses</source>
+        <translation>Eindrücke</translation>
+    </message>
+    <message>
+        <source>set of presses</source>
+        <translation>Eindrücke</translation>
+    </message>
+    <message>
+        <source>The {} was not taken with one setting of camera and light: {}. Lock them, and record it again.</source>
+        <translation>Nicht mit einer einzigen Einstellung von Kamera und Licht aufgenommen ({}): {}. Sperren Sie sie, und nehmen Sie noch einmal auf.</translation>
+    </message>
+    <message>
+        <source>The {} and the {} were taken with other settings: {}. Depth comes from comparing their brightness: record one of them again.</source>
+        <translation>Mit verschiedenen Einstellungen aufgenommen ({}, {}): {}. Tiefe entsteht aus dem Vergleich ihrer Helligkeit: Nehmen Sie eines davon neu auf.</translation>
+    </message>
+    <message>
+        <source>The finger was calibrated with other settings: {}. Set them as they were, or calibrate again.</source>
+        <translation>Der Finger wurde mit anderen Einstellungen kalibriert: {}. Stellen Sie sie wie damals ein, oder kalibrieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>the brightness of the untouched face changes from press to press (standard deviation {:.1f} %): exposure or gain is automatic, or the room&apos;s light gets in; lock them, shade the finger and press again</source>
+        <translation>die Helligkeit der unberührten Fläche ändert sich von Eindruck zu Eindruck (Standardabweichung {} %): Belichtung oder Verstärkung ist automatisch, oder Raumlicht dringt ein; beide sperren, den Finger abschirmen und neu drücken</translation>
+    </message>
+    <message>
+        <source>the untouched face is {:.1f} % {} in all presses than in the reference: the light, the exposure or the gain has changed between them; depth is corrected for it as far as it is smooth, but let the lamps warm up and record the reference again</source>
+        <translation>die unberührte Fläche ist in allen Eindrücken {} % {} als in der Referenz: Licht, Belichtung oder Verstärkung hat sich dazwischen geändert; die Tiefe wird darum korrigiert, soweit es glatt ist, aber lassen Sie die Lampen warm werden und nehmen Sie die Referenz neu auf</translation>
+    </message>
+    <message>
+        <source>in {} of {} presses the finger is bent in a way that the reference recording does not hold, or it has moved in its mount since: record a reference that bends as far, or press with less bending</source>
+        <translation>in {} von {} Eindrücken ist der Finger gebogen, wie es die Referenzaufnahme nicht enthält, oder er hat sich seither in der Halterung bewegt: eine Referenz aufnehmen, die so weit biegt, oder mit weniger Biegung drücken</translation>
+    </message>
+    <message>
+        <source>no mapping came of it</source>
+        <translation>es ergab keine Abbildung</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>upper half</source>
+        <translation>obere Hälfte</translation>
+    </message>
+    <message>
+        <source>lower half</source>
+        <translation>untere Hälfte</translation>
+    </message>
+    <message numerus="yes">
+        <source>{1} {2:.3f} mm ({0} presses)</source>
+        <comment>{1} {2:.3f} mm ({0} press)</comment>
+        <translation>
+            <numerusform>{1} {2} mm ({0} Eindruck)</numerusform>
+            <numerusform>{1} {2} mm ({0} Eindrücke)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{} unknown: no press there</source>
+        <translation>{} unbekannt: dort kein Eindruck</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>results and truth are of different size</source>
+        <translation>Ergebnisse und Wahrheit sind verschieden groß</translation>
+    </message>
+    <message>
+        <source>not as `alltact simulate` and `alltact reconstruct` write it ({})</source>
+        <translation>nicht wie `alltact simulate` und `alltact reconstruct` es schreiben ({})</translation>
+    </message>
+    <message>
+        <source>{} with {}</source>
+        <translation>{} mit {}</translation>
+    </message>
+    <message>
+        <source>running both again</source>
+        <translation>beide noch einmal ausführen</translation>
+    </message>
+    <message>
+        <source>the camera</source>
+        <translation>die Kamera</translation>
+    </message>
+    <message>
+        <source>the press could not be removed: {}</source>
+        <translation>der Eindruck ließ sich nicht entfernen: {}</translation>
+    </message>
+    <message>
+        <source>no finger is open, so the recording cannot be measured</source>
+        <translation>kein Finger ist offen, also lässt sich die Aufnahme nicht vermessen</translation>
+    </message>
+    <message>
+        <source>opening a finger</source>
+        <translation>einen Finger öffnen</translation>
+    </message>
+    <message>
+        <source>this recording is not there any more</source>
+        <translation>Diese Aufnahme ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>plugging in the disk it lies on, or opening another one</source>
+        <translation>den Datenträger anstecken, auf dem sie liegt, oder eine andere öffnen</translation>
+    </message>
+    <message>
+        <source>there is no face to save</source>
+        <translation>es gibt keine Fläche zu speichern</translation>
+    </message>
+    <message>
+        <source>another frame</source>
+        <translation>ein anderes Bild</translation>
+    </message>
+    <message>
+        <source>frame {} of {}</source>
+        <translation>Bild {} von {}</translation>
+    </message>
+    <message>
+        <source>no frame of the recording shows a face</source>
+        <translation>kein Bild der Aufnahme zeigt eine Fläche</translation>
+    </message>
+    <message>
+        <source>the finger that belongs to this camera, or this finger&apos;s camera</source>
+        <translation>der Finger, der zu dieser Kamera gehört, oder die Kamera dieses Fingers</translation>
+    </message>
+    <message>
+        <source>there is no HID device that can be read</source>
+        <translation>Es gibt kein lesbares HID-Gerät</translation>
+    </message>
+    <message>
+        <source>plugging in a pedal</source>
+        <translation>ein Pedal anstecken</translation>
+    </message>
+    <message>
+        <source>stopped before the report was written</source>
+        <translation>angehalten, bevor der Bericht geschrieben war</translation>
+    </message>
+    <message>
+        <source>the report could not be printed</source>
+        <translation>der Bericht ließ sich nicht drucken</translation>
+    </message>
+    <message>
+        <source>this computer cannot draw in 3D: there is no EGL with OpenGL 3.2</source>
+        <translation>dieser Rechner kann nicht in 3D zeichnen: Es gibt kein EGL mit OpenGL 3.2</translation>
+    </message>
+    <message>
+        <source>installing libegl1 and libgl1-mesa-dri, which draw in software</source>
+        <translation>libegl1 und libgl1-mesa-dri einrichten, die per Software zeichnen</translation>
+    </message>
+    <message>
+        <source>this is not a session of this program</source>
+        <translation>dies ist keine Sitzung dieses Programms</translation>
+    </message>
+    <message>
+        <source>beginning a new one</source>
+        <translation>eine neue beginnen</translation>
     </message>
 </context>
 </TS>

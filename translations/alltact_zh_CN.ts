@@ -33,4065 +33,6 @@
     </message>
 </context>
 <context>
-    <name>Library</name>
-    <message>
-        <source>in the middle of the face</source>
-        <translation>在面的中线上</translation>
-    </message>
-    <message>
-        <source>%1 mm from the middle on the %2 side</source>
-        <translation>距中线 %1 mm,%2侧</translation>
-    </message>
-    <message>
-        <source>upper</source>
-        <translation>上</translation>
-    </message>
-    <message>
-        <source>lower</source>
-        <translation>下</translation>
-    </message>
-    <message>
-        <source>%1 mm from the base, %2</source>
-        <translation>距根部 %1 mm,%2</translation>
-    </message>
-    <message>
-        <source>least certain is the scale: all depths may be too large or too small together, by %1 mm at %2 mm (one standard deviation)</source>
-        <translation>最不确定的是比例:所有深度可能一起偏大或偏小,在 %2 mm 处为 %1 mm(一倍标准差)</translation>
-    </message>
-    <message>
-        <source>least certain is how shallow and deep go together: by %1 mm at %2 mm (one standard deviation), the other way at the other end</source>
-        <translation>最不确定的是浅处与深处的关系:在 %2 mm 处为 %1 mm(一倍标准差),另一端相反</translation>
-    </message>
-    <message>
-        <source>a ball 1 % larger than said makes depths %1 % %2; the residual is %3 mm with a radius 1 % smaller, %4 mm as given, %5 mm with one 1 % larger</source>
-        <translation>球若比所给的大 1 %,深度会%2 %1 %;半径小 1 % 时残差为 %3 mm,按所给为 %4 mm,大 1 % 时为 %5 mm</translation>
-    </message>
-    <message>
-        <source>smaller</source>
-        <translation>偏小</translation>
-    </message>
-    <message>
-        <source>larger</source>
-        <translation>偏大</translation>
-    </message>
-    <message>
-        <source>a wrong radius would be noticed</source>
-        <translation>半径有误会被发现</translation>
-    </message>
-    <message>
-        <source>the presses cannot show a wrong radius, so measure the ball to a hundredth of a millimetre</source>
-        <translation>这些按压显不出半径的错误,请把球量准到百分之一毫米</translation>
-    </message>
-    <message>
-        <source>press next: at another place, 0.5 to 1 mm deep</source>
-        <translation>下一次按压:换一处,深 0.5 至 1 mm</translation>
-    </message>
-    <message>
-        <source>press next: %1, %2 mm deep; no press tells whether the mapping holds in that third</source>
-        <translation>下一次按压:%1,深 %2 mm;还没有按压能说明映射在那三分之一是否成立</translation>
-    </message>
-    <message>
-        <source>enough: one press more would take the standard deviation of depth from %1 mm to %2 mm at best</source>
-        <translation>已足够:再按一次最多把深度标准差从 %1 mm 降到 %2 mm</translation>
-    </message>
-    <message>
-        <source>press next: %1, %2 mm deep; that would take the standard deviation of depth from %3 mm to %4 mm</source>
-        <translation>下一次按压:%1,深 %2 mm;这会把深度标准差从 %3 mm 降到 %4 mm</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>左</translation>
-    </message>
-    <message>
-        <source>middle</source>
-        <translation>中部</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>右</translation>
-    </message>
-    <message>
-        <source>base</source>
-        <translation>根部</translation>
-    </message>
-    <message>
-        <source>tip</source>
-        <translation>指尖</translation>
-    </message>
-    <message>
-        <source>upper half</source>
-        <translation>上半</translation>
-    </message>
-    <message>
-        <source>lower half</source>
-        <translation>下半</translation>
-    </message>
-    <message>
-        <source>%1 %2 mm (%3 press)</source>
-        <translation>%1 %2 mm(%3 次按压)</translation>
-    </message>
-    <message>
-        <source>%1 %2 mm (%3 presses)</source>
-        <translation>%1 %2 mm(%3 次按压)</translation>
-    </message>
-    <message>
-        <source>%1 unknown: no press there</source>
-        <translation>%1未知:那里没有按压</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 1000</source>
-        <translation>必须大于 0 且不超过 1000</translation>
-    </message>
-    <message>
-        <source>the ball&apos;s radius in mm</source>
-        <translation>球的半径,单位 mm</translation>
-    </message>
-    <message>
-        <source>is not the centre of a ball before the camera</source>
-        <translation>不是相机前方的球心</translation>
-    </message>
-    <message>
-        <source>x, y, z in mm</source>
-        <translation>x、y、z,单位 mm</translation>
-    </message>
-    <message>
-        <source>the balls&apos; radii in mm</source>
-        <translation>各球的半径,单位 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error on the very presses it was made from</source>
-        <translation>在用来标定的按压上,深度误差为 %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error to be expected (%2 mm in shape, on presses it had not seen; %3 mm as a whole)</source>
-        <translation>预期深度误差 %1 mm(形状 %2 mm,在未用过的按压上;整体 %3 mm)</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error to be expected (%2 mm in shape, on presses it had not seen; %3 mm as a whole; %4 mm of a single pixel)</source>
-        <translation>预期深度误差 %1 mm(形状 %2 mm,在未用过的按压上;整体 %3 mm;单个像素 %4 mm)</translation>
-    </message>
-    <message>
-        <source>not fit to measure with</source>
-        <translation>不适合测量</translation>
-    </message>
-    <message>
-        <source>press again with a clean ball of the radius given, whole on the face</source>
-        <translation>请用所给半径的干净球重新按压,使其完全落在面上</translation>
-    </message>
-    <message>
-        <source>unproven</source>
-        <translation>未经证实</translation>
-    </message>
-    <message>
-        <source>none was left out to show what happens on others</source>
-        <translation>没有留出任何按压来说明对其他按压的效果</translation>
-    </message>
-    <message>
-        <source>one press cannot show what happens on others, add presses of different depth</source>
-        <translation>一次按压说明不了对其他按压的效果,请增加不同深度的按压</translation>
-    </message>
-    <message>
-        <source>usable for contact and its place</source>
-        <translation>可用于判断接触及其位置</translation>
-    </message>
-    <message>
-        <source>usable</source>
-        <translation>可用</translation>
-    </message>
-    <message>
-        <source>good</source>
-        <translation>良好</translation>
-    </message>
-    <message>
-        <source>add presses of different depth and place to measure relief</source>
-        <translation>要测量起伏,请在不同位置增加不同深度的按压</translation>
-    </message>
-    <message>
-        <source>The %1 was not taken with one setting of camera and light: %2</source>
-        <translation>%1不是在同一相机和灯光设置下拍摄的:%2</translation>
-    </message>
-    <message>
-        <source>Lock them, and record it again</source>
-        <translation>请锁定设置后重新录制</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>参考</translation>
-    </message>
-    <message>
-        <source>set of presses</source>
-        <translation>这组按压</translation>
-    </message>
-    <message>
-        <source>presses</source>
-        <translation>按压</translation>
-    </message>
-    <message>
-        <source>The %1 and the %2 were taken with other settings: %3</source>
-        <translation>%1与%2的拍摄设置不同:%3</translation>
-    </message>
-    <message>
-        <source>Depth comes from comparing their brightness: record one of them again</source>
-        <translation>深度来自两者亮度的比较:请重新录制其中之一</translation>
-    </message>
-    <message>
-        <source>The finger was calibrated with other settings: %1</source>
-        <translation>手指是在不同的设置下标定的:%1</translation>
-    </message>
-    <message>
-        <source>Set them as they were, or calibrate again</source>
-        <translation>请恢复当时的设置,或重新标定</translation>
-    </message>
-    <message>
-        <source>%1 was %2 and is %3</source>
-        <translation>%1 原为 %2,现为 %3</translation>
-    </message>
-    <message>
-        <source>stopped before there was a solution</source>
-        <translation>得到解之前已停止</translation>
-    </message>
-    <message>
-        <source>solving: round %1, unknowns move by %2 mm</source>
-        <translation>正在求解:第 %1 轮,未知量变动 %2 mm</translation>
-    </message>
-    <message>
-        <source>no increasing mapping fits the presses</source>
-        <translation>没有递增的映射与按压相符</translation>
-    </message>
-    <message>
-        <source>the ball lies %1 mm deep in a layer of %2 mm</source>
-        <translation>球压入 %1 mm,而该层只有 %2 mm 厚</translation>
-    </message>
-    <message>
-        <source>pressing less deep, and checking the ball&apos;s radius and the camera&apos;s scale in mm per px</source>
-        <translation>压得浅一些,并检查球的半径和相机的比例(mm/px)</translation>
-    </message>
-    <message>
-        <source>leaving out presses with the largest residual, a lower degree, or checking the ball&apos;s radius</source>
-        <translation>舍弃残差最大的按压、降低次数,或检查球的半径</translation>
-    </message>
-    <message>
-        <source>solving all presses together</source>
-        <translation>正在对全部按压联合求解</translation>
-    </message>
-    <message>
-        <source>%1, because the %2 does not increase on all samples</source>
-        <translation>%1,因为%2在全部样本上并非处处递增</translation>
-    </message>
-    <message>
-        <source>the solution is no mapping: %1</source>
-        <translation>解不是有效的映射:%1</translation>
-    </message>
-    <message>
-        <source>more presses of different depth, or a lower degree</source>
-        <translation>增加不同深度的按压,或降低次数</translation>
-    </message>
-    <message>
-        <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other places</source>
-        <translation>一次按压无法区分球的深度与映射:请在其他位置增加不同深度的按压</translation>
-    </message>
-    <message>
-        <source>the presses do not determine every unknown: add presses</source>
-        <translation>这些按压不能确定全部未知量:请增加按压</translation>
-    </message>
-    <message>
-        <source>how presses become a mapping: all balls and the mapping in one fit; or, to compare with, every ball from its dark border alone: the source paper&apos;s way, a circle on the face, or the cone of the ball&apos;s outline</source>
-        <translation>如何由按压得到映射:所有球与映射一起拟合;或作为比较,每个球只由其暗区边界得出:按原论文、面上的圆,或球轮廓的圆锥</translation>
-    </message>
-    <message>
-        <source>the mapping&apos;s curve; auto: whichever predicts presses left out best</source>
-        <translation>映射的曲线;auto:最能预测留出按压的那种</translation>
-    </message>
-    <message>
-        <source>degree of the polynomial; 0: chosen by leaving presses out</source>
-        <translation>多项式的次数;0:通过留出按压来选择</translation>
-    </message>
-    <message>
-        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out say otherwise</source>
-        <translation>亮度随层的哪种厚度变化:沿 z、沿法线,或沿 z 再投影到法线;auto:沿法线,除非留出的按压另有结论</translation>
-    </message>
-    <message>
-        <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: when presses left out agree clearly better then</source>
-        <translation>映射是否可在面上缓慢变化,用于光照或层不均匀的情况;auto:当留出的按压因此明显更吻合时</translation>
-    </message>
-    <message>
-        <source>the calibration failed: %1</source>
-        <translation>标定失败:%1</translation>
-    </message>
-    <message>
-        <source>fewer presses</source>
-        <translation>减少按压</translation>
-    </message>
-    <message>
-        <source>stopped before the calibration was done</source>
-        <translation>标定完成前已停止</translation>
-    </message>
-    <message>
-        <source>the reference picture</source>
-        <translation>参考图片</translation>
-    </message>
-    <message>
-        <source>the untouched picture of this sensor, at the size of its presses</source>
-        <translation>此传感器未触碰的图片,尺寸与按压图片相同</translation>
-    </message>
-    <message>
-        <source>this is not the picture that the finger was calibrated with</source>
-        <translation>这不是标定此手指时所用的图片</translation>
-    </message>
-    <message>
-        <source>calibrating anew with the pictures that are there</source>
-        <translation>用现有的图片重新标定</translation>
-    </message>
-    <message>
-        <source>solving</source>
-        <translation>正在求解</translation>
-    </message>
-    <message>
-        <source>stopped before the end: this is the best solution until then, without a report; calibrating again from what is kept finishes it</source>
-        <translation>提前停止:这是到那时为止最好的解,没有报告;用已保存的内容重新标定即可完成</translation>
-    </message>
-    <message>
-        <source>comparing with other methods</source>
-        <translation>正在与其他方法比较</translation>
-    </message>
-    <message>
-        <source>The finger has another reference than it was calibrated with: this is a new calibration</source>
-        <translation>手指的参考与标定时不同:这是一次新的标定</translation>
-    </message>
-    <message>
-        <source>The finger&apos;s camera, face or markers are not what they were when it was calibrated: this is a new calibration</source>
-        <translation>手指的相机、面或标记点与标定时不同:这是一次新的标定</translation>
-    </message>
-    <message>
-        <source>The finger was calibrated by version %1: this is a new calibration, by version %2</source>
-        <translation>手指是用版本 %1 标定的:这是用版本 %2 进行的新标定</translation>
-    </message>
-    <message>
-        <source>writing the report</source>
-        <translation>正在写报告</translation>
-    </message>
-    <message>
-        <source>only a flat sensor has one untouched picture</source>
-        <translation>只有平面传感器才有单张未触碰图片</translation>
-    </message>
-    <message>
-        <source>leaving --reference out; this finger is compared with its reference recording</source>
-        <translation>去掉 --reference;此手指与其参考录像比较</translation>
-    </message>
-    <message>
-        <source>is no checksum of 16 digits</source>
-        <translation>不是 16 位的校验和</translation>
-    </message>
-    <message>
-        <source>calibrating again</source>
-        <translation>重新标定</translation>
-    </message>
-    <message>
-        <source>names no press</source>
-        <translation>没有列出按压</translation>
-    </message>
-    <message>
-        <source>has %1 entries for %2 presses</source>
-        <translation>有 %1 项,而按压有 %2 次</translation>
-    </message>
-    <message>
-        <source>one for each press</source>
-        <translation>每次按压一项</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no picture&apos;s name</source>
-        <translation>“%1”不是图片名</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no checksum of 16 digits</source>
-        <translation>“%1”不是 16 位的校验和</translation>
-    </message>
-    <message>
-        <source>names &apos;%1&apos; twice</source>
-        <translation>“%1”出现两次</translation>
-    </message>
-    <message>
-        <source>leave one of the two</source>
-        <translation>只保留其中一个</translation>
-    </message>
-    <message>
-        <source>remove it</source>
-        <translation>删除它</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be read by this version</source>
-        <translation>此版本无法读取“%1”</translation>
-    </message>
-    <message>
-        <source>the version of this program that wrote it, or calibrating again with the pictures in presses/ (this version writes &apos;%1&apos;)</source>
-        <translation>使用写出它的程序版本,或用 presses/ 中的图片重新标定(此版本写出“%1”)</translation>
-    </message>
-    <message>
-        <source>there is nothing to repeat: this finger was not calibrated, or by a version that did not keep what with</source>
-        <translation>没有可重复的内容:此手指未标定,或标定它的版本没有保存所用的数据</translation>
-    </message>
-    <message>
-        <source>calibrating it with the pictures in presses/ and --ball-radius-mm</source>
-        <translation>用 presses/ 中的图片和 --ball-radius-mm 标定</translation>
-    </message>
-    <message>
-        <source>this is not YAML: %1</source>
-        <translation>这不是 YAML:%1</translation>
-    </message>
-    <message>
-        <source>results and truth are of different size</source>
-        <translation>结果与真值的尺寸不同</translation>
-    </message>
-    <message>
-        <source>not as `alltact simulate` and `alltact reconstruct` write it (%1)</source>
-        <translation>与 `alltact simulate` 和 `alltact reconstruct` 写出的不同(%1)</translation>
-    </message>
-    <message>
-        <source>%1 with %2</source>
-        <translation>%1 与 %2</translation>
-    </message>
-    <message>
-        <source>running both again</source>
-        <translation>重新运行这两个命令</translation>
-    </message>
-    <message>
-        <source>the brightness of the untouched face changes from press to press (standard deviation %1 %): exposure or gain is automatic, or the room&apos;s light gets in; lock them, shade the finger and press again</source>
-        <translation>未触碰处的亮度随每次按压而变(标准差 %1 %):曝光或增益为自动,或有环境光进入;请锁定它们,给手指遮光后重新按压</translation>
-    </message>
-    <message>
-        <source>the untouched face is %1 % %2 in all presses than in the reference: the light, the exposure or the gain has changed between them; depth is corrected for it as far as it is smooth, but let the lamps warm up and record the reference again</source>
-        <translation>所有按压中未触碰处都比参考%2 %1 %:其间光照、曝光或增益有变;深度已对平缓的部分作了校正,但请让灯预热后重新录制参考</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 presses the finger is bent in a way that the reference recording does not hold, or it has moved in its mount since: record a reference that bends as far, or press with less bending</source>
-        <translation>%2 次按压中有 %1 次手指的弯曲在参考录像中没有,或其后手指在安装座中移动了:请录制弯曲同样大的参考,或按压时少弯曲</translation>
-    </message>
-    <message>
-        <source>no untouched picture; give one to calibrate with --reference</source>
-        <translation>没有未触碰的图片;标定时请用 --reference 给出</translation>
-    </message>
-    <message>
-        <source>no recording of the bending, untouched finger; run alltact reference</source>
-        <translation>没有未触碰手指弯曲的录像;请运行 alltact reference</translation>
-    </message>
-    <message>
-        <source>one untouched picture</source>
-        <translation>一张未触碰的图片</translation>
-    </message>
-    <message>
-        <source>only %1 frames; poses between them are guessed, record more bending</source>
-        <translation>只有 %1 帧;其间的姿态是推测的,请多录一些弯曲</translation>
-    </message>
-    <message>
-        <source>no layout at rest, so touch cannot be told; run alltact reference again</source>
-        <translation>没有静止时的排布,无法判断触碰;请重新运行 alltact reference</translation>
-    </message>
-    <message>
-        <source>%1 markers; touch is told from %2 px of summed offset</source>
-        <translation>%1 个标记点;位移总和达 %2 px 即判为触碰</translation>
-    </message>
-    <message>
-        <source>not calibrated; run alltact calibrate with ball presses</source>
-        <translation>未标定;请用球按压运行 alltact calibrate</translation>
-    </message>
-    <message>
-        <source>nothing says how it came about or how good it is; run alltact calibrate again</source>
-        <translation>没有记录它的来源和质量;请重新运行 alltact calibrate</translation>
-    </message>
-    <message>
-        <source>the reference (%1) is newer than the calibration (%2); calibrate again</source>
-        <translation>参考(%1)比标定(%2)新;请重新标定</translation>
-    </message>
-    <message>
-        <source>made %1</source>
-        <translation>制作于 %1</translation>
-    </message>
-    <message>
-        <source>at an unknown date</source>
-        <translation>日期不明</translation>
-    </message>
-    <message>
-        <source>the calibration cannot be repeated</source>
-        <translation>标定无法重复</translation>
-    </message>
-    <message>
-        <source>%1 of %2 press pictures are gone, so the calibration cannot be repeated</source>
-        <translation>%2 张按压图片中有 %1 张已不在,标定无法重复</translation>
-    </message>
-    <message>
-        <source>what is kept is of a calibration that was cut off; complete it with %1</source>
-        <translation>保存的内容来自一次中断的标定;请用 %1 完成</translation>
-    </message>
-    <message>
-        <source>%1 pictures kept</source>
-        <translation>保存了 %1 张图片</translation>
-    </message>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 帧</translation>
-    </message>
-    <message>
-        <source>fine</source>
-        <translation>正常</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>不足</translation>
-    </message>
-    <message>
-        <source>stale</source>
-        <translation>已过时</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>缺少</translation>
-    </message>
-    <message>
-        <source>Moebius curve</source>
-        <translation>莫比乌斯曲线</translation>
-    </message>
-    <message>
-        <source>Kubelka-Munk curve</source>
-        <translation>Kubelka-Munk 曲线</translation>
-    </message>
-    <message>
-        <source>polynomial of degree %1</source>
-        <translation>%1 次多项式</translation>
-    </message>
-    <message>
-        <source>%1 that varies over the face</source>
-        <translation>在面上变化的%1</translation>
-    </message>
-    <message>
-        <source>no mapping came of it</source>
-        <translation>没有得到映射</translation>
-    </message>
-    <message>
-        <source>the inner %1 % of each contact&apos;s radius was used, where the skin surely touches the ball</source>
-        <translation>使用了每处接触半径的内侧 %1 %,那里表皮确实贴着球</translation>
-    </message>
-    <message>
-        <source>the inner %1 % of each contact&apos;s radius was used; the skin comes back from the ball over %2 mm</source>
-        <translation>使用了每处接触半径的内侧 %1 %;表皮在 %2 mm 内离开球面</translation>
-    </message>
-    <message>
-        <source>trying a %1</source>
-        <translation>正在尝试:%1</translation>
-    </message>
-    <message>
-        <source>with one press nothing can be held out</source>
-        <translation>只有一次按压,无法留出</translation>
-    </message>
-    <message>
-        <source>as asked for</source>
-        <translation>按要求</translation>
-    </message>
-    <message>
-        <source>least error on presses left out, %1 mm</source>
-        <translation>留出按压的误差最小,%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm on presses left out, not distinguishable from the best (%2, %3 mm) and simpler</source>
-        <translation>留出按压误差 %1 mm,与最好的(%2,%3 mm)没有区别,而且更简单</translation>
-    </message>
-    <message>
-        <source>brightness follows the layer&apos;s thickness %1: %2 mm on presses left out, against %3 mm along its normal</source>
-        <translation>亮度随层%1的厚度变化:留出按压误差 %2 mm,沿法线则为 %3 mm</translation>
-    </message>
-    <message>
-        <source>along z</source>
-        <translation>沿 z</translation>
-    </message>
-    <message>
-        <source>along z projected onto its normal</source>
-        <translation>沿 z 并投影到法线</translation>
-    </message>
-    <message>
-        <source>the mapping varies over the face, as uneven light or an uneven layer make it: by %1 % from the presses nearest to the base to those nearest to the tip, by %2 % from side to side; %3 mm on presses left out, against %4 mm with one mapping for all</source>
-        <translation>映射在面上有变化,由光照或层不均匀造成:从最靠近根部到最靠近指尖的按压相差 %1 %,两侧之间相差 %2 %;留出按压误差 %3 mm,全部用同一映射则为 %4 mm</translation>
-    </message>
-    <message>
-        <source>the polynomial through the balls&apos; depths does not increase</source>
-        <translation>通过各球深度的多项式不递增</translation>
-    </message>
-    <message>
-        <source>the cubic does not increase; degree %1 was used instead</source>
-        <translation>三次曲线不递增;改用 %1 次</translation>
-    </message>
-    <message>
-        <source>the source paper&apos;s</source>
-        <translation>原论文的</translation>
-    </message>
-    <message>
-        <source>%1, in place of the paper&apos;s cubic</source>
-        <translation>%1,代替论文的三次曲线</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; describes no button</source>
-        <translation>“%1”没有描述按钮</translation>
-    </message>
-    <message>
-        <source>learn the button again</source>
-        <translation>重新学习按钮</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; names no device and its button</source>
-        <translation>“%1”没有指明设备及其按钮</translation>
-    </message>
-    <message>
-        <source>&apos;alltact devices --learn-button&apos;, which says what to write here</source>
-        <translation>运行 &apos;alltact devices --learn-button&apos;,它会说明这里该写什么</translation>
-    </message>
-    <message>
-        <source>learning the button was stopped</source>
-        <translation>学习按钮已停止</translation>
-    </message>
-    <message>
-        <source>press it now, twice</source>
-        <translation>现在按两次</translation>
-    </message>
-    <message>
-        <source>press it once more</source>
-        <translation>再按一次</translation>
-    </message>
-    <message>
-        <source>no button was pressed and let go twice</source>
-        <translation>没有按钮被按下并松开两次</translation>
-    </message>
-    <message>
-        <source>another device; a pedal that only clicks must be set to send a key</source>
-        <translation>换一个设备;只会点击的脚踏开关须设为发送按键</translation>
-    </message>
-    <message>
-        <source>the device cannot be opened</source>
-        <translation>无法打开设备</translation>
-    </message>
-    <message>
-        <source>unplug it and plug it in again</source>
-        <translation>拔下再插上</translation>
-    </message>
-    <message>
-        <source>access to the device is not allowed</source>
-        <translation>没有访问设备的权限</translation>
-    </message>
-    <message>
-        <source>install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in again; a device it does not name needs this line in it: KERNEL==&quot;hidraw*&quot;, ATTRS{idVendor}==&quot;%1&quot;, ATTRS{idProduct}==&quot;%2&quot;, TAG+=&quot;uaccess&quot;</source>
-        <translation>把 packaging/70-alltact.rules 装到 /etc/udev/rules.d 后重新插上;其中没有列出的设备需要加上这一行:KERNEL==&quot;hidraw*&quot;, ATTRS{idVendor}==&quot;%1&quot;, ATTRS{idProduct}==&quot;%2&quot;, TAG+=&quot;uaccess&quot;</translation>
-    </message>
-    <message>
-        <source>the device was unplugged</source>
-        <translation>设备已拔出</translation>
-    </message>
-    <message>
-        <source>plug it in again</source>
-        <translation>重新插上</translation>
-    </message>
-    <message>
-        <source>the device took no report</source>
-        <translation>设备不接受报告</translation>
-    </message>
-    <message>
-        <source>plug it in again, and check its description</source>
-        <translation>重新插上,并检查其描述</translation>
-    </message>
-    <message>
-        <source>no HID device was found</source>
-        <translation>没有找到 HID 设备</translation>
-    </message>
-    <message>
-        <source>there is no such HID device; there is %1</source>
-        <translation>没有这样的 HID 设备;现有 %1</translation>
-    </message>
-    <message>
-        <source>plug it in; &apos;alltact devices&apos; lists what is found</source>
-        <translation>插上设备;&apos;alltact devices&apos; 列出找到的设备</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; describes no dimmer</source>
-        <translation>“%1”没有描述调光器</translation>
-    </message>
-    <message>
-        <source>mcp2221a gp2, mcp2221a gp3, or a report such as &apos;output id=0 bytes=8 at=1 range=0..255&apos;</source>
-        <translation>mcp2221a gp2、mcp2221a gp3,或如 &apos;output id=0 bytes=8 at=1 range=0..255&apos; 的报告</translation>
-    </message>
-    <message>
-        <source>the brightness %1 is not from 0 to 1</source>
-        <translation>亮度 %1 不在 0 到 1 之间</translation>
-    </message>
-    <message>
-        <source>the MCP2221A did not answer as it should</source>
-        <translation>MCP2221A 的应答不正确</translation>
-    </message>
-    <message>
-        <source>plug it in again; close other programs that use it</source>
-        <translation>重新插上;关闭使用它的其他程序</translation>
-    </message>
-    <message>
-        <source>%1 by %2 (%3)</source>
-        <translation>%1,由 %2 控制(%3)</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read: %1</source>
-        <translation>无法读取文件夹:%1</translation>
-    </message>
-    <message>
-        <source>ask its owner for access</source>
-        <translation>向其所有者申请权限</translation>
-    </message>
-    <message>
-        <source>the folder holds no pictures</source>
-        <translation>文件夹中没有图片</translation>
-    </message>
-    <message>
-        <source>a folder with png, jpg, bmp, tif or pgm files</source>
-        <translation>含有 png、jpg、bmp、tif 或 pgm 文件的文件夹</translation>
-    </message>
-    <message>
-        <source>this is neither a picture, nor a folder of pictures, nor a video, nor a scene</source>
-        <translation>这不是图片、图片文件夹、视频或场景</translation>
-    </message>
-    <message>
-        <source>png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene</source>
-        <translation>png、jpg、bmp、tif 或 pgm 图片,mkv、avi 或 mp4 视频,或 yaml 场景</translation>
-    </message>
-    <message>
-        <source>a %1 cannot be mixed with other inputs</source>
-        <translation>%1不能与其他输入混用</translation>
-    </message>
-    <message>
-        <source>video</source>
-        <translation>视频</translation>
-    </message>
-    <message>
-        <source>scene</source>
-        <translation>场景</translation>
-    </message>
-    <message>
-        <source>it alone, or pictures only</source>
-        <translation>单独使用它,或只用图片</translation>
-    </message>
-    <message>
-        <source>no input was given</source>
-        <translation>没有给出输入</translation>
-    </message>
-    <message>
-        <source>name a picture, a folder of pictures, a video, a scene or a camera</source>
-        <translation>指定图片、图片文件夹、视频、场景或相机</translation>
-    </message>
-    <message>
-        <source>there is no such file or folder</source>
-        <translation>没有这样的文件或文件夹</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be read</source>
-        <translation>无法读取“%1”</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be set to %2</source>
-        <translation>无法把“%1”设为 %2</translation>
-    </message>
-    <message>
-        <source>the camera refuses this value</source>
-        <translation>相机拒绝此值</translation>
-    </message>
-    <message>
-        <source>a value within its range; &apos;alltact devices --details&apos; lists them</source>
-        <translation>使用范围内的值;&apos;alltact devices --details&apos; 列出范围</translation>
-    </message>
-    <message>
-        <source>an automatic mode has it in hand</source>
-        <translation>正由自动模式控制</translation>
-    </message>
-    <message>
-        <source>switch that mode off first</source>
-        <translation>先关闭该自动模式</translation>
-    </message>
-    <message>
-        <source>the camera took %1 instead</source>
-        <translation>相机改用了 %1</translation>
-    </message>
-    <message>
-        <source>a value within its range and steps; &apos;alltact devices --details&apos; lists them</source>
-        <translation>使用范围和步长之内的值;&apos;alltact devices --details&apos; 列出它们</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be switched off: brightness may drift</source>
-        <translation>无法关闭“%1”:亮度可能漂移</translation>
-    </message>
-    <message>
-        <source>it sends its pictures in several planes, which cannot be read here</source>
-        <translation>它用多个平面传送图像,这里无法读取</translation>
-    </message>
-    <message>
-        <source>a USB camera</source>
-        <translation>使用 USB 相机</translation>
-    </message>
-    <message>
-        <source>it cannot stream</source>
-        <translation>它不能传送视频流</translation>
-    </message>
-    <message>
-        <source>it has no format that can be read here</source>
-        <translation>它没有这里能读取的格式</translation>
-    </message>
-    <message>
-        <source>a camera with MJPG or YUYV</source>
-        <translation>使用支持 MJPG 或 YUYV 的相机</translation>
-    </message>
-    <message>
-        <source>it cannot be used now</source>
-        <translation>现在无法使用</translation>
-    </message>
-    <message>
-        <source>the camera is not there</source>
-        <translation>相机不在</translation>
-    </message>
-    <message>
-        <source>plug it in</source>
-        <translation>插上它</translation>
-    </message>
-    <message>
-        <source>several cameras have this name: %1</source>
-        <translation>有多台相机同名:%1</translation>
-    </message>
-    <message>
-        <source>the name before the brackets</source>
-        <translation>括号前的名字</translation>
-    </message>
-    <message>
-        <source>no camera was found</source>
-        <translation>没有找到相机</translation>
-    </message>
-    <message>
-        <source>there is no such camera; there is %1</source>
-        <translation>没有这样的相机;现有 %1</translation>
-    </message>
-    <message>
-        <source>plug one in; &apos;alltact devices&apos; lists what is found</source>
-        <translation>插上一台;&apos;alltact devices&apos; 列出找到的设备</translation>
-    </message>
-    <message>
-        <source>one of these names</source>
-        <translation>使用其中一个名字</translation>
-    </message>
-    <message>
-        <source>the camera has sent no picture for a second</source>
-        <translation>相机已有一秒没有送出图像</translation>
-    </message>
-    <message>
-        <source>look after the cable and the USB port</source>
-        <translation>检查线缆和 USB 接口</translation>
-    </message>
-    <message>
-        <source>a shorter USB cable or another port; if it stays, another format or a lower rate</source>
-        <translation>换短一些的 USB 线或另一接口;若仍如此,换一种格式或降低帧率</translation>
-    </message>
-    <message>
-        <source>a picture came with %1 of %2 bytes</source>
-        <translation>收到的图像只有 %1 / %2 字节</translation>
-    </message>
-    <message>
-        <source>a picture came that is no JPEG</source>
-        <translation>收到的图像不是 JPEG</translation>
-    </message>
-    <message>
-        <source>a picture of %1x%2 came where %3x%4 was agreed</source>
-        <translation>收到 %1x%2 的图像,而约定为 %3x%4</translation>
-    </message>
-    <message>
-        <source>a JPEG came that is truncated or damaged</source>
-        <translation>收到的 JPEG 不完整或已损坏</translation>
-    </message>
-    <message>
-        <source>the camera was unplugged</source>
-        <translation>相机已拔出</translation>
-    </message>
-    <message>
-        <source>plug it in again; it goes on by itself with the same settings</source>
-        <translation>重新插上;会自动以相同设置继续</translation>
-    </message>
-    <message>
-        <source>this node gives no pictures that can be read</source>
-        <translation>此设备节点不提供可读取的图像</translation>
-    </message>
-    <message>
-        <source>a camera that &apos;alltact devices&apos; lists as usable</source>
-        <translation>使用 &apos;alltact devices&apos; 列为可用的相机</translation>
-    </message>
-    <message>
-        <source>the camera stopped sending pictures</source>
-        <translation>相机停止送出图像</translation>
-    </message>
-    <message>
-        <source>no picture came for %1 seconds</source>
-        <translation>已有 %1 秒没有收到图像</translation>
-    </message>
-    <message>
-        <source>look after the cable and the USB port; the stream is being started again</source>
-        <translation>检查线缆和 USB 接口;正在重新启动视频流</translation>
-    </message>
-    <message>
-        <source>a picture cannot be taken</source>
-        <translation>无法取得图像</translation>
-    </message>
-    <message>
-        <source>Pictures come again</source>
-        <translation>又收到图像了</translation>
-    </message>
-    <message>
-        <source>the camera is back and has not sent a picture yet</source>
-        <translation>相机已接回,尚未送出图像</translation>
-    </message>
-    <message>
-        <source>The camera was plugged in again at %1</source>
-        <translation>相机已重新插上,位于 %1</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s signal changed: it sent %1, and sends %2 now</source>
-        <translation>相机信号已改变:原为 %1,现为 %2</translation>
-    </message>
-    <message>
-        <source>look after what is plugged into it, if this was not meant</source>
-        <translation>若非有意,请检查它上面接的是什么</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was changed from %2 to %3 by something else</source>
-        <translation>“%1”被其他程序从 %2 改为 %3</translation>
-    </message>
-    <message>
-        <source>it was put back</source>
-        <translation>已恢复</translation>
-    </message>
-    <message>
-        <source>sudo usermod -aG video $USER, then log in again; or install packaging/70-alltact.rules in /etc/udev/rules.d and plug the camera in again</source>
-        <translation>运行 sudo usermod -aG video $USER 后重新登录;或把 packaging/70-alltact.rules 装到 /etc/udev/rules.d 后重新插上相机</translation>
-    </message>
-    <message>
-        <source>another program is using it</source>
-        <translation>另一程序正在使用它</translation>
-    </message>
-    <message>
-        <source>close that program (fuser -v /dev/video* names it)</source>
-        <translation>关闭该程序(fuser -v /dev/video* 可查出它)</translation>
-    </message>
-    <message>
-        <source>it is not there</source>
-        <translation>它不在</translation>
-    </message>
-    <message>
-        <source>plug the camera in; &apos;alltact devices&apos; lists what is found</source>
-        <translation>插上相机;&apos;alltact devices&apos; 列出找到的设备</translation>
-    </message>
-    <message>
-        <source>the USB port has no bandwidth left</source>
-        <translation>USB 接口带宽已用完</translation>
-    </message>
-    <message>
-        <source>another USB port, MJPG instead of YUYV, or smaller pictures</source>
-        <translation>换一个 USB 接口、用 MJPG 代替 YUYV,或用更小的图像</translation>
-    </message>
-    <message>
-        <source>the USB connection is disturbed</source>
-        <translation>USB 连接受到干扰</translation>
-    </message>
-    <message>
-        <source>a shorter cable or another port</source>
-        <translation>换短一些的线或另一接口</translation>
-    </message>
-    <message>
-        <source>the camera refuses</source>
-        <translation>相机拒绝</translation>
-    </message>
-    <message>
-        <source>another format or value; &apos;alltact devices --details&apos; lists them</source>
-        <translation>换一种格式或值;&apos;alltact devices --details&apos; 列出它们</translation>
-    </message>
-    <message>
-        <source>there is not enough memory</source>
-        <translation>内存不足</translation>
-    </message>
-    <message>
-        <source>unplug the camera and plug it in again</source>
-        <translation>拔下相机再插上</translation>
-    </message>
-    <message>
-        <source>%1 and more</source>
-        <translation>%1 等</translation>
-    </message>
-    <message>
-        <source>%1 at %2 frames per second</source>
-        <translation>%1,每秒 %2 帧</translation>
-    </message>
-    <message>
-        <source>the camera has no such format that can be read; it offers %1</source>
-        <translation>相机没有这种可读取的格式;它提供 %1</translation>
-    </message>
-    <message>
-        <source>one of these in GREY, Y16, YUYV or MJPG</source>
-        <translation>选用其中的 GREY、Y16、YUYV 或 MJPG 格式</translation>
-    </message>
-    <message>
-        <source>the camera cannot be opened</source>
-        <translation>无法打开相机</translation>
-    </message>
-    <message>
-        <source>this does not answer as a camera</source>
-        <translation>它的应答不像相机</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s format cannot be set to %1</source>
-        <translation>无法把相机格式设为 %1</translation>
-    </message>
-    <message>
-        <source>the camera was asked for %1 and chose %2</source>
-        <translation>向相机要求 %1,它选了 %2</translation>
-    </message>
-    <message>
-        <source>a format that &apos;alltact devices --details&apos; lists for it</source>
-        <translation>使用 &apos;alltact devices --details&apos; 为它列出的格式</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s rate cannot be set</source>
-        <translation>无法设置相机帧率</translation>
-    </message>
-    <message>
-        <source>the camera takes no buffer</source>
-        <translation>相机不接受缓冲区</translation>
-    </message>
-    <message>
-        <source>the camera does not start</source>
-        <translation>相机没有启动</translation>
-    </message>
-    <message>
-        <source>the camera gives no buffers</source>
-        <translation>相机没有提供缓冲区</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s buffer cannot be found</source>
-        <translation>找不到相机的缓冲区</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s buffer cannot be mapped</source>
-        <translation>无法映射相机的缓冲区</translation>
-    </message>
-    <message>
-        <source>could not write the file</source>
-        <translation>无法写入文件</translation>
-    </message>
-    <message>
-        <source>could not make sure that the folder is on the disk</source>
-        <translation>无法确认文件夹已写到磁盘</translation>
-    </message>
-    <message>
-        <source>its folder does not exist</source>
-        <translation>其文件夹不存在</translation>
-    </message>
-    <message>
-        <source>make the folder first, or check the path for typing errors</source>
-        <translation>先建立文件夹,或检查路径是否输错</translation>
-    </message>
-    <message>
-        <source>could not read the file</source>
-        <translation>无法读取文件</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 bytes</source>
-        <translation>它大于 %1 字节</translation>
-    </message>
-    <message>
-        <source>check that it is the right file</source>
-        <translation>检查文件是否正确</translation>
-    </message>
-    <message>
-        <source>could not make the folder</source>
-        <translation>无法建立文件夹</translation>
-    </message>
-    <message>
-        <source>the picture says it is %1 x %2 px; a side must have 1 to %3</source>
-        <translation>图片标称 %1 x %2 px;边长必须为 1 到 %3</translation>
-    </message>
-    <message>
-        <source>a smaller picture, or copy it again if that size is wrong</source>
-        <translation>使用更小的图片;若尺寸有误请重新复制</translation>
-    </message>
-    <message>
-        <source>the picture is damaged or cut short</source>
-        <translation>图片已损坏或不完整</translation>
-    </message>
-    <message>
-        <source>copy or record it again</source>
-        <translation>重新复制或录制</translation>
-    </message>
-    <message>
-        <source>the picture has %1 bits per channel; 8 are needed</source>
-        <translation>图片每通道 %1 位;需要 8 位</translation>
-    </message>
-    <message>
-        <source>the picture has %1 bits per channel (floating point); 8 are needed</source>
-        <translation>图片每通道 %1 位(浮点);需要 8 位</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s 8-bit pictures</source>
-        <translation>使用相机的 8 位图片</translation>
-    </message>
-    <message>
-        <source>the picture has transparent parts; a camera takes none</source>
-        <translation>图片有透明部分;相机不会拍出这种图片</translation>
-    </message>
-    <message>
-        <source>the picture as the camera took it, without an alpha channel</source>
-        <translation>使用相机原图,不带 alpha 通道</translation>
-    </message>
-    <message>
-        <source>the picture has %1 channels; 1 or 3 are needed</source>
-        <translation>图片有 %1 个通道;需要 1 或 3 个</translation>
-    </message>
-    <message>
-        <source>the picture as the camera took it</source>
-        <translation>使用相机原图</translation>
-    </message>
-    <message>
-        <source>cannot write this kind of picture (%1) under that name</source>
-        <translation>不能用这个名字写出这种图片(%1)</translation>
-    </message>
-    <message>
-        <source>empty</source>
-        <translation>空</translation>
-    </message>
-    <message>
-        <source>&apos;.png&apos; for 8-bit pictures, &apos;.tiff&apos; for floating point</source>
-        <translation>8 位图片用 &apos;.png&apos;,浮点用 &apos;.tiff&apos;</translation>
-    </message>
-    <message>
-        <source>could not encode the picture</source>
-        <translation>无法编码图片</translation>
-    </message>
-    <message>
-        <source>the picture is of a kind that cannot be used (%1)</source>
-        <translation>图片的种类不可用(%1)</translation>
-    </message>
-    <message>
-        <source>8-bit grey pictures</source>
-        <translation>使用 8 位灰度图</translation>
-    </message>
-    <message>
-        <source>the picture is in colour: its channels differ from grey by %1 %</source>
-        <translation>图片是彩色的:各通道偏离灰色 %1 %</translation>
-    </message>
-    <message>
-        <source>a picture of the finger under white light</source>
-        <translation>使用白光下的手指图片</translation>
-    </message>
-    <message>
-        <source>the picture is all black</source>
-        <translation>图片全黑</translation>
-    </message>
-    <message>
-        <source>switch on the light, or take off the lens cap</source>
-        <translation>打开灯,或取下镜头盖</translation>
-    </message>
-    <message>
-        <source>the picture is no TIFF of 32-bit floating point with 1 or 3 channels</source>
-        <translation>图片不是 1 或 3 通道的 32 位浮点 TIFF</translation>
-    </message>
-    <message>
-        <source>a depth or points picture written by this program</source>
-        <translation>使用本程序写出的深度图或点图</translation>
-    </message>
-    <message>
-        <source>the picture is cut short</source>
-        <translation>图片不完整</translation>
-    </message>
-    <message>
-        <source>the picture is damaged</source>
-        <translation>图片已损坏</translation>
-    </message>
-    <message>
-        <source>it does not begin with its header</source>
-        <translation>开头不是文件头</translation>
-    </message>
-    <message>
-        <source>a check sum is wrong</source>
-        <translation>校验和不对</translation>
-    </message>
-    <message>
-        <source>its parts do not join</source>
-        <translation>各部分接不上</translation>
-    </message>
-    <message>
-        <source>it has no header</source>
-        <translation>没有文件头</translation>
-    </message>
-    <message>
-        <source>its header is of a kind no longer in use</source>
-        <translation>文件头是已不再使用的种类</translation>
-    </message>
-    <message>
-        <source>its width is negative</source>
-        <translation>宽度为负</translation>
-    </message>
-    <message>
-        <source>its header holds something that is no number</source>
-        <translation>文件头中有不是数字的内容</translation>
-    </message>
-    <message>
-        <source>its white is not 255</source>
-        <translation>白色不是 255</translation>
-    </message>
-    <message>
-        <source>the file is empty</source>
-        <translation>文件是空的</translation>
-    </message>
-    <message>
-        <source>the file is no picture of a kind that is known here</source>
-        <translation>文件不是这里认识的图片</translation>
-    </message>
-    <message>
-        <source>PNG, JPEG, BMP, binary PGM or TIFF</source>
-        <translation>PNG、JPEG、BMP、二进制 PGM 或 TIFF</translation>
-    </message>
-    <message>
-        <source>no surface can be written under such a name</source>
-        <translation>不能用这样的名字写出表面</translation>
-    </message>
-    <message>
-        <source>a name that ends in .ply, .vtp, .stl or .glb</source>
-        <translation>以 .ply、.vtp、.stl 或 .glb 结尾的名字</translation>
-    </message>
-    <message>
-        <source>there is no point of the face to write</source>
-        <translation>没有可写出的面上的点</translation>
-    </message>
-    <message>
-        <source>the disk is full</source>
-        <translation>磁盘已满</translation>
-    </message>
-    <message>
-        <source>free some space, or choose a folder on another disk</source>
-        <translation>腾出空间,或选择另一磁盘上的文件夹</translation>
-    </message>
-    <message>
-        <source>your share of the disk is used up</source>
-        <translation>您的磁盘配额已用完</translation>
-    </message>
-    <message>
-        <source>free some space, or choose another disk</source>
-        <translation>腾出空间,或选择另一磁盘</translation>
-    </message>
-    <message>
-        <source>the file would be larger than this system allows</source>
-        <translation>文件会超过系统允许的大小</translation>
-    </message>
-    <message>
-        <source>another disk</source>
-        <translation>换一个磁盘</translation>
-    </message>
-    <message>
-        <source>the disk is read-only</source>
-        <translation>磁盘是只读的</translation>
-    </message>
-    <message>
-        <source>a folder on a disk that can be written to</source>
-        <translation>选择可写磁盘上的文件夹</translation>
-    </message>
-    <message>
-        <source>access is not allowed</source>
-        <translation>没有访问权限</translation>
-    </message>
-    <message>
-        <source>another folder, or ask its owner for access</source>
-        <translation>换一个文件夹,或向其所有者申请权限</translation>
-    </message>
-    <message>
-        <source>it does not exist</source>
-        <translation>不存在</translation>
-    </message>
-    <message>
-        <source>check the path for typing errors</source>
-        <translation>检查路径是否输错</translation>
-    </message>
-    <message>
-        <source>a part of the path is no folder</source>
-        <translation>路径的一部分不是文件夹</translation>
-    </message>
-    <message>
-        <source>it is a folder</source>
-        <translation>这是文件夹</translation>
-    </message>
-    <message>
-        <source>name a file inside it</source>
-        <translation>指定其中的文件</translation>
-    </message>
-    <message>
-        <source>the name is too long</source>
-        <translation>名字太长</translation>
-    </message>
-    <message>
-        <source>a shorter name</source>
-        <translation>使用更短的名字</translation>
-    </message>
-    <message>
-        <source>the disk reports a fault</source>
-        <translation>磁盘报告故障</translation>
-    </message>
-    <message>
-        <source>another disk, and look after this one</source>
-        <translation>换一个磁盘,并检查这个磁盘</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>打开的文件太多</translation>
-    </message>
-    <message>
-        <source>close other programs</source>
-        <translation>关闭其他程序</translation>
-    </message>
-    <message>
-        <source>once more, or another folder</source>
-        <translation>再试一次,或换一个文件夹</translation>
-    </message>
-    <message>
-        <source>could not write the recording&apos;s journal</source>
-        <translation>无法写入录像日志</translation>
-    </message>
-    <message>
-        <source>play it in a video player; if that fails too, record it again</source>
-        <translation>用视频播放器播放;若也不行,请重新录制</translation>
-    </message>
-    <message>
-        <source>once more</source>
-        <translation>再试一次</translation>
-    </message>
-    <message>
-        <source>the video cannot be opened</source>
-        <translation>无法打开视频</translation>
-    </message>
-    <message>
-        <source>its kind of picture has no brightness</source>
-        <translation>其图像种类没有亮度</translation>
-    </message>
-    <message>
-        <source>a grey or colour video</source>
-        <translation>使用灰度或彩色视频</translation>
-    </message>
-    <message>
-        <source>could not write the video</source>
-        <translation>无法写入视频</translation>
-    </message>
-    <message>
-        <source>it is being recorded or mended right now</source>
-        <translation>它正在被录制或修复</translation>
-    </message>
-    <message>
-        <source>another name</source>
-        <translation>换一个名字</translation>
-    </message>
-    <message>
-        <source>this is no Matroska file</source>
-        <translation>这不是 Matroska 文件</translation>
-    </message>
-    <message>
-        <source>stopped before it was mended</source>
-        <translation>修复完成前已停止</translation>
-    </message>
-    <message>
-        <source>mending an interrupted recording</source>
-        <translation>正在修复中断的录像</translation>
-    </message>
-    <message>
-        <source>only %1 of its %2 frames could be read</source>
-        <translation>%2 帧中只能读取 %1 帧</translation>
-    </message>
-    <message>
-        <source>another copy of the recording</source>
-        <translation>使用录像的另一份副本</translation>
-    </message>
-    <message>
-        <source>the interrupted recording cannot be mended</source>
-        <translation>无法修复中断的录像</translation>
-    </message>
-    <message>
-        <source>wait for its end</source>
-        <translation>等它结束</translation>
-    </message>
-    <message>
-        <source>could not put the recording back</source>
-        <translation>无法放回录像</translation>
-    </message>
-    <message>
-        <source>stopped when %1 of %2 MB of the recording were put back</source>
-        <translation>放回录像 %1 / %2 MB 时已停止</translation>
-    </message>
-    <message>
-        <source>putting the removed recording back: %1 of %2 MB</source>
-        <translation>正在放回被删除的录像:%1 / %2 MB</translation>
-    </message>
-    <message>
-        <source>the disk is nearly full: %1 MB are left, %2 MB are kept free</source>
-        <translation>磁盘将满:剩余 %1 MB,保留 %2 MB</translation>
-    </message>
-    <message>
-        <source>free some space, or record to another disk</source>
-        <translation>腾出空间,或录制到另一磁盘</translation>
-    </message>
-    <message>
-        <source>there is a file already</source>
-        <translation>已有同名文件</translation>
-    </message>
-    <message>
-        <source>another name, or remove the old one</source>
-        <translation>换一个名字,或删除旧文件</translation>
-    </message>
-    <message>
-        <source>could not begin the recording: its folder does not exist</source>
-        <translation>无法开始录制:文件夹不存在</translation>
-    </message>
-    <message>
-        <source>could not begin the recording</source>
-        <translation>无法开始录制</translation>
-    </message>
-    <message>
-        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else ffv1 where this computer keeps up with it, else magicyuv</source>
-        <translation>图片如何存储,均为无损:auto 在相机送出数据包(mjpeg)时直接采用,否则若本机跟得上用 ffv1,再否则用 magicyuv</translation>
-    </message>
-    <message>
-        <source>memory for frames that wait for the disk, in megabytes</source>
-        <translation>等待写盘的帧所用内存,单位 MB</translation>
-    </message>
-    <message>
-        <source>space that is left free on the disk, in megabytes; the recording ends before</source>
-        <translation>磁盘上保留的空间,单位 MB;录制会在此之前结束</translation>
-    </message>
-    <message>
-        <source>1 frame</source>
-        <translation>1 帧</translation>
-    </message>
-    <message>
-        <source>%1 before frame %2 lost here: the disk was too slow</source>
-        <translation>第 %2 帧之前丢失 %1:磁盘太慢</translation>
-    </message>
-    <message>
-        <source>%1 before frame %2 never came from the source</source>
-        <translation>第 %2 帧之前有 %1 未由来源送达</translation>
-    </message>
-    <message>
-        <source>the recording was removed while it was being made</source>
-        <translation>录制过程中录像被删除</translation>
-    </message>
-    <message>
-        <source>%1 at the end lost here</source>
-        <translation>末尾丢失 %1</translation>
-    </message>
-    <message>
-        <source>ended: %1</source>
-        <translation>已结束:%1</translation>
-    </message>
-    <message>
-        <source>no frame came, so nothing was recorded</source>
-        <translation>没有收到帧,因此没有录制</translation>
-    </message>
-    <message>
-        <source>check the source</source>
-        <translation>检查来源</translation>
-    </message>
-    <message>
-        <source>the recording was removed at its end</source>
-        <translation>录制结束时录像被删除</translation>
-    </message>
-    <message>
-        <source>%1, and it could not be put back (%2)</source>
-        <translation>%1,而且无法放回(%2)</translation>
-    </message>
-    <message>
-        <source>record again, and leave the folder alone meanwhile</source>
-        <translation>重新录制,期间不要动该文件夹</translation>
-    </message>
-    <message>
-        <source>what was recorded until then was put back</source>
-        <translation>到那时为止录制的内容已放回</translation>
-    </message>
-    <message>
-        <source>leave the folder alone while it records</source>
-        <translation>录制期间不要动该文件夹</translation>
-    </message>
-    <message>
-        <source>given up</source>
-        <translation>已放弃</translation>
-    </message>
-    <message>
-        <source>recordings are Matroska files</source>
-        <translation>录像是 Matroska 文件</translation>
-    </message>
-    <message>
-        <source>a name that ends in .mkv</source>
-        <translation>以 .mkv 结尾的名字</translation>
-    </message>
-    <message>
-        <source>the video cannot be opened: no decoder for %1</source>
-        <translation>无法打开视频:没有 %1 的解码器</translation>
-    </message>
-    <message>
-        <source>frame %1 of the video cannot be read</source>
-        <translation>无法读取视频的第 %1 帧</translation>
-    </message>
-    <message>
-        <source>frame %1 is older than frame %2</source>
-        <translation>第 %1 帧比第 %2 帧更早</translation>
-    </message>
-    <message>
-        <source>move this file away: the video&apos;s own times count then</source>
-        <translation>移走这个文件:之后使用视频自身的时间</translation>
-    </message>
-    <message>
-        <source>the video holds no frame</source>
-        <translation>视频中没有帧</translation>
-    </message>
-    <message>
-        <source>this system&apos;s libavcodec cannot write %1</source>
-        <translation>本系统的 libavcodec 不能写 %1</translation>
-    </message>
-    <message>
-        <source>another codec, or Debian&apos;s libavcodec</source>
-        <translation>换一种编码,或使用 Debian 的 libavcodec</translation>
-    </message>
-    <message>
-        <source>only 8-bit grey pictures can be recorded</source>
-        <translation>只能录制 8 位灰度图</translation>
-    </message>
-    <message>
-        <source>a grey source</source>
-        <translation>使用灰度来源</translation>
-    </message>
-    <message>
-        <source>the picture is %1 x %2, those before were %3 x %4</source>
-        <translation>图片为 %1 x %2,之前的为 %3 x %4</translation>
-    </message>
-    <message>
-        <source>one recording for each size</source>
-        <translation>每种尺寸单独录制</translation>
-    </message>
-    <message>
-        <source>the source gives no JPEG packets that could be stored untouched</source>
-        <translation>来源没有可原样存储的 JPEG 数据包</translation>
-    </message>
-    <message>
-        <source>the codec magicyuv or ffv1</source>
-        <translation>使用 magicyuv 或 ffv1 编码</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s own JPEG packets</source>
-        <translation>相机自己的 JPEG 数据包</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>%1 x %2 px is no picture size; a side must have 16 to 16384</source>
-        <translation>%1 x %2 px 不是图片尺寸;边长必须为 16 到 16384</translation>
-    </message>
-    <message>
-        <source>the size of the camera&apos;s pictures, [width, height]</source>
-        <translation>相机图片的尺寸,[宽, 高]</translation>
-    </message>
-    <message>
-        <source>must be a number from %1 to %2</source>
-        <translation>必须是 %1 到 %2 的数</translation>
-    </message>
-    <message>
-        <source>must be a number from 0.000001 to 100</source>
-        <translation>必须是 0.000001 到 100 的数</translation>
-    </message>
-    <message>
-        <source>must be a number from 1 to 1000000</source>
-        <translation>必须是 1 到 1000000 的数</translation>
-    </message>
-    <message>
-        <source>must be a number from -10000 to 10000</source>
-        <translation>必须是 -10000 到 10000 的数</translation>
-    </message>
-    <message>
-        <source>must be a number from 0 to 1000</source>
-        <translation>必须是 0 到 1000 的数</translation>
-    </message>
-    <message>
-        <source>millimetres on the object per pixel</source>
-        <translation>物体上每像素的毫米数</translation>
-    </message>
-    <message>
-        <source>the focal length in pixels, as &apos;alltact lens&apos; finds it</source>
-        <translation>焦距,单位像素,由 &apos;alltact lens&apos; 得出</translation>
-    </message>
-    <message>
-        <source>the picture&apos;s centre, or run &apos;alltact lens&apos;</source>
-        <translation>图片中心,或运行 &apos;alltact lens&apos;</translation>
-    </message>
-    <message>
-        <source>a %1 camera has %2 coefficients, here are %3</source>
-        <translation>%1 相机有 %2 个系数,这里有 %3 个</translation>
-    </message>
-    <message>
-        <source>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []</source>
-        <translation>brown:k1 k2 p1 p2 k3,fisheye:k1 k2 k3 k4,其他:[]</translation>
-    </message>
-    <message>
-        <source>holds a number that no lens has</source>
-        <translation>含有镜头不可能有的数</translation>
-    </message>
-    <message>
-        <source>run &apos;alltact lens&apos;</source>
-        <translation>运行 &apos;alltact lens&apos;</translation>
-    </message>
-    <message>
-        <source>belongs to a perspective camera; an orthographic one sees no nearer through it</source>
-        <translation>属于透视相机;正交相机不需要它</translation>
-    </message>
-    <message>
-        <source>leave it out</source>
-        <translation>去掉它</translation>
-    </message>
-    <message>
-        <source>the distortion folds over inside the picture: near its border two directions would be seen in one pixel</source>
-        <translation>畸变在画面内折叠:靠近边缘处一个像素会看到两个方向</translation>
-    </message>
-    <message>
-        <source>run &apos;alltact lens&apos; with boards that reach into the corners, or with fewer coefficients</source>
-        <translation>用到达四角的标定板或更少的系数运行 &apos;alltact lens&apos;</translation>
-    </message>
-    <message>
-        <source>%1 is %2 x %3 px, the camera of this finger gives %4 x %5</source>
-        <translation>%1 为 %2 x %3 px,此手指的相机给出 %4 x %5</translation>
-    </message>
-    <message>
-        <source>must be a length from 0 to 1000 mm</source>
-        <translation>必须是 0 到 1000 mm 的长度</translation>
-    </message>
-    <message>
-        <source>a caliper&apos;s reading</source>
-        <translation>用卡尺测量</translation>
-    </message>
-    <message>
-        <source>must be an index of refraction from 1 to 3</source>
-        <translation>必须是 1 到 3 的折射率</translation>
-    </message>
-    <message>
-        <source>1 for air, 1.33 water, 1.41 silicone, 1.49 acrylic, 1.52 glass</source>
-        <translation>空气 1,水 1.33,硅胶 1.41,亚克力 1.49,玻璃 1.52</translation>
-    </message>
-    <message>
-        <source>must be two whole numbers</source>
-        <translation>必须是两个整数</translation>
-    </message>
-    <message>
-        <source>[width, height] in pixels</source>
-        <translation>[宽, 高],单位像素</translation>
-    </message>
-    <message>
-        <source>the air between lens and window in mm</source>
-        <translation>镜头与窗口之间的空气,单位 mm</translation>
-    </message>
-    <message>
-        <source>the window&apos;s thickness in mm</source>
-        <translation>窗口的厚度,单位 mm</translation>
-    </message>
-    <message>
-        <source>the window&apos;s index of refraction</source>
-        <translation>窗口的折射率</translation>
-    </message>
-    <message>
-        <source>the index of what lies behind it</source>
-        <translation>窗口后面介质的折射率</translation>
-    </message>
-    <message>
-        <source>the size of a pixel in mm</source>
-        <translation>像素的大小,单位 mm</translation>
-    </message>
-    <message>
-        <source>the focal length in pixels</source>
-        <translation>焦距,单位像素</translation>
-    </message>
-    <message>
-        <source>the principal point in pixels</source>
-        <translation>主点,单位像素</translation>
-    </message>
-    <message>
-        <source>look at its brackets</source>
-        <translation>检查括号</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 50</source>
-        <translation>必须大于 0 且不超过 50</translation>
-    </message>
-    <message>
-        <source>the thickness of the translucent layer in mm, for example 1.5</source>
-        <translation>半透明层的厚度,单位 mm,例如 1.5</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 500</source>
-        <translation>必须大于 0 且不超过 500</translation>
-    </message>
-    <message>
-        <source>the distance between the two edges of the view face in mm</source>
-        <translation>面的两条边缘之间的距离,单位 mm</translation>
-    </message>
-    <message>
-        <source>a fin_ray needs a camera with perspective: its shape comes from it</source>
-        <translation>fin_ray 需要透视相机:形状由它得出</translation>
-    </message>
-    <message>
-        <source>pinhole, brown or fisheye</source>
-        <translation>pinhole、brown 或 fisheye</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 10000: the face lies before the camera</source>
-        <translation>必须大于 0 且不超过 10000:面在相机前方</translation>
-    </message>
-    <message>
-        <source>the distance of the face from the camera in mm</source>
-        <translation>面到相机的距离,单位 mm</translation>
-    </message>
-    <message>
-        <source>a flat sensor has no markers</source>
-        <translation>平面传感器没有标记点</translation>
-    </message>
-    <message>
-        <source>remove the block &apos;markers&apos;</source>
-        <translation>删除 &apos;markers&apos; 段</translation>
-    </message>
-    <message>
-        <source>calibrate again</source>
-        <translation>重新标定</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no file inside the finger&apos;s folder</source>
-        <translation>“%1”不是手指文件夹内的文件</translation>
-    </message>
-    <message>
-        <source>copy the file into the folder and give its name only</source>
-        <translation>把文件复制到文件夹中,只写文件名</translation>
-    </message>
-    <message>
-        <source>there is either a video with its markers or one picture, not both</source>
-        <translation>要么是带标记点的视频,要么是一张图片,不能两者都有</translation>
-    </message>
-    <message>
-        <source>remove one of them</source>
-        <translation>删除其中之一</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 1000000</source>
-        <translation>必须大于 0 且不超过 1000000</translation>
-    </message>
-    <message>
-        <source>holds %1 positions, but there are %2 markers</source>
-        <translation>含有 %1 个位置,但有 %2 个标记点</translation>
-    </message>
-    <message>
-        <source>gives depths up to %1 mm in a layer of %2 mm</source>
-        <translation>给出的深度达 %1 mm,而层厚只有 %2 mm</translation>
-    </message>
-    <message>
-        <source>holds a position far outside the picture</source>
-        <translation>含有远在图片之外的位置</translation>
-    </message>
-    <message>
-        <source>must be a text of 1 to 200 letters</source>
-        <translation>必须是 1 到 200 个字符的文本</translation>
-    </message>
-    <message>
-        <source>what is written on the finger</source>
-        <translation>写在手指上的名字</translation>
-    </message>
-    <message>
-        <source>says how a mapping was made, but there is none</source>
-        <translation>记录了映射的来源,但没有映射</translation>
-    </message>
-    <message>
-        <source>calibrate</source>
-        <translation>标定</translation>
-    </message>
-    <message>
-        <source>a length in mm</source>
-        <translation>长度,单位 mm</translation>
-    </message>
-    <message>
-        <source>a distance in mm</source>
-        <translation>距离,单位 mm</translation>
-    </message>
-    <message>
-        <source>the dots on one side face</source>
-        <translation>一个侧面上的标记点</translation>
-    </message>
-    <message>
-        <source>must have as many numbers in each row as there are rows</source>
-        <translation>每行的数字个数必须等于行数</translation>
-    </message>
-    <message>
-        <source>is not the curve that &apos;chebyshev&apos; gives</source>
-        <translation>不是 &apos;chebyshev&apos; 给出的曲线</translation>
-    </message>
-    <message>
-        <source>remove this line: it is only for people to read</source>
-        <translation>删除此行:它只供人阅读</translation>
-    </message>
-    <message>
-        <source>a part of the depth</source>
-        <translation>深度的一部分</translation>
-    </message>
-    <message>
-        <source>must be two numbers: mm along and across the face</source>
-        <translation>必须是两个数:沿面和横向的 mm</translation>
-    </message>
-    <message>
-        <source>must be two numbers, the first of them 0</source>
-        <translation>必须是两个数,第一个为 0</translation>
-    </message>
-    <message>
-        <source>for example [0.0, 0.62]</source>
-        <translation>例如 [0.0, 0.62]</translation>
-    </message>
-    <message>
-        <source>a depth in mm</source>
-        <translation>深度,单位 mm</translation>
-    </message>
-    <message>
-        <source>without unit</source>
-        <translation>无单位</translation>
-    </message>
-    <message>
-        <source>in mm</source>
-        <translation>单位 mm</translation>
-    </message>
-    <message>
-        <source>a sum of offsets in pixels</source>
-        <translation>位移之和,单位像素</translation>
-    </message>
-    <message>
-        <source>must hold two numbers for each marker</source>
-        <translation>每个标记点必须有两个数</translation>
-    </message>
-    <message>
-        <source>a newer version of this program, or &apos;%1&apos;</source>
-        <translation>使用更新的程序版本,或“%1”</translation>
-    </message>
-    <message>
-        <source>must name a file</source>
-        <translation>必须给出文件名</translation>
-    </message>
-    <message>
-        <source>leave it out, or calibrate again</source>
-        <translation>去掉它,或重新标定</translation>
-    </message>
-    <message>
-        <source>must be %1 rows of %2 numbers</source>
-        <translation>必须是 %1 行,每行 %2 个数</translation>
-    </message>
-    <message>
-        <source>holds values that no covariance has</source>
-        <translation>含有协方差不可能有的值</translation>
-    </message>
-    <message>
-        <source>has a negative variance</source>
-        <translation>有负的方差</translation>
-    </message>
-    <message>
-        <source>is not symmetric</source>
-        <translation>不对称</translation>
-    </message>
-    <message>
-        <source>must hold finite numbers, half_mm above 0, along and across together at most 0.5</source>
-        <translation>必须是有限数,half_mm 大于 0,along 与 across 之和不超过 0.5</translation>
-    </message>
-    <message>
-        <source>must be a positive number</source>
-        <translation>必须是正数</translation>
-    </message>
-    <message>
-        <source>must be greater than %1, where the curve has its pole, and at most 1000000</source>
-        <translation>必须大于 %1(曲线的极点处)且不超过 1000000</translation>
-    </message>
-    <message>
-        <source>must hold 1 to %1 numbers</source>
-        <translation>必须含有 1 到 %1 个数</translation>
-    </message>
-    <message>
-        <source>holds a number that is no coefficient in mm</source>
-        <translation>含有不是系数(mm)的数</translation>
-    </message>
-    <message>
-        <source>must end above 0 and at 1 or below: it is a relative difference of brightness</source>
-        <translation>终点必须大于 0 且不超过 1:这是相对亮度差</translation>
-    </message>
-    <message>
-        <source>the curve does not rise at x = %1 (slope %2 mm)</source>
-        <translation>曲线在 x = %1 处不上升(斜率 %2 mm)</translation>
-    </message>
-    <message>
-        <source>calibrate with fewer coefficients or as moebius, or with deeper presses</source>
-        <translation>用更少的系数或 moebius 标定,或按得更深</translation>
-    </message>
-    <message>
-        <source>gives a depth of %1 mm at the end of its domain; it must lie above 0 and below %2 mm</source>
-        <translation>在定义域终点给出深度 %1 mm;必须大于 0 且小于 %2 mm</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>列表</translation>
-    </message>
-    <message>
-        <source>a block of keys</source>
-        <translation>键的段落</translation>
-    </message>
-    <message>
-        <source>holds more than one document</source>
-        <translation>含有多个文档</translation>
-    </message>
-    <message>
-        <source>leave out the lines &apos;---&apos;</source>
-        <translation>去掉 &apos;---&apos; 行</translation>
-    </message>
-    <message>
-        <source>look at the brackets, quotes and the space before each key</source>
-        <translation>检查括号、引号以及每个键前的空格</translation>
-    </message>
-    <message>
-        <source>must be a block of &apos;key: value&apos; lines, not %1</source>
-        <translation>必须是由 &apos;key: value&apos; 行组成的段落,而不是%1</translation>
-    </message>
-    <message>
-        <source>compare with the file of another finger</source>
-        <translation>与另一手指的文件比较</translation>
-    </message>
-    <message>
-        <source>holds a key that is not a word</source>
-        <translation>含有不是单词的键</translation>
-    </message>
-    <message>
-        <source>one word before each colon</source>
-        <translation>每个冒号前一个单词</translation>
-    </message>
-    <message>
-        <source>is given twice</source>
-        <translation>出现两次</translation>
-    </message>
-    <message>
-        <source>is missing</source>
-        <translation>缺失</translation>
-    </message>
-    <message>
-        <source>add &apos;%1: ...&apos;</source>
-        <translation>添加 &apos;%1: ...&apos;</translation>
-    </message>
-    <message>
-        <source>add &apos;%1: ...&apos; under &apos;%2:&apos;</source>
-        <translation>在 &apos;%2:&apos; 下添加 &apos;%1: ...&apos;</translation>
-    </message>
-    <message>
-        <source>must be a text, not %1</source>
-        <translation>必须是文本,而不是%1</translation>
-    </message>
-    <message>
-        <source>%1 is not known here</source>
-        <translation>%1在这里是未知的</translation>
-    </message>
-    <message>
-        <source>must be a number, %1, not %2</source>
-        <translation>必须是数字,%1,而不是%2</translation>
-    </message>
-    <message>
-        <source>a number such as 24.0, with a point and without a unit</source>
-        <translation>如 24.0 的数字,用小数点,不带单位</translation>
-    </message>
-    <message>
-        <source>must be a whole number, %1, not %2</source>
-        <translation>必须是整数,%1,而不是%2</translation>
-    </message>
-    <message>
-        <source>must be a list, not %1</source>
-        <translation>必须是列表,而不是%1</translation>
-    </message>
-    <message>
-        <source>holds %1, which is not a number</source>
-        <translation>含有 %1,不是数字</translation>
-    </message>
-    <message>
-        <source>holds %1, which is not a text</source>
-        <translation>含有 %1,不是文本</translation>
-    </message>
-    <message>
-        <source>holds %1, which is not a list</source>
-        <translation>含有 %1,不是列表</translation>
-    </message>
-    <message>
-        <source>is not known, and too large or too odd to be kept</source>
-        <translation>是未知的,而且太大或太奇怪,无法保留</translation>
-    </message>
-    <message>
-        <source>is not known here; it is kept as it is</source>
-        <translation>在这里是未知的;按原样保留</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1。</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1。%2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1;%2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1,%2</translation>
-    </message>
-    <message>
-        <source>%1, and %2</source>
-        <translation>%1,而且 %2</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 和 %2</translation>
-    </message>
-    <message>
-        <source>%1 or %2</source>
-        <translation>%1 或 %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1(%2)</translation>
-    </message>
-    <message>
-        <source>one of %1</source>
-        <translation>以下之一:%1</translation>
-    </message>
-    <message>
-        <source>Try: %1</source>
-        <translation>建议:%1</translation>
-    </message>
-    <message>
-        <source>Warning: %1</source>
-        <translation>警告:%1</translation>
-    </message>
-    <message>
-        <source>Left out: %1</source>
-        <translation>舍弃:%1</translation>
-    </message>
-    <message>
-        <source>Remark: %1</source>
-        <translation>备注:%1</translation>
-    </message>
-    <message>
-        <source>Not yet seen: %1</source>
-        <translation>尚未看到:%1</translation>
-    </message>
-    <message>
-        <source>unexpected: %1</source>
-        <translation>意外错误:%1</translation>
-    </message>
-    <message>
-        <source>reporting this as a defect</source>
-        <translation>将此作为缺陷报告</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>最多 %1</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>最多 %1</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>零</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>已停止</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>dots</source>
-        <translation>圆点</translation>
-    </message>
-    <message>
-        <source>inner corners</source>
-        <translation>内角点</translation>
-    </message>
-    <message>
-        <source>%1 x %2 %3</source>
-        <translation>%1 x %2 %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no board; it takes two counts from 3 to 100</source>
-        <translation>“%1”不是标定板;需要两个 3 到 100 的数目</translation>
-    </message>
-    <message>
-        <source>9x6 for nine inner corners in a row and six rows</source>
-        <translation>9x6 表示每行九个内角点、共六行</translation>
-    </message>
-    <message>
-        <source>the board finder gave up: %1</source>
-        <translation>寻找标定板失败:%1</translation>
-    </message>
-    <message>
-        <source>another picture</source>
-        <translation>换一张图片</translation>
-    </message>
-    <message>
-        <source>only %1 different views of the board are left, %2 are needed at least</source>
-        <translation>只剩 %1 张不同的标定板视图,至少需要 %2 张</translation>
-    </message>
-    <message>
-        <source>%1 pictures or more, with the board tilted and in all parts of the picture</source>
-        <translation>%1 张以上的图片,标定板要倾斜并遍及画面各处</translation>
-    </message>
-    <message>
-        <source>shows the board just where %1 shows it</source>
-        <translation>标定板的位置与 %1 完全相同</translation>
-    </message>
-    <message>
-        <source>no flat board can look so</source>
-        <translation>平的标定板不可能呈现这样</translation>
-    </message>
-    <message>
-        <source>stopped before the lens was known</source>
-        <translation>得出镜头之前已停止</translation>
-    </message>
-    <message>
-        <source>views that reach into the picture&apos;s corners, or another --model</source>
-        <translation>使用到达画面四角的视图,或换一个 --model</translation>
-    </message>
-    <message>
-        <source>leaving views out</source>
-        <translation>正在逐一留出视图</translation>
-    </message>
-    <message>
-        <source>comparing halves</source>
-        <translation>正在比较两半</translation>
-    </message>
-    <message>
-        <source>with %1 coefficients of distortion the lens folds over inside the picture or stays undetermined; %2 are used</source>
-        <translation>用 %1 个畸变系数时,镜头在画面内折叠或无法确定;改用 %2 个</translation>
-    </message>
-    <message>
-        <source>corners scatter by %1 px; good boards give 0.2 or less: look at focus, motion, and whether the board is flat</source>
-        <translation>角点散布 %1 px;好的标定板不超过 0.2:请检查对焦、运动以及板是否平整</translation>
-    </message>
-    <message>
-        <source>stopped before everything was judged</source>
-        <translation>全部评定之前已停止</translation>
-    </message>
-    <message>
-        <source>What is printed on the board</source>
-        <translation>标定板上印的是什么</translation>
-    </message>
-    <message>
-        <source>brown up to about 120 degrees of view, fisheye beyond</source>
-        <translation>视角约 120 度以内用 brown,更大用 fisheye</translation>
-    </message>
-    <message>
-        <source>Distance of the finger, at which errors are told in mm</source>
-        <translation>手指的距离,误差按此距离以 mm 表示</translation>
-    </message>
-    <message>
-        <source>ChArUco: the markers&apos; family</source>
-        <translation>ChArUco:标记的种类</translation>
-    </message>
-    <message>
-        <source>ChArUco: a marker&apos;s side as part of a square&apos;s</source>
-        <translation>ChArUco:标记边长占方格边长的比例</translation>
-    </message>
-    <message>
-        <source>all %1 views show the board in the same place</source>
-        <translation>全部 %1 张视图中标定板都在同一位置</translation>
-    </message>
-    <message>
-        <source>move and tilt the board, or the camera, between pictures</source>
-        <translation>每张图片之间移动并倾斜标定板或相机</translation>
-    </message>
-    <message>
-        <source>looking for a first lens</source>
-        <translation>正在寻找初始镜头</translation>
-    </message>
-    <message>
-        <source>fitting the lens</source>
-        <translation>正在拟合镜头</translation>
-    </message>
-    <message>
-        <source>no %1 with %2 can be seen</source>
-        <translation>看不到%1(%2)</translation>
-    </message>
-    <message>
-        <source>chessboard</source>
-        <translation>棋盘格</translation>
-    </message>
-    <message>
-        <source>the picture has hardly any contrast</source>
-        <translation>图片几乎没有对比度</translation>
-    </message>
-    <message>
-        <source>more light, and the board in focus</source>
-        <translation>增加光照,并使标定板清晰</translation>
-    </message>
-    <message>
-        <source>a large part of the picture is white without detail</source>
-        <translation>图片大部分是没有细节的白色</translation>
-    </message>
-    <message>
-        <source>a shorter exposure</source>
-        <translation>缩短曝光</translation>
-    </message>
-    <message>
-        <source>the whole board in the picture, with its white border, sharp and evenly lit</source>
-        <translation>整块标定板连同白边都在画面内,清晰且光照均匀</translation>
-    </message>
-    <message>
-        <source>ChArUco board</source>
-        <translation>ChArUco 板</translation>
-    </message>
-    <message>
-        <source>not one of its markers</source>
-        <translation>一个标记也看不到</translation>
-    </message>
-    <message>
-        <source>only %1 of the ChArUco board&apos;s corners can be seen, %2 are needed</source>
-        <translation>只看到 ChArUco 板的 %1 个角点,需要 %2 个</translation>
-    </message>
-    <message>
-        <source>more of the board in the picture, sharp and evenly lit</source>
-        <translation>让更多标定板进入画面,清晰且光照均匀</translation>
-    </message>
-    <message>
-        <source>only corners in one line of the ChArUco board can be seen</source>
-        <translation>只看到 ChArUco 板上同一直线的角点</translation>
-    </message>
-    <message>
-        <source>more of the board in the picture</source>
-        <translation>让更多标定板进入画面</translation>
-    </message>
-    <message>
-        <source>dot grid</source>
-        <translation>圆点阵列</translation>
-    </message>
-    <message>
-        <source>a dot of the grid lies at the picture&apos;s border or has no contrast</source>
-        <translation>阵列中有圆点位于画面边缘或没有对比度</translation>
-    </message>
-    <message>
-        <source>the whole board in the picture, evenly lit</source>
-        <translation>整块标定板在画面内,光照均匀</translation>
-    </message>
-    <message>
-        <source>top left corner</source>
-        <translation>左上角</translation>
-    </message>
-    <message>
-        <source>top edge</source>
-        <translation>上边</translation>
-    </message>
-    <message>
-        <source>top right corner</source>
-        <translation>右上角</translation>
-    </message>
-    <message>
-        <source>left edge</source>
-        <translation>左边</translation>
-    </message>
-    <message>
-        <source>right edge</source>
-        <translation>右边</translation>
-    </message>
-    <message>
-        <source>bottom left corner</source>
-        <translation>左下角</translation>
-    </message>
-    <message>
-        <source>bottom edge</source>
-        <translation>下边</translation>
-    </message>
-    <message>
-        <source>bottom right corner</source>
-        <translation>右下角</translation>
-    </message>
-    <message>
-        <source>%1 more, tilted</source>
-        <translation>再%1张,要倾斜</translation>
-    </message>
-    <message>
-        <source>%1 more, tilted %2</source>
-        <translation>再%1张,向%2倾斜</translation>
-    </message>
-    <message>
-        <source>one</source>
-        <translation>一</translation>
-    </message>
-    <message>
-        <source>two</source>
-        <translation>两</translation>
-    </message>
-    <message>
-        <source>three</source>
-        <translation>三</translation>
-    </message>
-    <message>
-        <source>four</source>
-        <translation>四</translation>
-    </message>
-    <message>
-        <source>five</source>
-        <translation>五</translation>
-    </message>
-    <message>
-        <source>six</source>
-        <translation>六</translation>
-    </message>
-    <message>
-        <source>seven</source>
-        <translation>七</translation>
-    </message>
-    <message>
-        <source>eight</source>
-        <translation>八</translation>
-    </message>
-    <message>
-        <source>nine</source>
-        <translation>九</translation>
-    </message>
-    <message>
-        <source>ten</source>
-        <translation>十</translation>
-    </message>
-    <message>
-        <source>large enough to fill the picture</source>
-        <translation>大到充满画面</translation>
-    </message>
-    <message>
-        <source>near the %1</source>
-        <translation>靠近%1</translation>
-    </message>
-    <message>
-        <source>to the left</source>
-        <translation>左</translation>
-    </message>
-    <message>
-        <source>to the right</source>
-        <translation>右</translation>
-    </message>
-    <message>
-        <source>up</source>
-        <translation>上</translation>
-    </message>
-    <message>
-        <source>down</source>
-        <translation>下</translation>
-    </message>
-    <message>
-        <source>these views leave the lens undetermined</source>
-        <translation>这些视图不足以确定镜头</translation>
-    </message>
-    <message>
-        <source>more views, with the board tilted by 20 to 40 degrees in different directions</source>
-        <translation>增加视图,标定板向不同方向倾斜 20 到 40 度</translation>
-    </message>
-    <message>
-        <source>no lens could be fitted to the corners that were found</source>
-        <translation>无法对找到的角点拟合出镜头</translation>
-    </message>
-    <message>
-        <source>a flat board of the size given with --board, and views that show it tilted</source>
-        <translation>使用与 --board 尺寸相符的平板,并有倾斜的视图</translation>
-    </message>
-    <message>
-        <source>no lens explains the corners that were found</source>
-        <translation>没有镜头能解释找到的角点</translation>
-    </message>
-    <message>
-        <source>a flat board of the size given with --board; --model fisheye for a lens wider than 120 degrees</source>
-        <translation>使用与 --board 尺寸相符的平板;视角大于 120 度的镜头用 --model fisheye</translation>
-    </message>
-    <message>
-        <source>the focal length is known to %1 %, %2 mm at %3 mm</source>
-        <translation>焦距的不确定度为 %1 %,在 %3 mm 处为 %2 mm</translation>
-    </message>
-    <message>
-        <source>but two halves of the views disagree by %1 px (%2 mm)</source>
-        <translation>但两半视图相差 %1 px(%2 mm)</translation>
-    </message>
-    <message>
-        <source>but views left out fit worse (%1 px) than those fitted (%2 px)</source>
-        <translation>但留出的视图(%1 px)不如参与拟合的(%2 px)吻合</translation>
-    </message>
-    <message>
-        <source>but the views do not cover the picture and the tilts it needs</source>
-        <translation>但视图没有覆盖画面和所需的倾斜</translation>
-    </message>
-    <message>
-        <source>with so few views none could be left out to show what it is worth</source>
-        <translation>视图太少,无法留出任何一张来检验</translation>
-    </message>
-    <message>
-        <source>add views, sharp and tilted, that fill the picture</source>
-        <translation>请增加清晰、倾斜且充满画面的视图</translation>
-    </message>
-    <message>
-        <source>no board was found in any of %1 pictures</source>
-        <translation>%1 张图片中都没有找到标定板</translation>
-    </message>
-    <message>
-        <source>no board with %1 was found, but one with %2</source>
-        <translation>没有找到%1的标定板,但找到了 %2 的</translation>
-    </message>
-    <message>
-        <source>--board with %1: inner corners are counted, not squares</source>
-        <translation>--board 用 %1:数的是内角点,不是方格</translation>
-    </message>
-    <message>
-        <source>--board and --pattern as the board is, and the whole board in the picture</source>
-        <translation>--board 和 --pattern 与标定板一致,且整块板在画面内</translation>
-    </message>
-    <message>
-        <source>stopped while looking for boards; nothing was written</source>
-        <translation>寻找标定板时已停止;没有写出任何内容</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>正在 %1 中寻找标定板</translation>
-    </message>
-    <message>
-        <source>is %1 x %2 px, the pictures before it %3 x %4</source>
-        <translation>为 %1 x %2 px,之前的图片为 %3 x %4</translation>
-    </message>
-    <message>
-        <source>pictures of one camera in one mode; a lens differs with the picture&apos;s size</source>
-        <translation>使用同一相机同一模式的图片;镜头随图片尺寸而不同</translation>
-    </message>
-    <message>
-        <source>another picture is called &apos;%1&apos; as well</source>
-        <translation>另一张图片也叫“%1”</translation>
-    </message>
-    <message>
-        <source>giving the pictures different names</source>
-        <translation>给图片取不同的名字</translation>
-    </message>
-    <message>
-        <source>its corners lie %1 px from where the lens sees them, those of the others %2 px</source>
-        <translation>它的角点偏离镜头所见 %1 px,其他的为 %2 px</translation>
-    </message>
-    <message>
-        <source>blurred, by motion or focus: its edges are %1 px wide, those of the others %2 px</source>
-        <translation>因运动或失焦而模糊:边缘宽 %1 px,其他的为 %2 px</translation>
-    </message>
-    <message>
-        <source>the board is bent in it, glue it to something stiff</source>
-        <translation>图中标定板弯曲了,请把它贴在硬物上</translation>
-    </message>
-    <message>
-        <source>%1 of its %2 corners lie elsewhere: covered, mirrored in something, or blurred</source>
-        <translation>%2 个角点中有 %1 个不在应在之处:被遮挡、反光或模糊</translation>
-    </message>
-    <message>
-        <source>moved during the exposure, or not this board</source>
-        <translation>曝光时有移动,或不是这块板</translation>
-    </message>
-    <message>
-        <source>its squares are %1 % %2 than they are high</source>
-        <translation>方格的宽比高%2 %1 %</translation>
-    </message>
-    <message>
-        <source>wider</source>
-        <translation>大</translation>
-    </message>
-    <message>
-        <source>narrower</source>
-        <translation>小</translation>
-    </message>
-    <message>
-        <source>it is bent by about %1 mm from its middle to its corners</source>
-        <translation>从中央到四角弯曲约 %1 mm</translation>
-    </message>
-    <message>
-        <source>the board is not the flat, even one it is taken for: %1; with that allowed for fx would be %2 instead of %3 px; use a board on glass or metal</source>
-        <translation>标定板不像假定的那样平整均匀:%1;考虑到这一点,fx 应为 %2 而不是 %3 px;请使用玻璃或金属上的标定板</translation>
-    </message>
-    <message>
-        <source>hardly any pixel of the face could be compared with the reference</source>
-        <translation>面上几乎没有像素能与参考比较</translation>
-    </message>
-    <message>
-        <source>a press and a reference of the same size in which the face is lit</source>
-        <translation>使用尺寸相同、面已照亮的按压图片和参考</translation>
-    </message>
-    <message>
-        <source>nothing on the face is clearly darker than in the reference (the darkest part differs by %1 %, the rest scatters by %2 %)</source>
-        <translation>面上没有明显比参考更暗的地方(最暗处相差 %1 %,其余散布 %2 %)</translation>
-    </message>
-    <message>
-        <source>pressing the ball in deeper, and checking that the reference shows the same finger in the same pose</source>
-        <translation>把球压得更深,并检查参考是否为同一手指的同一姿态</translation>
-    </message>
-    <message>
-        <source>only specks are dark, none larger than %1 pixels</source>
-        <translation>只有斑点是暗的,没有一个大于 %1 像素</translation>
-    </message>
-    <message>
-        <source>pressing the ball in deeper</source>
-        <translation>把球压得更深</translation>
-    </message>
-    <message>
-        <source>two contacts were found, the second with %1 % of the first</source>
-        <translation>找到两处接触,第二处为第一处的 %1 %</translation>
-    </message>
-    <message>
-        <source>a press in which only the ball touches the face</source>
-        <translation>只有球接触面的按压</translation>
-    </message>
-    <message>
-        <source>the border of the dark part is no arc of a circle</source>
-        <translation>暗区的边界不是圆弧</translation>
-    </message>
-    <message>
-        <source>a press in which the ball lies wholly on the face</source>
-        <translation>球完全落在面上的按压</translation>
-    </message>
-    <message>
-        <source>only %1 degrees of the dark disc&apos;s rim lie on the face</source>
-        <translation>暗斑的边缘只有 %1 度在面上</translation>
-    </message>
-    <message>
-        <source>a press nearer to the middle of the face</source>
-        <translation>更靠近面中央的按压</translation>
-    </message>
-    <message>
-        <source>the dark part has a radius of %1 mm, more than the ball&apos;s %2 mm</source>
-        <translation>暗区半径为 %1 mm,大于球的 %2 mm</translation>
-    </message>
-    <message>
-        <source>checking the ball&apos;s radius, or a picture in which only the ball touches</source>
-        <translation>检查球的半径,或使用只有球接触的图片</translation>
-    </message>
-    <message>
-        <source>the dark part is no disc: its rim is off a circle by %1 % of the radius, and %2 % of the circle is dark</source>
-        <translation>暗区不是圆盘:边缘偏离圆达半径的 %1 %,圆内有 %2 % 是暗的</translation>
-    </message>
-    <message>
-        <source>a picture in which a ball, and only the ball, touches the face</source>
-        <translation>只有一个球接触面的图片</translation>
-    </message>
-    <message>
-        <source>the middle of the dark disc lies off the face</source>
-        <translation>暗斑的中心不在面上</translation>
-    </message>
-    <message>
-        <source>a ball radius of %1 mm is impossible</source>
-        <translation>球半径不可能是 %1 mm</translation>
-    </message>
-    <message>
-        <source>the radius in millimetres, as measured with callipers</source>
-        <translation>用卡尺量得的半径,单位毫米</translation>
-    </message>
-    <message>
-        <source>the press has no difference picture</source>
-        <translation>该按压没有差值图</translation>
-    </message>
-    <message>
-        <source>taking the picture again</source>
-        <translation>重新拍摄图片</translation>
-    </message>
-    <message>
-        <source>OpenCV failed: %1</source>
-        <translation>OpenCV 出错:%1</translation>
-    </message>
-    <message>
-        <source>a smaller picture</source>
-        <translation>使用更小的图片</translation>
-    </message>
-    <message>
-        <source>looking for the ball in %1</source>
-        <translation>正在 %1 中寻找球</translation>
-    </message>
-    <message>
-        <source>the same picture as %1, counted once</source>
-        <translation>与 %1 是同一张图片,只计一次</translation>
-    </message>
-    <message>
-        <source>the contact covers too few pixels</source>
-        <translation>接触覆盖的像素太少</translation>
-    </message>
-    <message>
-        <source>pressing deeper, or a larger picture</source>
-        <translation>压得更深,或使用更大的图片</translation>
-    </message>
-    <message>
-        <source>no press was given</source>
-        <translation>没有给出按压</translation>
-    </message>
-    <message>
-        <source>at least one picture of a pressed ball</source>
-        <translation>至少一张压入球的图片</translation>
-    </message>
-    <message>
-        <source>none of %1 presses could be used: %2</source>
-        <translation>%1 次按压都不可用:%2</translation>
-    </message>
-    <message>
-        <source>pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
-        <translation>只有球压入面 0.3 mm 以上的图片</translation>
-    </message>
-    <message>
-        <source>no face was found</source>
-        <translation>没有找到面</translation>
-    </message>
-    <message>
-        <source>two presses are called &apos;%1&apos;</source>
-        <translation>有两次按压都叫“%1”</translation>
-    </message>
-    <message>
-        <source>giving the pictures different names; they are kept by name with the finger</source>
-        <translation>给图片取不同的名字;它们按名字保存在手指中</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>正在读取 %1</translation>
-    </message>
-    <message>
-        <source>no press is called &apos;%1&apos;</source>
-        <translation>没有叫“%1”的按压</translation>
-    </message>
-    <message>
-        <source>excluded</source>
-        <translation>已排除</translation>
-    </message>
-    <message>
-        <source>%1 mm, more than three times the others; look at the picture, or leave it out</source>
-        <translation>%1 mm,超过其他按压的三倍;请查看图片,或舍弃它</translation>
-    </message>
-    <message>
-        <source>no press can be used</source>
-        <translation>没有可用的按压</translation>
-    </message>
-    <message>
-        <source>pictures of this finger with a ball pressed into its face</source>
-        <translation>此手指的面被球压入时的图片</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 markers found</source>
-        <translation>只找到 %1 个标记点(共 %2 个)</translation>
-    </message>
-    <message>
-        <source>no circle goes through the dark border</source>
-        <translation>没有圆能通过暗区边界</translation>
-    </message>
-    <message>
-        <source>the circle&apos;s middle lies off the face</source>
-        <translation>圆心不在面上</translation>
-    </message>
-    <message>
-        <source>the circle lies off the face</source>
-        <translation>圆不在面上</translation>
-    </message>
-    <message>
-        <source>the circle is larger than the ball</source>
-        <translation>圆比球大</translation>
-    </message>
-    <message>
-        <source>%1 degrees of the ball&apos;s outline are seen, a cone needs %2; the rest of the dark border is where the skin leaves the ball</source>
-        <translation>看得见球轮廓的 %1 度,圆锥需要 %2 度;其余暗区边界是表皮离开球的地方</translation>
-    </message>
-    <message>
-        <source>no cone touches the outline</source>
-        <translation>没有圆锥与轮廓相切</translation>
-    </message>
-    <message>
-        <source>the camera does not see the circle&apos;s middle</source>
-        <translation>相机看不到圆心</translation>
-    </message>
-    <message>
-        <source>no place of the ball gives a cubic</source>
-        <translation>球的任何位置都得不到三次曲线</translation>
-    </message>
-    <message>
-        <source>the ball that follows from the dark border hardly touches the face</source>
-        <translation>由暗区边界得出的球几乎没有接触面</translation>
-    </message>
-    <message>
-        <source>no ball follows from the dark border of any of %1 presses (%2)</source>
-        <translation>%1 次按压的暗区边界都得不出球(%2)</translation>
-    </message>
-    <message>
-        <source>the joint method, which fits the ball itself</source>
-        <translation>使用联合方法,它直接拟合球本身</translation>
-    </message>
-    <message>
-        <source>the joint method, or more presses of different depth</source>
-        <translation>使用联合方法,或增加不同深度的按压</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; does not say where a ball is</source>
-        <translation>“%1”没有说明球的位置</translation>
-    </message>
-    <message>
-        <source>NAME=X,Y,Z with the ball&apos;s centre in mm before the camera, as press_3=1.5,-2,48</source>
-        <translation>NAME=X,Y,Z,为球心在相机前的坐标(mm),例如 press_3=1.5,-2,48</translation>
-    </message>
-    <message>
-        <source>the ball that was put there by hand does not touch the face</source>
-        <translation>手动放置的球没有接触面</translation>
-    </message>
-    <message>
-        <source>moving its outline onto the dark disc, or having the ball found</source>
-        <translation>把轮廓移到暗斑上,或让程序寻找球</translation>
-    </message>
-    <message>
-        <source>no ball fits the contact</source>
-        <translation>没有球与接触相符</translation>
-    </message>
-    <message>
-        <source>a clean ball</source>
-        <translation>使用干净的球</translation>
-    </message>
-    <message>
-        <source>pass</source>
-        <translation>通过</translation>
-    </message>
-    <message>
-        <source>drifting</source>
-        <translation>漂移</translation>
-    </message>
-    <message>
-        <source>recalibrate</source>
-        <translation>重新标定</translation>
-    </message>
-    <message>
-        <source>the contacts have no ball&apos;s shape: is ball or face dirty?</source>
-        <translation>接触不是球形:球或面脏了吗?</translation>
-    </message>
-    <message>
-        <source>the mapping reads %1 % too %2: layer, ball or camera are not what they were</source>
-        <translation>映射的读数偏%2 %1 %:层、球或相机与从前不同</translation>
-    </message>
-    <message>
-        <source>shallow</source>
-        <translation>浅</translation>
-    </message>
-    <message>
-        <source>deep</source>
-        <translation>深</translation>
-    </message>
-    <message>
-        <source>the face is %1 % %2 than it was: look at lamps, exposure and layer</source>
-        <translation>面比从前%2 %1 %:请检查灯、曝光和层</translation>
-    </message>
-    <message>
-        <source>brighter</source>
-        <translation>亮</translation>
-    </message>
-    <message>
-        <source>darker</source>
-        <translation>暗</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error on %2 press (passes up to %3 mm), light %4 %</source>
-        <translation>%2 次按压的深度误差为 %1 mm(不超过 %3 mm 即通过),光照 %4 %</translation>
-    </message>
-    <message>
-        <source>%1 mm of depth error on %2 presses (passes up to %3 mm), light %4 %</source>
-        <translation>%2 次按压的深度误差为 %1 mm(不超过 %3 mm 即通过),光照 %4 %</translation>
-    </message>
-    <message>
-        <source>calibrate again soon</source>
-        <translation>请尽快重新标定</translation>
-    </message>
-    <message>
-        <source>calibrate again before measuring with it</source>
-        <translation>测量前请重新标定</translation>
-    </message>
-    <message>
-        <source>stopped before the check was done</source>
-        <translation>检查完成前已停止</translation>
-    </message>
-    <message>
-        <source>the finger is not calibrated, so there is nothing to check</source>
-        <translation>手指尚未标定,没有可检查的内容</translation>
-    </message>
-    <message>
-        <source>the finger does not tell the ball it was calibrated with</source>
-        <translation>手指没有记录标定时所用的球</translation>
-    </message>
-    <message>
-        <source>--ball-radius-mm with the radius of the ball that was pressed</source>
-        <translation>用 --ball-radius-mm 给出压入的球的半径</translation>
-    </message>
-    <message>
-        <source>measuring the presses</source>
-        <translation>正在测量按压</translation>
-    </message>
-    <message>
-        <source>pictures of this finger with the ball pressed 0.3 mm or more into its face</source>
-        <translation>球压入此手指的面 0.3 mm 以上的图片</translation>
-    </message>
-    <message>
-        <source>measuring the presses of the calibration</source>
-        <translation>正在测量标定时的按压</translation>
-    </message>
-    <message>
-        <source>moving it away; only what was said of presses is lost with it</source>
-        <translation>将它移走;只会丢失关于按压的说明</translation>
-    </message>
-    <message>
-        <source>one for each press, &quot;&quot; where there is nothing to say</source>
-        <translation>每次按压一个,没有内容处写 &quot;&quot;</translation>
-    </message>
-    <message>
-        <source>the face is %1 % %2 than when its reference was recorded; false depth %3 mm in the worst twentieth of it (%4 mm if the light were not corrected; up to %5 mm is noise)</source>
-        <translation>面比录制参考时%2 %1 %;最差的二十分之一处虚假深度为 %3 mm(不作光照校正则为 %4 mm;不超过 %5 mm 属于噪声)</translation>
-    </message>
-    <message>
-        <source>let the lamps warm up, look at exposure and gain, and record the reference again when it goes on</source>
-        <translation>让灯预热,检查曝光和增益,若仍如此请重新录制参考</translation>
-    </message>
-    <message>
-        <source>record the reference again</source>
-        <translation>重新录制参考</translation>
-    </message>
-    <message>
-        <source>the finger is not calibrated yet</source>
-        <translation>手指尚未标定</translation>
-    </message>
-    <message>
-        <source>calibrate with ball presses</source>
-        <translation>用球按压进行标定</translation>
-    </message>
-    <message>
-        <source>nothing could be measured</source>
-        <translation>什么都无法测量</translation>
-    </message>
-    <message>
-        <source>none of the pictures can be compared with the reference</source>
-        <translation>没有一张图片能与参考比较</translation>
-    </message>
-    <message>
-        <source>pictures of the untouched finger in poses that were recorded</source>
-        <translation>未触碰的手指在已录制姿态下的图片</translation>
-    </message>
-    <message>
-        <source>this is no check and is left out</source>
-        <translation>这不是检查记录,已舍弃</translation>
-    </message>
-    <message>
-        <source>the report could not be printed</source>
-        <translation>无法生成报告的打印版</translation>
-    </message>
-    <message>
-        <source>this computer cannot draw in 3D: there is no EGL with OpenGL 3.2</source>
-        <translation>本机无法绘制三维图:没有支持 OpenGL 3.2 的 EGL</translation>
-    </message>
-    <message>
-        <source>installing libegl1 and libgl1-mesa-dri, which draw in software</source>
-        <translation>安装 libegl1 和 libgl1-mesa-dri,它们用软件绘制</translation>
-    </message>
-    <message>
-        <source>the press could not be removed: %1</source>
-        <translation>无法移除按压:%1</translation>
-    </message>
-    <message>
-        <source>no finger is open, so the recording cannot be measured</source>
-        <translation>没有打开手指,无法测量录像</translation>
-    </message>
-    <message>
-        <source>opening a finger</source>
-        <translation>打开手指</translation>
-    </message>
-    <message>
-        <source>there is no face to save</source>
-        <translation>没有可保存的面</translation>
-    </message>
-    <message>
-        <source>another frame</source>
-        <translation>换一帧</translation>
-    </message>
-    <message>
-        <source>no frame of the recording shows a face</source>
-        <translation>录像中没有一帧显示面</translation>
-    </message>
-    <message>
-        <source>this is not a session of this program</source>
-        <translation>这不是本程序的会话</translation>
-    </message>
-    <message>
-        <source>beginning a new one</source>
-        <translation>开始新的会话</translation>
-    </message>
-    <message>
-        <source>there is a finger already, and it is never overwritten</source>
-        <translation>已有一个手指,不会覆盖它</translation>
-    </message>
-    <message>
-        <source>another folder, or moving that one away</source>
-        <translation>换一个文件夹,或将其移走</translation>
-    </message>
-    <message>
-        <source>this file that comes with the program is not there</source>
-        <translation>缺少随程序安装的这个文件</translation>
-    </message>
-    <message>
-        <source>installing the program again</source>
-        <translation>重新安装程序</translation>
-    </message>
-    <message>
-        <source>standard output could not be written</source>
-        <translation>无法写标准输出</translation>
-    </message>
-    <message>
-        <source>looking at what reads it</source>
-        <translation>检查读取它的程序</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not excluded</source>
-        <translation>“%1”没有被排除</translation>
-    </message>
-    <message>
-        <source>%1 of %2 %3 reached</source>
-        <translation>已达到 %1 / %2 %3</translation>
-    </message>
-    <message>
-        <source>degrees</source>
-        <translation>度</translation>
-    </message>
-    <message>
-        <source>bend it further away from the camera</source>
-        <translation>向远离相机的方向再弯一些</translation>
-    </message>
-    <message>
-        <source>bend it further towards the camera</source>
-        <translation>向靠近相机的方向再弯一些</translation>
-    </message>
-    <message>
-        <source>push its tip further to one side</source>
-        <translation>把指尖再向一侧推</translation>
-    </message>
-    <message>
-        <source>push its tip further to the other side</source>
-        <translation>把指尖再向另一侧推</translation>
-    </message>
-    <message>
-        <source>twist it further one way</source>
-        <translation>再向一个方向扭</translation>
-    </message>
-    <message>
-        <source>twist it further the other way</source>
-        <translation>再向另一方向扭</translation>
-    </message>
-    <message>
-        <source>bend it while its tip is pushed aside: %1 % of the combinations were seen</source>
-        <translation>把指尖推向一侧的同时弯曲:已看到 %1 % 的组合</translation>
-    </message>
-    <message>
-        <source>no frame shows the face</source>
-        <translation>没有一帧显示面</translation>
-    </message>
-    <message>
-        <source>a recording in which both long edges of the bright face are visible</source>
-        <translation>能看见明亮面两条长边的录像</translation>
-    </message>
-    <message>
-        <source>%1 dots were found but they fit no pose of the %2 markers</source>
-        <translation>找到 %1 个点,但与 %2 个标记点的任何姿态都不符</translation>
-    </message>
-    <message>
-        <source>the markers lie %1 px from where they can be</source>
-        <translation>标记点偏离可能的位置 %1 px</translation>
-    </message>
-    <message>
-        <source>stopped before the recording was read</source>
-        <translation>读完录像之前已停止</translation>
-    </message>
-    <message>
-        <source>reading frame %1 of %2</source>
-        <translation>正在读取第 %1 / %2 帧</translation>
-    </message>
-    <message>
-        <source>the picture</source>
-        <translation>图片</translation>
-    </message>
-    <message>
-        <source>a recording made with this finger&apos;s camera, or the right camera.size and orientation</source>
-        <translation>用此手指的相机录制,或改正 camera.size 和 orientation</translation>
-    </message>
-    <message>
-        <source>the recording cannot be renamed: %1</source>
-        <translation>无法重命名录像:%1</translation>
-    </message>
-    <message>
-        <source>stopped before the recording was written</source>
-        <translation>写完录像之前已停止</translation>
-    </message>
-    <message>
-        <source>writing the frames that are kept</source>
-        <translation>正在写入保留的帧</translation>
-    </message>
-    <message>
-        <source>stopped before the recording was compared</source>
-        <translation>比较完录像之前已停止</translation>
-    </message>
-    <message>
-        <source>comparing frame %1 of %2</source>
-        <translation>正在比较第 %1 / %2 帧</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>第 %1 帧</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 frames can be used (%3)</source>
-        <translation>%2 帧中只有 %1 帧可用(%3)</translation>
-    </message>
-    <message>
-        <source>record again with every marker in view and nothing on the contact face</source>
-        <translation>重新录制,所有标记点都在画面内,接触面上没有东西</translation>
-    </message>
-    <message>
-        <source>the recording&apos;s picture</source>
-        <translation>录像的图片</translation>
-    </message>
-    <message>
-        <source>frame %1: something pressed on the contact face, %2 mm from its base (%3 % darker than untouched)</source>
-        <translation>第 %1 帧:接触面受压,距根部 %2 mm(比未触碰时暗 %3 %)</translation>
-    </message>
-    <message>
-        <source>the recording holds %1 frame; at least 2 are needed</source>
-        <translation>录像只有 %1 帧;至少需要 2 帧</translation>
-    </message>
-    <message>
-        <source>the recording holds %1 frames; at least 2 are needed</source>
-        <translation>录像只有 %1 帧;至少需要 2 帧</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>录像</translation>
-    </message>
-    <message>
-        <source>record the finger while it bends slowly in every direction, untouched</source>
-        <translation>录制手指未触碰时缓慢向各个方向弯曲的过程</translation>
-    </message>
-    <message>
-        <source>numbering the markers</source>
-        <translation>正在给标记点编号</translation>
-    </message>
-    <message>
-        <source>%1 marker positions in %2 frames are estimates, because the markers were covered or not found</source>
-        <translation>%2 帧中有 %1 个标记点位置是估计值,因为标记点被遮挡或未找到</translation>
-    </message>
-    <message>
-        <source>%1 frames are few: a recording of a minute (about 1500 frames) over all directions of bending gives closer references</source>
-        <translation>%1 帧偏少:录制一分钟(约 1500 帧)并覆盖所有弯曲方向,可得到更接近的参考</translation>
-    </message>
-    <message>
-        <source>this finger has no markers to record a reference with</source>
-        <translation>此手指没有标记点,无法录制参考</translation>
-    </message>
-    <message>
-        <source>the recording could not be processed (%1)</source>
-        <translation>无法处理录像(%1)</translation>
-    </message>
-    <message>
-        <source>reference installed</source>
-        <translation>参考已设置</translation>
-    </message>
-    <message>
-        <source>only a flat sensor takes one untouched picture as its reference</source>
-        <translation>只有平面传感器以一张未触碰的图片为参考</translation>
-    </message>
-    <message>
-        <source>a recording of the bending, untouched finger</source>
-        <translation>使用未触碰手指弯曲的录像</translation>
-    </message>
-    <message>
-        <source>an untouched picture taken with this sensor&apos;s camera</source>
-        <translation>用此传感器的相机拍摄的未触碰图片</translation>
-    </message>
-    <message>
-        <source>the two long edges of the face were not found</source>
-        <translation>没有找到面的两条长边</translation>
-    </message>
-    <message>
-        <source>light the finger as in its recording, and check that the picture shows the face from base to tip with the finger&apos;s length along the picture&apos;s width</source>
-        <translation>按录制时的方式照亮手指,并检查图片是否显示从根部到指尖的面,手指长度方向沿图片宽度</translation>
-    </message>
-    <message>
-        <source>the face&apos;s edges</source>
-        <translation>面的边缘</translation>
-    </message>
-    <message>
-        <source>a picture in which both long edges of the bright face are visible and lit evenly; check that the lamps are on and that the lens is clean</source>
-        <translation>能看见明亮面两条长边且光照均匀的图片;检查灯是否打开、镜头是否干净</translation>
-    </message>
-    <message>
-        <source>the shape of a Fin Ray needs a perspective camera, not an orthographic one</source>
-        <translation>Fin Ray 的形状需要透视相机,不能用正交相机</translation>
-    </message>
-    <message>
-        <source>the %1 edge of the face was seen in too few columns</source>
-        <translation>面的%1边缘只在太少的列中可见</translation>
-    </message>
-    <message>
-        <source>the two edges were never seen together</source>
-        <translation>两条边缘从未同时可见</translation>
-    </message>
-    <message>
-        <source>no smooth shape fits them</source>
-        <translation>没有平滑的形状与之相符</translation>
-    </message>
-    <message>
-        <source>no smooth shape fits the outline of the face: it jumps at column %1</source>
-        <translation>没有平滑的形状与接触面的轮廓相符:轮廓在第 %1 列处跳变</translation>
-    </message>
-    <message>
-        <source>bending the finger less, until no part of it hides another</source>
-        <translation>让手指弯得少一些,直到没有一部分遮住另一部分</translation>
-    </message>
-    <message>
-        <source>the distance of the face is too uncertain in every column</source>
-        <translation>面的距离在每一列都太不确定</translation>
-    </message>
-    <message>
-        <source>only %1 recorded pictures show every marker; at least 2 are needed</source>
-        <translation>只有 %1 张录制的图片显示全部标记点;至少需要 2 张</translation>
-    </message>
-    <message>
-        <source>marker model</source>
-        <translation>标记点模型</translation>
-    </message>
-    <message>
-        <source>record the finger bending with both side faces in view and evenly lit</source>
-        <translation>录制手指弯曲的过程,两个侧面都在画面内且光照均匀</translation>
-    </message>
-    <message>
-        <source>%1 markers have a position but %2 have a size</source>
-        <translation>%1 个标记点有位置,但有 %2 个有大小</translation>
-    </message>
-    <message>
-        <source>the markers&apos; positions are not finite numbers</source>
-        <translation>标记点的位置不是有限数</translation>
-    </message>
-    <message>
-        <source>make the reference anew from the recording</source>
-        <translation>由录像重新生成参考</translation>
-    </message>
-    <message>
-        <source>the finger has no markers, so it has no marker table</source>
-        <translation>手指没有标记点,因此没有标记点表</translation>
-    </message>
-    <message>
-        <source>set markers.per_row</source>
-        <translation>设置 markers.per_row</translation>
-    </message>
-    <message>
-        <source>%1, line %2</source>
-        <translation>%1,第 %2 行</translation>
-    </message>
-    <message>
-        <source>not a marker table; its first line must be &apos;%1&apos;</source>
-        <translation>不是标记点表;第一行必须是“%1”</translation>
-    </message>
-    <message>
-        <source>the table ends too early</source>
-        <translation>表格过早结束</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; does not close a table of %2 frames</source>
-        <translation>“%1”不是 %2 帧表格的结尾</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not &apos;%2&apos; with possible values</source>
-        <translation>“%1”不是取值合理的“%2”</translation>
-    </message>
-    <message>
-        <source>marker %1 stands where marker %2 of %3 must</source>
-        <translation>应为标记点 %2(共 %3 个)的位置却是标记点 %1</translation>
-    </message>
-    <message>
-        <source>frame %1 comes after frame %2</source>
-        <translation>第 %1 帧排在第 %2 帧之后</translation>
-    </message>
-    <message>
-        <source>frame %1 has %2 markers instead of %3</source>
-        <translation>第 %1 帧有 %2 个标记点,应为 %3 个</translation>
-    </message>
-    <message>
-        <source>marker %1 has another radius or contrast than before</source>
-        <translation>标记点 %1 的半径或对比度与之前不同</translation>
-    </message>
-    <message>
-        <source>the table holds no frame</source>
-        <translation>表中没有帧</translation>
-    </message>
-    <message>
-        <source>%1 dots were found beside the face, but no third of the %2 markers among them fits a pose of the reference recording</source>
-        <translation>在面旁找到 %1 个点,但其中没有三分之一的标记点(共 %2 个)与参考录像的任何姿态相符</translation>
-    </message>
-    <message>
-        <source>the markers were not found: the face&apos;s shape alone tells this pose, so that depth is less sure and neither twist nor what touches the finger is told; uncover and light the dots on the side faces</source>
-        <translation>未找到标记点：只能由接触面的形状判断该姿态，因此深度不太可靠，也无法给出扭转以及手指被什么触碰；请露出并照亮侧面上的圆点</translation>
-    </message>
-    <message>
-        <source>a picture at the size that the finger was calibrated with</source>
-        <translation>使用与标定时尺寸相同的图片</translation>
-    </message>
-    <message>
-        <source>this pose was never recorded: the nearest reference frame is %1 px away; record the finger bending further in this direction</source>
-        <translation>这个姿态没有录制过:最近的参考帧相距 %1 px;请录制手指向此方向弯得更多的情形</translation>
-    </message>
-    <message>
-        <source>the picture is black: its brightest parts reach %1 of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
-        <translation>画面全黑:最亮处只有 255 级灰度中的 %1;请取下镜头盖、打开灯或延长曝光</translation>
-    </message>
-    <message>
-        <source>the picture is too bright: %1 % of it is saturated; expose shorter, or dim the lamps</source>
-        <translation>画面过亮:%1 % 已饱和;请缩短曝光或调暗灯光</translation>
-    </message>
-    <message>
-        <source>the picture is blank: all of it has %1 of 255 grey levels, without even a camera&apos;s noise; plug the camera in again</source>
-        <translation>画面空白:处处都是 255 级灰度中的 %1,连相机噪声都没有;请重新插拔相机</translation>
-    </message>
-    <message>
-        <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
-        <translation>画面与上一帧逐级灰度完全相同:相机已停住;请重新插拔相机</translation>
-    </message>
-    <message>
-        <source>%1 % of the face is too bright to be measured; expose shorter, or dim the lamps</source>
-        <translation>接触面的 %1 % 过亮,无法测量;请缩短曝光或调暗灯光</translation>
-    </message>
-    <message>
-        <source>%1 % of the face was never recorded in a pose like this; record the finger bending further in this direction</source>
-        <translation>接触面的 %1 % 在这样的姿态下没有录制过;请录制手指向此方向弯得更多的情形</translation>
-    </message>
-    <message>
-        <source>%1 % of the face, at its end, is hidden in this frame: nothing is told of it, neither that it is touched nor that it is not</source>
-        <translation>接触面末端有 %1 % 在此图像中被遮挡：对该部分不作任何判断，既不说被触碰，也不说未被触碰</translation>
-    </message>
-    <message>
-        <source>the face is %1 % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
-        <translation>接触面比录制参考时暗 %1 %;请把曝光、增益和灯光设回当时的值</translation>
-    </message>
-    <message>
-        <source>the face is %1 % brighter than when its reference was recorded; set exposure, gain and lamps as they were then</source>
-        <translation>接触面比录制参考时亮 %1 %;请把曝光、增益和灯光设回当时的值</translation>
-    </message>
-    <message>
-        <source>%1 % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the finger that it is, or record the reference again</source>
-        <translation>接触面的 %1 % 比其参考更亮:这是另一根手指,或其表皮已改变;请选择对应的手指,或重新录制参考</translation>
-    </message>
-    <message>
-        <source>few recorded frames are near this pose: its reference is %1 times less sure than usual; record the finger bending slowly through it</source>
-        <translation>此姿态附近录制的帧很少:其参考的不确定度是通常的 %1 倍;请录制手指缓慢弯过此姿态的情形</translation>
-    </message>
-    <message>
-        <source>the finger is not calibrated: calibrate it with ball presses</source>
-        <translation>手指尚未标定:请用球按压标定</translation>
-    </message>
-    <message>
-        <source>how the face&apos;s edges are placed: half-way crossing to a fiftieth of a pixel, or the steepest whole pixel</source>
-        <translation>面的边缘如何定位:半高处,精度五十分之一像素,或最陡的整像素</translation>
-    </message>
-    <message>
-        <source>pixel columns averaged into one place on each edge</source>
-        <translation>每条边缘上合并为一个位置的像素列数</translation>
-    </message>
-    <message>
-        <source>degree of the smooth curve through each edge of the face</source>
-        <translation>通过面每条边缘的平滑曲线的次数</translation>
-    </message>
-    <message>
-        <source>which untouched picture a frame is compared with: the nearest recorded one, or one computed from the nearest several</source>
-        <translation>与哪张未触碰图片比较:最近的录制图片,或由最近几张算出的图片</translation>
-    </message>
-    <message>
-        <source>whether a change of the light since the reference is read from the untouched skin and taken out</source>
-        <translation>是否由未触碰的表皮读出参考之后的光照变化并扣除</translation>
-    </message>
-    <message>
-        <source>standard deviation of the smoothing before depth is read, in pixels; 0: none</source>
-        <translation>读取深度前平滑的标准差,单位像素;0:不平滑</translation>
-    </message>
-    <message>
-        <source>depth that counts as touched, in millimetres</source>
-        <translation>算作触碰的深度,单位毫米</translation>
-    </message>
-    <message>
-        <source>stopped before the reference was read</source>
-        <translation>读完参考之前已停止</translation>
-    </message>
-    <message>
-        <source>reading reference frame %1 of %2</source>
-        <translation>正在读取第 %1 / %2 个参考帧</translation>
-    </message>
-    <message>
-        <source>the marker table names frame %1 but the recording ends after %2 frames</source>
-        <translation>标记点表中有第 %1 帧,但录像只有 %2 帧</translation>
-    </message>
-    <message>
-        <source>the sensor has no untouched picture</source>
-        <translation>传感器没有未触碰的图片</translation>
-    </message>
-    <message>
-        <source>give one with the calibration</source>
-        <translation>标定时给出一张</translation>
-    </message>
-    <message>
-        <source>the untouched picture</source>
-        <translation>未触碰的图片</translation>
-    </message>
-    <message>
-        <source>give the untouched picture anew</source>
-        <translation>重新给出未触碰的图片</translation>
-    </message>
-    <message>
-        <source>the finger has no reference recording</source>
-        <translation>手指没有参考录像</translation>
-    </message>
-    <message>
-        <source>record the bending, untouched finger and make its reference</source>
-        <translation>录制未触碰手指弯曲的过程并生成参考</translation>
-    </message>
-    <message>
-        <source>the reference recording is missing or no video</source>
-        <translation>参考录像缺失或不是视频</translation>
-    </message>
-    <message>
-        <source>the recording cannot be read (%1)</source>
-        <translation>无法读取录像(%1)</translation>
-    </message>
-    <message>
-        <source>the face was found in %1 of %2 recorded pictures; 2 are needed</source>
-        <translation>%2 张录制图片中有 %1 张找到了面;需要 2 张</translation>
-    </message>
-    <message>
-        <source>the reference picture is not an 8-bit grey picture</source>
-        <translation>参考图片不是 8 位灰度图</translation>
-    </message>
-    <message>
-        <source>save it as such</source>
-        <translation>按该格式保存</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a number from %2 to %3</source>
-        <translation>“%1”不是 %2 到 %3 的数</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not %2</source>
-        <translation>“%1”不是 %2</translation>
-    </message>
-    <message>
-        <source>depth_mm = %1 goes through the layer of %2 mm</source>
-        <translation>depth_mm = %1 穿透了 %2 mm 的层</translation>
-    </message>
-    <message>
-        <source>less than finger.face.layer_mm</source>
-        <translation>小于 finger.face.layer_mm</translation>
-    </message>
-    <message>
-        <source>s_mm is beyond the ends of the face</source>
-        <translation>s_mm 超出面的两端</translation>
-    </message>
-    <message>
-        <source>y_mm is beside the face</source>
-        <translation>y_mm 在面之外</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 至 %2</translation>
-    </message>
-    <message>
-        <source>the ball would sink in beyond its middle</source>
-        <translation>球会陷入超过其中部</translation>
-    </message>
-    <message>
-        <source>depth_mm below radius_mm</source>
-        <translation>depth_mm 小于 radius_mm</translation>
-    </message>
-    <message>
-        <source>a flat sensor does not bend</source>
-        <translation>平面传感器不会弯曲</translation>
-    </message>
-    <message>
-        <source>leave bend out</source>
-        <translation>去掉 bend</translation>
-    </message>
-    <message>
-        <source>nothing presses, so nothing bulges</source>
-        <translation>没有按压,因此没有隆起</translation>
-    </message>
-    <message>
-        <source>name ball or relief too</source>
-        <translation>同时写上 ball 或 relief</translation>
-    </message>
-    <message>
-        <source>there is no lamp</source>
-        <translation>没有灯</translation>
-    </message>
-    <message>
-        <source>the lamp aims at itself</source>
-        <translation>灯指向自身</translation>
-    </message>
-    <message>
-        <source>another point</source>
-        <translation>换一个点</translation>
-    </message>
-    <message>
-        <source>this lobe is not known</source>
-        <translation>未知的光束形状</translation>
-    </message>
-    <message>
-        <source>1, 2, 4 or 8</source>
-        <translation>1、2、4 或 8</translation>
-    </message>
-    <message>
-        <source>&apos;first&apos; is not below &apos;last&apos;</source>
-        <translation>&apos;first&apos; 不小于 &apos;last&apos;</translation>
-    </message>
-    <message>
-        <source>e.g. 0.1 and 0.9</source>
-        <translation>例如 0.1 和 0.9</translation>
-    </message>
-    <message>
-        <source>the dots would cut the face&apos;s edge</source>
-        <translation>标记点会切到面的边缘</translation>
-    </message>
-    <message>
-        <source>less than setback_mm</source>
-        <translation>小于 setback_mm</translation>
-    </message>
-    <message>
-        <source>the finger has no markers</source>
-        <translation>手指没有标记点</translation>
-    </message>
-    <message>
-        <source>finger.markers with per_row and polarity</source>
-        <translation>写上 finger.markers 的 per_row 和 polarity</translation>
-    </message>
-    <message>
-        <source>markers are engraved in the side faces</source>
-        <translation>标记点刻在侧面上</translation>
-    </message>
-    <message>
-        <source>name the effect sides too</source>
-        <translation>同时写上效果 sides</translation>
-    </message>
-    <message>
-        <source>JPEG needs whole grey levels</source>
-        <translation>JPEG 需要整数灰度级</translation>
-    </message>
-    <message>
-        <source>name the effect quantisation too</source>
-        <translation>同时写上效果 quantisation</translation>
-    </message>
-    <message>
-        <source>no dot would ever be hidden</source>
-        <translation>不会有任何点被遮住</translation>
-    </message>
-    <message>
-        <source>leave occlusion out, or 1 and more</source>
-        <translation>去掉 occlusion,或取 1 以上</translation>
-    </message>
-    <message>
-        <source>%1 is not a marker&apos;s number</source>
-        <translation>%1 不是标记点编号</translation>
-    </message>
-    <message>
-        <source>there are no dots to hide</source>
-        <translation>没有可遮住的点</translation>
-    </message>
-    <message>
-        <source>name the effect markers too</source>
-        <translation>同时写上效果 markers</translation>
-    </message>
-    <message>
-        <source>there is no marker %1</source>
-        <translation>没有标记点 %1</translation>
-    </message>
-    <message>
-        <source>0 to %1</source>
-        <translation>0 至 %1</translation>
-    </message>
-    <message>
-        <source>more dots would be hidden than there are</source>
-        <translation>要遮住的点多于现有的点</translation>
-    </message>
-    <message>
-        <source>the bars are wider than the T</source>
-        <translation>横条比 T 还宽</translation>
-    </message>
-    <message>
-        <source>less than size_mm</source>
-        <translation>小于 size_mm</translation>
-    </message>
-    <message>
-        <source>nothing presses, so nothing rolls off</source>
-        <translation>没有按压,因此没有过渡</translation>
-    </message>
-    <message>
-        <source>kind hertz is for balls only</source>
-        <translation>kind hertz 只用于球</translation>
-    </message>
-    <message>
-        <source>kind: smooth with a length_mm</source>
-        <translation>用 kind: smooth 并给出 length_mm</translation>
-    </message>
-    <message>
-        <source>a flat sensor has no side faces</source>
-        <translation>平面传感器没有侧面</translation>
-    </message>
-    <message>
-        <source>leave sides out</source>
-        <translation>去掉 sides</translation>
-    </message>
-    <message>
-        <source>an orthographic camera sees no side faces</source>
-        <translation>正交相机看不到侧面</translation>
-    </message>
-    <message>
-        <source>a flat sensor does not sway</source>
-        <translation>平面传感器不会摆动</translation>
-    </message>
-    <message>
-        <source>leave sway out</source>
-        <translation>去掉 sway</translation>
-    </message>
-    <message>
-        <source>a flat sensor does not give way</source>
-        <translation>平面传感器不会退让</translation>
-    </message>
-    <message>
-        <source>leave give_mm out</source>
-        <translation>去掉 give_mm</translation>
-    </message>
-    <message>
-        <source>the list is empty</source>
-        <translation>列表为空</translation>
-    </message>
-    <message>
-        <source>one pose a frame</source>
-        <translation>每帧一个姿态</translation>
-    </message>
-    <message>
-        <source>the motion moves &apos;%1&apos;, but no effect of the scene does</source>
-        <translation>运动中有“%1”,但场景中没有相应效果</translation>
-    </message>
-    <message>
-        <source>name `bend` or `sway` among the effects</source>
-        <translation>在效果中写上 `bend` 或 `sway`</translation>
-    </message>
-    <message>
-        <source>%1 = %2 is outside the effect&apos;s range</source>
-        <translation>%1 = %2 超出效果的范围</translation>
-    </message>
-    <message>
-        <source>the motion has nothing to move</source>
-        <translation>运动没有可移动的对象</translation>
-    </message>
-    <message>
-        <source>name `bend` or `sway` among the effects, or leave the motion out</source>
-        <translation>在效果中写上 `bend` 或 `sway`,或去掉运动</translation>
-    </message>
-    <message>
-        <source>a number %1 %2 and %3 %4</source>
-        <translation>%1 %2 且%3 %4 的数</translation>
-    </message>
-    <message>
-        <source>above</source>
-        <translation>大于</translation>
-    </message>
-    <message>
-        <source>from</source>
-        <translation>不小于</translation>
-    </message>
-    <message>
-        <source>below</source>
-        <translation>小于</translation>
-    </message>
-    <message>
-        <source>up to</source>
-        <translation>不大于</translation>
-    </message>
-    <message>
-        <source>(not a word)</source>
-        <translation>(不是单词)</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;%1&apos;</source>
-        <translation>未知的键 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; stands here twice</source>
-        <translation>键 &apos;%1&apos; 在这里出现两次</translation>
-    </message>
-    <message>
-        <source>remove one of the two</source>
-        <translation>删除其中一个</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is missing</source>
-        <translation>缺少键 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>add &apos;%1&apos;</source>
-        <translation>添加 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a finite number</source>
-        <translation>“%1”不是有限数</translation>
-    </message>
-    <message>
-        <source>a list or map</source>
-        <translation>列表或映射表</translation>
-    </message>
-    <message>
-        <source>0 would mean that this is absent, and what is absent is not named</source>
-        <translation>0 表示没有,没有的就不要写</translation>
-    </message>
-    <message>
-        <source>leave it out, or give %1</source>
-        <translation>去掉它,或给出%1</translation>
-    </message>
-    <message>
-        <source>%1 is out of range</source>
-        <translation>%1 超出范围</translation>
-    </message>
-    <message>
-        <source>%1 is not a whole number</source>
-        <translation>%1 不是整数</translation>
-    </message>
-    <message>
-        <source>a whole number</source>
-        <translation>整数</translation>
-    </message>
-    <message>
-        <source>one number a frame</source>
-        <translation>每帧一个数</translation>
-    </message>
-    <message>
-        <source>&apos;from&apos; is not below &apos;to&apos;</source>
-        <translation>&apos;from&apos; 不小于 &apos;to&apos;</translation>
-    </message>
-    <message>
-        <source>a range that grows</source>
-        <translation>递增的范围</translation>
-    </message>
-    <message>
-        <source>this is not a text</source>
-        <translation>这不是文本</translation>
-    </message>
-    <message>
-        <source>a word or a sentence</source>
-        <translation>单词或句子</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not known here</source>
-        <translation>“%1”在这里是未知的</translation>
-    </message>
-    <message>
-        <source>this is not a list of the right length</source>
-        <translation>这不是长度正确的列表</translation>
-    </message>
-    <message>
-        <source>[%1 numbers]</source>
-        <translation>[%1 个数]</translation>
-    </message>
-    <message>
-        <source>[%1 to %2 numbers]</source>
-        <translation>[%1 到 %2 个数]</translation>
-    </message>
-    <message>
-        <source>this is not a map</source>
-        <translation>这不是映射表</translation>
-    </message>
-    <message>
-        <source>key: value, indented</source>
-        <translation>key: value,缩进书写</translation>
-    </message>
-    <message>
-        <source>this is not a list</source>
-        <translation>这不是列表</translation>
-    </message>
-    <message>
-        <source>a list of maps</source>
-        <translation>映射表的列表</translation>
-    </message>
-    <message>
-        <source>an entry of the list is not a map</source>
-        <translation>列表中有一项不是映射表</translation>
-    </message>
-    <message>
-        <source>scene &apos;%1&apos;: finger.camera</source>
-        <translation>场景“%1”:finger.camera</translation>
-    </message>
-    <message>
-        <source>this is not [width, height]</source>
-        <translation>这不是 [宽, 高]</translation>
-    </message>
-    <message>
-        <source>whole numbers from 16 to 16384</source>
-        <translation>16 到 16384 的整数</translation>
-    </message>
-    <message>
-        <source>there is no effect &apos;%1&apos;</source>
-        <translation>没有效果 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>the effect &apos;%1&apos; is named twice</source>
-        <translation>效果 &apos;%1&apos; 出现两次</translation>
-    </message>
-    <message>
-        <source>this is not a scene</source>
-        <translation>这不是场景</translation>
-    </message>
-    <message>
-        <source>name, why, finger, frames and effects</source>
-        <translation>需要 name、why、finger、frames 和 effects</translation>
-    </message>
-    <message>
-        <source>mend the YAML there</source>
-        <translation>请改正那里的 YAML</translation>
-    </message>
-    <message>
-        <source>its camera does not give whole grey levels</source>
-        <translation>其相机给出的不是整数灰度级</translation>
-    </message>
-    <message>
-        <source>Serial number</source>
-        <translation>序列号</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>格式</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>相机</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>灯光</translation>
-    </message>
-    <message>
-        <source>take %1</source>
-        <translation>请拍摄%1</translation>
-    </message>
-    <message>
-        <source>%1 (the first: %2)</source>
-        <translation>%1(第一张:%2)</translation>
-    </message>
-    <message>
-        <source>the finger that belongs to this camera, or this finger&apos;s camera</source>
-        <translation>打开属于此相机的手指,或使用此手指的相机</translation>
-    </message>
-    <message>
-        <source>stopped by hand</source>
-        <translation>手动停止</translation>
-    </message>
-    <message>
-        <source>the source ended</source>
-        <translation>来源已结束</translation>
-    </message>
-    <message>
-        <source>frame %1 of %2</source>
-        <translation>第 %1 / %2 帧</translation>
-    </message>
-    <message>
-        <source>%1 has no camera matrix, so %2 has no form for it</source>
-        <translation>%1没有相机矩阵,因此 %2 没有对应的形式</translation>
-    </message>
-    <message>
-        <source>an orthographic camera</source>
-        <translation>正交相机</translation>
-    </message>
-    <message>
-        <source>a camera behind a window</source>
-        <translation>隔着窗口的相机</translation>
-    </message>
-    <message>
-        <source>json, or zip for the whole finger</source>
-        <translation>json,或用 zip 导出整个手指</translation>
-    </message>
-    <message>
-        <source>is a link to another folder, which a zip cannot hold</source>
-        <translation>是指向另一文件夹的链接,zip 无法包含</translation>
-    </message>
-    <message>
-        <source>is neither a file nor a folder, so a zip cannot hold it</source>
-        <translation>既不是文件也不是文件夹,zip 无法包含</translation>
-    </message>
-    <message>
-        <source>moving it out of the finger&apos;s folder</source>
-        <translation>把它移出手指的文件夹</translation>
-    </message>
-    <message>
-        <source>the finger&apos;s folder could not be read</source>
-        <translation>无法读取手指的文件夹</translation>
-    </message>
-    <message>
-        <source>its permissions, and that its disk is there</source>
-        <translation>检查其权限,以及磁盘是否在</translation>
-    </message>
-    <message>
-        <source>a zip of the finger cannot lie in the finger&apos;s own folder</source>
-        <translation>手指的 zip 不能放在手指自己的文件夹里</translation>
-    </message>
-    <message>
-        <source>another folder</source>
-        <translation>换一个文件夹</translation>
-    </message>
-    <message>
-        <source>stopped before it was written</source>
-        <translation>写完之前已停止</translation>
-    </message>
-    <message>
-        <source>could not write the archive</source>
-        <translation>无法写入压缩包</translation>
-    </message>
-    <message>
-        <source>another name for the file that is meant</source>
-        <translation>给该文件换一个名字</translation>
-    </message>
-    <message>
-        <source>stopped before it was packed</source>
-        <translation>打包完成前已停止</translation>
-    </message>
-    <message>
-        <source>there is no HID device that can be read</source>
-        <translation>没有可以读取的 HID 设备</translation>
-    </message>
-    <message>
-        <source>plugging in a pedal</source>
-        <translation>插上脚踏开关</translation>
-    </message>
-    <message>
-        <source>must be three numbers from -10000 to 10000</source>
-        <translation>必须是三个从 -10000 到 10000 的数</translation>
-    </message>
-    <message>
-        <source>where the camera sits in the gripper, in mm</source>
-        <translation>相机在夹爪中的位置，单位 mm</translation>
-    </message>
-    <message>
-        <source>is no rotation: a quaternion w, x, y, z has the length 1</source>
-        <translation>不是旋转：四元数 w, x, y, z 的长度为 1</translation>
-    </message>
-    <message>
-        <source>[1.0, 0.0, 0.0, 0.0] for a camera that is not turned</source>
-        <translation>相机没有转动时用 [1.0, 0.0, 0.0, 0.0]</translation>
-    </message>
-    <message>
-        <source>must be three numbers: x, y, z in mm</source>
-        <translation>必须是三个数：x、y、z，单位 mm</translation>
-    </message>
-    <message>
-        <source>must be four numbers: w, x, y, z of a unit quaternion</source>
-        <translation>必须是四个数：单位四元数的 w、x、y、z</translation>
-    </message>
-    <message>
-        <source>this recording is not there any more</source>
-        <translation>这段录像已不存在</translation>
-    </message>
-    <message>
-        <source>plugging in the disk it lies on, or opening another one</source>
-        <translation>插上存放它的磁盘，或打开另一段录像</translation>
-    </message>
-    <message>
-        <source>must be a whole number from 0 to 64</source>
-        <translation>必须是 0 到 64 的整数</translation>
-    </message>
-    <message>
-        <source>the number of dots on one side face, 0 for a finger without</source>
-        <translation>一个侧面上标记点的个数,没有标记点则为 0</translation>
-    </message>
-    <message>
-        <source>must be numbers from 0 to %1, ascending</source>
-        <translation>必须是 0 到 %1 的编号,按升序排列</translation>
-    </message>
-    <message>
-        <source>must be a list of whole numbers</source>
-        <translation>必须是整数列表</translation>
-    </message>
-    <message>
-        <source>must be a column of the picture and a step of 0.001 to 500 mm</source>
-        <translation>必须是图像的一列和 0.001 到 500 mm 的步长</translation>
-    </message>
-    <message>
-        <source>must be two numbers: a column in px, a step in mm</source>
-        <translation>必须是两个数:以 px 计的列和以 mm 计的步长</translation>
-    </message>
-    <message>
-        <source>too little of the face is seen to tell the pose by its shape</source>
-        <translation>可见的面太少,无法由其形状判断姿态</translation>
-    </message>
-    <message>
-        <source>a frame shows %1 dots on the upper and %2 on the lower side face (median of %3 frames), but no two rows of up to %4 that keep their places on the finger</source>
-        <translation>一帧中上侧面有 %1 个点、下侧面有 %2 个点(%3 帧的中位数),但没有两排各至多 %4 个在手指上位置不变的点</translation>
-    </message>
-    <message>
-        <source>No markers can be used: %1; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
-        <translation>没有可用的标记点:%1。姿态仅由面的形状判断,无法判断扭转;若手指有标记点,请照亮两个侧面使其突出,并对好焦</translation>
-    </message>
-    <message>
-        <source>Markers %1 were not found anywhere; the finger works with the other %2</source>
-        <translation>未找到标记点 %1;手指使用其余 %2 个</translation>
-    </message>
-    <message>
-        <source>%1 shows what was found</source>
-        <translation>%1 显示找到的内容</translation>
-    </message>
-    <message>
-        <source>frame %1 cannot be the finger&apos;s rest: %2</source>
-        <translation>第 %1 帧不能作为手指的静止姿态:%2</translation>
-    </message>
-    <message>
-        <source>the recording has no such frame</source>
-        <translation>录像中没有这一帧</translation>
-    </message>
-    <message>
-        <source>another frame in which the finger rests</source>
-        <translation>另一帧手指静止的画面</translation>
-    </message>
-    <message>
-        <source>a flat sensor takes one untouched picture</source>
-        <translation>平面传感器使用一张未接触的图像</translation>
-    </message>
-    <message>
-        <source>lines: edges of the face</source>
-        <translation>线:面的边缘</translation>
-    </message>
-    <message>
-        <source>outlined: darker than the untouched face</source>
-        <translation>描边处：比未触碰的面更暗</translation>
-    </message>
-    <message>
-        <source>circle: a marker, with its number</source>
-        <translation>圆圈:标记点及其编号</translation>
-    </message>
-    <message>
-        <source>cross: looks like a dot, but is none of the rows</source>
-        <translation>叉:像标记点,但不属于任何一排</translation>
-    </message>
-    <message>
-        <source>broken circle: a marker should be here</source>
-        <translation>虚线圆:此处应有标记点</translation>
-    </message>
-    <message>
-        <source>%1 in its frame %2 out of %3</source>
-        <translation>%1 的第 %2 帧,共 %3 帧</translation>
-    </message>
-    <message>
-        <source>none; poses are told by the shape of the face, which cannot tell twist</source>
-        <translation>没有;姿态由面的形状判断,无法判断扭转</translation>
-    </message>
-    <message>
-        <source>of %1 markers none may be hidden</source>
-        <translation>仅有 %1 个标记点,一个都不能被遮挡</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 100</source>
-        <translation>必须大于 0 且不超过 100</translation>
-    </message>
-    <message>
-        <source>a depth and its standard deviation in mm</source>
-        <translation>一个深度及其标准差,单位 mm</translation>
-    </message>
-    <message>
-        <source>the steps&apos; heights in mm</source>
-        <translation>各台阶的高度,单位 mm</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not among the presses, and something is said of it</source>
-        <translation>&apos;%1&apos; 不在按压之中,却有关于它的说明</translation>
-    </message>
-    <message>
-        <source>remove that</source>
-        <translation>请将其删除</translation>
-    </message>
-    <message>
-        <source>only the joint method uses measured depths and punches with a step</source>
-        <translation>只有联合方法使用测得的深度和带台阶的压头</translation>
-    </message>
-    <message>
-        <source>leaving them out, or --method joint</source>
-        <translation>不使用它们,或使用 --method joint</translation>
-    </message>
-    <message>
-        <source>or --bursts where each video shows one press held still</source>
-        <translation>或者在每段视频各显示一次保持静止的按压时使用 --bursts</translation>
-    </message>
-    <message>
-        <source>there are only presses of a punch with a step</source>
-        <translation>只有带台阶压头的按压</translation>
-    </message>
-    <message>
-        <source>pressing a ball as well, once at least: a step tells how far apart two depths are, not where they begin</source>
-        <translation>至少再用球按压一次:台阶只说明两个深度相差多少,不说明从哪里算起</translation>
-    </message>
-    <message>
-        <source>the punch touches too little of the face</source>
-        <translation>压头接触到的面太小</translation>
-    </message>
-    <message>
-        <source>one of the punch&apos;s levels touches too little of the face</source>
-        <translation>压头的一个平面接触到的面太小</translation>
-    </message>
-    <message>
-        <source>no step is to be seen</source>
-        <translation>看不到台阶</translation>
-    </message>
-    <message>
-        <source>pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more</source>
-        <translation>压入压头,直到表皮贴住它的两个平面,每个平面至少宽 4 mm</translation>
-    </message>
-    <message>
-        <source>its measured depth of %1 +- %2 mm was left out, because the pictures say %3 +- %4 mm; it counts from where the ball first touches, normal to the face</source>
-        <translation>其测得的深度 %1 +- %2 mm 未被采用,因为图像给出 %3 +- %4 mm;深度从球刚接触处算起,沿面的法线方向</translation>
-    </message>
-    <message>
-        <source>its step of %1 mm was left out, because the balls say %2 +- %3 mm; is the balls&apos; radius right</source>
-        <translation>其台阶 %1 mm 未被采用,因为各球给出 %2 +- %3 mm;球的半径是否正确</translation>
-    </message>
-    <message>
-        <source>the finger moves: no more than %1 of %2 frames in a row show the same</source>
-        <translation>手指在动:%2 帧中连续相同的不超过 %1 帧</translation>
-    </message>
-    <message>
-        <source>holding ball and finger still for half a second, at a steady light</source>
-        <translation>在稳定的光照下使球和手指保持静止半秒</translation>
-    </message>
-    <message>
-        <source>the mean of %1 frames held still, of %2 read</source>
-        <translation>读取的 %2 帧中 %1 帧静止画面的平均</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not NAME=R, a press and its ball&apos;s radius in mm</source>
-        <translation>&apos;%1&apos; 不是 NAME=R 的形式,即按压及其球半径(mm)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not NAME=MM+-SD, a press, how deep its ball was pressed in and how well that is known, in mm</source>
-        <translation>&apos;%1&apos; 不是 NAME=MM+-SD 的形式,即按压、球压入的深度及其标准差(mm)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not NAME=MM, a press and the height of its punch&apos;s step in mm</source>
-        <translation>&apos;%1&apos; 不是 NAME=MM 的形式,即按压及其压头台阶的高度(mm)</translation>
-    </message>
-</context>
-<context>
     <name>alltact::CalibratePlace</name>
     <message>
         <source>&amp;Next: %1</source>
@@ -7326,6 +3267,3957 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Verdict</source>
         <translation>结论</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::en</name>
+    <message>
+        <source>{} x {} px is no picture size; a side must have 16 to 16384</source>
+        <translation>{} x {} px 不是图片尺寸;边长必须为 16 到 16384</translation>
+    </message>
+    <message>
+        <source>the size of the camera&apos;s pictures, [width, height]</source>
+        <translation>相机图片的尺寸,[宽, 高]</translation>
+    </message>
+    <message>
+        <source>must be a number from 0.000001 to 100</source>
+        <translation>必须是 0.000001 到 100 的数</translation>
+    </message>
+    <message>
+        <source>millimetres on the object per pixel</source>
+        <translation>物体上每像素的毫米数</translation>
+    </message>
+    <message>
+        <source>must be a number from 1 to 1000000</source>
+        <translation>必须是 1 到 1000000 的数</translation>
+    </message>
+    <message>
+        <source>the focal length in pixels, as &apos;alltact lens&apos; finds it</source>
+        <translation>焦距,单位像素,由 &apos;alltact lens&apos; 得出</translation>
+    </message>
+    <message>
+        <source>must be a number from {} to {}</source>
+        <translation>必须是 {} 到 {} 的数</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s centre, or run &apos;alltact lens&apos;</source>
+        <translation>图片中心,或运行 &apos;alltact lens&apos;</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>零</translation>
+    </message>
+    <message>
+        <source>at most {}</source>
+        <translation>最多 {}</translation>
+    </message>
+    <message>
+        <source>a {} camera has {} coefficients, here are {}</source>
+        <translation>{} 相机有 {} 个系数,这里有 {} 个</translation>
+    </message>
+    <message>
+        <source>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []</source>
+        <translation>brown:k1 k2 p1 p2 k3,fisheye:k1 k2 k3 k4,其他:[]</translation>
+    </message>
+    <message>
+        <source>holds a number that no lens has</source>
+        <translation>含有镜头不可能有的数</translation>
+    </message>
+    <message>
+        <source>run &apos;alltact lens&apos;</source>
+        <translation>运行 &apos;alltact lens&apos;</translation>
+    </message>
+    <message>
+        <source>belongs to a perspective camera; an orthographic one sees no nearer through it</source>
+        <translation>属于透视相机;正交相机不需要它</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>去掉它</translation>
+    </message>
+    <message>
+        <source>the distortion folds over inside the picture: near its border two directions would be seen in one pixel</source>
+        <translation>畸变在画面内折叠:靠近边缘处一个像素会看到两个方向</translation>
+    </message>
+    <message>
+        <source>run &apos;alltact lens&apos; with boards that reach into the corners, or with fewer coefficients</source>
+        <translation>用到达四角的标定板或更少的系数运行 &apos;alltact lens&apos;</translation>
+    </message>
+    <message>
+        <source>{} is {} x {} px, the camera of this finger gives {} x {}</source>
+        <translation>{} 为 {} x {} px,此手指的相机给出 {} x {}</translation>
+    </message>
+    <message>
+        <source>must be a number from {:g} to {:g}</source>
+        <translation>必须是 {} 到 {} 的数</translation>
+    </message>
+    <message>
+        <source>must be a length from 0 to 1000 mm</source>
+        <translation>必须是 0 到 1000 mm 的长度</translation>
+    </message>
+    <message>
+        <source>a caliper&apos;s reading</source>
+        <translation>用卡尺测量</translation>
+    </message>
+    <message>
+        <source>must be an index of refraction from 1 to 3</source>
+        <translation>必须是 1 到 3 的折射率</translation>
+    </message>
+    <message>
+        <source>1 for air, 1.33 water, 1.41 silicone, 1.49 acrylic, 1.52 glass</source>
+        <translation>空气 1,水 1.33,硅胶 1.41,亚克力 1.49,玻璃 1.52</translation>
+    </message>
+    <message>
+        <source>{} or {}</source>
+        <translation>{} 或 {}</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>以下之一:{}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos;, or else {}</source>
+        <translation>“{}”,或者{}</translation>
+    </message>
+    <message>
+        <source>must be two whole numbers</source>
+        <translation>必须是两个整数</translation>
+    </message>
+    <message>
+        <source>[width, height] in pixels</source>
+        <translation>[宽, 高],单位像素</translation>
+    </message>
+    <message>
+        <source>the air between lens and window in mm</source>
+        <translation>镜头与窗口之间的空气,单位 mm</translation>
+    </message>
+    <message>
+        <source>the window&apos;s thickness in mm</source>
+        <translation>窗口的厚度,单位 mm</translation>
+    </message>
+    <message>
+        <source>the window&apos;s index of refraction</source>
+        <translation>窗口的折射率</translation>
+    </message>
+    <message>
+        <source>the index of what lies behind it</source>
+        <translation>窗口后面介质的折射率</translation>
+    </message>
+    <message>
+        <source>the size of a pixel in mm</source>
+        <translation>像素的大小,单位 mm</translation>
+    </message>
+    <message>
+        <source>the focal length in pixels</source>
+        <translation>焦距,单位像素</translation>
+    </message>
+    <message>
+        <source>the principal point in pixels</source>
+        <translation>主点,单位像素</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 50</source>
+        <translation>必须大于 0 且不超过 50</translation>
+    </message>
+    <message>
+        <source>the thickness of the translucent layer in mm, for example 1.5</source>
+        <translation>半透明层的厚度,单位 mm,例如 1.5</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 500</source>
+        <translation>必须大于 0 且不超过 500</translation>
+    </message>
+    <message>
+        <source>the distance between the two edges of the view face in mm</source>
+        <translation>面的两条边缘之间的距离,单位 mm</translation>
+    </message>
+    <message>
+        <source>a fin_ray needs a camera with perspective: its shape comes from it</source>
+        <translation>fin_ray 需要透视相机:形状由它得出</translation>
+    </message>
+    <message>
+        <source>pinhole, brown or fisheye</source>
+        <translation>pinhole、brown 或 fisheye</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 10000: the face lies before the camera</source>
+        <translation>必须大于 0 且不超过 10000:面在相机前方</translation>
+    </message>
+    <message>
+        <source>must be a number from -10000 to 10000</source>
+        <translation>必须是 -10000 到 10000 的数</translation>
+    </message>
+    <message>
+        <source>the distance of the face from the camera in mm</source>
+        <translation>面到相机的距离,单位 mm</translation>
+    </message>
+    <message>
+        <source>a flat sensor has no markers</source>
+        <translation>平面传感器没有标记点</translation>
+    </message>
+    <message>
+        <source>remove the block &apos;markers&apos;</source>
+        <translation>删除 &apos;markers&apos; 段</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to 64</source>
+        <translation>必须是 0 到 64 的整数</translation>
+    </message>
+    <message>
+        <source>the number of dots on one side face, 0 for a finger without</source>
+        <translation>一个侧面上标记点的个数,没有标记点则为 0</translation>
+    </message>
+    <message>
+        <source>must be numbers from 0 to {}, ascending</source>
+        <translation>必须是 0 到 {} 的编号,按升序排列</translation>
+    </message>
+    <message>
+        <source>record the reference again</source>
+        <translation>重新录制参考</translation>
+    </message>
+    <message>
+        <source>calibrate again</source>
+        <translation>重新标定</translation>
+    </message>
+    <message>
+        <source>gives depths up to {:.3g} mm in a layer of {:g} mm</source>
+        <translation>给出的深度达 {} mm,而层厚只有 {} mm</translation>
+    </message>
+    <message>
+        <source>must be a number from 0 to 1000</source>
+        <translation>必须是 0 到 1000 的数</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no file inside the finger&apos;s folder</source>
+        <translation>“{}”不是手指文件夹内的文件</translation>
+    </message>
+    <message>
+        <source>copy the file into the folder and give its name only</source>
+        <translation>把文件复制到文件夹中,只写文件名</translation>
+    </message>
+    <message>
+        <source>must be a column of the picture and a step of 0.001 to 500 mm</source>
+        <translation>必须是图像的一列和 0.001 到 500 mm 的步长</translation>
+    </message>
+    <message>
+        <source>there is either a video with its markers or one picture, not both</source>
+        <translation>要么是带标记点的视频,要么是一张图片,不能两者都有</translation>
+    </message>
+    <message>
+        <source>remove one of them</source>
+        <translation>删除其中之一</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most 1000000</source>
+        <translation>必须大于 0 且不超过 1000000</translation>
+    </message>
+    <message>
+        <source>holds {} positions, but there are {} markers</source>
+        <translation>含有 {} 个位置,但有 {} 个标记点</translation>
+    </message>
+    <message>
+        <source>holds a position far outside the picture</source>
+        <translation>含有远在图片之外的位置</translation>
+    </message>
+    <message>
+        <source>must be three numbers from -10000 to 10000</source>
+        <translation>必须是三个从 -10000 到 10000 的数</translation>
+    </message>
+    <message>
+        <source>where the camera sits in the gripper, in mm</source>
+        <translation>相机在夹爪中的位置，单位 mm</translation>
+    </message>
+    <message>
+        <source>is no rotation: a quaternion w, x, y, z has the length 1</source>
+        <translation>不是旋转：四元数 w, x, y, z 的长度为 1</translation>
+    </message>
+    <message>
+        <source>[1.0, 0.0, 0.0, 0.0] for a camera that is not turned</source>
+        <translation>相机没有转动时用 [1.0, 0.0, 0.0, 0.0]</translation>
+    </message>
+    <message>
+        <source>must be a text of 1 to 200 letters</source>
+        <translation>必须是 1 到 200 个字符的文本</translation>
+    </message>
+    <message>
+        <source>what is written on the finger</source>
+        <translation>写在手指上的名字</translation>
+    </message>
+    <message>
+        <source>says how a mapping was made, but there is none</source>
+        <translation>记录了映射的来源,但没有映射</translation>
+    </message>
+    <message>
+        <source>calibrate</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>a length in mm</source>
+        <translation>长度,单位 mm</translation>
+    </message>
+    <message>
+        <source>a distance in mm</source>
+        <translation>距离,单位 mm</translation>
+    </message>
+    <message>
+        <source>must be a list of whole numbers</source>
+        <translation>必须是整数列表</translation>
+    </message>
+    <message>
+        <source>[3, 9]</source>
+        <translation>[3, 9]</translation>
+    </message>
+    <message>
+        <source>must have as many numbers in each row as there are rows</source>
+        <translation>每行的数字个数必须等于行数</translation>
+    </message>
+    <message>
+        <source>is not the curve that &apos;chebyshev&apos; gives</source>
+        <translation>不是 &apos;chebyshev&apos; 给出的曲线</translation>
+    </message>
+    <message>
+        <source>remove this line: it is only for people to read</source>
+        <translation>删除此行:它只供人阅读</translation>
+    </message>
+    <message>
+        <source>a part of the depth</source>
+        <translation>深度的一部分</translation>
+    </message>
+    <message>
+        <source>must be two numbers: mm along and across the face</source>
+        <translation>必须是两个数:沿面和横向的 mm</translation>
+    </message>
+    <message>
+        <source>must be two numbers, the first of them 0</source>
+        <translation>必须是两个数,第一个为 0</translation>
+    </message>
+    <message>
+        <source>for example [0.0, 0.62]</source>
+        <translation>例如 [0.0, 0.62]</translation>
+    </message>
+    <message>
+        <source>a depth in mm</source>
+        <translation>深度,单位 mm</translation>
+    </message>
+    <message>
+        <source>without unit</source>
+        <translation>无单位</translation>
+    </message>
+    <message>
+        <source>in mm</source>
+        <translation>单位 mm</translation>
+    </message>
+    <message>
+        <source>must be two numbers: a column in px, a step in mm</source>
+        <translation>必须是两个数:以 px 计的列和以 mm 计的步长</translation>
+    </message>
+    <message>
+        <source>a sum of offsets in pixels</source>
+        <translation>位移之和,单位像素</translation>
+    </message>
+    <message>
+        <source>must hold two numbers for each marker</source>
+        <translation>每个标记点必须有两个数</translation>
+    </message>
+    <message>
+        <source>[[u, v], ...]</source>
+        <translation>[[u, v], ...]</translation>
+    </message>
+    <message>
+        <source>must be three numbers: x, y, z in mm</source>
+        <translation>必须是三个数：x、y、z，单位 mm</translation>
+    </message>
+    <message>
+        <source>must be four numbers: w, x, y, z of a unit quaternion</source>
+        <translation>必须是四个数：单位四元数的 w、x、y、z</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be read by this version</source>
+        <translation>此版本无法读取“{}”</translation>
+    </message>
+    <message>
+        <source>a newer version of this program, or &apos;{}&apos;</source>
+        <translation>使用更新的程序版本,或“{}”</translation>
+    </message>
+    <message>
+        <source>must name a file</source>
+        <translation>必须给出文件名</translation>
+    </message>
+    <message>
+        <source>force.yaml</source>
+        <translation>force.yaml</translation>
+    </message>
+    <message>
+        <source>leave it out, or calibrate again</source>
+        <translation>去掉它,或重新标定</translation>
+    </message>
+    <message>
+        <source>must be {0} rows of {0} numbers</source>
+        <translation>必须是 {0} 行,每行 {0} 个数</translation>
+    </message>
+    <message>
+        <source>holds values that no covariance has</source>
+        <translation>含有协方差不可能有的值</translation>
+    </message>
+    <message>
+        <source>has a negative variance</source>
+        <translation>有负的方差</translation>
+    </message>
+    <message>
+        <source>is not symmetric</source>
+        <translation>不对称</translation>
+    </message>
+    <message>
+        <source>must hold finite numbers, half_mm above 0, along and across together at most 0.5</source>
+        <translation>必须是有限数,half_mm 大于 0,along 与 across 之和不超过 0.5</translation>
+    </message>
+    <message>
+        <source>must be a positive number</source>
+        <translation>必须是正数</translation>
+    </message>
+    <message>
+        <source>must be greater than {:.6g}, where the curve has its pole, and at most 1000000</source>
+        <translation>必须大于 {}(曲线的极点处)且不超过 1000000</translation>
+    </message>
+    <message>
+        <source>must hold 1 to {} numbers</source>
+        <translation>必须含有 1 到 {} 个数</translation>
+    </message>
+    <message>
+        <source>holds a number that is no coefficient in mm</source>
+        <translation>含有不是系数(mm)的数</translation>
+    </message>
+    <message>
+        <source>must end above 0 and at 1 or below: it is a relative difference of brightness</source>
+        <translation>终点必须大于 0 且不超过 1:这是相对亮度差</translation>
+    </message>
+    <message>
+        <source>the curve does not rise at x = {:.4g} (slope {:.4g} mm)</source>
+        <translation>曲线在 x = {} 处不上升(斜率 {} mm)</translation>
+    </message>
+    <message>
+        <source>calibrate with fewer coefficients or as moebius, or with deeper presses</source>
+        <translation>用更少的系数或 moebius 标定,或按得更深</translation>
+    </message>
+    <message>
+        <source>gives a depth of {:.4g} mm at the end of its domain; it must lie above 0 and below {:g} mm</source>
+        <translation>在定义域终点给出深度 {} mm;必须大于 0 且小于 {} mm</translation>
+    </message>
+    <message>
+        <source>there is a finger already, and it is never overwritten</source>
+        <translation>已有一个手指,不会覆盖它</translation>
+    </message>
+    <message>
+        <source>another folder, or moving that one away</source>
+        <translation>换一个文件夹,或将其移走</translation>
+    </message>
+    <message>
+        <source>could not write the file</source>
+        <translation>无法写入文件</translation>
+    </message>
+    <message>
+        <source>could not make sure that the folder is on the disk</source>
+        <translation>无法确认文件夹已写到磁盘</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>其文件夹不存在</translation>
+    </message>
+    <message>
+        <source>make the folder first, or check the path for typing errors</source>
+        <translation>先建立文件夹,或检查路径是否输错</translation>
+    </message>
+    <message>
+        <source>could not read the file</source>
+        <translation>无法读取文件</translation>
+    </message>
+    <message>
+        <source>it is larger than {} bytes</source>
+        <translation>它大于 {} 字节</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>检查文件是否正确</translation>
+    </message>
+    <message>
+        <source>could not make the folder</source>
+        <translation>无法建立文件夹</translation>
+    </message>
+    <message>
+        <source>a shorter USB cable or another port; if it stays, another format or a lower rate</source>
+        <translation>换短一些的 USB 线或另一接口;若仍如此,换一种格式或降低帧率</translation>
+    </message>
+    <message>
+        <source>a picture came with {} of {} bytes</source>
+        <translation>收到的图像只有 {} / {} 字节</translation>
+    </message>
+    <message>
+        <source>a picture came that is no JPEG</source>
+        <translation>收到的图像不是 JPEG</translation>
+    </message>
+    <message>
+        <source>a picture of {}x{} came where {}x{} was agreed</source>
+        <translation>收到 {}x{} 的图像,而约定为 {}x{}</translation>
+    </message>
+    <message>
+        <source>a JPEG came that is truncated or damaged</source>
+        <translation>收到的 JPEG 不完整或已损坏</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>另一个程序</translation>
+    </message>
+    <message>
+        <source>somebody else is at work here: {0}</source>
+        <translation>这里已有其他程序在工作:{0}</translation>
+    </message>
+    <message>
+        <source>waiting until that is done</source>
+        <translation>等待其完成</translation>
+    </message>
+    <message>
+        <source>could not be written</source>
+        <translation>无法写入</translation>
+    </message>
+    <message>
+        <source>could not be held</source>
+        <translation>无法占用</translation>
+    </message>
+    <message>
+        <source>the picture says it is {} x {} px; a side must have 1 to {}</source>
+        <translation>图片标称 {} x {} px;边长必须为 1 到 {}</translation>
+    </message>
+    <message>
+        <source>a smaller picture, or copy it again if that size is wrong</source>
+        <translation>使用更小的图片;若尺寸有误请重新复制</translation>
+    </message>
+    <message>
+        <source>the picture is damaged or cut short</source>
+        <translation>图片已损坏或不完整</translation>
+    </message>
+    <message>
+        <source>copy or record it again</source>
+        <translation>重新复制或录制</translation>
+    </message>
+    <message>
+        <source>the picture has {} bits per channel (floating point); 8 are needed</source>
+        <translation>图片每通道 {} 位(浮点);需要 8 位</translation>
+    </message>
+    <message>
+        <source>the picture has {} bits per channel; 8 are needed</source>
+        <translation>图片每通道 {} 位;需要 8 位</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s 8-bit pictures</source>
+        <translation>使用相机的 8 位图片</translation>
+    </message>
+    <message>
+        <source>the picture has transparent parts; a camera takes none</source>
+        <translation>图片有透明部分;相机不会拍出这种图片</translation>
+    </message>
+    <message>
+        <source>the picture as the camera took it, without an alpha channel</source>
+        <translation>使用相机原图,不带 alpha 通道</translation>
+    </message>
+    <message>
+        <source>the picture has {} channels; 1 or 3 are needed</source>
+        <translation>图片有 {} 个通道;需要 1 或 3 个</translation>
+    </message>
+    <message>
+        <source>the picture as the camera took it</source>
+        <translation>使用相机原图</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
+        <source>cannot write this kind of picture ({}) under that name</source>
+        <translation>不能用这个名字写出这种图片({})</translation>
+    </message>
+    <message>
+        <source>&apos;.png&apos; for 8-bit pictures, &apos;.tiff&apos; for floating point</source>
+        <translation>8 位图片用 &apos;.png&apos;,浮点用 &apos;.tiff&apos;</translation>
+    </message>
+    <message>
+        <source>could not encode the picture</source>
+        <translation>无法编码图片</translation>
+    </message>
+    <message>
+        <source>a smaller picture</source>
+        <translation>使用更小的图片</translation>
+    </message>
+    <message>
+        <source>the picture is of a kind that cannot be used ({})</source>
+        <translation>图片的种类不可用({})</translation>
+    </message>
+    <message>
+        <source>8-bit grey pictures</source>
+        <translation>使用 8 位灰度图</translation>
+    </message>
+    <message>
+        <source>the picture is in colour: its channels differ from grey by {:.0f} %</source>
+        <translation>图片是彩色的:各通道偏离灰色 {} %</translation>
+    </message>
+    <message>
+        <source>a picture of the finger under white light</source>
+        <translation>使用白光下的手指图片</translation>
+    </message>
+    <message>
+        <source>the picture is all black</source>
+        <translation>图片全黑</translation>
+    </message>
+    <message>
+        <source>switch on the light, or take off the lens cap</source>
+        <translation>打开灯,或取下镜头盖</translation>
+    </message>
+    <message>
+        <source>the picture is no TIFF of 32-bit floating point with 1 or 3 channels</source>
+        <translation>图片不是 1 或 3 通道的 32 位浮点 TIFF</translation>
+    </message>
+    <message>
+        <source>a depth or points picture written by this program</source>
+        <translation>使用本程序写出的深度图或点图</translation>
+    </message>
+    <message>
+        <source>the picture is cut short</source>
+        <translation>图片不完整</translation>
+    </message>
+    <message>
+        <source>the picture is damaged</source>
+        <translation>图片已损坏</translation>
+    </message>
+    <message>
+        <source>it does not begin with its header</source>
+        <translation>开头不是文件头</translation>
+    </message>
+    <message>
+        <source>a check sum is wrong</source>
+        <translation>校验和不对</translation>
+    </message>
+    <message>
+        <source>its parts do not join</source>
+        <translation>各部分接不上</translation>
+    </message>
+    <message>
+        <source>it has no header</source>
+        <translation>没有文件头</translation>
+    </message>
+    <message>
+        <source>its header is of a kind no longer in use</source>
+        <translation>文件头是已不再使用的种类</translation>
+    </message>
+    <message>
+        <source>its width is negative</source>
+        <translation>宽度为负</translation>
+    </message>
+    <message>
+        <source>its header holds something that is no number</source>
+        <translation>文件头中有不是数字的内容</translation>
+    </message>
+    <message>
+        <source>its white is not 255</source>
+        <translation>白色不是 255</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件是空的</translation>
+    </message>
+    <message>
+        <source>the file is no picture of a kind that is known here</source>
+        <translation>文件不是这里认识的图片</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, BMP, binary PGM or TIFF</source>
+        <translation>PNG、JPEG、BMP、二进制 PGM 或 TIFF</translation>
+    </message>
+    <message>
+        <source>no surface can be written under such a name</source>
+        <translation>不能用这样的名字写出表面</translation>
+    </message>
+    <message>
+        <source>a name that ends in .ply, .vtp, .stl or .glb</source>
+        <translation>以 .ply、.vtp、.stl 或 .glb 结尾的名字</translation>
+    </message>
+    <message>
+        <source>there is no point of the face to write</source>
+        <translation>没有可写出的面上的点</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>磁盘已满</translation>
+    </message>
+    <message>
+        <source>free some space, or choose a folder on another disk</source>
+        <translation>腾出空间,或选择另一磁盘上的文件夹</translation>
+    </message>
+    <message>
+        <source>your share of the disk is used up</source>
+        <translation>您的磁盘配额已用完</translation>
+    </message>
+    <message>
+        <source>free some space, or choose another disk</source>
+        <translation>腾出空间,或选择另一磁盘</translation>
+    </message>
+    <message>
+        <source>the file would be larger than this system allows</source>
+        <translation>文件会超过系统允许的大小</translation>
+    </message>
+    <message>
+        <source>another disk</source>
+        <translation>换一个磁盘</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>磁盘是只读的</translation>
+    </message>
+    <message>
+        <source>a folder on a disk that can be written to</source>
+        <translation>选择可写磁盘上的文件夹</translation>
+    </message>
+    <message>
+        <source>access is not allowed</source>
+        <translation>没有访问权限</translation>
+    </message>
+    <message>
+        <source>another folder, or ask its owner for access</source>
+        <translation>换一个文件夹,或向其所有者申请权限</translation>
+    </message>
+    <message>
+        <source>it does not exist</source>
+        <translation>不存在</translation>
+    </message>
+    <message>
+        <source>check the path for typing errors</source>
+        <translation>检查路径是否输错</translation>
+    </message>
+    <message>
+        <source>a part of the path is no folder</source>
+        <translation>路径的一部分不是文件夹</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>这是文件夹</translation>
+    </message>
+    <message>
+        <source>name a file inside it</source>
+        <translation>指定其中的文件</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>名字太长</translation>
+    </message>
+    <message>
+        <source>a shorter name</source>
+        <translation>使用更短的名字</translation>
+    </message>
+    <message>
+        <source>the disk reports a fault</source>
+        <translation>磁盘报告故障</translation>
+    </message>
+    <message>
+        <source>another disk, and look after this one</source>
+        <translation>换一个磁盘,并检查这个磁盘</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>打开的文件太多</translation>
+    </message>
+    <message>
+        <source>close other programs</source>
+        <translation>关闭其他程序</translation>
+    </message>
+    <message>
+        <source>once more, or another folder</source>
+        <translation>再试一次,或换一个文件夹</translation>
+    </message>
+    <message>
+        <source>could not write the archive</source>
+        <translation>无法写入压缩包</translation>
+    </message>
+    <message>
+        <source>another name for the file that is meant</source>
+        <translation>给该文件换一个名字</translation>
+    </message>
+    <message>
+        <source>packing {}</source>
+        <translation>正在打包 {}</translation>
+    </message>
+    <message>
+        <source>stopped before it was packed</source>
+        <translation>打包完成前已停止</translation>
+    </message>
+    <message>
+        <source>{}, {}</source>
+        <translation>{},{}</translation>
+    </message>
+    <message>
+        <source>{}; {}</source>
+        <translation>{};{}</translation>
+    </message>
+    <message>
+        <source>{}. {}</source>
+        <translation>{}。{}</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>this file that comes with the program is not there</source>
+        <translation>缺少随程序安装的这个文件</translation>
+    </message>
+    <message>
+        <source>installing the program again</source>
+        <translation>重新安装程序</translation>
+    </message>
+    <message>
+        <source>could not write the recording&apos;s journal</source>
+        <translation>无法写入录像日志</translation>
+    </message>
+    <message>
+        <source>frame {} is older than frame {}</source>
+        <translation>第 {} 帧比第 {} 帧更早</translation>
+    </message>
+    <message>
+        <source>move this file away: the video&apos;s own times count then</source>
+        <translation>移走这个文件:之后使用视频自身的时间</translation>
+    </message>
+    <message>
+        <source>play it in a video player; if that fails too, record it again</source>
+        <translation>用视频播放器播放;若也不行,请重新录制</translation>
+    </message>
+    <message>
+        <source>once more</source>
+        <translation>再试一次</translation>
+    </message>
+    <message>
+        <source>the video cannot be opened</source>
+        <translation>无法打开视频</translation>
+    </message>
+    <message>
+        <source>its kind of picture has no brightness</source>
+        <translation>其图像种类没有亮度</translation>
+    </message>
+    <message>
+        <source>a grey or colour video</source>
+        <translation>使用灰度或彩色视频</translation>
+    </message>
+    <message>
+        <source>could not write the video</source>
+        <translation>无法写入视频</translation>
+    </message>
+    <message>
+        <source>it is being recorded or mended right now</source>
+        <translation>它正在被录制或修复</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>换一个名字</translation>
+    </message>
+    <message>
+        <source>this is no Matroska file</source>
+        <translation>这不是 Matroska 文件</translation>
+    </message>
+    <message>
+        <source>stopped before it was mended</source>
+        <translation>修复完成前已停止</translation>
+    </message>
+    <message>
+        <source>mending an interrupted recording</source>
+        <translation>正在修复中断的录像</translation>
+    </message>
+    <message>
+        <source>only {} of its {} frames could be read</source>
+        <translation>{1} 帧中只能读取 {0} 帧</translation>
+    </message>
+    <message>
+        <source>another copy of the recording</source>
+        <translation>使用录像的另一份副本</translation>
+    </message>
+    <message>
+        <source>the interrupted recording cannot be mended</source>
+        <translation>无法修复中断的录像</translation>
+    </message>
+    <message>
+        <source>wait for its end</source>
+        <translation>等它结束</translation>
+    </message>
+    <message>
+        <source>could not put the recording back</source>
+        <translation>无法放回录像</translation>
+    </message>
+    <message>
+        <source>stopped when {} of {} MB of the recording were put back</source>
+        <translation>放回录像 {} / {} MB 时已停止</translation>
+    </message>
+    <message>
+        <source>putting the removed recording back: {} of {} MB</source>
+        <translation>正在放回被删除的录像:{} / {} MB</translation>
+    </message>
+    <message>
+        <source>the disk is nearly full: {} MB are left, {} MB are kept free</source>
+        <translation>磁盘将满:剩余 {} MB,保留 {} MB</translation>
+    </message>
+    <message>
+        <source>free some space, or record to another disk</source>
+        <translation>腾出空间,或录制到另一磁盘</translation>
+    </message>
+    <message>
+        <source>there is a file already</source>
+        <translation>已有同名文件</translation>
+    </message>
+    <message>
+        <source>another name, or remove the old one</source>
+        <translation>换一个名字,或删除旧文件</translation>
+    </message>
+    <message>
+        <source>could not begin the recording: its folder does not exist</source>
+        <translation>无法开始录制:文件夹不存在</translation>
+    </message>
+    <message>
+        <source>could not begin the recording</source>
+        <translation>无法开始录制</translation>
+    </message>
+    <message>
+        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else ffv1 where this computer keeps up with it, else magicyuv</source>
+        <translation>图片如何存储,均为无损:auto 在相机送出数据包(mjpeg)时直接采用,否则若本机跟得上用 ffv1,再否则用 magicyuv</translation>
+    </message>
+    <message>
+        <source>memory for frames that wait for the disk, in megabytes</source>
+        <translation>等待写盘的帧所用内存,单位 MB</translation>
+    </message>
+    <message>
+        <source>space that is left free on the disk, in megabytes; the recording ends before</source>
+        <translation>磁盘上保留的空间,单位 MB;录制会在此之前结束</translation>
+    </message>
+    <message>
+        <source>the recording was removed while it was being made</source>
+        <translation>录制过程中录像被删除</translation>
+    </message>
+    <message>
+        <source>no frame came, so nothing was recorded</source>
+        <translation>没有收到帧,因此没有录制</translation>
+    </message>
+    <message>
+        <source>check the source</source>
+        <translation>检查来源</translation>
+    </message>
+    <message>
+        <source>the recording was removed at its end</source>
+        <translation>录制结束时录像被删除</translation>
+    </message>
+    <message>
+        <source>{}, and it could not be put back ({})</source>
+        <translation>{},而且无法放回({})</translation>
+    </message>
+    <message>
+        <source>record again, and leave the folder alone meanwhile</source>
+        <translation>重新录制,期间不要动该文件夹</translation>
+    </message>
+    <message>
+        <source>what was recorded until then was put back</source>
+        <translation>到那时为止录制的内容已放回</translation>
+    </message>
+    <message>
+        <source>leave the folder alone while it records</source>
+        <translation>录制期间不要动该文件夹</translation>
+    </message>
+    <message>
+        <source>recordings are Matroska files</source>
+        <translation>录像是 Matroska 文件</translation>
+    </message>
+    <message>
+        <source>a name that ends in .mkv</source>
+        <translation>以 .mkv 结尾的名字</translation>
+    </message>
+    <message>
+        <source>the video cannot be opened: no decoder for {}</source>
+        <translation>无法打开视频:没有 {} 的解码器</translation>
+    </message>
+    <message>
+        <source>frame {} of the video cannot be read</source>
+        <translation>无法读取视频的第 {} 帧</translation>
+    </message>
+    <message>
+        <source>the video holds no frame</source>
+        <translation>视频中没有帧</translation>
+    </message>
+    <message>
+        <source>this system&apos;s libavcodec cannot write {}</source>
+        <translation>本系统的 libavcodec 不能写 {}</translation>
+    </message>
+    <message>
+        <source>another codec, or Debian&apos;s libavcodec</source>
+        <translation>换一种编码,或使用 Debian 的 libavcodec</translation>
+    </message>
+    <message>
+        <source>only 8-bit grey pictures can be recorded</source>
+        <translation>只能录制 8 位灰度图</translation>
+    </message>
+    <message>
+        <source>a grey source</source>
+        <translation>使用灰度来源</translation>
+    </message>
+    <message>
+        <source>the picture is {} x {}, those before were {} x {}</source>
+        <translation>图片为 {} x {},之前的为 {} x {}</translation>
+    </message>
+    <message>
+        <source>one recording for each size</source>
+        <translation>每种尺寸单独录制</translation>
+    </message>
+    <message>
+        <source>the source gives no JPEG packets that could be stored untouched</source>
+        <translation>来源没有可原样存储的 JPEG 数据包</translation>
+    </message>
+    <message>
+        <source>the codec magicyuv or ffv1</source>
+        <translation>使用 magicyuv 或 ffv1 编码</translation>
+    </message>
+    <message>
+        <source>{}. Try: {}</source>
+        <translation>{}。建议:{}</translation>
+    </message>
+    <message>
+        <source>the two long edges of the face were not found</source>
+        <translation>没有找到面的两条长边</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>light the finger as in its recording, and check that the picture shows the face from base to tip with the finger&apos;s length along the picture&apos;s width</source>
+        <translation>按录制时的方式照亮手指,并检查图片是否显示从根部到指尖的面,手指长度方向沿图片宽度</translation>
+    </message>
+    <message>
+        <source>the face&apos;s edges</source>
+        <translation>面的边缘</translation>
+    </message>
+    <message>
+        <source>a picture in which both long edges of the bright face are visible and lit evenly; check that the lamps are on and that the lens is clean</source>
+        <translation>能看见明亮面两条长边且光照均匀的图片;检查灯是否打开、镜头是否干净</translation>
+    </message>
+    <message>
+        <source>the shape of a Fin Ray needs a perspective camera, not an orthographic one</source>
+        <translation>Fin Ray 的形状需要透视相机,不能用正交相机</translation>
+    </message>
+    <message>
+        <source>no smooth shape fits the outline of the face: it jumps at column {:.0f}</source>
+        <translation>没有平滑的形状与接触面的轮廓相符:轮廓在第 {} 列处跳变</translation>
+    </message>
+    <message>
+        <source>bending the finger less, until no part of it hides another</source>
+        <translation>让手指弯得少一些,直到没有一部分遮住另一部分</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>the {} edge of the face was seen in too few columns</source>
+        <translation>面的{}边缘只在太少的列中可见</translation>
+    </message>
+    <message>
+        <source>the two edges were never seen together</source>
+        <translation>两条边缘从未同时可见</translation>
+    </message>
+    <message>
+        <source>no smooth shape fits them</source>
+        <translation>没有平滑的形状与之相符</translation>
+    </message>
+    <message>
+        <source>the distance of the face is too uncertain in every column</source>
+        <translation>面的距离在每一列都太不确定</translation>
+    </message>
+    <message>
+        <source>the picture is black: its brightest parts reach {} of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
+        <translation>画面全黑:最亮处只有 255 级灰度中的 {};请取下镜头盖、打开灯或延长曝光</translation>
+    </message>
+    <message>
+        <source>the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps</source>
+        <translation>画面过亮:{} % 已饱和;请缩短曝光或调暗灯光</translation>
+    </message>
+    <message>
+        <source>the picture is blank: all of it has {} of 255 grey levels, without even a camera&apos;s noise; plug the camera in again</source>
+        <translation>画面空白:处处都是 255 级灰度中的 {},连相机噪声都没有;请重新插拔相机</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the face is too bright to be measured; expose shorter, or dim the lamps</source>
+        <translation>接触面的 {} % 过亮,无法测量;请缩短曝光或调暗灯光</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the face was never recorded in a pose like this; record the finger bending further in this direction</source>
+        <translation>接触面的 {} % 在这样的姿态下没有录制过;请录制手指向此方向弯得更多的情形</translation>
+    </message>
+    <message>
+        <source>{:.1f} % of the face, at its end, is hidden in this frame: nothing is told of it, neither that it is touched nor that it is not</source>
+        <translation>接触面末端有 {} % 在此图像中被遮挡：对该部分不作任何判断，既不说被触碰，也不说未被触碰</translation>
+    </message>
+    <message>
+        <source>the face is {:.0f} % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
+        <translation>接触面比录制参考时暗 {} %;请把曝光、增益和灯光设回当时的值</translation>
+    </message>
+    <message>
+        <source>the face is {:.0f} % brighter than when its reference was recorded; set exposure, gain and lamps as they were then</source>
+        <translation>接触面比录制参考时亮 {} %;请把曝光、增益和灯光设回当时的值</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the finger that it is, or record the reference again</source>
+        <translation>接触面的 {} % 比其参考更亮:这是另一根手指,或其表皮已改变;请选择对应的手指,或重新录制参考</translation>
+    </message>
+    <message>
+        <source>only {} recorded pictures show every marker; at least 2 are needed</source>
+        <translation>只有 {} 张录制的图片显示全部标记点;至少需要 2 张</translation>
+    </message>
+    <message>
+        <source>marker model</source>
+        <translation>标记点模型</translation>
+    </message>
+    <message>
+        <source>record the finger bending with both side faces in view and evenly lit</source>
+        <translation>录制手指弯曲的过程,两个侧面都在画面内且光照均匀</translation>
+    </message>
+    <message>
+        <source>{} markers have a position but {} have a size</source>
+        <translation>{} 个标记点有位置,但有 {} 个有大小</translation>
+    </message>
+    <message>
+        <source>the markers&apos; positions are not finite numbers</source>
+        <translation>标记点的位置不是有限数</translation>
+    </message>
+    <message>
+        <source>{} dots were found beside the face, but no third of the {} markers among them fits a pose of the reference recording</source>
+        <translation>在面旁找到 {} 个点,但其中没有三分之一的标记点(共 {} 个)与参考录像的任何姿态相符</translation>
+    </message>
+    <message>
+        <source>this pose was never recorded: the nearest reference frame is {:.1f} px away; record the finger bending further in this direction</source>
+        <translation>这个姿态没有录制过:最近的参考帧相距 {} px;请录制手指向此方向弯得更多的情形</translation>
+    </message>
+    <message>
+        <source>a picture at the size that the finger was calibrated with</source>
+        <translation>使用与标定时尺寸相同的图片</translation>
+    </message>
+    <message>
+        <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
+        <translation>画面与上一帧逐级灰度完全相同:相机已停住;请重新插拔相机</translation>
+    </message>
+    <message>
+        <source>{}.</source>
+        <translation>{}。</translation>
+    </message>
+    <message>
+        <source>too little of the face is seen to tell the pose by its shape</source>
+        <translation>可见的面太少,无法由其形状判断姿态</translation>
+    </message>
+    <message>
+        <source>the markers were not found: the face&apos;s shape alone tells this pose, so that depth is less sure and neither twist nor what touches the finger is told; uncover and light the dots on the side faces</source>
+        <translation>未找到标记点：只能由接触面的形状判断该姿态，因此深度不太可靠，也无法给出扭转以及手指被什么触碰；请露出并照亮侧面上的圆点</translation>
+    </message>
+    <message>
+        <source>few recorded frames are near this pose: its reference is {:.0f} times less sure than usual; record the finger bending slowly through it</source>
+        <translation>此姿态附近录制的帧很少:其参考的不确定度是通常的 {} 倍;请录制手指缓慢弯过此姿态的情形</translation>
+    </message>
+    <message>
+        <source>the finger is not calibrated: calibrate it with ball presses</source>
+        <translation>手指尚未标定:请用球按压标定</translation>
+    </message>
+    <message>
+        <source>how the face&apos;s edges are placed: half-way crossing to a fiftieth of a pixel, or the steepest whole pixel</source>
+        <translation>面的边缘如何定位:半高处,精度五十分之一像素,或最陡的整像素</translation>
+    </message>
+    <message>
+        <source>pixel columns averaged into one place on each edge</source>
+        <translation>每条边缘上合并为一个位置的像素列数</translation>
+    </message>
+    <message>
+        <source>degree of the smooth curve through each edge of the face</source>
+        <translation>通过面每条边缘的平滑曲线的次数</translation>
+    </message>
+    <message>
+        <source>which untouched picture a frame is compared with: the nearest recorded one, or one computed from the nearest several</source>
+        <translation>与哪张未触碰图片比较:最近的录制图片,或由最近几张算出的图片</translation>
+    </message>
+    <message>
+        <source>whether a change of the light since the reference is read from the untouched skin and taken out</source>
+        <translation>是否由未触碰的表皮读出参考之后的光照变化并扣除</translation>
+    </message>
+    <message>
+        <source>standard deviation of the smoothing before depth is read, in pixels; 0: none</source>
+        <translation>读取深度前平滑的标准差,单位像素;0:不平滑</translation>
+    </message>
+    <message>
+        <source>depth that counts as touched, in millimetres</source>
+        <translation>算作触碰的深度,单位毫米</translation>
+    </message>
+    <message>
+        <source>make the reference anew from the recording</source>
+        <translation>由录像重新生成参考</translation>
+    </message>
+    <message>
+        <source>the finger has no markers, so it has no marker table</source>
+        <translation>手指没有标记点,因此没有标记点表</translation>
+    </message>
+    <message>
+        <source>set markers.per_row</source>
+        <translation>设置 markers.per_row</translation>
+    </message>
+    <message>
+        <source>{}, line {}</source>
+        <translation>{},第 {} 行</translation>
+    </message>
+    <message>
+        <source>not a marker table; its first line must be &apos;{}&apos;</source>
+        <translation>不是标记点表;第一行必须是“{}”</translation>
+    </message>
+    <message>
+        <source>the table ends too early</source>
+        <translation>表格过早结束</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; does not close a table of {} frames</source>
+        <translation>“{}”不是 {} 帧表格的结尾</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not &apos;{}&apos; with possible values</source>
+        <translation>“{}”不是取值合理的“{}”</translation>
+    </message>
+    <message>
+        <source>marker {} stands where marker {} of {} must</source>
+        <translation>应为标记点 {1}(共 {2} 个)的位置却是标记点 {0}</translation>
+    </message>
+    <message>
+        <source>frame {} comes after frame {}</source>
+        <translation>第 {} 帧排在第 {} 帧之后</translation>
+    </message>
+    <message>
+        <source>frame {} has {} markers instead of {}</source>
+        <translation>第 {} 帧有 {} 个标记点,应为 {} 个</translation>
+    </message>
+    <message>
+        <source>marker {} has another radius or contrast than before</source>
+        <translation>标记点 {} 的半径或对比度与之前不同</translation>
+    </message>
+    <message>
+        <source>the table holds no frame</source>
+        <translation>表中没有帧</translation>
+    </message>
+    <message>
+        <source>stopped before the reference was read</source>
+        <translation>读完参考之前已停止</translation>
+    </message>
+    <message>
+        <source>reading reference frame {} of {}</source>
+        <translation>正在读取第 {} / {} 个参考帧</translation>
+    </message>
+    <message>
+        <source>the face was found in {} of {} recorded pictures; 2 are needed</source>
+        <translation>{1} 张录制图片中有 {0} 张找到了面;需要 2 张</translation>
+    </message>
+    <message>
+        <source>the marker table names frame {} but the recording ends after {} frames</source>
+        <translation>标记点表中有第 {} 帧,但录像只有 {} 帧</translation>
+    </message>
+    <message>
+        <source>the recording cannot be read ({})</source>
+        <translation>无法读取录像({})</translation>
+    </message>
+    <message>
+        <source>the sensor has no untouched picture</source>
+        <translation>传感器没有未触碰的图片</translation>
+    </message>
+    <message>
+        <source>give one with the calibration</source>
+        <translation>标定时给出一张</translation>
+    </message>
+    <message>
+        <source>the untouched picture</source>
+        <translation>未触碰的图片</translation>
+    </message>
+    <message>
+        <source>give the untouched picture anew</source>
+        <translation>重新给出未触碰的图片</translation>
+    </message>
+    <message>
+        <source>the finger has no reference recording</source>
+        <translation>手指没有参考录像</translation>
+    </message>
+    <message>
+        <source>record the bending, untouched finger and make its reference</source>
+        <translation>录制未触碰手指弯曲的过程并生成参考</translation>
+    </message>
+    <message>
+        <source>the reference recording is missing or no video</source>
+        <translation>参考录像缺失或不是视频</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s picture</source>
+        <translation>录像的图片</translation>
+    </message>
+    <message>
+        <source>the reference picture is not an 8-bit grey picture</source>
+        <translation>参考图片不是 8 位灰度图</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>save it as such</source>
+        <translation>按该格式保存</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number from {} to {}</source>
+        <translation>“{}”不是 {} 到 {} 的数</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not {}</source>
+        <translation>“{}”不是 {}</translation>
+    </message>
+    <message>
+        <source>depth_mm = {:g} goes through the layer of {:g} mm</source>
+        <translation>depth_mm = {} 穿透了 {} mm 的层</translation>
+    </message>
+    <message>
+        <source>less than finger.face.layer_mm</source>
+        <translation>小于 finger.face.layer_mm</translation>
+    </message>
+    <message>
+        <source>s_mm is beyond the ends of the face</source>
+        <translation>s_mm 超出面的两端</translation>
+    </message>
+    <message>
+        <source>0 to {:g}</source>
+        <translation>0 至 {}</translation>
+    </message>
+    <message>
+        <source>y_mm is beside the face</source>
+        <translation>y_mm 在面之外</translation>
+    </message>
+    <message>
+        <source>{:g} to {:g}</source>
+        <translation>{} 至 {}</translation>
+    </message>
+    <message>
+        <source>the ball would sink in beyond its middle</source>
+        <translation>球会陷入超过其中部</translation>
+    </message>
+    <message>
+        <source>depth_mm below radius_mm</source>
+        <translation>depth_mm 小于 radius_mm</translation>
+    </message>
+    <message>
+        <source>a flat sensor does not bend</source>
+        <translation>平面传感器不会弯曲</translation>
+    </message>
+    <message>
+        <source>leave bend out</source>
+        <translation>去掉 bend</translation>
+    </message>
+    <message>
+        <source>nothing presses, so nothing bulges</source>
+        <translation>没有按压,因此没有隆起</translation>
+    </message>
+    <message>
+        <source>name ball or relief too</source>
+        <translation>同时写上 ball 或 relief</translation>
+    </message>
+    <message>
+        <source>there is no lamp</source>
+        <translation>没有灯</translation>
+    </message>
+    <message>
+        <source>- {{at_mm: [x, y, z], power: p}}</source>
+        <translation>- {{at_mm: [x, y, z], power: p}}</translation>
+    </message>
+    <message>
+        <source>the lamp aims at itself</source>
+        <translation>灯指向自身</translation>
+    </message>
+    <message>
+        <source>another point</source>
+        <translation>换一个点</translation>
+    </message>
+    <message>
+        <source>this lobe is not known</source>
+        <translation>未知的光束形状</translation>
+    </message>
+    <message>
+        <source>1, 2, 4 or 8</source>
+        <translation>1、2、4 或 8</translation>
+    </message>
+    <message>
+        <source>&apos;first&apos; is not below &apos;last&apos;</source>
+        <translation>&apos;first&apos; 不小于 &apos;last&apos;</translation>
+    </message>
+    <message>
+        <source>e.g. 0.1 and 0.9</source>
+        <translation>例如 0.1 和 0.9</translation>
+    </message>
+    <message>
+        <source>the dots would cut the face&apos;s edge</source>
+        <translation>标记点会切到面的边缘</translation>
+    </message>
+    <message>
+        <source>less than setback_mm</source>
+        <translation>小于 setback_mm</translation>
+    </message>
+    <message>
+        <source>the finger has no markers</source>
+        <translation>手指没有标记点</translation>
+    </message>
+    <message>
+        <source>finger.markers with per_row and polarity</source>
+        <translation>写上 finger.markers 的 per_row 和 polarity</translation>
+    </message>
+    <message>
+        <source>markers are engraved in the side faces</source>
+        <translation>标记点刻在侧面上</translation>
+    </message>
+    <message>
+        <source>name the effect sides too</source>
+        <translation>同时写上效果 sides</translation>
+    </message>
+    <message>
+        <source>JPEG needs whole grey levels</source>
+        <translation>JPEG 需要整数灰度级</translation>
+    </message>
+    <message>
+        <source>name the effect quantisation too</source>
+        <translation>同时写上效果 quantisation</translation>
+    </message>
+    <message>
+        <source>no dot would ever be hidden</source>
+        <translation>不会有任何点被遮住</translation>
+    </message>
+    <message>
+        <source>leave occlusion out, or 1 and more</source>
+        <translation>去掉 occlusion,或取 1 以上</translation>
+    </message>
+    <message>
+        <source>{:g} is not a marker&apos;s number</source>
+        <translation>{} 不是标记点编号</translation>
+    </message>
+    <message>
+        <source>0, 1, 2, ...</source>
+        <translation>0, 1, 2, ...</translation>
+    </message>
+    <message>
+        <source>there are no dots to hide</source>
+        <translation>没有可遮住的点</translation>
+    </message>
+    <message>
+        <source>name the effect markers too</source>
+        <translation>同时写上效果 markers</translation>
+    </message>
+    <message>
+        <source>there is no marker {}</source>
+        <translation>没有标记点 {}</translation>
+    </message>
+    <message>
+        <source>0 to {}</source>
+        <translation>0 至 {}</translation>
+    </message>
+    <message>
+        <source>more dots would be hidden than there are</source>
+        <translation>要遮住的点多于现有的点</translation>
+    </message>
+    <message>
+        <source>up to {}</source>
+        <translation>最多 {}</translation>
+    </message>
+    <message>
+        <source>the bars are wider than the T</source>
+        <translation>横条比 T 还宽</translation>
+    </message>
+    <message>
+        <source>less than size_mm</source>
+        <translation>小于 size_mm</translation>
+    </message>
+    <message>
+        <source>nothing presses, so nothing rolls off</source>
+        <translation>没有按压,因此没有过渡</translation>
+    </message>
+    <message>
+        <source>kind hertz is for balls only</source>
+        <translation>kind hertz 只用于球</translation>
+    </message>
+    <message>
+        <source>kind: smooth with a length_mm</source>
+        <translation>用 kind: smooth 并给出 length_mm</translation>
+    </message>
+    <message>
+        <source>a flat sensor has no side faces</source>
+        <translation>平面传感器没有侧面</translation>
+    </message>
+    <message>
+        <source>leave sides out</source>
+        <translation>去掉 sides</translation>
+    </message>
+    <message>
+        <source>an orthographic camera sees no side faces</source>
+        <translation>正交相机看不到侧面</translation>
+    </message>
+    <message>
+        <source>a flat sensor does not sway</source>
+        <translation>平面传感器不会摆动</translation>
+    </message>
+    <message>
+        <source>leave sway out</source>
+        <translation>去掉 sway</translation>
+    </message>
+    <message>
+        <source>a flat sensor does not give way</source>
+        <translation>平面传感器不会退让</translation>
+    </message>
+    <message>
+        <source>leave give_mm out</source>
+        <translation>去掉 give_mm</translation>
+    </message>
+    <message>
+        <source>the list is empty</source>
+        <translation>列表为空</translation>
+    </message>
+    <message>
+        <source>one pose a frame</source>
+        <translation>每帧一个姿态</translation>
+    </message>
+    <message>
+        <source>the motion moves &apos;{}&apos;, but no effect of the scene does</source>
+        <translation>运动中有“{}”,但场景中没有相应效果</translation>
+    </message>
+    <message>
+        <source>name `bend` or `sway` among the effects</source>
+        <translation>在效果中写上 `bend` 或 `sway`</translation>
+    </message>
+    <message>
+        <source>{} = {:g} is outside the effect&apos;s range</source>
+        <translation>{} = {} 超出效果的范围</translation>
+    </message>
+    <message>
+        <source>the motion has nothing to move</source>
+        <translation>运动没有可移动的对象</translation>
+    </message>
+    <message>
+        <source>name `bend` or `sway` among the effects, or leave the motion out</source>
+        <translation>在效果中写上 `bend` 或 `sway`,或去掉运动</translation>
+    </message>
+    <message>
+        <source>scene &apos;{}&apos;: finger.camera</source>
+        <translation>场景“{}”:finger.camera</translation>
+    </message>
+    <message>
+        <source>its camera does not give whole grey levels</source>
+        <translation>其相机给出的不是整数灰度级</translation>
+    </message>
+    <message>
+        <source>this is not [width, height]</source>
+        <translation>这不是 [宽, 高]</translation>
+    </message>
+    <message>
+        <source>whole numbers from 16 to 16384</source>
+        <translation>16 到 16384 的整数</translation>
+    </message>
+    <message>
+        <source>there is no effect &apos;{}&apos;</source>
+        <translation>没有效果 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>the effect &apos;{}&apos; is named twice</source>
+        <translation>效果 &apos;{}&apos; 出现两次</translation>
+    </message>
+    <message>
+        <source>this is not a text</source>
+        <translation>这不是文本</translation>
+    </message>
+    <message>
+        <source>a word or a sentence</source>
+        <translation>单词或句子</translation>
+    </message>
+    <message>
+        <source>one number a frame</source>
+        <translation>每帧一个数</translation>
+    </message>
+    <message>
+        <source>&apos;from&apos; is not below &apos;to&apos;</source>
+        <translation>&apos;from&apos; 不小于 &apos;to&apos;</translation>
+    </message>
+    <message>
+        <source>a range that grows</source>
+        <translation>递增的范围</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: {}</source>
+        <translation>无法读取文件夹:{}</translation>
+    </message>
+    <message>
+        <source>ask its owner for access</source>
+        <translation>向其所有者申请权限</translation>
+    </message>
+    <message>
+        <source>the folder holds no pictures</source>
+        <translation>文件夹中没有图片</translation>
+    </message>
+    <message>
+        <source>a folder with png, jpg, bmp, tif or pgm files</source>
+        <translation>含有 png、jpg、bmp、tif 或 pgm 文件的文件夹</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>灯光</translation>
+    </message>
+    <message>
+        <source>{} was {} and is {}</source>
+        <translation>{} 原为 {},现为 {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; describes no button</source>
+        <translation>“{}”没有描述按钮</translation>
+    </message>
+    <message>
+        <source>learn the button again</source>
+        <translation>重新学习按钮</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; names no device and its button</source>
+        <translation>“{}”没有指明设备及其按钮</translation>
+    </message>
+    <message>
+        <source>&apos;alltact devices --learn-button&apos;, which says what to write here</source>
+        <translation>运行 &apos;alltact devices --learn-button&apos;,它会说明这里该写什么</translation>
+    </message>
+    <message>
+        <source>learning the button was stopped</source>
+        <translation>学习按钮已停止</translation>
+    </message>
+    <message>
+        <source>press it now, twice</source>
+        <translation>现在按两次</translation>
+    </message>
+    <message>
+        <source>press it once more</source>
+        <translation>再按一次</translation>
+    </message>
+    <message>
+        <source>no button was pressed and let go twice</source>
+        <translation>没有按钮被按下并松开两次</translation>
+    </message>
+    <message>
+        <source>another device; a pedal that only clicks must be set to send a key</source>
+        <translation>换一个设备;只会点击的脚踏开关须设为发送按键</translation>
+    </message>
+    <message>
+        <source>the device cannot be opened</source>
+        <translation>无法打开设备</translation>
+    </message>
+    <message>
+        <source>unplug it and plug it in again</source>
+        <translation>拔下再插上</translation>
+    </message>
+    <message>
+        <source>access to the device is not allowed</source>
+        <translation>没有访问设备的权限</translation>
+    </message>
+    <message>
+        <source>install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in again; a device it does not name needs this line in it: KERNEL==&quot;hidraw*&quot;, ATTRS{{idVendor}}==&quot;{:04x}&quot;, ATTRS{{idProduct}}==&quot;{:04x}&quot;, TAG+=&quot;uaccess&quot;</source>
+        <translation>把 packaging/70-alltact.rules 装到 /etc/udev/rules.d 后重新插上;其中没有列出的设备需要加上这一行:KERNEL==&quot;hidraw*&quot;, ATTRS{{idVendor}}==&quot;{}&quot;, ATTRS{{idProduct}}==&quot;{}&quot;, TAG+=&quot;uaccess&quot;</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>设备已拔出</translation>
+    </message>
+    <message>
+        <source>plug it in again</source>
+        <translation>重新插上</translation>
+    </message>
+    <message>
+        <source>the device took no report</source>
+        <translation>设备不接受报告</translation>
+    </message>
+    <message>
+        <source>plug it in again, and check its description</source>
+        <translation>重新插上,并检查其描述</translation>
+    </message>
+    <message>
+        <source>no HID device was found</source>
+        <translation>没有找到 HID 设备</translation>
+    </message>
+    <message>
+        <source>there is no such HID device; there is {}</source>
+        <translation>没有这样的 HID 设备;现有 {}</translation>
+    </message>
+    <message>
+        <source>plug it in; &apos;alltact devices&apos; lists what is found</source>
+        <translation>插上设备;&apos;alltact devices&apos; 列出找到的设备</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; describes no dimmer</source>
+        <translation>“{}”没有描述调光器</translation>
+    </message>
+    <message>
+        <source>mcp2221a gp2, mcp2221a gp3, or a report such as &apos;output id=0 bytes=8 at=1 range=0..255&apos;</source>
+        <translation>mcp2221a gp2、mcp2221a gp3,或如 &apos;output id=0 bytes=8 at=1 range=0..255&apos; 的报告</translation>
+    </message>
+    <message>
+        <source>the brightness {} is not from 0 to 1</source>
+        <translation>亮度 {} 不在 0 到 1 之间</translation>
+    </message>
+    <message>
+        <source>the MCP2221A did not answer as it should</source>
+        <translation>MCP2221A 的应答不正确</translation>
+    </message>
+    <message>
+        <source>plug it in again; close other programs that use it</source>
+        <translation>重新插上;关闭使用它的其他程序</translation>
+    </message>
+    <message>
+        <source>this is neither a picture, nor a folder of pictures, nor a video, nor a scene</source>
+        <translation>这不是图片、图片文件夹、视频或场景</translation>
+    </message>
+    <message>
+        <source>png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene</source>
+        <translation>png、jpg、bmp、tif 或 pgm 图片,mkv、avi 或 mp4 视频,或 yaml 场景</translation>
+    </message>
+    <message>
+        <source>video</source>
+        <translation>视频</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>a {} cannot be mixed with other inputs</source>
+        <translation>{}不能与其他输入混用</translation>
+    </message>
+    <message>
+        <source>it alone, or pictures only</source>
+        <translation>单独使用它,或只用图片</translation>
+    </message>
+    <message>
+        <source>no input was given</source>
+        <translation>没有给出输入</translation>
+    </message>
+    <message>
+        <source>name a picture, a folder of pictures, a video, a scene or a camera</source>
+        <translation>指定图片、图片文件夹、视频、场景或相机</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>没有这样的文件或文件夹</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be read</source>
+        <translation>无法读取“{}”</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be set to {}</source>
+        <translation>无法把“{}”设为 {}</translation>
+    </message>
+    <message>
+        <source>the camera refuses this value</source>
+        <translation>相机拒绝此值</translation>
+    </message>
+    <message>
+        <source>a value within its range; &apos;alltact devices --details&apos; lists them</source>
+        <translation>使用范围内的值;&apos;alltact devices --details&apos; 列出范围</translation>
+    </message>
+    <message>
+        <source>an automatic mode has it in hand</source>
+        <translation>正由自动模式控制</translation>
+    </message>
+    <message>
+        <source>switch that mode off first</source>
+        <translation>先关闭该自动模式</translation>
+    </message>
+    <message>
+        <source>the camera took {} instead</source>
+        <translation>相机改用了 {}</translation>
+    </message>
+    <message>
+        <source>a value within its range and steps; &apos;alltact devices --details&apos; lists them</source>
+        <translation>使用范围和步长之内的值;&apos;alltact devices --details&apos; 列出它们</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be switched off: brightness may drift</source>
+        <translation>无法关闭“{}”:亮度可能漂移</translation>
+    </message>
+    <message>
+        <source>it sends its pictures in several planes, which cannot be read here</source>
+        <translation>它用多个平面传送图像,这里无法读取</translation>
+    </message>
+    <message>
+        <source>a USB camera</source>
+        <translation>使用 USB 相机</translation>
+    </message>
+    <message>
+        <source>it cannot stream</source>
+        <translation>它不能传送视频流</translation>
+    </message>
+    <message>
+        <source>it has no format that can be read here</source>
+        <translation>它没有这里能读取的格式</translation>
+    </message>
+    <message>
+        <source>a camera with MJPG or YUYV</source>
+        <translation>使用支持 MJPG 或 YUYV 的相机</translation>
+    </message>
+    <message>
+        <source>it cannot be used now</source>
+        <translation>现在无法使用</translation>
+    </message>
+    <message>
+        <source>the camera is not there</source>
+        <translation>相机不在</translation>
+    </message>
+    <message>
+        <source>plug it in</source>
+        <translation>插上它</translation>
+    </message>
+    <message>
+        <source>several cameras have this name: {}</source>
+        <translation>有多台相机同名:{}</translation>
+    </message>
+    <message>
+        <source>the name before the brackets</source>
+        <translation>括号前的名字</translation>
+    </message>
+    <message>
+        <source>no camera was found</source>
+        <translation>没有找到相机</translation>
+    </message>
+    <message>
+        <source>there is no such camera; there is {}</source>
+        <translation>没有这样的相机;现有 {}</translation>
+    </message>
+    <message>
+        <source>plug one in; &apos;alltact devices&apos; lists what is found</source>
+        <translation>插上一台;&apos;alltact devices&apos; 列出找到的设备</translation>
+    </message>
+    <message>
+        <source>one of these names</source>
+        <translation>使用其中一个名字</translation>
+    </message>
+    <message>
+        <source>the camera has sent no picture for a second</source>
+        <translation>相机已有一秒没有送出图像</translation>
+    </message>
+    <message>
+        <source>look after the cable and the USB port</source>
+        <translation>检查线缆和 USB 接口</translation>
+    </message>
+    <message>
+        <source>this node gives no pictures that can be read</source>
+        <translation>此设备节点不提供可读取的图像</translation>
+    </message>
+    <message>
+        <source>a camera that &apos;alltact devices&apos; lists as usable</source>
+        <translation>使用 &apos;alltact devices&apos; 列为可用的相机</translation>
+    </message>
+    <message>
+        <source>the camera stopped sending pictures</source>
+        <translation>相机停止送出图像</translation>
+    </message>
+    <message>
+        <source>no picture came for {:.1f} seconds</source>
+        <translation>已有 {} 秒没有收到图像</translation>
+    </message>
+    <message>
+        <source>look after the cable and the USB port; the stream is being started again</source>
+        <translation>检查线缆和 USB 接口;正在重新启动视频流</translation>
+    </message>
+    <message>
+        <source>a picture cannot be taken</source>
+        <translation>无法取得图像</translation>
+    </message>
+    <message>
+        <source>Pictures come again</source>
+        <translation>又收到图像了</translation>
+    </message>
+    <message>
+        <source>the camera is back and has not sent a picture yet</source>
+        <translation>相机已接回,尚未送出图像</translation>
+    </message>
+    <message>
+        <source>The camera was plugged in again at {}</source>
+        <translation>相机已重新插上,位于 {}</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s signal changed: it sent {}, and sends {} now</source>
+        <translation>相机信号已改变:原为 {},现为 {}</translation>
+    </message>
+    <message>
+        <source>look after what is plugged into it, if this was not meant</source>
+        <translation>若非有意,请检查它上面接的是什么</translation>
+    </message>
+    <message>
+        <source>the camera was unplugged</source>
+        <translation>相机已拔出</translation>
+    </message>
+    <message>
+        <source>plug it in again; it goes on by itself with the same settings</source>
+        <translation>重新插上;会自动以相同设置继续</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; was changed from {} to {} by something else</source>
+        <translation>“{}”被其他程序从 {} 改为 {}</translation>
+    </message>
+    <message>
+        <source>it was put back</source>
+        <translation>已恢复</translation>
+    </message>
+    <message>
+        <source>sudo usermod -aG video $USER, then log in again; or install packaging/70-alltact.rules in /etc/udev/rules.d and plug the camera in again</source>
+        <translation>运行 sudo usermod -aG video $USER 后重新登录;或把 packaging/70-alltact.rules 装到 /etc/udev/rules.d 后重新插上相机</translation>
+    </message>
+    <message>
+        <source>another program is using it</source>
+        <translation>另一程序正在使用它</translation>
+    </message>
+    <message>
+        <source>close that program (fuser -v /dev/video* names it)</source>
+        <translation>关闭该程序(fuser -v /dev/video* 可查出它)</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>它不在</translation>
+    </message>
+    <message>
+        <source>plug the camera in; &apos;alltact devices&apos; lists what is found</source>
+        <translation>插上相机;&apos;alltact devices&apos; 列出找到的设备</translation>
+    </message>
+    <message>
+        <source>the USB port has no bandwidth left</source>
+        <translation>USB 接口带宽已用完</translation>
+    </message>
+    <message>
+        <source>another USB port, MJPG instead of YUYV, or smaller pictures</source>
+        <translation>换一个 USB 接口、用 MJPG 代替 YUYV,或用更小的图像</translation>
+    </message>
+    <message>
+        <source>the USB connection is disturbed</source>
+        <translation>USB 连接受到干扰</translation>
+    </message>
+    <message>
+        <source>a shorter cable or another port</source>
+        <translation>换短一些的线或另一接口</translation>
+    </message>
+    <message>
+        <source>the camera refuses</source>
+        <translation>相机拒绝</translation>
+    </message>
+    <message>
+        <source>another format or value; &apos;alltact devices --details&apos; lists them</source>
+        <translation>换一种格式或值;&apos;alltact devices --details&apos; 列出它们</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>unplug the camera and plug it in again</source>
+        <translation>拔下相机再插上</translation>
+    </message>
+    <message>
+        <source>{} and more</source>
+        <translation>{} 等</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>{} at {:g} frames per second</source>
+        <translation>{},每秒 {} 帧</translation>
+    </message>
+    <message>
+        <source>the camera has no such format that can be read; it offers {}</source>
+        <translation>相机没有这种可读取的格式;它提供 {}</translation>
+    </message>
+    <message>
+        <source>one of these in GREY, Y16, YUYV or MJPG</source>
+        <translation>选用其中的 GREY、Y16、YUYV 或 MJPG 格式</translation>
+    </message>
+    <message>
+        <source>the camera cannot be opened</source>
+        <translation>无法打开相机</translation>
+    </message>
+    <message>
+        <source>this does not answer as a camera</source>
+        <translation>它的应答不像相机</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s format cannot be set to {}</source>
+        <translation>无法把相机格式设为 {}</translation>
+    </message>
+    <message>
+        <source>the camera was asked for {} and chose {}</source>
+        <translation>向相机要求 {},它选了 {}</translation>
+    </message>
+    <message>
+        <source>a format that &apos;alltact devices --details&apos; lists for it</source>
+        <translation>使用 &apos;alltact devices --details&apos; 为它列出的格式</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s rate cannot be set</source>
+        <translation>无法设置相机帧率</translation>
+    </message>
+    <message>
+        <source>the camera takes no buffer</source>
+        <translation>相机不接受缓冲区</translation>
+    </message>
+    <message>
+        <source>the camera does not start</source>
+        <translation>相机没有启动</translation>
+    </message>
+    <message>
+        <source>the camera gives no buffers</source>
+        <translation>相机没有提供缓冲区</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s buffer cannot be found</source>
+        <translation>找不到相机的缓冲区</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s buffer cannot be mapped</source>
+        <translation>无法映射相机的缓冲区</translation>
+    </message>
+    <message>
+        <source>holds more than one document</source>
+        <translation>含有多个文档</translation>
+    </message>
+    <message>
+        <source>leave out the lines &apos;---&apos;</source>
+        <translation>去掉 &apos;---&apos; 行</translation>
+    </message>
+    <message>
+        <source>this is not YAML: {}</source>
+        <translation>这不是 YAML:{}</translation>
+    </message>
+    <message>
+        <source>look at the brackets, quotes and the space before each key</source>
+        <translation>检查括号、引号以及每个键前的空格</translation>
+    </message>
+    <message>
+        <source>is too large to be read</source>
+        <translation>太大,无法读取</translation>
+    </message>
+    <message>
+        <source>a file of fewer entries</source>
+        <translation>使用条目较少的文件</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;</source>
+        <translation>未知的键 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>is not known, and too large or too odd to be kept</source>
+        <translation>是未知的,而且太大或太奇怪,无法保留</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>删除它</translation>
+    </message>
+    <message>
+        <source>is not known here; it is kept as it is</source>
+        <translation>在这里是未知的;按原样保留</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos;</source>
+        <translation>“{}”</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>a block of keys</source>
+        <translation>键的段落</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>大于</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>不小于</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>小于</translation>
+    </message>
+    <message>
+        <source>up to</source>
+        <translation>不大于</translation>
+    </message>
+    <message>
+        <source>a number {} {:g} and {} {:g}</source>
+        <translation>{} {} 且{} {} 的数</translation>
+    </message>
+    <message>
+        <source>a number such as 24.0, with a point and without a unit</source>
+        <translation>如 24.0 的数字,用小数点,不带单位</translation>
+    </message>
+    <message>
+        <source>must be a block of &apos;key: value&apos; lines, not {}</source>
+        <translation>必须是由 &apos;key: value&apos; 行组成的段落,而不是{}</translation>
+    </message>
+    <message>
+        <source>compare with another file of this kind</source>
+        <translation>与另一个同类文件比较</translation>
+    </message>
+    <message>
+        <source>holds a key that is not a word</source>
+        <translation>含有不是单词的键</translation>
+    </message>
+    <message>
+        <source>one word before each colon</source>
+        <translation>每个冒号前一个单词</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>出现两次</translation>
+    </message>
+    <message>
+        <source>leave one of the two</source>
+        <translation>只保留其中一个</translation>
+    </message>
+    <message>
+        <source>add &apos;{}: ...&apos;</source>
+        <translation>添加 &apos;{}: ...&apos;</translation>
+    </message>
+    <message>
+        <source>add &apos;{}: ...&apos; under &apos;{}:&apos;</source>
+        <translation>在 &apos;{1}:&apos; 下添加 &apos;{0}: ...&apos;</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>write &apos;{}&apos; for &apos;{}&apos;</source>
+        <translation>把“{1}”写成“{0}”</translation>
+    </message>
+    <message>
+        <source>must be a text, not {}</source>
+        <translation>必须是文本,而不是{}</translation>
+    </message>
+    <message>
+        <source>{} is not known here</source>
+        <translation>{}在这里是未知的</translation>
+    </message>
+    <message>
+        <source>must be a number, {}, not {}</source>
+        <translation>必须是数字,{},而不是{}</translation>
+    </message>
+    <message>
+        <source>0 would mean that this is absent, and what is absent is not named</source>
+        <translation>0 表示没有,没有的就不要写</translation>
+    </message>
+    <message>
+        <source>leave it out, or give {}</source>
+        <translation>去掉它,或给出{}</translation>
+    </message>
+    <message>
+        <source>holds {}, which is not {}</source>
+        <translation>含有 {},不是{}</translation>
+    </message>
+    <message>
+        <source>must be {}, not {}</source>
+        <translation>必须是{},而不是{}</translation>
+    </message>
+    <message>
+        <source>must be a whole number from {} to {}, not {}</source>
+        <translation>必须是 {} 到 {} 的整数,而不是{}</translation>
+    </message>
+    <message>
+        <source>must be a list, not {}</source>
+        <translation>必须是列表,而不是{}</translation>
+    </message>
+    <message>
+        <source>[..., ...]</source>
+        <translation>[..., ...]</translation>
+    </message>
+    <message>
+        <source>this is not a list of the right length</source>
+        <translation>这不是长度正确的列表</translation>
+    </message>
+    <message>
+        <source>[{} numbers]</source>
+        <translation>[{} 个数]</translation>
+    </message>
+    <message>
+        <source>[{} to {} numbers]</source>
+        <translation>[{} 到 {} 个数]</translation>
+    </message>
+    <message>
+        <source>holds {}, which is not a text</source>
+        <translation>含有 {},不是文本</translation>
+    </message>
+    <message>
+        <source>holds {}, which is not a list</source>
+        <translation>含有 {},不是列表</translation>
+    </message>
+    <message>
+        <source>[[..., ...], ...]</source>
+        <translation>[[..., ...], ...]</translation>
+    </message>
+    <message>
+        <source>{}:{}: this is no check and is left out.</source>
+        <translation>{}:{}:这不是检查记录,已舍弃。</translation>
+    </message>
+    <message>
+        <source>no untouched picture; give one to calibrate with --reference</source>
+        <translation>没有未触碰的图片;标定时请用 --reference 给出</translation>
+    </message>
+    <message>
+        <source>no recording of the bending, untouched finger; run alltact reference</source>
+        <translation>没有未触碰手指弯曲的录像;请运行 alltact reference</translation>
+    </message>
+    <message>
+        <source>one untouched picture</source>
+        <translation>一张未触碰的图片</translation>
+    </message>
+    <message>
+        <source>only {} frames; poses between them are guessed, record more bending</source>
+        <translation>只有 {} 帧;其间的姿态是推测的,请多录一些弯曲</translation>
+    </message>
+    <message numerus="yes">
+        <source>{} frames</source>
+        <comment>{} frame</comment>
+        <translation>
+            <numerusform>{} 帧</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no layout at rest, so touch cannot be told; run alltact reference again</source>
+        <translation>没有静止时的排布,无法判断触碰;请重新运行 alltact reference</translation>
+    </message>
+    <message>
+        <source>none; poses are told by the shape of the face, which cannot tell twist</source>
+        <translation>没有;姿态由面的形状判断,无法判断扭转</translation>
+    </message>
+    <message>
+        <source>{} markers; touch is told from {:.1f} px of summed offset</source>
+        <translation>{} 个标记点;位移总和达 {} px 即判为触碰</translation>
+    </message>
+    <message>
+        <source>not calibrated; run alltact calibrate with ball presses</source>
+        <translation>未标定;请用球按压运行 alltact calibrate</translation>
+    </message>
+    <message>
+        <source>nothing says how it came about or how good it is; run alltact calibrate again</source>
+        <translation>没有记录它的来源和质量;请重新运行 alltact calibrate</translation>
+    </message>
+    <message>
+        <source>the reference ({}) is newer than the calibration ({}); calibrate again</source>
+        <translation>参考({})比标定({})新;请重新标定</translation>
+    </message>
+    <message>
+        <source>made at an unknown date</source>
+        <translation>制作日期不明</translation>
+    </message>
+    <message>
+        <source>made {}</source>
+        <translation>制作于 {}</translation>
+    </message>
+    <message>
+        <source>the calibration cannot be repeated: {}.</source>
+        <translation>标定无法重复:{}。</translation>
+    </message>
+    <message>
+        <source>{} of {} press pictures are gone, so the calibration cannot be repeated</source>
+        <translation>{1} 张按压图片中有 {0} 张已不在,标定无法重复</translation>
+    </message>
+    <message>
+        <source>what is kept is of a calibration that was cut off; complete it with {}</source>
+        <translation>保存的内容来自一次中断的标定;请用 {} 完成</translation>
+    </message>
+    <message>
+        <source>{} pictures kept</source>
+        <translation>保存了 {} 张图片</translation>
+    </message>
+    <message>
+        <source>{}, {} x {} px</source>
+        <translation>{},{} x {} px</translation>
+    </message>
+    <message>
+        <source>stopped before the check was done</source>
+        <translation>检查完成前已停止</translation>
+    </message>
+    <message>
+        <source>{}: the contact covers too few pixels</source>
+        <translation>{}: 接触覆盖的像素太少</translation>
+    </message>
+    <message>
+        <source>pressing deeper, or a larger picture</source>
+        <translation>压得更深,或使用更大的图片</translation>
+    </message>
+    <message>
+        <source>{}: no ball fits the contact</source>
+        <translation>{}: 没有球与接触相符</translation>
+    </message>
+    <message>
+        <source>a clean ball</source>
+        <translation>使用干净的球</translation>
+    </message>
+    <message>
+        <source>{} {}</source>
+        <translation>{} {}</translation>
+    </message>
+    <message>
+        <source>no face was found</source>
+        <translation>没有找到面</translation>
+    </message>
+    <message>
+        <source>the contacts have no ball&apos;s shape: is ball or face dirty?</source>
+        <translation>接触不是球形:球或面脏了吗?</translation>
+    </message>
+    <message>
+        <source>shallow</source>
+        <translation>浅</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>深</translation>
+    </message>
+    <message>
+        <source>the mapping reads {:.0f} % too {}: layer, ball or camera are not what they were</source>
+        <translation>映射的读数偏{1} {0} %:层、球或相机与从前不同</translation>
+    </message>
+    <message>
+        <source>brighter</source>
+        <translation>亮</translation>
+    </message>
+    <message>
+        <source>darker</source>
+        <translation>暗</translation>
+    </message>
+    <message>
+        <source>the face is {:.1f} % {} than it was: look at lamps, exposure and layer</source>
+        <translation>面比从前{1} {0} %:请检查灯、曝光和层</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>drifting</source>
+        <translation>漂移</translation>
+    </message>
+    <message>
+        <source>recalibrate</source>
+        <translation>重新标定</translation>
+    </message>
+    <message numerus="yes">
+        <source>{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %</source>
+        <comment>{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
+        <translation>
+            <numerusform>{} 次按压的深度误差为 {} mm(不超过 {} mm 即通过),光照 {} %</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>calibrate again soon</source>
+        <translation>请尽快重新标定</translation>
+    </message>
+    <message>
+        <source>calibrate again before measuring with it</source>
+        <translation>测量前请重新标定</translation>
+    </message>
+    <message>
+        <source>the finger is not calibrated, so there is nothing to check</source>
+        <translation>手指尚未标定,没有可检查的内容</translation>
+    </message>
+    <message>
+        <source>alltact calibrate</source>
+        <translation>alltact calibrate</translation>
+    </message>
+    <message>
+        <source>the finger does not tell the ball it was calibrated with</source>
+        <translation>手指没有记录标定时所用的球</translation>
+    </message>
+    <message>
+        <source>--ball-radius-mm with the radius of the ball that was pressed</source>
+        <translation>用 --ball-radius-mm 给出压入的球的半径</translation>
+    </message>
+    <message>
+        <source>measuring the presses</source>
+        <translation>正在测量按压</translation>
+    </message>
+    <message>
+        <source>no press is called &apos;{}&apos;</source>
+        <translation>没有叫“{}”的按压</translation>
+    </message>
+    <message>
+        <source>no press can be used: {}</source>
+        <translation>没有可用的按压:{}</translation>
+    </message>
+    <message>
+        <source>pictures of this finger with the ball pressed 0.3 mm or more into its face</source>
+        <translation>球压入此手指的面 0.3 mm 以上的图片</translation>
+    </message>
+    <message>
+        <source>measuring the presses of the calibration</source>
+        <translation>正在测量标定时的按压</translation>
+    </message>
+    <message>
+        <source>the face is {:.1f} % {} than when its reference was recorded; false depth {:.3f} mm in the worst twentieth of it ({:.3f} mm if the light were not corrected; up to {:.3f} mm is noise)</source>
+        <translation>面比录制参考时{1} {0} %;最差的二十分之一处虚假深度为 {2} mm(不作光照校正则为 {3} mm;不超过 {4} mm 属于噪声)</translation>
+    </message>
+    <message>
+        <source>let the lamps warm up, look at exposure and gain, and record the reference again when it goes on</source>
+        <translation>让灯预热,检查曝光和增益,若仍如此请重新录制参考</translation>
+    </message>
+    <message>
+        <source>the finger is not calibrated yet</source>
+        <translation>手指尚未标定</translation>
+    </message>
+    <message>
+        <source>calibrate with ball presses</source>
+        <translation>用球按压进行标定</translation>
+    </message>
+    <message>
+        <source>nothing could be measured</source>
+        <translation>什么都无法测量</translation>
+    </message>
+    <message>
+        <source>none of the pictures can be compared with the reference</source>
+        <translation>没有一张图片能与参考比较</translation>
+    </message>
+    <message>
+        <source>{} ({})</source>
+        <translation>{}({})</translation>
+    </message>
+    <message>
+        <source>pictures of the untouched finger in poses that were recorded</source>
+        <translation>未触碰的手指在已录制姿态下的图片</translation>
+    </message>
+    <message>
+        <source>an orthographic camera</source>
+        <translation>正交相机</translation>
+    </message>
+    <message>
+        <source>a camera behind a window</source>
+        <translation>隔着窗口的相机</translation>
+    </message>
+    <message>
+        <source>{} has no camera matrix, so {} has no form for it</source>
+        <translation>{}没有相机矩阵,因此 {} 没有对应的形式</translation>
+    </message>
+    <message>
+        <source>json, or zip for the whole finger</source>
+        <translation>json,或用 zip 导出整个手指</translation>
+    </message>
+    <message>
+        <source>is a link to another folder, which a zip cannot hold</source>
+        <translation>是指向另一文件夹的链接,zip 无法包含</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a folder, so a zip cannot hold it</source>
+        <translation>既不是文件也不是文件夹,zip 无法包含</translation>
+    </message>
+    <message>
+        <source>moving it out of the finger&apos;s folder</source>
+        <translation>把它移出手指的文件夹</translation>
+    </message>
+    <message>
+        <source>the finger&apos;s folder could not be read: {}</source>
+        <translation>无法读取手指的文件夹:{}</translation>
+    </message>
+    <message>
+        <source>its permissions, and that its disk is there</source>
+        <translation>检查其权限,以及磁盘是否在</translation>
+    </message>
+    <message>
+        <source>a zip of the finger cannot lie in the finger&apos;s own folder</source>
+        <translation>手指的 zip 不能放在手指自己的文件夹里</translation>
+    </message>
+    <message>
+        <source>another folder</source>
+        <translation>换一个文件夹</translation>
+    </message>
+    <message>
+        <source>stopped before it was written</source>
+        <translation>写完之前已停止</translation>
+    </message>
+    <message>
+        <source>The finger has another reference than it was calibrated with: this is a new calibration.</source>
+        <translation>手指的参考与标定时不同:这是一次新的标定。</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s camera, face or markers are not what they were when it was calibrated: this is a new calibration.</source>
+        <translation>手指的相机、面或标记点与标定时不同:这是一次新的标定。</translation>
+    </message>
+    <message>
+        <source>The finger was calibrated by version {}: this is a new calibration, by version {}.</source>
+        <translation>手指是用版本 {} 标定的:这是用版本 {} 进行的新标定。</translation>
+    </message>
+    <message>
+        <source>writing the report</source>
+        <translation>正在写报告</translation>
+    </message>
+    <message>
+        <source>its camera, face or markers were changed while it was calibrated</source>
+        <translation>标定期间其相机、面或标记点被更改</translation>
+    </message>
+    <message>
+        <source>calibrating again</source>
+        <translation>重新标定</translation>
+    </message>
+    <message>
+        <source>only a flat sensor has one untouched picture</source>
+        <translation>只有平面传感器才有单张未触碰图片</translation>
+    </message>
+    <message>
+        <source>leaving --reference out; this finger is compared with its reference recording</source>
+        <translation>去掉 --reference;此手指与其参考录像比较</translation>
+    </message>
+    <message>
+        <source>{} shows what was found</source>
+        <translation>{} 显示找到的内容</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>is no checksum of 16 digits</source>
+        <translation>不是 16 位的校验和</translation>
+    </message>
+    <message>
+        <source>names no press</source>
+        <translation>没有列出按压</translation>
+    </message>
+    <message>
+        <source>has {} entries for {} presses</source>
+        <translation>有 {} 项,而按压有 {} 次</translation>
+    </message>
+    <message>
+        <source>one for each press</source>
+        <translation>每次按压一项</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no picture&apos;s name</source>
+        <translation>“{}”不是图片名</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no checksum of 16 digits</source>
+        <translation>“{}”不是 16 位的校验和</translation>
+    </message>
+    <message>
+        <source>names &apos;{}&apos; twice</source>
+        <translation>“{}”出现两次</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not among the presses, and something is said of it</source>
+        <translation>&apos;{}&apos; 不在按压之中,却有关于它的说明</translation>
+    </message>
+    <message>
+        <source>remove that</source>
+        <translation>请将其删除</translation>
+    </message>
+    <message>
+        <source>the version of this program that wrote it, or calibrating again with the pictures in presses/ (this version writes &apos;{}&apos;)</source>
+        <translation>使用写出它的程序版本,或用 presses/ 中的图片重新标定(此版本写出“{}”)</translation>
+    </message>
+    <message>
+        <source>there is nothing to repeat: this finger was not calibrated, or by a version that did not keep what with</source>
+        <translation>没有可重复的内容:此手指未标定,或标定它的版本没有保存所用的数据</translation>
+    </message>
+    <message>
+        <source>calibrating it with the pictures in presses/ and --ball-radius-mm</source>
+        <translation>用 presses/ 中的图片和 --ball-radius-mm 标定</translation>
+    </message>
+    <message>
+        <source>{:.3f} mm, more than three times the others; look at the picture, or leave it out</source>
+        <translation>{} mm,超过其他按压的三倍;请查看图片,或舍弃它</translation>
+    </message>
+    <message>
+        <source>only the joint method uses measured depths and punches with a step</source>
+        <translation>只有联合方法使用测得的深度和带台阶的压头</translation>
+    </message>
+    <message>
+        <source>leaving them out, or --method joint</source>
+        <translation>不使用它们,或使用 --method joint</translation>
+    </message>
+    <message>
+        <source>no press can be used</source>
+        <translation>没有可用的按压</translation>
+    </message>
+    <message>
+        <source>pictures of this finger with a ball pressed into its face</source>
+        <translation>此手指的面被球压入时的图片</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>正在求解</translation>
+    </message>
+    <message>
+        <source>stopped before the end: this is the best solution until then, without a report; calibrating again from what is kept finishes it</source>
+        <translation>提前停止:这是到那时为止最好的解,没有报告;用已保存的内容重新标定即可完成</translation>
+    </message>
+    <message>
+        <source>comparing with other methods</source>
+        <translation>正在与其他方法比较</translation>
+    </message>
+    <message>
+        <source>stopped before the calibration was done</source>
+        <translation>标定完成前已停止</translation>
+    </message>
+    <message>
+        <source>the reference picture</source>
+        <translation>参考图片</translation>
+    </message>
+    <message>
+        <source>the untouched picture of this sensor, at the size of its presses</source>
+        <translation>此传感器未触碰的图片,尺寸与按压图片相同</translation>
+    </message>
+    <message>
+        <source>this is not the picture that the finger was calibrated with</source>
+        <translation>这不是标定此手指时所用的图片</translation>
+    </message>
+    <message>
+        <source>calibrating anew with the pictures that are there</source>
+        <translation>用现有的图片重新标定</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>已排除</translation>
+    </message>
+    <message>
+        <source>or --bursts where each video shows one press held still</source>
+        <translation>或者在每段视频各显示一次保持静止的按压时使用 --bursts</translation>
+    </message>
+    <message>
+        <source>two presses are called &apos;{}&apos;</source>
+        <translation>有两次按压都叫“{}”</translation>
+    </message>
+    <message>
+        <source>giving the pictures different names; they are kept by name with the finger</source>
+        <translation>给图片取不同的名字;它们按名字保存在手指中</translation>
+    </message>
+    <message>
+        <source>reading {}</source>
+        <translation>正在读取 {}</translation>
+    </message>
+    <message>
+        <source>no press was given</source>
+        <translation>没有给出按压</translation>
+    </message>
+    <message>
+        <source>at least one picture of a pressed ball</source>
+        <translation>至少一张压入球的图片</translation>
+    </message>
+    <message>
+        <source>there are only presses of a punch with a step</source>
+        <translation>只有带台阶压头的按压</translation>
+    </message>
+    <message>
+        <source>pressing a ball as well, once at least: a step tells how far apart two depths are, not where they begin</source>
+        <translation>至少再用球按压一次:台阶只说明两个深度相差多少,不说明从哪里算起</translation>
+    </message>
+    <message>
+        <source>none of {} presses could be used: {}</source>
+        <translation>{} 次按压都不可用:{}</translation>
+    </message>
+    <message>
+        <source>pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
+        <translation>只有球压入面 0.3 mm 以上的图片</translation>
+    </message>
+    <message>
+        <source>stopped before there was a solution</source>
+        <translation>得到解之前已停止</translation>
+    </message>
+    <message>
+        <source>the ball lies {:.1f} mm deep in a layer of {:g} mm</source>
+        <translation>球压入 {} mm,而该层只有 {} mm 厚</translation>
+    </message>
+    <message>
+        <source>pressing less deep, and checking the ball&apos;s radius and the camera&apos;s scale in mm per px</source>
+        <translation>压得浅一些,并检查球的半径和相机的比例(mm/px)</translation>
+    </message>
+    <message>
+        <source>no increasing mapping fits the presses</source>
+        <translation>没有递增的映射与按压相符</translation>
+    </message>
+    <message>
+        <source>leaving out presses with the largest residual, a lower degree, or checking the ball&apos;s radius</source>
+        <translation>舍弃残差最大的按压、降低次数,或检查球的半径</translation>
+    </message>
+    <message>
+        <source>solving: round {}, unknowns move by {:.1e} mm</source>
+        <translation>正在求解:第 {} 轮,未知量变动 {} mm</translation>
+    </message>
+    <message>
+        <source>solving all presses together</source>
+        <translation>正在对全部按压联合求解</translation>
+    </message>
+    <message>
+        <source>{}, because the {} does not increase on all samples</source>
+        <translation>{},因为{}在全部样本上并非处处递增</translation>
+    </message>
+    <message>
+        <source>the solution is no mapping: {}</source>
+        <translation>解不是有效的映射:{}</translation>
+    </message>
+    <message>
+        <source>more presses of different depth, or a lower degree</source>
+        <translation>增加不同深度的按压,或降低次数</translation>
+    </message>
+    <message>
+        <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other places</source>
+        <translation>一次按压无法区分球的深度与映射:请在其他位置增加不同深度的按压</translation>
+    </message>
+    <message>
+        <source>the presses do not determine every unknown: add presses</source>
+        <translation>这些按压不能确定全部未知量:请增加按压</translation>
+    </message>
+    <message>
+        <source>a ball radius of {} mm is impossible</source>
+        <translation>球半径不可能是 {} mm</translation>
+    </message>
+    <message>
+        <source>the radius in millimetres, as measured with callipers</source>
+        <translation>用卡尺量得的半径,单位毫米</translation>
+    </message>
+    <message>
+        <source>the calibration failed: {}</source>
+        <translation>标定失败:{}</translation>
+    </message>
+    <message>
+        <source>fewer presses</source>
+        <translation>减少按压</translation>
+    </message>
+    <message>
+        <source>how presses become a mapping: all balls and the mapping in one fit; or, to compare with, every ball from its dark border alone: the source paper&apos;s way, a circle on the face, or the cone of the ball&apos;s outline</source>
+        <translation>如何由按压得到映射:所有球与映射一起拟合;或作为比较,每个球只由其暗区边界得出:按原论文、面上的圆,或球轮廓的圆锥</translation>
+    </message>
+    <message>
+        <source>the mapping&apos;s curve; auto: whichever predicts presses left out best</source>
+        <translation>映射的曲线;auto:最能预测留出按压的那种</translation>
+    </message>
+    <message>
+        <source>degree of the polynomial; 0: chosen by leaving presses out</source>
+        <translation>多项式的次数;0:通过留出按压来选择</translation>
+    </message>
+    <message>
+        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out say otherwise</source>
+        <translation>亮度随层的哪种厚度变化:沿 z、沿法线,或沿 z 再投影到法线;auto:沿法线,除非留出的按压另有结论</translation>
+    </message>
+    <message>
+        <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: when presses left out agree clearly better then</source>
+        <translation>映射是否可在面上缓慢变化,用于光照或层不均匀的情况;auto:当留出的按压因此明显更吻合时</translation>
+    </message>
+    <message>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin surely touches the ball</source>
+        <translation>使用了每处接触半径的内侧 {} %,那里表皮确实贴着球</translation>
+    </message>
+    <message>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used; the skin comes back from the ball over {:.2f} mm</source>
+        <translation>使用了每处接触半径的内侧 {} %;表皮在 {} mm 内离开球面</translation>
+    </message>
+    <message>
+        <source>polynomial of degree {}</source>
+        <translation>{} 次多项式</translation>
+    </message>
+    <message>
+        <source>Kubelka-Munk curve</source>
+        <translation>Kubelka-Munk 曲线</translation>
+    </message>
+    <message>
+        <source>Moebius curve</source>
+        <translation>莫比乌斯曲线</translation>
+    </message>
+    <message>
+        <source>{} that varies over the face</source>
+        <translation>在面上变化的{}</translation>
+    </message>
+    <message>
+        <source>its measured depth of {:.3f} +- {:.3f} mm was left out, because the pictures say {:.3f} +- {:.3f} mm; it counts from where the ball first touches, normal to the face</source>
+        <translation>其测得的深度 {} +- {} mm 未被采用,因为图像给出 {} +- {} mm;深度从球刚接触处算起,沿面的法线方向</translation>
+    </message>
+    <message>
+        <source>its step of {:.3f} mm was left out, because the balls say {:.3f} +- {:.3f} mm; is the balls&apos; radius right</source>
+        <translation>其台阶 {} mm 未被采用,因为各球给出 {} +- {} mm;球的半径是否正确</translation>
+    </message>
+    <message>
+        <source>trying a {}</source>
+        <translation>正在尝试:{}</translation>
+    </message>
+    <message>
+        <source>least error on presses left out, {:.4f} mm</source>
+        <translation>留出按压的误差最小,{} mm</translation>
+    </message>
+    <message>
+        <source>{:.4f} mm on presses left out, not distinguishable from the best ({}, {:.4f} mm) and simpler</source>
+        <translation>留出按压误差 {} mm,与最好的({},{} mm)没有区别,而且更简单</translation>
+    </message>
+    <message>
+        <source>with one press nothing can be held out</source>
+        <translation>只有一次按压,无法留出</translation>
+    </message>
+    <message>
+        <source>as asked for</source>
+        <translation>按要求</translation>
+    </message>
+    <message>
+        <source>the mapping varies over the face, as uneven light or an uneven layer make it: by {:+.0f} % from the presses nearest to the base to those nearest to the tip, by {:+.0f} % from side to side; {:.4f} mm on presses left out, against {:.4f} mm with one mapping for all</source>
+        <translation>映射在面上有变化,由光照或层不均匀造成:从最靠近根部到最靠近指尖的按压相差 {} %,两侧之间相差 {} %;留出按压误差 {} mm,全部用同一映射则为 {} mm</translation>
+    </message>
+    <message>
+        <source>no circle goes through the dark border</source>
+        <translation>没有圆能通过暗区边界</translation>
+    </message>
+    <message>
+        <source>the circle&apos;s middle lies off the face</source>
+        <translation>圆心不在面上</translation>
+    </message>
+    <message>
+        <source>the circle lies off the face</source>
+        <translation>圆不在面上</translation>
+    </message>
+    <message>
+        <source>the circle is larger than the ball</source>
+        <translation>圆比球大</translation>
+    </message>
+    <message>
+        <source>{:.0f} degrees of the ball&apos;s outline are seen, a cone needs {:.0f}; the rest of the dark border is where the skin leaves the ball</source>
+        <translation>看得见球轮廓的 {} 度,圆锥需要 {} 度;其余暗区边界是表皮离开球的地方</translation>
+    </message>
+    <message>
+        <source>no cone touches the outline</source>
+        <translation>没有圆锥与轮廓相切</translation>
+    </message>
+    <message>
+        <source>the camera does not see the circle&apos;s middle</source>
+        <translation>相机看不到圆心</translation>
+    </message>
+    <message>
+        <source>no place of the ball gives a cubic</source>
+        <translation>球的任何位置都得不到三次曲线</translation>
+    </message>
+    <message>
+        <source>the ball that follows from the dark border hardly touches the face</source>
+        <translation>由暗区边界得出的球几乎没有接触面</translation>
+    </message>
+    <message>
+        <source>no ball follows from the dark border of any of {} presses ({})</source>
+        <translation>{} 次按压的暗区边界都得不出球({})</translation>
+    </message>
+    <message>
+        <source>the joint method, which fits the ball itself</source>
+        <translation>使用联合方法,它直接拟合球本身</translation>
+    </message>
+    <message>
+        <source>the polynomial through the balls&apos; depths does not increase</source>
+        <translation>通过各球深度的多项式不递增</translation>
+    </message>
+    <message>
+        <source>the joint method, or more presses of different depth</source>
+        <translation>使用联合方法,或增加不同深度的按压</translation>
+    </message>
+    <message>
+        <source>the cubic does not increase; degree {} was used instead</source>
+        <translation>三次曲线不递增;改用 {} 次</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s</source>
+        <translation>原论文的</translation>
+    </message>
+    <message>
+        <source>{}, in place of the paper&apos;s cubic</source>
+        <translation>{},代替论文的三次曲线</translation>
+    </message>
+    <message>
+        <source>in the middle of the face</source>
+        <translation>在面的中线上</translation>
+    </message>
+    <message>
+        <source>{:.0f} mm from the middle on the {} side</source>
+        <translation>距中线 {} mm,{}侧</translation>
+    </message>
+    <message>
+        <source>{:.0f} mm from the base, {}</source>
+        <translation>距根部 {} mm,{}</translation>
+    </message>
+    <message>
+        <source>least certain is the scale: all depths may be too large or too small together, by {:.3f} mm at {:.2f} mm (one standard deviation)</source>
+        <translation>最不确定的是比例:所有深度可能一起偏大或偏小,在 {1} mm 处为 {0} mm(一倍标准差)</translation>
+    </message>
+    <message>
+        <source>least certain is how shallow and deep go together: by {:.3f} mm at {:.2f} mm (one standard deviation), the other way at the other end</source>
+        <translation>最不确定的是浅处与深处的关系:在 {1} mm 处为 {0} mm(一倍标准差),另一端相反</translation>
+    </message>
+    <message>
+        <source>smaller</source>
+        <translation>偏小</translation>
+    </message>
+    <message>
+        <source>larger</source>
+        <translation>偏大</translation>
+    </message>
+    <message>
+        <source>a ball 1 % larger than said makes depths {:.1f} % {}; the residual is {:.4f} mm with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger</source>
+        <translation>球若比所给的大 1 %,深度会{1} {0} %;半径小 1 % 时残差为 {2} mm,按所给为 {3} mm,大 1 % 时为 {4} mm</translation>
+    </message>
+    <message>
+        <source>a wrong radius would be noticed</source>
+        <translation>半径有误会被发现</translation>
+    </message>
+    <message>
+        <source>the presses cannot show a wrong radius, so measure the ball to a hundredth of a millimetre</source>
+        <translation>这些按压显不出半径的错误,请把球量准到百分之一毫米</translation>
+    </message>
+    <message>
+        <source>press next: at another place, 0.5 to 1 mm deep</source>
+        <translation>下一次按压:换一处,深 0.5 至 1 mm</translation>
+    </message>
+    <message>
+        <source>press next: {}, {:.1f} mm deep; no press tells whether the mapping holds in that third</source>
+        <translation>下一次按压:{},深 {} mm;还没有按压能说明映射在那三分之一是否成立</translation>
+    </message>
+    <message>
+        <source>enough: one press more would take the standard deviation of depth from {:.4f} mm to {:.4f} mm at best</source>
+        <translation>已足够:再按一次最多把深度标准差从 {} mm 降到 {} mm</translation>
+    </message>
+    <message>
+        <source>press next: {}, {:.1f} mm deep; that would take the standard deviation of depth from {:.4f} mm to {:.4f} mm</source>
+        <translation>下一次按压:{},深 {} mm;这会把深度标准差从 {} mm 降到 {} mm</translation>
+    </message>
+    <message>
+        <source>looking for the ball in {}</source>
+        <translation>正在 {} 中寻找球</translation>
+    </message>
+    <message>
+        <source>the same picture as {}, counted once</source>
+        <translation>与 {} 是同一张图片,只计一次</translation>
+    </message>
+    <message>
+        <source>the contact covers too few pixels</source>
+        <translation>接触覆盖的像素太少</translation>
+    </message>
+    <message>
+        <source>pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more</source>
+        <translation>压入压头,直到表皮贴住它的两个平面,每个平面至少宽 4 mm</translation>
+    </message>
+    <message>
+        <source>the punch touches too little of the face</source>
+        <translation>压头接触到的面太小</translation>
+    </message>
+    <message>
+        <source>no step is to be seen</source>
+        <translation>看不到台阶</translation>
+    </message>
+    <message>
+        <source>one of the punch&apos;s levels touches too little of the face</source>
+        <translation>压头的一个平面接触到的面太小</translation>
+    </message>
+    <message>
+        <source>along z</source>
+        <translation>沿 z</translation>
+    </message>
+    <message>
+        <source>along z projected onto its normal</source>
+        <translation>沿 z 并投影到法线</translation>
+    </message>
+    <message>
+        <source>brightness follows the layer&apos;s thickness {}: {:.4f} mm on presses left out, against {:.4f} mm along its normal</source>
+        <translation>亮度随层{}的厚度变化:留出按压误差 {} mm,沿法线则为 {} mm</translation>
+    </message>
+    <message>
+        <source>{:.3f} mm of depth error on the very presses it was made from</source>
+        <translation>在用来标定的按压上,深度误差为 {} mm</translation>
+    </message>
+    <message>
+        <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole)</source>
+        <translation>预期深度误差 {} mm(形状 {} mm,在未用过的按压上;整体 {} mm)</translation>
+    </message>
+    <message>
+        <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole; {:.3f} mm of a single pixel)</source>
+        <translation>预期深度误差 {} mm(形状 {} mm,在未用过的按压上;整体 {} mm;单个像素 {} mm)</translation>
+    </message>
+    <message>
+        <source>not fit to measure with</source>
+        <translation>不适合测量</translation>
+    </message>
+    <message>
+        <source>press again with a clean ball of the radius given, whole on the face</source>
+        <translation>请用所给半径的干净球重新按压,使其完全落在面上</translation>
+    </message>
+    <message>
+        <source>unproven</source>
+        <translation>未经证实</translation>
+    </message>
+    <message>
+        <source>none was left out to show what happens on others</source>
+        <translation>没有留出任何按压来说明对其他按压的效果</translation>
+    </message>
+    <message>
+        <source>one press cannot show what happens on others, add presses of different depth</source>
+        <translation>一次按压说明不了对其他按压的效果,请增加不同深度的按压</translation>
+    </message>
+    <message>
+        <source>usable for contact and its place</source>
+        <translation>可用于判断接触及其位置</translation>
+    </message>
+    <message>
+        <source>add presses of different depth and place to measure relief</source>
+        <translation>要测量起伏,请在不同位置增加不同深度的按压</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>dots</source>
+        <translation>圆点</translation>
+    </message>
+    <message>
+        <source>inner corners</source>
+        <translation>内角点</translation>
+    </message>
+    <message>
+        <source>{} x {} {}</source>
+        <translation>{} x {} {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no board; it takes two counts from 3 to 100</source>
+        <translation>“{}”不是标定板;需要两个 3 到 100 的数目</translation>
+    </message>
+    <message>
+        <source>9x6 for nine inner corners in a row and six rows</source>
+        <translation>9x6 表示每行九个内角点、共六行</translation>
+    </message>
+    <message>
+        <source>the board finder gave up: {}</source>
+        <translation>寻找标定板失败:{}</translation>
+    </message>
+    <message>
+        <source>another picture</source>
+        <translation>换一张图片</translation>
+    </message>
+    <message>
+        <source>only {} different views of the board are left, {} are needed at least</source>
+        <translation>只剩 {} 张不同的标定板视图,至少需要 {} 张</translation>
+    </message>
+    <message>
+        <source>{} pictures or more, with the board tilted and in all parts of the picture</source>
+        <translation>{} 张以上的图片,标定板要倾斜并遍及画面各处</translation>
+    </message>
+    <message>
+        <source>shows the board just where {} shows it</source>
+        <translation>标定板的位置与 {} 完全相同</translation>
+    </message>
+    <message>
+        <source>no flat board can look so</source>
+        <translation>平的标定板不可能呈现这样</translation>
+    </message>
+    <message>
+        <source>stopped before the lens was known</source>
+        <translation>得出镜头之前已停止</translation>
+    </message>
+    <message>
+        <source>views that reach into the picture&apos;s corners, or another --model</source>
+        <translation>使用到达画面四角的视图,或换一个 --model</translation>
+    </message>
+    <message>
+        <source>leaving views out</source>
+        <translation>正在逐一留出视图</translation>
+    </message>
+    <message>
+        <source>comparing halves</source>
+        <translation>正在比较两半</translation>
+    </message>
+    <message>
+        <source>with {} coefficients of distortion the lens folds over inside the picture or stays undetermined; {} are used</source>
+        <translation>用 {} 个畸变系数时,镜头在画面内折叠或无法确定;改用 {} 个</translation>
+    </message>
+    <message>
+        <source>corners scatter by {:.2f} px; good boards give 0.2 or less: look at focus, motion, and whether the board is flat</source>
+        <translation>角点散布 {} px;好的标定板不超过 0.2:请检查对焦、运动以及板是否平整</translation>
+    </message>
+    <message>
+        <source>stopped before everything was judged</source>
+        <translation>全部评定之前已停止</translation>
+    </message>
+    <message>
+        <source>What is printed on the board</source>
+        <translation>标定板上印的是什么</translation>
+    </message>
+    <message>
+        <source>brown up to about 120 degrees of view, fisheye beyond</source>
+        <translation>视角约 120 度以内用 brown,更大用 fisheye</translation>
+    </message>
+    <message>
+        <source>Distance of the finger, at which errors are told in mm</source>
+        <translation>手指的距离,误差按此距离以 mm 表示</translation>
+    </message>
+    <message>
+        <source>ChArUco: the markers&apos; family</source>
+        <translation>ChArUco:标记的种类</translation>
+    </message>
+    <message>
+        <source>ChArUco: a marker&apos;s side as part of a square&apos;s</source>
+        <translation>ChArUco:标记边长占方格边长的比例</translation>
+    </message>
+    <message>
+        <source>all {} views show the board in the same place</source>
+        <translation>全部 {} 张视图中标定板都在同一位置</translation>
+    </message>
+    <message>
+        <source>move and tilt the board, or the camera, between pictures</source>
+        <translation>每张图片之间移动并倾斜标定板或相机</translation>
+    </message>
+    <message>
+        <source>looking for a first lens</source>
+        <translation>正在寻找初始镜头</translation>
+    </message>
+    <message>
+        <source>fitting the lens</source>
+        <translation>正在拟合镜头</translation>
+    </message>
+    <message>
+        <source>no {} with {} can be seen</source>
+        <translation>看不到{}({})</translation>
+    </message>
+    <message>
+        <source>the picture has hardly any contrast</source>
+        <translation>图片几乎没有对比度</translation>
+    </message>
+    <message>
+        <source>more light, and the board in focus</source>
+        <translation>增加光照,并使标定板清晰</translation>
+    </message>
+    <message>
+        <source>a large part of the picture is white without detail</source>
+        <translation>图片大部分是没有细节的白色</translation>
+    </message>
+    <message>
+        <source>a shorter exposure</source>
+        <translation>缩短曝光</translation>
+    </message>
+    <message>
+        <source>the whole board in the picture, with its white border, sharp and evenly lit</source>
+        <translation>整块标定板连同白边都在画面内,清晰且光照均匀</translation>
+    </message>
+    <message>
+        <source>chessboard</source>
+        <translation>棋盘格</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>ChArUco 板</translation>
+    </message>
+    <message>
+        <source>not one of its markers</source>
+        <translation>一个标记也看不到</translation>
+    </message>
+    <message>
+        <source>only {} of the ChArUco board&apos;s corners can be seen, {} are needed</source>
+        <translation>只看到 ChArUco 板的 {} 个角点,需要 {} 个</translation>
+    </message>
+    <message>
+        <source>more of the board in the picture, sharp and evenly lit</source>
+        <translation>让更多标定板进入画面,清晰且光照均匀</translation>
+    </message>
+    <message>
+        <source>only corners in one line of the ChArUco board can be seen</source>
+        <translation>只看到 ChArUco 板上同一直线的角点</translation>
+    </message>
+    <message>
+        <source>more of the board in the picture</source>
+        <translation>让更多标定板进入画面</translation>
+    </message>
+    <message>
+        <source>dot grid</source>
+        <translation>圆点阵列</translation>
+    </message>
+    <message>
+        <source>a dot of the grid lies at the picture&apos;s border or has no contrast</source>
+        <translation>阵列中有圆点位于画面边缘或没有对比度</translation>
+    </message>
+    <message>
+        <source>the whole board in the picture, evenly lit</source>
+        <translation>整块标定板在画面内,光照均匀</translation>
+    </message>
+    <message>
+        <source>top left corner</source>
+        <translation>左上角</translation>
+    </message>
+    <message>
+        <source>top edge</source>
+        <translation>上边</translation>
+    </message>
+    <message>
+        <source>top right corner</source>
+        <translation>右上角</translation>
+    </message>
+    <message>
+        <source>left edge</source>
+        <translation>左边</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中部</translation>
+    </message>
+    <message>
+        <source>right edge</source>
+        <translation>右边</translation>
+    </message>
+    <message>
+        <source>bottom left corner</source>
+        <translation>左下角</translation>
+    </message>
+    <message>
+        <source>bottom edge</source>
+        <translation>下边</translation>
+    </message>
+    <message>
+        <source>bottom right corner</source>
+        <translation>右下角</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} 和 {}</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>一</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>两</translation>
+    </message>
+    <message>
+        <source>three</source>
+        <translation>三</translation>
+    </message>
+    <message>
+        <source>four</source>
+        <translation>四</translation>
+    </message>
+    <message>
+        <source>five</source>
+        <translation>五</translation>
+    </message>
+    <message>
+        <source>six</source>
+        <translation>六</translation>
+    </message>
+    <message>
+        <source>seven</source>
+        <translation>七</translation>
+    </message>
+    <message>
+        <source>eight</source>
+        <translation>八</translation>
+    </message>
+    <message>
+        <source>nine</source>
+        <translation>九</translation>
+    </message>
+    <message>
+        <source>ten</source>
+        <translation>十</translation>
+    </message>
+    <message>
+        <source>{} more, tilted {}</source>
+        <translation>再{}张,向{}倾斜</translation>
+    </message>
+    <message>
+        <source>{} more, tilted</source>
+        <translation>再{}张,要倾斜</translation>
+    </message>
+    <message>
+        <source>large enough to fill the picture</source>
+        <translation>大到充满画面</translation>
+    </message>
+    <message>
+        <source>near the {}</source>
+        <translation>靠近{}</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>these views leave the lens undetermined</source>
+        <translation>这些视图不足以确定镜头</translation>
+    </message>
+    <message>
+        <source>more views, with the board tilted by 20 to 40 degrees in different directions</source>
+        <translation>增加视图,标定板向不同方向倾斜 20 到 40 度</translation>
+    </message>
+    <message>
+        <source>no lens could be fitted to the corners that were found</source>
+        <translation>无法对找到的角点拟合出镜头</translation>
+    </message>
+    <message>
+        <source>a flat board of the size given with --board, and views that show it tilted</source>
+        <translation>使用与 --board 尺寸相符的平板,并有倾斜的视图</translation>
+    </message>
+    <message>
+        <source>no lens explains the corners that were found</source>
+        <translation>没有镜头能解释找到的角点</translation>
+    </message>
+    <message>
+        <source>a flat board of the size given with --board; --model fisheye for a lens wider than 120 degrees</source>
+        <translation>使用与 --board 尺寸相符的平板;视角大于 120 度的镜头用 --model fisheye</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>可用</translation>
+    </message>
+    <message>
+        <source>the focal length is known to {:.2g} %, {:.2g} mm at {:g} mm</source>
+        <translation>焦距的不确定度为 {0} %,在 {2} mm 处为 {1} mm</translation>
+    </message>
+    <message>
+        <source>but two halves of the views disagree by {:.2f} px ({:.2g} mm)</source>
+        <translation>但两半视图相差 {} px({} mm)</translation>
+    </message>
+    <message>
+        <source>but views left out fit worse ({:.2f} px) than those fitted ({:.2f} px)</source>
+        <translation>但留出的视图({} px)不如参与拟合的({} px)吻合</translation>
+    </message>
+    <message>
+        <source>but the views do not cover the picture and the tilts it needs</source>
+        <translation>但视图没有覆盖画面和所需的倾斜</translation>
+    </message>
+    <message>
+        <source>with so few views none could be left out to show what it is worth</source>
+        <translation>视图太少,无法留出任何一张来检验</translation>
+    </message>
+    <message>
+        <source>take {}</source>
+        <translation>请拍摄{}</translation>
+    </message>
+    <message>
+        <source>add views, sharp and tilted, that fill the picture</source>
+        <translation>请增加清晰、倾斜且充满画面的视图</translation>
+    </message>
+    <message>
+        <source>no board was found in any of {} pictures</source>
+        <translation>{} 张图片中都没有找到标定板</translation>
+    </message>
+    <message>
+        <source>{} (the first: {})</source>
+        <translation>{}(第一张:{})</translation>
+    </message>
+    <message>
+        <source>no board with {} was found, but one with {}</source>
+        <translation>没有找到{}的标定板,但找到了 {} 的</translation>
+    </message>
+    <message>
+        <source>--board with {}: inner corners are counted, not squares</source>
+        <translation>--board 用 {}:数的是内角点,不是方格</translation>
+    </message>
+    <message>
+        <source>--board and --pattern as the board is, and the whole board in the picture</source>
+        <translation>--board 和 --pattern 与标定板一致,且整块板在画面内</translation>
+    </message>
+    <message>
+        <source>stopped while looking for boards; nothing was written</source>
+        <translation>寻找标定板时已停止;没有写出任何内容</translation>
+    </message>
+    <message>
+        <source>looking for the board in {}</source>
+        <translation>正在 {} 中寻找标定板</translation>
+    </message>
+    <message>
+        <source>is {} x {} px, the pictures before it {} x {}</source>
+        <translation>为 {} x {} px,之前的图片为 {} x {}</translation>
+    </message>
+    <message>
+        <source>pictures of one camera in one mode; a lens differs with the picture&apos;s size</source>
+        <translation>使用同一相机同一模式的图片;镜头随图片尺寸而不同</translation>
+    </message>
+    <message>
+        <source>another picture is called &apos;{}&apos; as well</source>
+        <translation>另一张图片也叫“{}”</translation>
+    </message>
+    <message>
+        <source>giving the pictures different names</source>
+        <translation>给图片取不同的名字</translation>
+    </message>
+    <message>
+        <source>its corners lie {:.2f} px from where the lens sees them, those of the others {:.2f} px</source>
+        <translation>它的角点偏离镜头所见 {} px,其他的为 {} px</translation>
+    </message>
+    <message>
+        <source>blurred, by motion or focus: its edges are {:.1f} px wide, those of the others {:.1f} px</source>
+        <translation>因运动或失焦而模糊:边缘宽 {} px,其他的为 {} px</translation>
+    </message>
+    <message>
+        <source>the board is bent in it, glue it to something stiff</source>
+        <translation>图中标定板弯曲了,请把它贴在硬物上</translation>
+    </message>
+    <message>
+        <source>{} of its {} corners lie elsewhere: covered, mirrored in something, or blurred</source>
+        <translation>{1} 个角点中有 {0} 个不在应在之处:被遮挡、反光或模糊</translation>
+    </message>
+    <message>
+        <source>moved during the exposure, or not this board</source>
+        <translation>曝光时有移动,或不是这块板</translation>
+    </message>
+    <message>
+        <source>its squares are {:.2f} % {} than they are high</source>
+        <translation>方格的宽比高{1} {0} %</translation>
+    </message>
+    <message>
+        <source>wider</source>
+        <translation>大</translation>
+    </message>
+    <message>
+        <source>narrower</source>
+        <translation>小</translation>
+    </message>
+    <message>
+        <source>it is bent by about {:.2g} mm from its middle to its corners</source>
+        <translation>从中央到四角弯曲约 {} mm</translation>
+    </message>
+    <message>
+        <source>{}, and {}</source>
+        <translation>{},而且 {}</translation>
+    </message>
+    <message>
+        <source>the board is not the flat, even one it is taken for: {}; with that allowed for fx would be {:.2f} instead of {:.2f} px; use a board on glass or metal</source>
+        <translation>标定板不像假定的那样平整均匀:{};考虑到这一点,fx 应为 {} 而不是 {} px;请使用玻璃或金属上的标定板</translation>
+    </message>
+    <message>
+        <source>hardly any pixel of the face could be compared with the reference</source>
+        <translation>面上几乎没有像素能与参考比较</translation>
+    </message>
+    <message>
+        <source>a press and a reference of the same size in which the face is lit</source>
+        <translation>使用尺寸相同、面已照亮的按压图片和参考</translation>
+    </message>
+    <message>
+        <source>nothing on the face is clearly darker than in the reference (the darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)</source>
+        <translation>面上没有明显比参考更暗的地方(最暗处相差 {} %,其余散布 {} %)</translation>
+    </message>
+    <message>
+        <source>pressing the ball in deeper, and checking that the reference shows the same finger in the same pose</source>
+        <translation>把球压得更深,并检查参考是否为同一手指的同一姿态</translation>
+    </message>
+    <message>
+        <source>only specks are dark, none larger than {} pixels</source>
+        <translation>只有斑点是暗的,没有一个大于 {} 像素</translation>
+    </message>
+    <message>
+        <source>pressing the ball in deeper</source>
+        <translation>把球压得更深</translation>
+    </message>
+    <message>
+        <source>two contacts were found, the second with {:.0f} % of the first</source>
+        <translation>找到两处接触,第二处为第一处的 {} %</translation>
+    </message>
+    <message>
+        <source>a press in which only the ball touches the face</source>
+        <translation>只有球接触面的按压</translation>
+    </message>
+    <message>
+        <source>the border of the dark part is no arc of a circle</source>
+        <translation>暗区的边界不是圆弧</translation>
+    </message>
+    <message>
+        <source>a press in which the ball lies wholly on the face</source>
+        <translation>球完全落在面上的按压</translation>
+    </message>
+    <message>
+        <source>only {:.0f} degrees of the dark disc&apos;s rim lie on the face</source>
+        <translation>暗斑的边缘只有 {} 度在面上</translation>
+    </message>
+    <message>
+        <source>a press nearer to the middle of the face</source>
+        <translation>更靠近面中央的按压</translation>
+    </message>
+    <message>
+        <source>the dark part has a radius of {:.2f} mm, more than the ball&apos;s {:g} mm</source>
+        <translation>暗区半径为 {} mm,大于球的 {} mm</translation>
+    </message>
+    <message>
+        <source>checking the ball&apos;s radius, or a picture in which only the ball touches</source>
+        <translation>检查球的半径,或使用只有球接触的图片</translation>
+    </message>
+    <message>
+        <source>the dark part is no disc: its rim is off a circle by {:.0f} % of the radius, and {:.0f} % of the circle is dark</source>
+        <translation>暗区不是圆盘:边缘偏离圆达半径的 {} %,圆内有 {} % 是暗的</translation>
+    </message>
+    <message>
+        <source>a picture in which a ball, and only the ball, touches the face</source>
+        <translation>只有一个球接触面的图片</translation>
+    </message>
+    <message>
+        <source>the middle of the dark disc lies off the face</source>
+        <translation>暗斑的中心不在面上</translation>
+    </message>
+    <message>
+        <source>the press has no difference picture</source>
+        <translation>该按压没有差值图</translation>
+    </message>
+    <message>
+        <source>taking the picture again</source>
+        <translation>重新拍摄图片</translation>
+    </message>
+    <message>
+        <source>OpenCV failed: {}</source>
+        <translation>OpenCV 出错:{}</translation>
+    </message>
+    <message>
+        <source>the finger moves: no more than {} of {} frames in a row show the same</source>
+        <translation>手指在动:{1} 帧中连续相同的不超过 {0} 帧</translation>
+    </message>
+    <message>
+        <source>holding ball and finger still for half a second, at a steady light</source>
+        <translation>在稳定的光照下使球和手指保持静止半秒</translation>
+    </message>
+    <message>
+        <source>the mean of {} frames held still, of {} read</source>
+        <translation>读取的 {1} 帧中 {0} 帧静止画面的平均</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; does not say where a ball is</source>
+        <translation>“{}”没有说明球的位置</translation>
+    </message>
+    <message>
+        <source>NAME=X,Y,Z with the ball&apos;s centre in mm before the camera, as press_3=1.5,-2,48</source>
+        <translation>NAME=X,Y,Z,为球心在相机前的坐标(mm),例如 press_3=1.5,-2,48</translation>
+    </message>
+    <message>
+        <source>the ball that was put there by hand does not touch the face</source>
+        <translation>手动放置的球没有接触面</translation>
+    </message>
+    <message>
+        <source>moving its outline onto the dark disc, or having the ball found</source>
+        <translation>把轮廓移到暗斑上,或让程序寻找球</translation>
+    </message>
+    <message>
+        <source>one for each press, &quot;&quot; where there is nothing to say</source>
+        <translation>每次按压一个,没有内容处写 &quot;&quot;</translation>
+    </message>
+    <message>
+        <source>is not the centre of a ball before the camera</source>
+        <translation>不是相机前方的球心</translation>
+    </message>
+    <message>
+        <source>x, y, z in mm</source>
+        <translation>x、y、z,单位 mm</translation>
+    </message>
+    <message>
+        <source>must hold two numbers for each press</source>
+        <translation>每次按压必须有两个数</translation>
+    </message>
+    <message>
+        <source>a depth and its standard deviation in mm</source>
+        <translation>一个深度及其标准差,单位 mm</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not NAME=R, a press and its ball&apos;s radius in mm</source>
+        <translation>&apos;{}&apos; 不是 NAME=R 的形式,即按压及其球半径(mm)</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not NAME=MM+-SD, a press, how deep its ball was pressed in and how well that is known, in mm</source>
+        <translation>&apos;{}&apos; 不是 NAME=MM+-SD 的形式,即按压、球压入的深度及其标准差(mm)</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not NAME=MM, a press and the height of its punch&apos;s step in mm</source>
+        <translation>&apos;{}&apos; 不是 NAME=MM 的形式,即按压及其压头台阶的高度(mm)</translation>
+    </message>
+    <message>
+        <source>frame {}</source>
+        <translation>第 {} 帧</translation>
+    </message>
+    <message>
+        <source>only {} of {} frames can be used ({})</source>
+        <translation>{1} 帧中只有 {0} 帧可用({2})</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>录像</translation>
+    </message>
+    <message>
+        <source>record again with every marker in view and nothing on the contact face</source>
+        <translation>重新录制,所有标记点都在画面内,接触面上没有东西</translation>
+    </message>
+    <message>
+        <source>the recording has no such frame</source>
+        <translation>录像中没有这一帧</translation>
+    </message>
+    <message>
+        <source>frame {} cannot be the finger&apos;s rest: {}</source>
+        <translation>第 {} 帧不能作为手指的静止姿态:{}</translation>
+    </message>
+    <message>
+        <source>another frame in which the finger rests</source>
+        <translation>另一帧手指静止的画面</translation>
+    </message>
+    <message>
+        <source>frame {}: something pressed on the contact face, {:.0f} mm from its base ({:.0f} % darker than untouched)</source>
+        <translation>第 {} 帧:接触面受压,距根部 {} mm(比未触碰时暗 {} %)</translation>
+    </message>
+    <message>
+        <source>No markers can be used: {}; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
+        <translation>没有可用的标记点:{}。姿态仅由面的形状判断,无法判断扭转;若手指有标记点,请照亮两个侧面使其突出,并对好焦</translation>
+    </message>
+    <message>
+        <source>Markers {} were not found anywhere; the finger works with the other {}</source>
+        <translation>未找到标记点 {};手指使用其余 {} 个</translation>
+    </message>
+    <message numerus="yes">
+        <source>the recording holds {} frames; at least 2 are needed</source>
+        <comment>the recording holds {} frame; at least 2 are needed</comment>
+        <translation>
+            <numerusform>录像只有 {} 帧;至少需要 2 帧</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>record the finger while it bends slowly in every direction, untouched</source>
+        <translation>录制手指未触碰时缓慢向各个方向弯曲的过程</translation>
+    </message>
+    <message>
+        <source>numbering the markers</source>
+        <translation>正在给标记点编号</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>{:.1f} of {:.1f} {} reached</source>
+        <translation>已达到 {} / {} {}</translation>
+    </message>
+    <message>
+        <source>bend it further away from the camera</source>
+        <translation>向远离相机的方向再弯一些</translation>
+    </message>
+    <message>
+        <source>bend it further towards the camera</source>
+        <translation>向靠近相机的方向再弯一些</translation>
+    </message>
+    <message>
+        <source>push its tip further to one side</source>
+        <translation>把指尖再向一侧推</translation>
+    </message>
+    <message>
+        <source>push its tip further to the other side</source>
+        <translation>把指尖再向另一侧推</translation>
+    </message>
+    <message>
+        <source>twist it further one way</source>
+        <translation>再向一个方向扭</translation>
+    </message>
+    <message>
+        <source>twist it further the other way</source>
+        <translation>再向另一方向扭</translation>
+    </message>
+    <message>
+        <source>bend it while its tip is pushed aside: {:.0f} % of the combinations were seen</source>
+        <translation>把指尖推向一侧的同时弯曲:已看到 {} % 的组合</translation>
+    </message>
+    <message>
+        <source>a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but no two rows of up to {} that keep their places on the finger</source>
+        <translation>一帧中上侧面有 {} 个点、下侧面有 {} 个点({} 帧的中位数),但没有两排各至多 {} 个在手指上位置不变的点</translation>
+    </message>
+    <message>
+        <source>{} dots were found but they fit no pose of the {} markers</source>
+        <translation>找到 {} 个点,但与 {} 个标记点的任何姿态都不符</translation>
+    </message>
+    <message>
+        <source>only {} of {} markers found</source>
+        <translation>只找到 {} 个标记点(共 {} 个)</translation>
+    </message>
+    <message>
+        <source>the markers lie {:.1f} px from where they can be</source>
+        <translation>标记点偏离可能的位置 {} px</translation>
+    </message>
+    <message>
+        <source>of {} markers none may be hidden</source>
+        <translation>仅有 {} 个标记点,一个都不能被遮挡</translation>
+    </message>
+    <message>
+        <source>no frame shows the face</source>
+        <translation>没有一帧显示面</translation>
+    </message>
+    <message>
+        <source>a recording in which both long edges of the bright face are visible</source>
+        <translation>能看见明亮面两条长边的录像</translation>
+    </message>
+    <message>
+        <source>stopped before the recording was read</source>
+        <translation>读完录像之前已停止</translation>
+    </message>
+    <message>
+        <source>reading frame {} of {}</source>
+        <translation>正在读取第 {} / {} 帧</translation>
+    </message>
+    <message>
+        <source>a recording made with this finger&apos;s camera, or the right camera.size and orientation</source>
+        <translation>用此手指的相机录制,或改正 camera.size 和 orientation</translation>
+    </message>
+    <message>
+        <source>the recording cannot be renamed: {}</source>
+        <translation>无法重命名录像:{}</translation>
+    </message>
+    <message>
+        <source>stopped before the recording was written</source>
+        <translation>写完录像之前已停止</translation>
+    </message>
+    <message>
+        <source>writing the frames that are kept</source>
+        <translation>正在写入保留的帧</translation>
+    </message>
+    <message>
+        <source>stopped before the recording was compared</source>
+        <translation>比较完录像之前已停止</translation>
+    </message>
+    <message>
+        <source>comparing frame {} of {}</source>
+        <translation>正在比较第 {} / {} 帧</translation>
+    </message>
+    <message>
+        <source>{} marker positions in {} frames are estimates, because the markers were covered or not found</source>
+        <translation>{1} 帧中有 {0} 个标记点位置是估计值,因为标记点被遮挡或未找到</translation>
+    </message>
+    <message>
+        <source>{} frames are few: a recording of a minute (about 1500 frames) over all directions of bending gives closer references</source>
+        <translation>{} 帧偏少:录制一分钟(约 1500 帧)并覆盖所有弯曲方向,可得到更接近的参考</translation>
+    </message>
+    <message>
+        <source>Not yet seen: {}</source>
+        <translation>尚未看到:{}</translation>
+    </message>
+    <message>
+        <source>this finger has no markers to record a reference with</source>
+        <translation>此手指没有标记点,无法录制参考</translation>
+    </message>
+    <message>
+        <source>a flat sensor takes one untouched picture</source>
+        <translation>平面传感器使用一张未接触的图像</translation>
+    </message>
+    <message>
+        <source>the recording could not be processed ({})</source>
+        <translation>无法处理录像({})</translation>
+    </message>
+    <message>
+        <source>reference installed</source>
+        <translation>参考已设置</translation>
+    </message>
+    <message>
+        <source>only a flat sensor takes one untouched picture as its reference</source>
+        <translation>只有平面传感器以一张未触碰的图片为参考</translation>
+    </message>
+    <message>
+        <source>a recording of the bending, untouched finger</source>
+        <translation>使用未触碰手指弯曲的录像</translation>
+    </message>
+    <message>
+        <source>an untouched picture taken with this sensor&apos;s camera</source>
+        <translation>用此传感器的相机拍摄的未触碰图片</translation>
+    </message>
+    <message>
+        <source>presses</source>
+        <translation>按压</translation>
+    </message>
+    <message>
+        <source>set of presses</source>
+        <translation>这组按压</translation>
+    </message>
+    <message>
+        <source>The {} was not taken with one setting of camera and light: {}. Lock them, and record it again.</source>
+        <translation>{}不是在同一相机和灯光设置下拍摄的:{}。请锁定设置后重新录制。</translation>
+    </message>
+    <message>
+        <source>The {} and the {} were taken with other settings: {}. Depth comes from comparing their brightness: record one of them again.</source>
+        <translation>{}与{}的拍摄设置不同:{}。深度来自两者亮度的比较:请重新录制其中之一。</translation>
+    </message>
+    <message>
+        <source>The finger was calibrated with other settings: {}. Set them as they were, or calibrate again.</source>
+        <translation>手指是在不同的设置下标定的:{}。请恢复当时的设置,或重新标定。</translation>
+    </message>
+    <message>
+        <source>the brightness of the untouched face changes from press to press (standard deviation {:.1f} %): exposure or gain is automatic, or the room&apos;s light gets in; lock them, shade the finger and press again</source>
+        <translation>未触碰处的亮度随每次按压而变(标准差 {} %):曝光或增益为自动,或有环境光进入;请锁定它们,给手指遮光后重新按压</translation>
+    </message>
+    <message>
+        <source>the untouched face is {:.1f} % {} in all presses than in the reference: the light, the exposure or the gain has changed between them; depth is corrected for it as far as it is smooth, but let the lamps warm up and record the reference again</source>
+        <translation>所有按压中未触碰处都比参考{1} {0} %:其间光照、曝光或增益有变;深度已对平缓的部分作了校正,但请让灯预热后重新录制参考</translation>
+    </message>
+    <message>
+        <source>in {} of {} presses the finger is bent in a way that the reference recording does not hold, or it has moved in its mount since: record a reference that bends as far, or press with less bending</source>
+        <translation>{1} 次按压中有 {0} 次手指的弯曲在参考录像中没有,或其后手指在安装座中移动了:请录制弯曲同样大的参考,或按压时少弯曲</translation>
+    </message>
+    <message>
+        <source>no mapping came of it</source>
+        <translation>没有得到映射</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>根部</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>指尖</translation>
+    </message>
+    <message>
+        <source>upper half</source>
+        <translation>上半</translation>
+    </message>
+    <message>
+        <source>lower half</source>
+        <translation>下半</translation>
+    </message>
+    <message numerus="yes">
+        <source>{1} {2:.3f} mm ({0} presses)</source>
+        <comment>{1} {2:.3f} mm ({0} press)</comment>
+        <translation>
+            <numerusform>{1} {2} mm({0} 次按压)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{} unknown: no press there</source>
+        <translation>{}未知:那里没有按压</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>results and truth are of different size</source>
+        <translation>结果与真值的尺寸不同</translation>
+    </message>
+    <message>
+        <source>not as `alltact simulate` and `alltact reconstruct` write it ({})</source>
+        <translation>与 `alltact simulate` 和 `alltact reconstruct` 写出的不同({})</translation>
+    </message>
+    <message>
+        <source>{} with {}</source>
+        <translation>{} 与 {}</translation>
+    </message>
+    <message>
+        <source>running both again</source>
+        <translation>重新运行这两个命令</translation>
+    </message>
+    <message>
+        <source>the camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>the press could not be removed: {}</source>
+        <translation>无法移除按压:{}</translation>
+    </message>
+    <message>
+        <source>no finger is open, so the recording cannot be measured</source>
+        <translation>没有打开手指,无法测量录像</translation>
+    </message>
+    <message>
+        <source>opening a finger</source>
+        <translation>打开手指</translation>
+    </message>
+    <message>
+        <source>this recording is not there any more</source>
+        <translation>这段录像已不存在</translation>
+    </message>
+    <message>
+        <source>plugging in the disk it lies on, or opening another one</source>
+        <translation>插上存放它的磁盘，或打开另一段录像</translation>
+    </message>
+    <message>
+        <source>there is no face to save</source>
+        <translation>没有可保存的面</translation>
+    </message>
+    <message>
+        <source>another frame</source>
+        <translation>换一帧</translation>
+    </message>
+    <message>
+        <source>frame {} of {}</source>
+        <translation>第 {} / {} 帧</translation>
+    </message>
+    <message>
+        <source>no frame of the recording shows a face</source>
+        <translation>录像中没有一帧显示面</translation>
+    </message>
+    <message>
+        <source>the finger that belongs to this camera, or this finger&apos;s camera</source>
+        <translation>打开属于此相机的手指,或使用此手指的相机</translation>
+    </message>
+    <message>
+        <source>there is no HID device that can be read</source>
+        <translation>没有可以读取的 HID 设备</translation>
+    </message>
+    <message>
+        <source>plugging in a pedal</source>
+        <translation>插上脚踏开关</translation>
+    </message>
+    <message>
+        <source>stopped before the report was written</source>
+        <translation>报告写完之前已停止</translation>
+    </message>
+    <message>
+        <source>the report could not be printed</source>
+        <translation>无法生成报告的打印版</translation>
+    </message>
+    <message>
+        <source>this computer cannot draw in 3D: there is no EGL with OpenGL 3.2</source>
+        <translation>本机无法绘制三维图:没有支持 OpenGL 3.2 的 EGL</translation>
+    </message>
+    <message>
+        <source>installing libegl1 and libgl1-mesa-dri, which draw in software</source>
+        <translation>安装 libegl1 和 libgl1-mesa-dri,它们用软件绘制</translation>
+    </message>
+    <message>
+        <source>this is not a session of this program</source>
+        <translation>这不是本程序的会话</translation>
+    </message>
+    <message>
+        <source>beginning a new one</source>
+        <translation>开始新的会话</translation>
     </message>
 </context>
 </TS>

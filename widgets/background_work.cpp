@@ -1,7 +1,5 @@
 #include "widgets/background_work.h"
 
-#include "widgets/words/library_words.h"
-
 #include <thread>
 
 namespace alltact {
@@ -15,19 +13,14 @@ constexpr int kBetweenLooks_ms = 50;
 struct BackgroundWork::Shared {
   std::mutex mutex;
   double fraction = 0;
-  std::string what;
-  std::vector<Round> rounds;
+  Message what;
   bool is_done = false;
   std::function<void()> at_end;
-  Job job{[this](double part, std::string_view words) {
-            const std::lock_guard lock(mutex);
-            fraction = part;
-            what = words;
-          },
-          [this](const Round& round) {
-            const std::lock_guard lock(mutex);
-            rounds.push_back(round);
-          }};
+  Job job{[this](double part, const Message& words) {
+    const std::lock_guard lock(mutex);
+    fraction = part;
+    what = words;
+  }};
 };
 
 BackgroundWork::BackgroundWork(QObject* parent) : QObject(parent) {
@@ -42,8 +35,7 @@ void BackgroundWork::start(Work work) {
   if (shared_) return;
   shared_ = std::make_shared<Shared>();
   fraction_ = 0;
-  what_.clear();
-  rounds_.clear();
+  what_ = {};
   since_.start();
   timer_.start(kBetweenLooks_ms);
   std::thread([shared = shared_, work = std::move(work)] {
@@ -70,9 +62,7 @@ void BackgroundWork::look() {
   {
     const std::lock_guard lock(shared_->mutex);
     fraction_ = shared_->fraction;
-    what_ = in_window_language(shared_->what);
-    rounds_.insert(rounds_.end(), shared_->rounds.begin(), shared_->rounds.end());
-    shared_->rounds.clear();
+    what_ = shared_->what;
     is_done = shared_->is_done;
     at_end = std::move(shared_->at_end);
   }

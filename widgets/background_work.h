@@ -5,13 +5,11 @@
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QString>
 #include <QTimer>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <vector>
 
 namespace alltact {
 
@@ -32,11 +30,9 @@ class BackgroundWork : public QObject {
   void stop();
   [[nodiscard]] bool is_running() const { return shared_ != nullptr; }
   [[nodiscard]] double fraction() const { return fraction_; }
-  [[nodiscard]] const QString& what() const { return what_; }
+  [[nodiscard]] const Message& what() const { return what_; }
   /// Empty as long as it cannot be told.
   [[nodiscard]] std::optional<double> seconds_left() const;
-  /// What was told so far of the work that runs, or ran last.
-  [[nodiscard]] const std::vector<Round>& rounds() const { return rounds_; }
 
  Q_SIGNALS:
   void progressed();
@@ -50,8 +46,7 @@ class BackgroundWork : public QObject {
   QTimer timer_;
   QElapsedTimer since_;
   double fraction_ = 0;
-  QString what_;
-  std::vector<Round> rounds_;
+  Message what_;
 };
 
 }  // namespace alltact

@@ -1,6 +1,6 @@
 // `alltact-studio`: the desktop program.
-#include "app/console/finger_work.h"
 #include "app/studio/main_window.h"
+#include "core/program.h"
 #include "widgets/scene3d/vtk_view.h"
 #include "widgets/shell/studio_style.h"
 
@@ -25,7 +25,8 @@ struct Wanted {
 std::optional<int> read_arguments(int argc, char** argv, Wanted& wanted) {
   CLI::App program{"AllTact Studio: a clear silicone finger as a measuring instrument.",
                    "alltact-studio"};
-  program.set_version_flag("--version", std::string("alltact-studio ") + ALLTACT_VERSION);
+  program.set_version_flag("--version",
+                           std::string("alltact-studio ") + alltact::program_version());
   program.add_option("FINGER", wanted.finger, "The finger's folder to open");
   program
       .add_option("--source",
@@ -40,6 +41,16 @@ std::optional<int> read_arguments(int argc, char** argv, Wanted& wanted) {
     return program.exit(error, std::cout, std::cerr) == 0 ? 0 : 2;
   }
   return std::nullopt;
+}
+
+/// The command line that belongs to this program: beside it, or in the folder above while
+/// developing. Empty: it is in neither.
+std::filesystem::path find_command_line() {
+  std::error_code failed;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", failed).parent_path();
+  for (const auto& program : {folder / "alltact", folder.parent_path() / "alltact"})
+    if (std::filesystem::is_regular_file(program, failed)) return program;
+  return {};
 }
 
 bool has_display() {

@@ -1,7 +1,9 @@
 #include "app/studio/main_window.h"
 
-#include "app/console/finger_work.h"
+#include "calibration/lens/measure_lens.h"
+#include "calibration/reference/new_reference.h"
 #include "calibration/reference/settings_record.h"
+#include "core/program.h"
 #include "core/sources/open/open_source.h"
 #include "widgets/accessible.h"
 #include "widgets/shell/icons.h"
@@ -23,12 +25,10 @@ Result<ReferenceReport> install(const std::filesystem::path& folder,
                                 const std::filesystem::path& video,
                                 const ReferenceChoices& choices,
                                 const Job& job) {
-  auto finger = Finger::load(folder);
-  if (!finger) return finger.error();
-  return install_recording(folder, *finger, {video}, job, choices);
+  return give_reference(folder, {video}, job, choices);
 }
 
-Result<std::string> measure(const LensWanted& wanted, const Job& job) {
+Result<Message> measure(const LensWanted& wanted, const Job& job) {
   const auto done = measure_lens({wanted.pictures}, wanted.board, wanted.settings, job);
   if (!done) return done.error();
   const Status saved = save_camera(wanted.camera, done->fit.lens, lens_record(wanted.board, *done));
@@ -61,7 +61,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
       calibrate_(new CalibratePlace(
           session_,
           undo_,
-          {measure, options.session_folder, options.command_line, ALLTACT_VERSION})),
+          {measure, options.session_folder, options.command_line, program_version()})),
       record_(new RecordPlace(session_, install)),
       inspect_(new InspectPlace(session_, undo_)),
       delivered_(new QLabel),

@@ -1,6 +1,7 @@
 // What the window's menus and dialogs do. No dialog stops what runs.
-#include "app/console/finger_work.h"
 #include "app/studio/main_window.h"
+#include "core/finger/new_finger.h"
+#include "core/program.h"
 #include "core/sources/open/open_source.h"
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
@@ -192,7 +193,7 @@ void MainWindow::show_about() {
       tr("## AllTact Studio %1\n\nTurns a clear silicone finger with a camera inside into a "
          "measuring instrument.\n\nIts own source is under the BSD-3-Clause licence; with the "
          "libraries it uses, the program as a whole is under the GPL, version 3.")
-          .arg(QStringLiteral(ALLTACT_VERSION)),
+          .arg(QString::fromStdString(program_version())),
       {640, 320});
 }
 

@@ -3,7 +3,7 @@
 #include "calibration/reference/settings_record.h"
 #include "core/sources/open/open_source.h"
 #include "widgets/accessible.h"
-#include "widgets/words/library_words.h"
+#include "widgets/language.h"
 
 #include <QLocale>
 
@@ -77,7 +77,7 @@ std::vector<Problem> MainWindow::problems_of(const LiveStatus& status) {
   if (const auto& away = pedal_.problem())
     problems.push_back({Meaning::kDoubtful,
                         tr("The foot pedal is not heard now."),
-                        window_sentence(away->sentence()),
+                        window_sentence(away->message()),
                         {},
                         {}});
   add_source_problems(status, problems);
@@ -107,13 +107,12 @@ void MainWindow::add_finger_problems(const LiveStatus& status,
                                      std::vector<Problem>& problems) const {
   const FingerStatus& finger = status.finger;
   if (finger.problem) problems.push_back(Problem::of(*finger.problem));
-  for (const std::string& warning : finger.warnings)
+  for (const Message& warning : finger.warnings)
     problems.push_back(Problem::of(Error{warning, "", ""}, Meaning::kDoubtful));
   const auto& view = session_.view();
   if (view && view->watched.problem) problems.push_back(Problem::of(*view->watched.problem));
   if (view && finger.finger && finger.has_reference && view->watched.result.frame) {
-    const std::string other =
-        other_settings_than_stored(*view->watched.result.frame, *finger.finger);
+    const Message other = other_settings_than_stored(*view->watched.result.frame, *finger.finger);
     if (!other.empty()) problems.push_back(Problem::of(Error{other, "", ""}, Meaning::kDoubtful));
   }
   const bool is_own = finger.state == FingerState::kReady && !finger.folder.empty();

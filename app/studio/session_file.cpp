@@ -76,7 +76,8 @@ std::string session_to_json(const SessionState& state) {
 Result<SessionState> session_from_json(const std::string& text, const std::string& origin) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || value_or(json, "format", std::string()) != kSessionFormat)
-    return Error{"this is not a session of this program", origin, "beginning a new one"};
+    return Error{
+        en::say("this is not a session of this program"), origin, en::say("beginning a new one")};
   SessionState state;
   state.finger = value_or(json, "finger", std::string());
   state.source = paths_of(json, "source");

@@ -98,7 +98,7 @@ CheckEntry entry_of(const PressCheck& check,
 }
 
 Result<std::vector<CheckEntry>> load_checks(const fs::path& folder,
-                                            std::vector<std::string>* warnings) {
+                                            std::vector<Message>* warnings) {
   const fs::path file = folder / kCheckFile;
   std::error_code failed;
   if (!fs::exists(file, failed)) return std::vector<CheckEntry>{};
@@ -116,8 +116,7 @@ Result<std::vector<CheckEntry>> load_checks(const fs::path& folder,
     if (auto entry = entry_from(line)) {
       entries.push_back(std::move(*entry));
     } else if (warnings != nullptr) {
-      warnings->push_back(
-          fmt::format("{}:{}: this is no check and is left out.", file.string(), number));
+      warnings->push_back(en::say("{}:{}: this is no check and is left out.", file, number));
     }
   }
   return entries;

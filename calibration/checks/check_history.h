@@ -36,7 +36,7 @@ inline constexpr const char* kCheckFile = "checks.csv";
 /// Oldest first; empty where there is no file. A line that is no check is left out and named in
 /// `warnings`. Error: the file is there and cannot be read.
 [[nodiscard]] Result<std::vector<CheckEntry>> load_checks(const std::filesystem::path& folder,
-                                                          std::vector<std::string>* warnings);
+                                                          std::vector<Message>* warnings);
 
 /// Adds a line to the file, whole or not at all; whatever else stands in it stays.
 [[nodiscard]] Status append_check(const std::filesystem::path& folder, const CheckEntry& entry);

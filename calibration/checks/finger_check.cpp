@@ -8,8 +8,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -31,48 +29,50 @@ CheckItem check_reference(const fs::path& folder,
   if (!finger.reference) {
     return {"reference",
             CheckState::kMissing,
-            flat ? "no untouched picture; give one to calibrate with --reference"
-                 : "no recording of the bending, untouched finger; run alltact reference"};
+            flat ? en::say("no untouched picture; give one to calibrate with --reference")
+                 : en::say("no recording of the bending, untouched finger; run alltact reference")};
   }
   const auto library = ReferenceLibrary::load(folder, finger, camera, job);
-  if (!library) return {"reference", CheckState::kMissing, library.error().sentence()};
-  if (flat) return {"reference", CheckState::kFine, "one untouched picture"};
+  if (!library)
+    return {"reference", CheckState::kMissing, en::say("{}.", library.error().message())};
+  if (flat) return {"reference", CheckState::kFine, en::say("one untouched picture")};
   const std::size_t count = library->frame_count();
   if (count < kPlentyOfFrames) {
-    return {
-        "reference",
-        CheckState::kWeak,
-        fmt::format("only {} frames; poses between them are guessed, record more bending", count)};
+    return {"reference",
+            CheckState::kWeak,
+            en::say("only {} frames; poses between them are guessed, record more bending", count)};
   }
-  return {"reference", CheckState::kFine, fmt::format("{} frames", count)};
+  return {"reference", CheckState::kFine, en::count("{} frames", "{} frame", count)};
 }
 
 CheckItem check_markers(const Finger& finger) {
   if (!finger.contact) {
     return {"markers",
             CheckState::kMissing,
-            "no layout at rest, so touch cannot be told; run alltact reference again"};
+            en::say("no layout at rest, so touch cannot be told; run alltact reference again")};
   }
   if (finger.reference && finger.reference->places)
     return {"markers",
             CheckState::kWeak,
-            "none; poses are told by the shape of the face, which cannot tell twist"};
+            en::say("none; poses are told by the shape of the face, which cannot tell twist")};
   return {"markers",
           CheckState::kFine,
-          fmt::format("{} markers; touch is told from {:.1f} px of summed offset",
-                      finger.marker_count() - static_cast<int>(finger.markers.missing.size()),
-                      finger.contact->threshold_px)};
+          en::say("{} markers; touch is told from {:.1f} px of summed offset",
+                  finger.marker_count() - static_cast<int>(finger.markers.missing.size()),
+                  finger.contact->threshold_px)};
 }
 
 CheckItem check_mapping(const Finger& finger) {
   if (!finger.mapping) {
-    return {
-        "mapping", CheckState::kMissing, "not calibrated; run alltact calibrate with ball presses"};
+    return {"mapping",
+            CheckState::kMissing,
+            en::say("not calibrated; run alltact calibrate with ball presses")};
   }
   if (!finger.mapping_record) {
-    return {"mapping",
-            CheckState::kWeak,
-            "nothing says how it came about or how good it is; run alltact calibrate again"};
+    return {
+        "mapping",
+        CheckState::kWeak,
+        en::say("nothing says how it came about or how good it is; run alltact calibrate again")};
   }
   const MappingRecord& record = *finger.mapping_record;
   const Verdict worth = verdict({record.residual_mm,
@@ -93,13 +93,14 @@ CheckItem check_age(const Finger& finger) {
   if (!reference.empty() && reference > calibration) {
     return {"calibration",
             CheckState::kStale,
-            fmt::format("the reference ({}) is newer than the calibration ({}); calibrate again",
-                        reference,
-                        calibration)};
+            en::say("the reference ({}) is newer than the calibration ({}); calibrate again",
+                    reference,
+                    calibration)};
   }
-  return {"calibration",
-          CheckState::kFine,
-          "made " + (calibration.empty() ? "at an unknown date" : calibration)};
+  return {
+      "calibration",
+      CheckState::kFine,
+      calibration.empty() ? en::say("made at an unknown date") : en::say("made {}", calibration)};
 }
 
 CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
@@ -107,7 +108,7 @@ CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
   if (!inputs)
     return {"presses",
             CheckState::kWeak,
-            "the calibration cannot be repeated: " + inputs.error().sentence()};
+            en::say("the calibration cannot be repeated: {}.", inputs.error().message())};
   const auto gone =
       std::count_if(inputs->presses.begin(), inputs->presses.end(), [&](const KeptPress& press) {
         std::error_code failed;
@@ -116,15 +117,15 @@ CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
   if (gone > 0)
     return {"presses",
             CheckState::kWeak,
-            fmt::format("{} of {} press pictures are gone, so the calibration cannot be repeated",
-                        gone,
-                        inputs->presses.size())};
+            en::say("{} of {} press pictures are gone, so the calibration cannot be repeated",
+                    gone,
+                    inputs->presses.size())};
   if (inputs->date != value_or_empty(finger, "calibration_date"))
     return {"presses",
             CheckState::kStale,
-            "what is kept is of a calibration that was cut off; complete it with " +
-                repeat_command(folder)};
-  return {"presses", CheckState::kFine, fmt::format("{} pictures kept", inputs->presses.size())};
+            en::say("what is kept is of a calibration that was cut off; complete it with {}",
+                    repeat_command(folder))};
+  return {"presses", CheckState::kFine, en::say("{} pictures kept", inputs->presses.size())};
 }
 
 }  // namespace
@@ -147,15 +148,16 @@ FingerCheck check_finger(const fs::path& folder, const Finger& finger, const Job
   FingerCheck check;
   const auto camera = Camera::create(finger.camera);
   if (!camera) {
-    check.items.push_back({"camera", CheckState::kMissing, camera.error().sentence()});
+    check.items.push_back(
+        {"camera", CheckState::kMissing, en::say("{}.", camera.error().message())});
     return check;
   }
   check.items.push_back({"camera",
                          CheckState::kFine,
-                         fmt::format("{}, {} x {} px",
-                                     to_string(finger.camera.model),
-                                     finger.camera.width_px,
-                                     finger.camera.height_px)});
+                         en::say("{}, {} x {} px",
+                                 std::string(to_string(finger.camera.model)),
+                                 finger.camera.width_px,
+                                 finger.camera.height_px)});
   check.items.push_back(check_reference(folder, finger, *camera, job));
   if (finger.face.kind == FaceKind::kFinRay) check.items.push_back(check_markers(finger));
   check.items.push_back(check_mapping(finger));

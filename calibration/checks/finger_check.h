@@ -3,6 +3,7 @@
 
 #include "core/finger/finger.h"
 #include "core/job.h"
+#include "core/message.h"
 
 #include <filesystem>
 #include <string>
@@ -21,7 +22,7 @@ enum class CheckState {
 struct CheckItem {
   std::string what;  ///< "reference", "mapping", ...
   CheckState state = CheckState::kFine;
-  std::string sentence;
+  Message sentence;
 };
 
 struct FingerCheck {

@@ -27,7 +27,7 @@ constexpr double kFactorSeen = 0.02;  // a factor nearer to 1 is as good as 1
 constexpr double kChance = 3.0;       // standard deviations
 
 Error stopped() {
-  return {"stopped before the check was done", "", ""};
+  return {en::say("stopped before the check was done"), "", ""};
 }
 
 struct Mean {
@@ -65,9 +65,9 @@ Result<CheckedPress> measure(const Press& press,
                              const Job& job) {
   const auto guess = find_ball(press, face);
   if (!guess) return guess.error();
-  const Error too_small{fmt::format("{}: the contact covers too few pixels", press.name),
+  const Error too_small{en::say("{}: the contact covers too few pixels", press.name),
                         "",
-                        "pressing deeper, or a larger picture"};
+                        en::say("pressing deeper, or a larger picture")};
   PressSamples samples =
       sample_around(press, face, guess->centre_mm, 1.06 * press.ball_radius_mm, kSamples);
   if (samples.samples.size() < 60) return too_small;
@@ -89,7 +89,7 @@ Result<CheckedPress> measure(const Press& press,
   if (fit.converged) fit = fit_jointly({&samples}, fit, options, job);
   if (job.stop_requested()) return stopped();
   if (!fit.converged)
-    return Error{fmt::format("{}: no ball fits the contact", press.name), "", "a clean ball"};
+    return Error{en::say("{}: no ball fits the contact", press.name), "", en::say("a clean ball")};
 
   CheckedPress result;
   result.name = press.name;
@@ -135,8 +135,27 @@ Result<CheckedPress> measure_step(const Press& press,
 struct Measured {
   std::set<std::string> names;  ///< of all that were read
   std::vector<CheckedPress> presses;
-  std::vector<std::string> left_out;
+  std::vector<Message> left_out;  ///< sentences, those with a full stop as "{}."
 };
+
+/// An error adds a full stop of its own.
+Message without_full_stop(const Message& sentence) {
+  return sentence.words() == "{}." ? sentence.parts().front() : sentence;
+}
+
+/// Why a picture shows no press, which may end in a full stop or not.
+Message refused(const std::string& name, const Message& reason) {
+  const Message phrase = without_full_stop(reason);
+  const Message told = en::say("{}: {}", name, phrase);
+  return phrase == reason ? told : en::say("{}.", told);
+}
+
+Message in_a_row(const std::vector<Message>& sentences) {
+  Message all;
+  for (const Message& sentence : sentences)
+    all = all.empty() ? sentence : en::say("{} {}", all, sentence);
+  return all;
+}
 
 Result<Measured> measure_all(const std::vector<fs::path>& pictures,
                              Pipeline& pipeline,
@@ -156,10 +175,10 @@ Result<Measured> measure_all(const std::vector<fs::path>& pictures,
     auto result = pipeline(*frame);
     if (!result) return result.error();
     if (!result->difference || !result->shape || result->reference->by_shape) {
+      const Message no_face = en::say("no face was found");
       all.left_out.push_back(
-          fmt::format("{}: {}",
-                      (*frame)->name,
-                      result->problems.empty() ? "no face was found." : result->problems.front()));
+          refused((*frame)->name,
+                  result->problems.empty() ? en::say("{}.", no_face) : result->problems.front()));
       continue;
     }
     const double light = result->difference->light.change();
@@ -174,13 +193,15 @@ Result<Measured> measure_all(const std::vector<fs::path>& pictures,
     if (measured) {
       all.presses.push_back(std::move(measured).value());
     } else {
-      all.left_out.push_back(measured.error().sentence());
+      all.left_out.push_back(en::say("{}.", measured.error().message()));
     }
   }
   std::sort(all.presses.begin(), all.presses.end(), [](const auto& a, const auto& b) {
     return std::tie(a.name, a.error_mm) < std::tie(b.name, b.error_mm);
   });
-  std::sort(all.left_out.begin(), all.left_out.end());
+  std::sort(all.left_out.begin(), all.left_out.end(), [](const Message& a, const Message& b) {
+    return a.english() < b.english();
+  });
   return all;
 }
 
@@ -235,37 +256,52 @@ void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck&
                       : CheckVerdict::kPass;
 }
 
-std::string reason_of(const PressCheck& check) {
-  std::string text;
-  if (check.error_mm > check.drifting_above_mm)
-    text += std::abs(check.factor - 1) < kFactorSeen
-                ? std::string("; the contacts have no ball's shape: is ball or face dirty?")
-                : fmt::format(
-                      "; the mapping reads {:.0f} % too {}: layer, ball or camera are not "
-                      "what they were",
-                      100 * std::abs(1 - 1 / check.factor),
-                      check.factor > 1 ? "shallow" : "deep");
-  if (std::abs(check.light_change) > check.light_limit)
-    text += fmt::format("; the face is {:.1f} % {} than it was: look at lamps, exposure and layer",
-                        100 * std::abs(check.light_change),
-                        check.light_change > 0 ? "brighter" : "darker");
-  return text;
+Message why_depth_is_off(const PressCheck& check) {
+  if (!(check.error_mm > check.drifting_above_mm)) return {};
+  if (std::abs(check.factor - 1) < kFactorSeen)
+    return en::say("the contacts have no ball's shape: is ball or face dirty?");
+  const Message side = check.factor > 1 ? en::say("shallow") : en::say("deep");
+  return en::say("the mapping reads {:.0f} % too {}: layer, ball or camera are not what they were",
+                 100 * std::abs(1 - 1 / check.factor),
+                 side);
 }
 
-std::string sentence_of(const PressCheck& check) {
-  std::string text = fmt::format(
-      "{}: {:.3f} mm of depth error on {} press{} (passes up to {:.3f} mm), light {:+.1f} %",
-      to_string(check.verdict),
-      check.error_mm,
+Message why_light_is_off(const PressCheck& check) {
+  if (!(std::abs(check.light_change) > check.light_limit)) return {};
+  const Message how = check.light_change > 0 ? en::say("brighter") : en::say("darker");
+  return en::say("the face is {:.1f} % {} than it was: look at lamps, exposure and layer",
+                 100 * std::abs(check.light_change),
+                 how);
+}
+
+Message word_of(CheckVerdict verdict) {
+  switch (verdict) {
+    case CheckVerdict::kPass:
+      return en::say("pass");
+    case CheckVerdict::kDrifting:
+      return en::say("drifting");
+    case CheckVerdict::kRecalibrate:
+      break;
+  }
+  return en::say("recalibrate");
+}
+
+Message sentence_of(const PressCheck& check) {
+  const Message figures = en::count(
+      "{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %",
+      "{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %",
       check.presses.size(),
-      check.presses.size() == 1 ? "" : "es",
+      check.error_mm,
       check.drifting_above_mm,
       100 * check.light_change);
-  text += reason_of(check);
-  if (check.verdict == CheckVerdict::kDrifting) text += "; calibrate again soon";
+  Message advice;
+  if (check.verdict == CheckVerdict::kDrifting) advice = en::say("calibrate again soon");
   if (check.verdict == CheckVerdict::kRecalibrate)
-    text += "; calibrate again before measuring with it";
-  return text;
+    advice = en::say("calibrate again before measuring with it");
+  return en::clauses({en::at(word_of(check.verdict), figures),
+                      why_depth_is_off(check),
+                      why_light_is_off(check),
+                      advice});
 }
 
 }  // namespace
@@ -286,22 +322,22 @@ Result<PressCheck> check_with_presses(const PressCheckInput& input,
                                       const Finger& finger,
                                       const Job& job) {
   if (!finger.mapping || !finger.mapping_record)
-    return Error{"the finger is not calibrated, so there is nothing to check",
+    return Error{en::say("the finger is not calibrated, so there is nothing to check"),
                  input.folder.string(),
-                 "alltact calibrate"};
+                 en::say("alltact calibrate")};
   const auto mapping = Mapping::create(*finger.mapping);
   if (!mapping) return mapping.error();
   PressCheck check;
   check.ball_radius_mm = input.ball_radius_mm > 0 ? input.ball_radius_mm : known_radius_mm(finger);
   if (!(check.ball_radius_mm > 0))
-    return Error{"the finger does not tell the ball it was calibrated with",
+    return Error{en::say("the finger does not tell the ball it was calibrated with"),
                  input.folder.string(),
-                 "--ball-radius-mm with the radius of the ball that was pressed"};
+                 en::say("--ball-radius-mm with the radius of the ball that was pressed")};
   Finger blank = finger;  // up to the brightness difference
   blank.mapping.reset();
   auto pipeline = Pipeline::create(input.folder, blank, measuring_settings(input.folder), job);
   if (!pipeline) return pipeline.error();
-  job.report(0.3, "measuring the presses");
+  job.report(0.3, en::say("measuring the presses"));
   SaidOfPresses said;
   said.ball_radius_mm = check.ball_radius_mm;
   said.steps = input.steps;
@@ -311,16 +347,18 @@ Result<PressCheck> check_with_presses(const PressCheckInput& input,
   check.left_out = std::move(measured->left_out);
   for (const PressStep& step : input.steps)
     if (!measured->names.contains(step.name))
-      return Error{fmt::format("no press is called '{}'", step.name),
+      return Error{en::say("no press is called '{}'", step.name),
                    "",
-                   fmt::format("one of {}", fmt::join(measured->names, ", "))};
+                   en::say("one of {}", fmt::format("{}", fmt::join(measured->names, ", ")))};
   if (check.presses.empty()) {
-    std::string what = fmt::format("no press can be used: {}", fmt::join(check.left_out, " "));
-    if (what.ends_with('.')) what.pop_back();  // Error adds the full stop
+    std::vector<Message> reasons = check.left_out;
+    if (!reasons.empty()) reasons.back() = without_full_stop(reasons.back());
     return Error{
-        what, "", "pictures of this finger with the ball pressed 0.3 mm or more into its face"};
+        en::say("no press can be used: {}", in_a_row(reasons)),
+        "",
+        en::say("pictures of this finger with the ball pressed 0.3 mm or more into its face")};
   }
-  job.report(0.6, "measuring the presses of the calibration");
+  job.report(0.6, en::say("measuring the presses of the calibration"));
   const auto own = own_presses(input.folder, *pipeline, *mapping, job);
   if (job.stop_requested()) return stopped();
   judge(own, finger.mapping_record->held_out_mm, check);

@@ -54,8 +54,8 @@ struct PressCheck {
   double light_limit = 0;   ///< drifting above
   double ball_radius_mm = 0;
   std::vector<CheckedPress> presses;  ///< by name
-  std::vector<std::string> left_out;  ///< "press_3: why"
-  std::string sentence;               ///< verdict, figures and what to do
+  std::vector<Message> left_out;      ///< "press_3: why"
+  Message sentence;                   ///< verdict, figures and what to do
 };
 
 struct PressCheckInput {

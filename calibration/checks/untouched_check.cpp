@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -32,26 +30,28 @@ double worst_patch_mm(const DepthMap& depth) {
   return static_cast<double>(*at);
 }
 
-std::string sentence_of(const UntouchedCheck& check) {
-  const std::string figures = fmt::format(
+Message sentence_of(const UntouchedCheck& check) {
+  const Message how = check.light_change < 0 ? en::say("darker") : en::say("brighter");
+  const Message figures = en::say(
       "the face is {:.1f} % {} than when its reference was recorded; false depth {:.3f} mm in the "
       "worst twentieth of it ({:.3f} mm if the light were not corrected; up to {:.3f} mm is noise)",
       100.0 * std::abs(check.light_change),
-      check.light_change < 0 ? "darker" : "brighter",
+      how,
       check.false_depth_mm,
       check.uncorrected_mm,
       check.limit_mm);
   switch (check.verdict) {
     case CheckVerdict::kPass:
-      return "pass: " + figures;
+      return en::at(en::say("pass"), figures);
     case CheckVerdict::kDrifting:
-      return "drifting: " + figures +
-             "; let the lamps warm up, look at exposure and gain, and record the reference again "
-             "when it goes on";
+      return en::clauses(
+          {en::at(en::say("drifting"), figures),
+           en::say("let the lamps warm up, look at exposure and gain, and record the reference "
+                   "again when it goes on")});
     case CheckVerdict::kRecalibrate:
       break;
   }
-  return "record the reference again: " + figures;
+  return en::at(en::say("record the reference again"), figures);
 }
 
 }  // namespace
@@ -61,8 +61,9 @@ Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
                                        const std::vector<std::filesystem::path>& pictures,
                                        const Job& job) {
   if (!finger.mapping)
-    return Error{
-        "the finger is not calibrated yet", folder.string(), "calibrate with ball presses"};
+    return Error{en::say("the finger is not calibrated yet"),
+                 folder.string(),
+                 en::say("calibrate with ball presses")};
   const auto mapping = Mapping::create(*finger.mapping);
   if (!mapping) return mapping.error();
   auto pipeline = Pipeline::create(folder, finger, measuring_settings(folder), Job(job, 0.0, 0.6));
@@ -72,7 +73,7 @@ Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
   UntouchedCheck check;
   double noise_mm = 0;
   for (;;) {
-    if (job.stop_requested()) return Error{"stopped before the check was done", "", ""};
+    if (job.stop_requested()) return Error{en::say("stopped before the check was done"), "", ""};
     const auto frame = (*source)->next();
     if (!frame) return frame.error();
     if (!*frame) break;
@@ -80,9 +81,11 @@ Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
     const auto result = (*pipeline)(*frame);
     if (!result) return result.error();
     if (!result->depth || !result->reference->known_pose || result->reference->by_shape) {
-      check.left_out.push_back(
-          (*frame)->name + ": " +
-          (result->problems.empty() ? "nothing could be measured" : result->problems.front()));
+      check.left_out.push_back(en::say("{}: {}",
+                                       (*frame)->name,
+                                       result->problems.empty()
+                                           ? en::say("nothing could be measured")
+                                           : result->problems.front()));
       continue;
     }
     DifferenceOptions as_it_is;
@@ -96,11 +99,12 @@ Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
     check.uncorrected_mm += worst_patch_mm(uncorrected);
     noise_mm += result->depth->noise_mm;
   }
-  if (check.pictures == 0)
-    return Error{"none of the pictures can be compared with the reference" +
-                     (check.left_out.empty() ? "" : " (" + check.left_out.front() + ")"),
-                 folder.string(),
-                 "pictures of the untouched finger in poses that were recorded"};
+  if (check.pictures == 0) {
+    const Message none = en::say("none of the pictures can be compared with the reference");
+    return Error{check.left_out.empty() ? none : en::say("{} ({})", none, check.left_out.front()),
+                 folder,
+                 en::say("pictures of the untouched finger in poses that were recorded")};
+  }
   for (double* mean :
        {&check.light_change, &check.false_depth_mm, &check.uncorrected_mm, &noise_mm})
     *mean /= check.pictures;

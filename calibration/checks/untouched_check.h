@@ -23,8 +23,8 @@ struct UntouchedCheck {
   double false_depth_mm = 0, uncorrected_mm = 0;
   double limit_mm = 0;  ///< false depth above this is no noise: 0.02 mm, or three times the noise
   int pictures = 0;
-  std::vector<std::string> left_out;  ///< "frame_3: why"
-  std::string sentence;               ///< verdict, figures and what to do
+  std::vector<Message> left_out;  ///< "frame_3: why"
+  Message sentence;               ///< verdict, figures and what to do
 };
 
 /// pictures: see open_source; nothing may touch the face in them. Errors: the finger has no

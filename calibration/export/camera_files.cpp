@@ -1,5 +1,5 @@
 #include "calibration/export/export_texts.h"
-#include "core/finger/yaml_writer.h"
+#include "core/yaml/yaml_writer.h"
 
 #include <cctype>
 
@@ -10,14 +10,14 @@ namespace alltact {
 namespace {
 
 /// `who`: "OpenCV".
-Status has_camera_matrix(const CameraParameters& camera, std::string_view who) {
-  std::string_view which;
-  if (camera.model == CameraModel::kOrthographic) which = "an orthographic camera";
-  if (camera.port) which = "a camera behind a window";
+Status has_camera_matrix(const CameraParameters& camera, const std::string& who) {
+  Message which;
+  if (camera.model == CameraModel::kOrthographic) which = en::say("an orthographic camera");
+  if (camera.port) which = en::say("a camera behind a window");
   if (which.empty()) return {};
-  return Error{fmt::format("{} has no camera matrix, so {} has no form for it", which, who),
+  return Error{en::say("{} has no camera matrix, so {} has no form for it", which, who),
                "",
-               "json, or zip for the whole finger"};
+               en::say("json, or zip for the whole finger")};
 }
 
 /// Those that were not given are zero.

@@ -29,15 +29,15 @@ Result<std::string> alone(const Finger& finger, const fs::path&) {
   return text(finger);
 }
 
-struct Texts {
+struct FormText {
   ExportForm form;
   const char* name;
   Result<std::string> (*make)(const Finger&, const fs::path& finger_folder);
 };
-constexpr Texts kTexts[] = {{ExportForm::kOpencv, "camera.opencv.yaml", alone<opencv_camera>},
-                            {ExportForm::kRos, "camera_info.yaml", alone<ros_camera_info>},
-                            {ExportForm::kRos, "parameters.yaml", alone<ros_parameters>},
-                            {ExportForm::kJson, "calibration.json", json_of}};
+constexpr FormText kTexts[] = {{ExportForm::kOpencv, "camera.opencv.yaml", alone<opencv_camera>},
+                               {ExportForm::kRos, "camera_info.yaml", alone<ros_camera_info>},
+                               {ExportForm::kRos, "parameters.yaml", alone<ros_parameters>},
+                               {ExportForm::kJson, "calibration.json", json_of}};
 constexpr const char* kZipName = "finger.zip";
 
 bool wants(const std::vector<ExportForm>& forms, ExportForm form) {
@@ -48,7 +48,7 @@ Result<std::vector<Part>> texts(const Finger& finger,
                                 const fs::path& finger_folder,
                                 const std::vector<ExportForm>& forms) {
   std::vector<Part> parts;
-  for (const Texts& one : kTexts) {
+  for (const FormText& one : kTexts) {
     if (!wants(forms, one.form)) continue;
     auto content = one.make(finger, finger_folder);
     if (!content) {
@@ -81,17 +81,17 @@ Result<std::vector<ZipEntry>> files_below(const fs::path& finger_folder) {
     const bool is_folder = entry->is_directory(ignored);
     if (is_folder && !entry->is_symlink(ignored)) continue;
     if (is_folder || !entry->is_regular_file(ignored))
-      return Error{is_folder ? "is a link to another folder, which a zip cannot hold"
-                             : "is neither a file nor a folder, so a zip cannot hold it",
+      return Error{is_folder ? en::say("is a link to another folder, which a zip cannot hold")
+                             : en::say("is neither a file nor a folder, so a zip cannot hold it"),
                    entry->path().string(),
-                   "moving it out of the finger's folder"};
+                   en::say("moving it out of the finger's folder")};
     const fs::path name = "finger" / entry->path().lexically_relative(finger_folder);
     entries.push_back({name.generic_string(), entry->path(), {}});
   }
   if (failed)
-    return Error{"the finger's folder could not be read: " + failed.message(),
+    return Error{en::say("the finger's folder could not be read: {}", failed.message()),
                  finger_folder.string(),
-                 "its permissions, and that its disk is there"};
+                 en::say("its permissions, and that its disk is there")};
   std::sort(entries.begin(), entries.end(), [](const ZipEntry& a, const ZipEntry& b) {
     return a.name < b.name;
   });
@@ -102,9 +102,9 @@ Result<std::vector<ZipEntry>> zip_entries(const Finger& finger,
                                           const fs::path& finger_folder,
                                           const fs::path& folder) {
   if (is_below(folder, finger_folder))
-    return Error{"a zip of the finger cannot lie in the finger's own folder",
+    return Error{en::say("a zip of the finger cannot lie in the finger's own folder"),
                  folder.string(),
-                 "another folder"};
+                 en::say("another folder")};
   auto json = json_of(finger, finger_folder);
   if (!json) return json.error();
   auto entries = files_below(finger_folder);
@@ -162,7 +162,8 @@ Status export_finger(const Finger& finger,
   };
   for (const Part& part : *parts) {
     const fs::path file = folder / part.name;
-    if (job.stop_requested()) return Error{"stopped before it was written", file.string(), ""};
+    if (job.stop_requested())
+      return Error{en::say("stopped before it was written"), file.string(), ""};
     if (Status status = write_file_atomically(file, part.content); !status) return status;
     done(file);
   }

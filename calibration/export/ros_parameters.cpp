@@ -1,5 +1,5 @@
 #include "calibration/export/export_texts.h"
-#include "core/finger/yaml_writer.h"
+#include "core/yaml/yaml_writer.h"
 
 #include <fmt/format.h>
 

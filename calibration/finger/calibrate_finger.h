@@ -10,6 +10,7 @@
 #include "calibration/report/press_residuals.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
+#include "core/message.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
 
@@ -27,7 +28,7 @@ struct TakenPress {
   std::string name;
   cv::Mat grey;                ///< oriented
   std::optional<Press> press;  ///< absent: nothing could be measured in it
-  std::string left_out;        ///< why it is not used; empty: it is
+  Message left_out;            ///< why it is not used; empty: it is
   PressSign sign;
 };
 
@@ -41,11 +42,11 @@ struct FingerCalibration {
   std::vector<MethodRow> methods;  ///< for the reports; empty without, or with another method
   double pixel_mm = 0;             ///< see contact_error.h
   Verdict verdict;
-  std::vector<std::string> fault_signs;     ///< see fault_signs.h
-  std::vector<std::string> made_of;         ///< what bursts were averaged, a sentence each
-  std::filesystem::path problem_picture;    ///< of presses that were left out; empty: none
-  std::vector<std::string> warnings;        ///< about files and how it was called
-  std::vector<std::string> about_settings;  ///< of camera and light that do not fit together
+  std::vector<Message> fault_signs;       ///< see fault_signs.h
+  std::vector<Message> made_of;           ///< what bursts were averaged, a sentence each
+  std::filesystem::path problem_picture;  ///< of presses that were left out; empty: none
+  std::vector<Message> warnings;          ///< about files and how it was called
+  std::vector<Message> about_settings;    ///< of camera and light that do not fit together
 };
 
 /// A file to be written into the finger's folder.
@@ -68,6 +69,7 @@ struct FingerCalibrationInput : SaidOfPresses {
   std::string program_version;  ///< for the record
   std::string operator_name;    ///< for the record; empty: not told
   MakeReport make_report;       ///< empty: calibration_report.json alone
+  RoundListener on_round;       ///< of the calibration itself, see calibrate(); may be empty
 };
 
 /// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the
@@ -93,9 +95,7 @@ struct FingerCalibrationInput : SaidOfPresses {
                                                                const MakeReport& make_report,
                                                                const Job& job);
 
-/// Date and time in UTC as 2026-01-31T12:00:00Z.
-[[nodiscard]] std::string utc_now();
-/// Whether a text looks like that.
-[[nodiscard]] bool is_utc(std::string_view text);
+/// What a calibration changes of a finger: the mapping and what is known of how it came about.
+void take_calibration(const Finger& from, Finger& finger);
 
 }  // namespace alltact

@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestFile = std::size_t{4} << 20;
-
 class Checksum {
  public:
   void add(const void* bytes, std::size_t count) {
@@ -48,9 +46,8 @@ S read_settings(YamlSection section, const std::vector<Setting<S>>& table) {
   for (const Setting<S>& setting : table) {
     if (!section.has(setting.name)) continue;
     if (const Status status = setting.set(settings, section.text(setting.name)); !status)
-      section.refuse(setting.name, status.error().what, setting.range);
+      section.refuse(setting.name, status.error().what, Message::typed(setting.range));
   }
-  section.keep_the_rest();
   return settings;
 }
 
@@ -74,7 +71,8 @@ bool is_checksum(const std::string& text) {
 
 std::string read_checksum(YamlSection& top, const char* key) {
   std::string text = top.text(key);
-  if (!is_checksum(text)) top.refuse(key, "is no checksum of 16 digits", "calibrating again");
+  if (!is_checksum(text))
+    top.refuse(key, en::say("is no checksum of 16 digits"), en::say("calibrating again"));
   return text;
 }
 
@@ -86,23 +84,22 @@ bool is_plain_name(const std::string& name) {
 void read_presses(YamlSection& top, CalibrationInputs& inputs) {
   const auto names = top.texts("presses");
   const auto checksums = top.texts("checksums");
-  if (names.empty()) top.refuse("presses", "names no press", "calibrating again");
+  if (names.empty()) top.refuse("presses", en::say("names no press"), en::say("calibrating again"));
   if (names.size() != checksums.size())
     top.refuse("checksums",
-               fmt::format("has {} entries for {} presses", checksums.size(), names.size()),
-               "one for each press");
+               en::say("has {} entries for {} presses", checksums.size(), names.size()),
+               en::say("one for each press"));
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!is_plain_name(names[i]))
-      top.refuse("presses", fmt::format("'{}' is no picture's name", printable(names[i])), "");
+      top.refuse("presses", en::say("'{}' is no picture's name", printable(names[i])), "");
     if (!is_checksum(checksums[i]))
-      top.refuse("checksums",
-                 fmt::format("'{}' is no checksum of 16 digits", printable(checksums[i])),
-                 "");
+      top.refuse(
+          "checksums", en::say("'{}' is no checksum of 16 digits", printable(checksums[i])), "");
     for (std::size_t before = 0; before < i; ++before)
       if (names[before] == names[i])
         top.refuse("presses",
-                   fmt::format("names '{}' twice", printable(names[i])),
-                   "leave one of the two");
+                   en::say("names '{}' twice", printable(names[i])),
+                   en::say("leave one of the two"));
     inputs.presses.push_back({names[i], checksums[i]});
   }
 }
@@ -111,33 +108,32 @@ void read_presses(YamlSection& top, CalibrationInputs& inputs) {
 void refuse_unknown(const YamlSection& top, const CalibrationInputs& inputs) {
   for (const std::string& name : inputs.names())
     if (said_of(inputs.presses, name) == nullptr)
-      top.refuse("presses",
-                 fmt::format("'{}' is not among the presses, and something is said of it",
-                             printable(name)),
-                 "remove that");
+      top.refuse(
+          "presses",
+          en::say("'{}' is not among the presses, and something is said of it", printable(name)),
+          en::say("remove that"));
 }
 
 CalibrationInputs read_inputs(YamlSection& top) {
   CalibrationInputs inputs;
   if (const std::string format = top.text("format"); format != CalibrationInputs::kFormat)
     top.refuse("format",
-               fmt::format("'{}' cannot be read by this version", printable(format)),
-               fmt::format("the version of this program that wrote it, or calibrating again with "
-                           "the pictures in presses/ (this version writes '{}')",
-                           CalibrationInputs::kFormat));
+               en::say("'{}' cannot be read by this version", printable(format)),
+               en::say("the version of this program that wrote it, or calibrating again with "
+                       "the pictures in presses/ (this version writes '{}')",
+                       std::string(CalibrationInputs::kFormat)));
   inputs.date = top.text("date");
   inputs.program_version = top.text("program_version");
   if (top.has("operator")) inputs.operator_name = top.text("operator");
   inputs.ball_radius_mm = read_ball_radius_mm(top);
   inputs.calibration = read_settings(top.section("calibration"), calibration_settings());
   inputs.pipeline = read_settings(top.section("pipeline"), pipeline_settings());
-  inputs.is_continuous = top.word("continuous", {"false", "true"}) == 1;
+  inputs.is_continuous = top.choice("continuous", {"false", "true"}) == 1;
   inputs.finger_checksum = read_checksum(top, "finger");
   inputs.reference_checksum = read_checksum(top, "reference");
   read_presses(top, inputs);
   static_cast<SaidOfPresses&>(inputs) = read_said_of_presses(top);
   refuse_unknown(top, inputs);
-  top.keep_the_rest();
   return inputs;
 }
 
@@ -148,37 +144,31 @@ struct CalibrationInputs::Unknown {
 };
 
 Result<CalibrationInputs> CalibrationInputs::load(const fs::path& finger_folder,
-                                                  std::vector<std::string>* warnings) {
+                                                  std::vector<Message>* warnings) {
   const fs::path file = finger_folder / kFileName;
   std::error_code failed;
   if (!fs::exists(file, failed))
     return Error{
-        "there is nothing to repeat: this finger was not calibrated, or by a version that "
-        "did not keep what with",
+        en::say("there is nothing to repeat: this finger was not calibrated, or by a version that "
+                "did not keep what with"),
         file.string(),
-        "calibrating it with the pictures in presses/ and --ball-radius-mm"};
-  const auto content = read_file(file, kLargestFile);
+        en::say("calibrating it with the pictures in presses/ and --ball-radius-mm")};
+  const auto content = read_file(file, YamlFile::kMaxBytes);
   if (!content) return content.error();
   return parse(*content, file, warnings);
 }
 
 Result<CalibrationInputs> CalibrationInputs::parse(const std::string& yaml,
                                                    const fs::path& origin,
-                                                   std::vector<std::string>* warnings) {
-  YamlFile file{origin, {}, {}, {}};
-  try {
-    YamlSection top = YamlSection::top(file, yaml);
-    CalibrationInputs inputs = read_inputs(top);
-    inputs.unknown_ = std::make_shared<const Unknown>(Unknown{std::move(file.unknown)});
-    if (warnings != nullptr)
-      warnings->insert(warnings->end(), file.warnings.begin(), file.warnings.end());
-    return inputs;
-  } catch (const Refused& refused) {
-    return refused.error;
-  } catch (const std::exception& problem) {
-    return Error{
-        fmt::format("this is not YAML: {}", problem.what()), origin.string(), "calibrating again"};
-  }
+                                                   std::vector<Message>* warnings) {
+  YamlFile file(origin);
+  CalibrationInputs inputs;
+  const Status read = file.read(yaml, [&](YamlSection& top) { inputs = read_inputs(top); });
+  if (!read) return read.error();
+  inputs.unknown_ = std::make_shared<const Unknown>(Unknown{std::move(file.unknown())});
+  if (warnings != nullptr)
+    warnings->insert(warnings->end(), file.warnings().begin(), file.warnings().end());
+  return inputs;
 }
 
 std::string CalibrationInputs::to_yaml() const {

@@ -30,6 +30,7 @@
 #include "calibration/joint/calibrate.h"
 #include "calibration/presses/said_of_presses.h"
 #include "core/finger/finger.h"
+#include "core/message.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
 
@@ -68,10 +69,10 @@ struct CalibrationInputs : SaidOfPresses {  ///< what is said names one of the p
   /// Strict in values, kind to unknown keys, which are kept and named in `warnings`, as
   /// Finger::load is. Errors: no such file, another format, anything missing or impossible.
   static Result<CalibrationInputs> load(const std::filesystem::path& finger_folder,
-                                        std::vector<std::string>* warnings = nullptr);
+                                        std::vector<Message>* warnings = nullptr);
   static Result<CalibrationInputs> parse(const std::string& yaml,
                                          const std::filesystem::path& origin,
-                                         std::vector<std::string>* warnings = nullptr);
+                                         std::vector<Message>* warnings = nullptr);
   [[nodiscard]] std::string to_yaml() const;
 
  private:

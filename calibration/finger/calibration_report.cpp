@@ -10,6 +10,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json english(const std::vector<Message>& messages) {
+  Json all = Json::array();
+  for (const Message& message : messages) all.push_back(message.english());
+  return all;
+}
+
 Json press_json(const BallFit& ball, const std::vector<PressResiduals>& residuals) {
   Json entry;
   entry["press"] = ball.press;
@@ -46,7 +52,7 @@ Json methods_json(const std::vector<MethodRow>& methods) {
       entry["at_depth_mm"] = row.at_depth_mm;
       entry["joint_depth_mm"] = row.joint_depth_mm;
     } else {
-      entry["failed"] = row.failed;
+      entry["failed"] = row.failed.english();
     }
     rows.push_back(std::move(entry));
   }
@@ -72,12 +78,12 @@ std::string calibration_report_json(const FingerCalibration& done) {
   report["format"] = "alltact-calibration-report/1";
   report["program_version"] = done.inputs.program_version;
   report["ball_radius_mm"] = done.inputs.ball_radius_mm;
-  report["verdict"] = done.verdict.sentence;
+  report["verdict"] = done.verdict.sentence.english();
   report["residual_mm"] = calibration.residual_mm;
   if (calibration.held_out_mm > 0) report["held_out_mm"] = calibration.held_out_mm;
   Json zones = Json::array();
   for (const ZoneError& zone : done.zones) {
-    Json entry{{"zone", zone.zone}, {"presses", zone.presses}};
+    Json entry{{"zone", zone.zone.english()}, {"presses", zone.presses}};
     if (zone.error_mm) entry["error_mm"] = *zone.error_mm;
     zones.push_back(std::move(entry));
   }
@@ -87,7 +93,7 @@ std::string calibration_report_json(const FingerCalibration& done) {
   report["expected_error_mm"] = done.verdict.error_mm;
   if (!done.methods.empty()) report["methods"] = methods_json(done.methods);
   report["condition"] = calibration.condition;
-  report["degree_choice"] = calibration.degree_choice;
+  report["degree_choice"] = calibration.degree_choice.english();
   Json presses = Json::array();
   for (const BallFit& ball : calibration.balls) presses.push_back(press_json(ball, done.residuals));
   report["presses"] = std::move(presses);
@@ -102,9 +108,9 @@ std::string calibration_report_json(const FingerCalibration& done) {
   for (const ExcludedPress& press : done.inputs.excluded)
     excluded.push_back({{"press", press.name}, {"because", press.because}});
   report["excluded"] = std::move(excluded);
-  report["left_out"] = calibration.left_out;
-  report["fault_signs"] = done.fault_signs;
-  report["remarks"] = calibration.remarks;
+  report["left_out"] = english(calibration.left_out);
+  report["fault_signs"] = english(done.fault_signs);
+  report["remarks"] = english(calibration.remarks);
   // A file name may be anything but UTF-8.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

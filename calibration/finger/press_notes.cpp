@@ -5,22 +5,17 @@
 #include "core/printable.h"
 #include "core/sources/files/picture_source.h"
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestFile = std::size_t{4} << 20;
-
 PressNotes read_notes(YamlSection& top) {
   PressNotes notes;
   if (const std::string format = top.text("format"); format != PressNotes::kFormat)
-    top.refuse("format", fmt::format("'{}' cannot be read by this version", printable(format)), "");
+    top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)), "");
   static_cast<SaidOfPresses&>(notes) = read_said_of_presses(top);
   if (top.has("operator")) notes.operator_name = top.text("operator");
-  top.keep_the_rest();
   return notes;
 }
 
@@ -47,23 +42,17 @@ Result<PressNotes> PressNotes::load(const fs::path& finger_folder) {
     return of(*inputs);
   }
   if (told == fs::file_time_type::min()) return PressNotes();
-  const auto content = read_file(file, kLargestFile);
+  const auto content = read_file(file, YamlFile::kMaxBytes);
   if (!content) return content.error();
   return parse(*content, file);
 }
 
 Result<PressNotes> PressNotes::parse(const std::string& yaml, const fs::path& origin) {
-  YamlFile file{origin, {}, {}, {}};
-  try {
-    YamlSection top = YamlSection::top(file, yaml);
-    return read_notes(top);
-  } catch (const Refused& refused) {
-    return refused.error;
-  } catch (const std::exception& problem) {
-    return Error{fmt::format("this is not YAML: {}", problem.what()),
-                 origin.string(),
-                 "moving it away; only what was said of presses is lost with it"};
-  }
+  YamlFile file(origin);
+  PressNotes notes;
+  const Status read = file.read(yaml, [&](YamlSection& top) { notes = read_notes(top); });
+  if (!read) return read.error();
+  return notes;
 }
 
 std::string PressNotes::to_yaml() const {

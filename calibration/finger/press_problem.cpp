@@ -15,9 +15,10 @@ constexpr double kDarker = 0.02;  // of the untouched brightness: fainter, noise
 /// Why a press is not used; empty: it is, or somebody excluded it.
 std::string reason_of(const TakenPress& press, const FingerCalibration& done) {
   if (said_of(done.inputs.excluded, press.name) != nullptr) return {};
-  if (!press.left_out.empty()) return press.name + ": " + press.left_out;
-  for (const std::string& sentence : done.calibration.left_out)
-    if (sentence.starts_with(press.name + ':')) return sentence;
+  if (!press.left_out.empty()) return press.name + ": " + press.left_out.english();
+  for (const Message& message : done.calibration.left_out)
+    if (std::string sentence = message.english(); sentence.starts_with(press.name + ':'))
+      return sentence;
   return {};
 }
 

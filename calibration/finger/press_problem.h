@@ -14,8 +14,8 @@ inline constexpr const char* kPressProblem = "calibration.problem.png";
 
 /// Below each other (problem_picture.h) the presses that were left out, each with its reason, but
 /// not those that somebody excluded; eight at most. `refused`: why there is no calibration at all,
-/// empty where there is one: then presses without a reason of their own are shown as well. Empty
-/// where there is nothing to show.
+/// in English, empty where there is one: then presses without a reason of their own are shown as
+/// well. Empty where there is nothing to show.
 [[nodiscard]] cv::Mat press_problem(const FingerCalibration& done, const std::string& refused);
 
 /// Writes that picture into the finger's folder, or removes that of an earlier calibration. Where

@@ -1,4 +1,5 @@
 #include "calibration/hard_cases/groups.h"
+#include "core/grey_range.h"
 #include "core/sensing/depth/local_depth.h"
 #include "core/sensing/reference/reference_weights.h"
 
@@ -29,7 +30,7 @@ HardRow grey_pairs() {
               "part wrong",
               0,
               HardMeasure::kWrong};
-  constexpr int kBlack = 8, kDark = 12, kClipped = 250, kLeastLive = 3;
+  constexpr int kDark = 12, kLeastLive = 3;
   cv::Mat live(256, 256, CV_8UC1), untouched(256, 256, CV_32FC1);
   for (int i = 0; i < 256; ++i)
     for (int k = 0; k < 256; ++k)
@@ -41,12 +42,13 @@ HardRow grey_pairs() {
   const Difference ours = difference(live, reference, shape, {.smoothing = {}});
   for (int i = kLeastLive; i < 256; ++i)
     for (int k = 0; k < 256; ++k) {
-      if (k >= kBlack && k < kDark) continue;
+      if (k >= kTooDarkBelow && k < kDark) continue;
       const double truth = static_cast<double>(k - i) / std::max(k, 1);
       const auto wrapped = static_cast<std::uint8_t>(k - i);
-      row.ask(k < kBlack                       ? wanted_refusal({"too dark"})
-              : k >= kClipped || i >= kClipped ? wanted_refusal({"saturated"})
-                                               : wanted(truth, 1e-6 * (1.0 + std::abs(truth))),
+      row.ask(k < kTooDarkBelow ? wanted_refusal({"too dark"})
+              : k >= kClippedFrom || i >= kClippedFrom
+                  ? wanted_refusal({"saturated"})
+                  : wanted(truth, 1e-6 * (1.0 + std::abs(truth))),
               number(static_cast<double>(wrapped) / k),
               told(ours, i, k));
     }

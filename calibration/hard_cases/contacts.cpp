@@ -1,6 +1,6 @@
 #include "calibration/hard_cases/groups.h"
 #include "core/sensing/contact/contact_regions.h"
-#include "core/sensing/contact/touch.h"
+#include "core/sensing/contact/push.h"
 #include "core/sensing/depth/depth_cells.h"
 #include "core/sensing/markers/markers.h"
 
@@ -149,7 +149,7 @@ HardRow marker_spread() {
   const auto variance = static_cast<double>((squares - sum * sum / n) / (n - 1));
   row.ask(wanted(std::sqrt(truth)),
           number(std::sqrt(8 * variance)),
-          model ? number(model->mode_sd_px()[0]) : refused(model.error().what));
+          model ? number(model->mode_sd_px()[0]) : refused(model.error().what.english()));
   return row;
 }
 
@@ -174,10 +174,10 @@ HardRow no_direction() {
       markers.push_back({rest.x() + push.x(), rest.y() + push.y(), true, 0.1});
       offset += push;
     }
-    const Touch found = touch(markers, settings, true);
+    const Push found = push_of(markers, settings, true);
     const HardAnswer ours = found.direction
                                 ? HardAnswer{{found.direction->x(), found.direction->y()}, ""}
-                                : refused(found.touched ? "no direction" : "not touched");
+                                : refused(found.pushed ? "no direction" : "not touched");
     const Eigen::Vector2d plain = offset / offset.norm();
     row.ask(
         way == 24 ? wanted_refusal({"not touched"}) : HardQuestion{{push.x(), push.y()}, {}, 1e-9},
@@ -275,7 +275,7 @@ HardRow hidden_markers() {
     }
     row.ask(question,
             sorted(dots, order),
-            model ? modelled(*model, dots, order) : refused(model.error().what));
+            model ? modelled(*model, dots, order) : refused(model.error().what.english()));
   }
   return row;
 }

@@ -100,7 +100,7 @@ HardRow beyond_the_domain() {
     if (truth > kLayer) break;
     row.ask(wanted(truth, 1),
             number(polynomial),
-            mapping ? number(mapping->depth_mm(x)) : refused(mapping.error().what));
+            mapping ? number(mapping->depth_mm(x)) : refused(mapping.error().what.english()));
   }
   return row;
 }

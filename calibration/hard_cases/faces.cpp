@@ -72,7 +72,7 @@ class Told {
  public:
   explicit Told(const Result<FaceShape>& shape) : shape_(shape) {}
   [[nodiscard]] HardAnswer z_mm(std::size_t column) const {
-    if (!shape_) return refused(shape_.error().what);
+    if (!shape_) return refused(shape_.error().what.english());
     const FaceColumn& one = shape_->columns()[column];
     return one.valid ? number(one.z_mm) : refused("not valid");
   }
@@ -231,7 +231,7 @@ HardRow blurred_edges(
   for (double u = 3.5; u < grey.cols; u += 8)
     for (const bool is_upper : {true, false}) {
       const auto told = [&](const Result<FaceEdges>& edges) {
-        if (!edges) return refused(edges.error().what);
+        if (!edges) return refused(edges.error().what.english());
         const auto place = std::find(edges->u.begin(), edges->u.end(), u);
         const auto i = static_cast<std::size_t>(place - edges->u.begin());
         const Edge& edge = is_upper ? edges->upper : edges->lower;

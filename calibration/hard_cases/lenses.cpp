@@ -92,7 +92,7 @@ HardRow fold() {
     const Eigen::Vector2d seen = brown(k, x);
     const std::vector<double> pixel{959.5 + kFocal * seen.x(), 539.5 + kFocal * seen.y()};
     const auto camera = Camera::create(full_hd(k, kFocal));
-    HardAnswer ours = refused(camera ? "not seen" : camera.error().what);
+    HardAnswer ours = refused(camera ? "not seen" : camera.error().what.english());
     if (const auto found = camera ? camera->project({x.x(), x.y(), 1.0}) : std::nullopt)
       ours = {{found->x(), found->y()}, ""};
     row.ask(
@@ -167,7 +167,7 @@ HardRow few_boards() {
     // Whoever is sure of nothing at all promises nothing false.
     const HardQuestion question = wanted(seen.lens.fx_px);
     if (!fit) {
-      row.ask(question, refused(fit.error().what), refused(fit.error().what));
+      row.ask(question, refused(fit.error().what.english()), refused(fit.error().what.english()));
       continue;
     }
     const double focal_px = fit->lens.fx_px;
@@ -201,15 +201,17 @@ HardRow frontal_boards() {
         is_straight ? wanted_refusal({"not fit", "unproven", "undetermined", "explain"})
                     : wanted(settings.distance_mm, 5 * 0.08);
     if (!found) {
-      row.ask(question, refused(found.error().what), refused(found.error().what));
+      row.ask(
+          question, refused(found.error().what.english()), refused(found.error().what.english()));
       continue;
     }
     const HardAnswer value = number(settings.distance_mm * found->fit.lens.fx_px / seen.lens.fx_px);
     const Grade grade = found->verdict.grade;
     row.ask(question,
             found->fit.sigma_px < 0.3 ? value : refused("residual"),
-            grade == Grade::kGood || grade == Grade::kUsable ? value
-                                                             : refused(found->verdict.sentence));
+            grade == Grade::kGood || grade == Grade::kUsable
+                ? value
+                : refused(found->verdict.sentence.english()));
   }
   return row;
 }

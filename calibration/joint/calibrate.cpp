@@ -4,124 +4,42 @@
 #include "calibration/joint/measured_presses.h"
 #include "calibration/joint/model_choice.h"
 #include "calibration/joint/outline_methods.h"
+#include "calibration/joint/starting_balls.h"
+#include "calibration/joint/stored_curve.h"
 #include "calibration/joint/tangent_arc.h"
 #include "calibration/joint/verdict.h"
-#include "calibration/presses/placed_ball.h"
-#include "calibration/presses/press_samples.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <numeric>
+#include <functional>
 
-#include <fmt/format.h>
+#include <Eigen/Dense>
 
 namespace alltact {
 namespace {
 
-constexpr int kFineSamples = 1500;            // a press, for the solution
-constexpr int kCoarseSamples = 400;           // a press, for choosing what to fit
-constexpr std::ptrdiff_t kLeastSamples = 16;  // of these where the skin surely touches the ball
-
-/// A press whose ball was found.
-struct Found {
-  const Press* press;
-  BallGuess guess;
-  PressSamples fine, coarse;
-  double tangent_arc_deg = 0;
-};
-
-bool same_picture(const Press& a, const Press& b) {
-  const cv::Mat& x = a.difference.x;
-  const cv::Mat& y = b.difference.x;
-  if (x.size() != y.size() || x.type() != y.type()) return false;
-  for (int row = 0; row < x.rows; ++row)
-    if (std::memcmp(x.ptr(row), y.ptr(row), static_cast<std::size_t>(x.cols) * x.elemSize()) != 0)
-      return false;
-  return true;
-}
-
-std::ptrdiff_t touching_samples(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
-  const ContactDisc disc(press, MappingAlong::kNormal, centre_mm);
-  return std::count_if(press.samples.begin(), press.samples.end(), [&](const Sample& sample) {
-    return disc.place_of(sample).radius < kSureZone;
-  });
-}
-
-/// An order that depends on what was measured only, so that results do not depend on the order the
-/// presses were given in.
-bool before(const Found& a, const Found& b) {
-  const auto key = [](const Found& f) {
-    double sum = 0;
-    for (const Sample& sample : f.fine.samples) sum += sample.x;
-    return std::tuple(f.fine.samples.size(), sum, f.guess.centre_mm.x(), f.guess.centre_mm.y());
-  };
-  return key(a) < key(b);
-}
-
-std::vector<Found> find_balls(const std::vector<Press>& presses,
-                              const Face& face,
-                              const BallFinderOptions& options,
-                              const Job& job,
-                              std::vector<std::string>* left_out) {
-  std::vector<Found> found;
-  for (std::size_t i = 0; i < presses.size() && !job.stop_requested(); ++i) {
-    const Press& press = presses[i];
-    if (press.step_mm) continue;
-    job.report(0.2 * static_cast<double>(i) / static_cast<double>(presses.size()),
-               fmt::format("looking for the ball in {}", press.name));
-    const auto twin = std::find_if(presses.begin(),
-                                   presses.begin() + static_cast<std::ptrdiff_t>(i),
-                                   [&](const Press& p) { return same_picture(p, press); });
-    if (twin != presses.begin() + static_cast<std::ptrdiff_t>(i)) {
-      left_out->push_back(
-          fmt::format("{}: the same picture as {}, counted once.", press.name, twin->name));
-      continue;
-    }
-    auto guess = press.ball_mm ? guess_of_placed_ball(press, face, *press.ball_mm)
-                               : find_ball(press, face, options);
-    if (!guess) {
-      left_out->push_back(guess.error().sentence());
-      continue;
-    }
-    const Eigen::Vector3d& centre = guess->centre_mm;
-    const double reach = 1.06 * press.ball_radius_mm;
-    Found one{&press,
-              *guess,
-              sample_around(press, face, centre, reach, kFineSamples),
-              sample_around(press, face, centre, reach, kCoarseSamples)};
-    if (touching_samples(one.coarse, centre) < kLeastSamples) {
-      left_out->push_back(fmt::format(
-          "{}: the contact covers too few pixels. Try: pressing deeper, or a larger picture.",
-          press.name));
-      continue;
-    }
-    found.push_back(std::move(one));
-  }
-  std::stable_sort(found.begin(), found.end(), before);
-  return found;
-}
-
-Error no_press(const std::vector<Press>& presses, const std::vector<std::string>& left_out) {
-  std::string reasons;
-  for (const std::string& reason : left_out) reasons += (reasons.empty() ? "" : " ") + reason;
-  if (!reasons.empty()) reasons.pop_back();  // Error adds the full stop
-  if (presses.empty()) return {"no press was given", "", "at least one picture of a pressed ball"};
+Error no_press(const std::vector<Press>& presses, const std::vector<Message>& left_out) {
+  if (presses.empty())
+    return {en::say("no press was given"), "", en::say("at least one picture of a pressed ball")};
   if (std::all_of(presses.begin(), presses.end(), [](const Press& p) { return p.step_mm; }))
-    return {"there are only presses of a punch with a step",
-            "",
+    return {
+        en::say("there are only presses of a punch with a step"),
+        "",
+        en::say(
             "pressing a ball as well, once at least: a step tells how far apart two depths are, "
-            "not where they begin"};
-  return {fmt::format("none of {} presses could be used: {}", presses.size(), reasons),
-          "",
-          "pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face"};
+            "not where they begin")};
+  return {
+      en::say("none of {} presses could be used: {}", presses.size(), en::sentences(left_out)),
+      "",
+      en::say(
+          "pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face")};
 }
 
 Error stopped() {
-  return {"stopped before there was a solution", "", ""};
+  return {en::say("stopped before there was a solution"), "", ""};
 }
 
-double deepest_mm(const Found& found, const Eigen::Vector3d& centre) {
+double deepest_mm(const FoundBall& found, const Eigen::Vector3d& centre) {
   double depth = 0;
   for (const Sample& sample : found.fine.samples) {
     const double here = ball_depth_mm(sample, MappingAlong::kZ, centre, found.fine.ball_radius_mm);
@@ -137,12 +55,12 @@ JointOptions surely_touching(JointOptions options) {
   return options;
 }
 
-std::vector<BallFit> balls_of(const std::vector<Found>& found,
+std::vector<BallFit> balls_of(const std::vector<FoundBall>& found,
                               const ModelChoice& choice,
                               const JointFit& fit,
                               const JointCovariance& covariance) {
   std::vector<const PressSamples*> presses;
-  for (const Found& f : found) presses.push_back(&f.fine);
+  for (const FoundBall& f : found) presses.push_back(&f.fine);
   const FitQuality quality = quality_of(presses, fit, surely_touching(choice.options));
   std::vector<BallFit> balls;
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -169,28 +87,30 @@ std::vector<BallFit> balls_of(const std::vector<Found>& found,
 }
 
 /// Why no mapping fits: what lies deeper than the layer is thick cannot be told by its darkness.
-Error no_mapping(const std::vector<Found>& found, const Face& face) {
+Error no_mapping(const std::vector<FoundBall>& found, const Face& face) {
   constexpr double kTooDeep = 0.8;  // of the layer
-  const Found* deepest = nullptr;
+  const FoundBall* deepest = nullptr;
   double depth_mm = 0;
-  for (const Found& f : found) {
+  for (const FoundBall& f : found) {
     const double here_mm = deepest_mm(f, f.guess.centre_mm);
     if (here_mm > depth_mm) depth_mm = here_mm, deepest = &f;
   }
   if (deepest != nullptr && depth_mm > kTooDeep * face.layer_mm)
-    return {
-        fmt::format("the ball lies {:.1f} mm deep in a layer of {:g} mm", depth_mm, face.layer_mm),
-        deepest->press->name,
-        "pressing less deep, and checking the ball's radius and the camera's scale in mm per px"};
-  return {"no increasing mapping fits the presses",
-          "",
+    return {en::say("the ball lies {:.1f} mm deep in a layer of {:g} mm", depth_mm, face.layer_mm),
+            deepest->press->name,
+            en::say("pressing less deep, and checking the ball's radius and the camera's scale in "
+                    "mm per px")};
+  return {
+      en::say("no increasing mapping fits the presses"),
+      "",
+      en::say(
           "leaving out presses with the largest residual, a lower degree, or checking the ball's "
-          "radius"};
+          "radius")};
 }
 
-double face_length_mm(const std::vector<Found>& found) {
+double face_length_mm(const std::vector<FoundBall>& found) {
   double length = 0;
-  for (const Found& f : found) {
+  for (const FoundBall& f : found) {
     const FaceShape& shape = f.press->shape;
     length = std::max({length, shape.length_at(0), shape.length_at(shape.width_px() - 1)});
   }
@@ -227,20 +147,22 @@ void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* ball
 
 /// The whole solution on the fine samples, first from brightness alone; it then says where the
 /// balls' outlines are to be looked for, and what is found joins in.
-JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const Job& job) {
+JointFit fit_finely(std::vector<FoundBall>& found,
+                    const ModelChoice& choice,
+                    const Job& job,
+                    const RoundListener& on_round) {
   std::vector<const PressSamples*> presses;
-  for (const Found& f : found) presses.push_back(&f.fine);
+  for (const FoundBall& f : found) presses.push_back(&f.fine);
   JointOptions options = choice.options;
-  const std::function<void(int, double, const JointFit&)> tell = [&](int round,
-                                                                     double change_mm,
-                                                                     const JointFit& now) {
-    job.report(0.9, fmt::format("solving: round {}, unknowns move by {:.1e} mm", round, change_mm));
-    if (!job.hears_rounds()) return;
-    double residual_mm = 0;
-    for (const double each_mm : quality_of(presses, now, surely_touching(options)).residual_mm)
-      residual_mm += each_mm / static_cast<double>(presses.size());
-    job.report_round({round, residual_mm, change_mm});
-  };
+  const std::function<void(int, double, const JointFit&)> tell =
+      [&](int round, double change_mm, const JointFit& now) {
+        job.report(0.9, en::say("solving: round {}, unknowns move by {:.1e} mm", round, change_mm));
+        if (!on_round) return;
+        double residual_mm = 0;
+        for (const double each_mm : quality_of(presses, now, surely_touching(options)).residual_mm)
+          residual_mm += each_mm / static_cast<double>(presses.size());
+        on_round({round, residual_mm, change_mm});
+      };
   options.watch = &tell;
   JointFit fit = fit_jointly(presses, choice.fit, options, job);
   if (!fit.converged) return choice.fit;  // stopped: the best so far
@@ -258,27 +180,29 @@ JointFit fit_finely(std::vector<Found>& found, const ModelChoice& choice, const 
 }
 
 /// Takes away what was measured and contradicts the pictures.
-void check_measured(std::vector<Found>& found,
+void check_measured(std::vector<FoundBall>& found,
                     std::vector<StepSamples>& steps,
                     const CalibrationSettings& settings,
                     const Job& job,
                     Calibration* calibration) {
   std::vector<MeasuredPress> presses;
-  for (Found& f : found) presses.push_back({f.press->name, f.guess.centre_mm, &f.coarse, &f.fine});
-  for (std::string& reason : drop_contradicting(presses, steps, settings, job))
+  for (FoundBall& f : found)
+    presses.push_back({f.press->name, f.guess.centre_mm, &f.coarse, &f.fine});
+  for (Message& reason : drop_contradicting(presses, steps, settings, job))
     calibration->left_out.push_back(std::move(reason));
 }
 
-Result<Calibration> solve_jointly(std::vector<Found> found,
+Result<Calibration> solve_jointly(std::vector<FoundBall> found,
                                   std::vector<StepSamples> steps,
                                   const Face& face,
                                   const CalibrationSettings& settings,
                                   const Job& job,
+                                  const RoundListener& on_round,
                                   Calibration calibration) {
   std::vector<const PressSamples*> fine;
-  for (const Found& f : found) fine.push_back(&f.fine);
+  for (const FoundBall& f : found) fine.push_back(&f.fine);
   const PressedPart part = pressed_part(fine);
-  for (Found& f : found) {
+  for (FoundBall& f : found) {
     place_within(part, &f.fine);
     place_within(part, &f.coarse);
   }
@@ -286,16 +210,16 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   check_measured(found, steps, settings, job, &calibration);
   ChoiceInput coarse;
   if (!steps.empty()) coarse.steps = &steps;
-  for (const Found& f : found) {
+  for (const FoundBall& f : found) {
     coarse.presses.push_back(&f.coarse);
     coarse.centres_mm.push_back(f.guess.centre_mm);
   }
   auto choice = choose_model(coarse, settings, job);
   if (!choice && job.stop_requested()) return stopped();
   if (!choice) return no_mapping(found, face);
-  job.report(0.9, "solving all presses together");
+  job.report(0.9, en::say("solving all presses together"));
   choice->options.settled_mm = JointOptions{}.settled_mm;
-  JointFit fit = fit_finely(found, *choice, job);
+  JointFit fit = fit_finely(found, *choice, job, on_round);
   if (settings.family == FamilyChoice::kAuto && settings.degree == 0 && !job.stop_requested() &&
       fit.curve.family().kind == MappingKind::kPolynomial &&
       !increases(fit.curve, choice->options.along)) {
@@ -303,12 +227,12 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
     CalibrationSettings simple = settings;
     simple.family = FamilyChoice::kLayer;
     if (auto safe = choose_model(coarse, simple, job)) {
-      safe->sentence = fmt::format("{}, because the {} does not increase on all samples",
-                                   safe->fit.curve.family().name(),
-                                   fit.curve.family().name());
+      safe->sentence = en::say("{}, because the {} does not increase on all samples",
+                               safe->fit.curve.family().name(),
+                               fit.curve.family().name());
       choice = std::move(safe);
       choice->options.settled_mm = JointOptions{}.settled_mm;
-      fit = fit_finely(found, *choice, job);
+      fit = fit_finely(found, *choice, job, on_round);
     }
   }
   const JointCovariance covariance = covariance_of(fine, fit, choice->options);
@@ -324,9 +248,9 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
     calibration.mapping.covariance = 0.5 * (stored + stored.transpose());
   }
   if (const auto mapping = Mapping::create(calibration.mapping); !mapping)
-    return Error{"the solution is no mapping: " + mapping.error().what,
+    return Error{en::say("the solution is no mapping: {}", mapping.error().what),
                  "",
-                 "more presses of different depth, or a lower degree"};
+                 en::say("more presses of different depth, or a lower degree")};
   if (covariance.covariance.size() > 0)
     calibration.weakness = weakest_direction(fit.curve, covariance.covariance.topLeftCorner(n, n));
   if (!job.stop_requested())
@@ -347,97 +271,53 @@ Result<Calibration> solve_jointly(std::vector<Found> found,
   calibration.remarks.insert(
       calibration.remarks.end(), choice->remarks.begin(), choice->remarks.end());
   if (found.size() == 1)
-    calibration.remarks.push_back(
+    calibration.remarks.push_back(en::say(
         "one press cannot separate the ball's depth from the mapping: add presses of different "
-        "depth at other places");
+        "depth at other places"));
   if (covariance.covariance.size() == 0)
-    calibration.remarks.push_back("the presses do not determine every unknown: add presses");
+    calibration.remarks.push_back(
+        en::say("the presses do not determine every unknown: add presses"));
   return calibration;
 }
 
 }  // namespace
 
-const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
-  using S = CalibrationSettings;
-  static const std::vector<Setting<S>> settings{
-      choice_setting<S, CalibrationMethod>(
-          "method",
-          "how presses become a mapping: all balls and the mapping in one fit; or, to compare "
-          "with, "
-          "every ball from its dark border alone: the source paper's way, a circle on the face, or "
-          "the cone of the ball's outline",
-          &S::method,
-          {{"joint", CalibrationMethod::kJoint},
-           {"paper", CalibrationMethod::kPaper},
-           {"circle", CalibrationMethod::kCircle},
-           {"cone", CalibrationMethod::kCone}}),
-      choice_setting<S, FamilyChoice>(
-          "family",
-          "the mapping's curve; auto: whichever predicts presses left out best",
-          &S::family,
-          {{"auto", FamilyChoice::kAuto},
-           {"polynomial", FamilyChoice::kPolynomial},
-           {"moebius", FamilyChoice::kMoebius},
-           {"kubelka-munk", FamilyChoice::kLayer}}),
-      number_setting<S>(
-          "degree", "degree of the polynomial; 0: chosen by leaving presses out", &S::degree, 0, 8),
-      choice_setting<S, AlongChoice>(
-          "along",
-          "which thickness of the layer brightness follows: along z, along its normal, or that "
-          "along z projected onto the normal; auto: along the normal unless presses left out say "
-          "otherwise",
-          &S::along,
-          {{"auto", AlongChoice::kAuto},
-           {"z", AlongChoice::kZ},
-           {"normal", AlongChoice::kNormal},
-           {"projected", AlongChoice::kProjected}}),
-      choice_setting<S, OverFaceChoice>(
-          "over-face",
-          "whether the mapping may vary slowly over the face, for uneven light or an uneven layer; "
-          "auto: when presses left out agree clearly better then",
-          &S::over_face,
-          {{"auto", OverFaceChoice::kAuto}, {"even", OverFaceChoice::kEven}}),
-  };
-  return settings;
-}
-
-std::string method_name(CalibrationMethod method) {
-  CalibrationSettings settings;
-  settings.method = method;
-  return calibration_settings().front().get(settings);
-}
-
 Result<Calibration> calibrate(const std::vector<Press>& presses,
                               const Camera& camera,
                               const Face& face,
                               const CalibrationSettings& settings,
-                              const Job& job) {
+                              const Job& job,
+                              const RoundListener& on_round) {
   for (const Press& press : presses)
     if (!press.step_mm && (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm)))
-      return Error{fmt::format("a ball radius of {} mm is impossible", press.ball_radius_mm),
+      return Error{en::say("a ball radius of {} mm is impossible", press.ball_radius_mm),
                    press.name,
-                   "the radius in millimetres, as measured with callipers"};
+                   en::say("the radius in millimetres, as measured with callipers")};
   try {
     Calibration calibration;
-    const std::vector<Found> found =
-        find_balls(presses, face, ball_finder_for(settings.method), job, &calibration.left_out);
-    if (found.empty())
-      return job.stop_requested() ? stopped() : no_press(presses, calibration.left_out);
+    std::vector<Message> unusable;
+    const std::vector<FoundBall> found =
+        find_balls(presses, face, ball_finder_for(settings.method), job, &unusable);
+    if (found.empty()) return job.stop_requested() ? stopped() : no_press(presses, unusable);
+    for (const Message& reason : unusable) calibration.left_out.push_back(en::say("{}.", reason));
     Result<Calibration> result = [&]() -> Result<Calibration> {
       if (settings.method == CalibrationMethod::kJoint) {
         auto steps = find_steps(presses, face, &calibration.left_out);
-        return solve_jointly(found, std::move(steps), face, settings, job, std::move(calibration));
+        return solve_jointly(
+            found, std::move(steps), face, settings, job, on_round, std::move(calibration));
       }
       std::vector<OutlinePress> outlines;
-      for (const Found& f : found) outlines.push_back({f.press, f.guess});
+      for (const FoundBall& f : found) outlines.push_back({f.press, f.guess});
       return calibrate_by_outline(
           outlines, settings.method, camera, face, job, std::move(calibration));
     }();
     if (result) sort_as_given(presses, &result->balls);
-    job.report(1.0, "done");
+    job.report(1.0, en::say("done"));
     return result;
   } catch (const std::exception& problem) {
-    return Error{fmt::format("the calibration failed: {}", problem.what()), "", "fewer presses"};
+    return Error{en::say("the calibration failed: {}", std::string(problem.what())),
+                 "",
+                 en::say("fewer presses")};
   }
 }
 

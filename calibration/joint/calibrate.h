@@ -1,12 +1,70 @@
 // From ball presses to the depth mapping: all presses solved together.
+//
+// BACKGROUND
+// A ball of known radius R is pressed into the face. Its picture, compared with that of the
+// untouched face, gives every pixel a relative darkening x = (I_ref - I) / I_ref. Where the ball's
+// centre c is known, geometry gives the press depth d at the same pixel. The mapping d = M(x) is
+// the curve through these pairs. Nobody measures c, so centres and curve are estimated together.
+//
+// MODEL
+// With g the inverse of M, d_i(c) the depth of the skin over the ball at sample i (joint_fit.h,
+// lift_off.h), s_i = M'(g(d_i(c))) and sigma_i the noise of x_i as depth, the joint method
+// minimises
+//   sum_i rho(s_i (x_i - g(d_i(c))) / sigma_i)             brightness in the contacts
+// + sum_k rho((angle(r_k, c) - asin(R / |c|)) / sigma_k)   rays r_k of the occluding contour
+// + sum_p ((R - height_p(c) - h_p) / sigma_p)^2            measured depths h_p, where there are any
+// + sum_q ((step_q(M) - t_q) / sigma_q)^2                  steps t_q of punches, likewise
+// and priors of a layer's absorption and of the lift-off length, by iteratively reweighted least
+// squares; rho is the soft L1 loss. Samples are block means of the picture. Of the rays' residuals,
+// the part that moves ball and face apart along z counts no more than the face's own distance is
+// known, 0.05 mm. Only the part of a contact where skin and ball surely touch is read, and more
+// where that is needed and explained (contact_zone.h). The other methods (outline_methods.h) are
+// there to compare with.
+//
+// GAUGE
+// Camera and face are held fixed: they give the frame (the camera's, in mm) and the untouched
+// surface; R gives the unit of depth. No direction is free then, but two are weak. An offset: balls
+// that all move along the normal are taken up by the curve's low end. M(0) = 0 is exact for this
+// reason, and presses of different depths hold the rest. A scale: only the contacts' curvature
+// gives it, so that a radius that is wrong by 1 % makes depths wrong by about as much, and
+// residuals hardly show it (Calibration::radius_sense); a measured depth or a step does. With one
+// press both directions are open, and a remark says so. Where the Jacobian is not of full rank the
+// covariance is empty, and another remark says that.
+//
+// WHAT IS ESTIMATED
+// Three numbers for each ball; the mapping's: two or three of a Kubelka-Munk layer, or up to eight
+// Chebyshev coefficients, and two more where it varies over the face; the skin's lift-off length.
+// Cross-validation over the presses chooses the family, along which thickness of the layer
+// brightness counts, and whether the mapping varies. Covariances of balls and mapping come with it.
+//
+// WHAT IS NOT ESTIMATED
+// Camera, lens distortion, layer thickness, the balls' radii, the face's shape in each picture and
+// the light: calibrate the lens first, measure the balls, correct the illumination. Errors in these
+// enter the mapping and no covariance here contains them. Shear of the skin, hysteresis and
+// temperature are not modelled.
+//
+// EXAMPLE
+//   int example(const std::vector<Press>& presses, const Camera& camera, const Face& face) {
+//     const Job job([](double done, const Message& what) {
+//       fmt::print("{:3.0f} % {}\n", 100 * done, what);
+//     });
+//     const Result<Calibration> result = calibrate(presses, camera, face, {}, job);
+//     if (!result) return fmt::print("{}\n", result.error().sentence()), 1;
+//     for (const Message& reason : result->left_out) fmt::print("Left out: {}\n", reason);
+//     const Result<Mapping> mapping = Mapping::create(result->mapping);
+//     fmt::print("x = 0.2 is {:.3f} mm deep\n", mapping->depth_mm(0.2));
+//     return fmt::print("{:.3f} mm on presses left out\n", result->held_out_mm), 0;
+//   }
 #pragma once
 
+#include "calibration/joint/calibration_settings.h"
 #include "calibration/joint/press_advice.h"
+#include "calibration/joint/round.h"
 #include "calibration/presses/press.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
+#include "core/message.h"
 #include "core/result.h"
-#include "core/settings.h"
 
 #include <optional>
 #include <string>
@@ -15,30 +73,6 @@
 #include <Eigen/Core>
 
 namespace alltact {
-
-enum class CalibrationMethod {
-  kJoint = 1,  ///< all ball centres and the mapping in one robust least-squares problem
-  // Every ball by itself from its dark border, then one polynomial (outline_methods.h):
-  kPaper,   ///< the source paper: a circle, its depth by its radius and a constant of zero
-  kCircle,  ///< a circle where ball and face part
-  kCone,    ///< the cone that touches the ball's outline
-};
-enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius, kLayer };
-/// Whether the mapping may vary over the face.
-enum class OverFaceChoice { kAuto = 1, kEven };
-enum class AlongChoice { kAuto = 1, kZ, kNormal, kProjected };
-
-struct CalibrationSettings {
-  CalibrationMethod method = CalibrationMethod::kJoint;
-  FamilyChoice family = FamilyChoice::kAuto;
-  int degree = 0;  ///< number of Chebyshev coefficients, 1..8; 0: chosen by leaving presses out
-  AlongChoice along = AlongChoice::kAuto;
-  OverFaceChoice over_face = OverFaceChoice::kAuto;
-};
-[[nodiscard]] const std::vector<Setting<CalibrationSettings>>& calibration_settings();
-
-/// As the setting `method` says it.
-[[nodiscard]] std::string method_name(CalibrationMethod method);
 
 /// The ball of one press in the solution.
 struct BallFit {
@@ -73,22 +107,25 @@ struct Calibration {
   /// changes when presses are left out (jackknife) and its covariance. The balls take this up, so
   /// that held_out_mm cannot see it. 0 with one press and with methods other than the joint one.
   double spread_mm = 0;
-  double condition = 0;               ///< of the scaled problem
-  std::string degree_choice;          ///< why this family and degree, a sentence
-  std::vector<std::string> left_out;  ///< presses not used, each with the reason
-  std::vector<std::string> remarks;   ///< what the user should know (one press only, ...)
-  std::optional<Weakness> weakness;   ///< joint method, when the presses determine every unknown
+  double condition = 0;              ///< of the scaled problem
+  Message degree_choice;             ///< why this family and degree, a sentence
+  std::vector<Message> left_out;     ///< presses not used, each with the reason
+  std::vector<Message> remarks;      ///< what the user should know (one press only, ...)
+  std::optional<Weakness> weakness;  ///< joint method, when the presses determine every unknown
   std::optional<PressAdvice> next_press;    ///< joint method; absent when stopped before
   std::optional<RadiusSense> radius_sense;  ///< the same
 };
 
-/// Balls may be of several sizes. Errors: an impossible radius, no usable press (with each press's
-/// reason), a solution that is not finite or not
-/// increasing. A stopped job returns the best solution so far when there is one.
+/// Balls may be of several sizes; the order of the presses does not change the solution. Any
+/// thread. Errors: an impossible radius, no usable press (with each press's reason), a solution
+/// that is not finite or not increasing. A stopped job returns the best solution so far when there
+/// is one. `on_round` hears how the joint method's last solution settles; the other methods have no
+/// rounds.
 [[nodiscard]] Result<Calibration> calibrate(const std::vector<Press>& presses,
                                             const Camera& camera,
                                             const Face& face,
                                             const CalibrationSettings& settings,
-                                            const Job& job);
+                                            const Job& job,
+                                            const RoundListener& on_round = {});
 
 }  // namespace alltact

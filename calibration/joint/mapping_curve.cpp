@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <ceres/jet.h>
-#include <fmt/format.h>
 
 namespace alltact {
 namespace {
@@ -89,11 +88,12 @@ struct AbsorbingLayer {
 
 }  // namespace
 
-std::string CurveFamily::name() const {
-  const std::string curve = kind == MappingKind::kMoebius
-                                ? (absorbs() ? "Kubelka-Munk curve" : "Moebius curve")
-                                : fmt::format("polynomial of degree {}", coefficients);
-  return varies ? curve + " that varies over the face" : curve;
+Message CurveFamily::name() const {
+  const Message curve = kind != MappingKind::kMoebius
+                            ? en::say("polynomial of degree {}", coefficients)
+                        : absorbs() ? en::say("Kubelka-Munk curve")
+                                    : en::say("Moebius curve");
+  return varies ? en::say("{} that varies over the face", curve) : curve;
 }
 
 double MappingCurve::evaluate(const double* values,

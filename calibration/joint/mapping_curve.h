@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/finger/mapping.h"
+#include "core/message.h"
 
 #include <vector>
 
@@ -20,7 +21,7 @@ struct CurveFamily {
 
   [[nodiscard]] int numbers() const { return coefficients + (varies ? 2 : 0); }
   [[nodiscard]] bool absorbs() const { return kind == MappingKind::kMoebius && coefficients == 3; }
-  [[nodiscard]] std::string name() const;  ///< "Moebius curve", "polynomial of degree 3"
+  [[nodiscard]] Message name() const;  ///< "Moebius curve", "polynomial of degree 3"
   bool operator==(const CurveFamily&) const = default;
 };
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -20,7 +18,7 @@ bool is_far(double told, double seen, double told_sd, double seen_sd) {
 
 std::vector<StepSamples> find_steps(const std::vector<Press>& presses,
                                     const Face& face,
-                                    std::vector<std::string>* left_out) {
+                                    std::vector<Message>* left_out) {
   std::vector<StepSamples> steps;
   for (const Press& press : presses) {
     if (!press.step_mm) continue;
@@ -28,7 +26,7 @@ std::vector<StepSamples> find_steps(const std::vector<Press>& presses,
     if (step)
       steps.push_back(std::move(step).value());
     else
-      left_out->push_back(step.error().sentence());
+      left_out->push_back(en::say("{}.", step.error().message()));
   }
   return steps;
 }
@@ -44,10 +42,10 @@ std::vector<StepFit> steps_of(const std::vector<StepSamples>& steps,
   return fits;
 }
 
-std::vector<std::string> drop_contradicting(const std::vector<MeasuredPress>& presses,
-                                            std::vector<StepSamples>& steps,
-                                            const CalibrationSettings& settings,
-                                            const Job& job) {
+std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presses,
+                                        std::vector<StepSamples>& steps,
+                                        const CalibrationSettings& settings,
+                                        const Job& job) {
   const bool any_depth = std::any_of(presses.begin(), presses.end(), [](const MeasuredPress& one) {
     return one.fine->told_depth.has_value();
   });
@@ -66,7 +64,7 @@ std::vector<std::string> drop_contradicting(const std::vector<MeasuredPress>& pr
       covariance_of(alone.presses, choice->fit, choice->options).covariance;
   if (covariance.size() == 0) return {};
 
-  std::vector<std::string> reasons;
+  std::vector<Message> reasons;
   const Eigen::Index numbers = choice->fit.curve.values().size();
   for (std::size_t i = 0; i < presses.size(); ++i) {
     const auto& told = presses[i].fine->told_depth;
@@ -78,15 +76,15 @@ std::vector<std::string> drop_contradicting(const std::vector<MeasuredPress>& pr
     const double seen_sd_mm = std::sqrt(
         std::max(0.0, plane.normal.dot(covariance.block<3, 3>(first, first) * plane.normal)));
     if (!is_far(told->mm, seen_mm, told->sd_mm, seen_sd_mm)) continue;
-    reasons.push_back(
-        fmt::format("{}: its measured depth of {:.3f} +- {:.3f} mm was left out, because the "
-                    "pictures say {:.3f} "
-                    "+- {:.3f} mm; it counts from where the ball first touches, normal to the face",
-                    presses[i].name,
-                    told->mm,
-                    told->sd_mm,
-                    seen_mm,
-                    seen_sd_mm));
+    reasons.push_back(en::at(
+        Message::typed(presses[i].name),
+        en::say("its measured depth of {:.3f} +- {:.3f} mm was left out, because the pictures say "
+                "{:.3f} +- {:.3f} mm; it counts from where the ball first touches, normal to the "
+                "face",
+                told->mm,
+                told->sd_mm,
+                seen_mm,
+                seen_sd_mm)));
     presses[i].coarse->told_depth.reset();
     presses[i].fine->told_depth.reset();
   }
@@ -96,13 +94,14 @@ std::vector<std::string> drop_contradicting(const std::vector<MeasuredPress>& pr
     const double seen_sd_mm = std::sqrt(std::max(
         0.0, seen.by_values.dot(covariance.topLeftCorner(numbers, numbers) * seen.by_values)));
     if (!is_far(step.step_mm, seen.height_mm, seen.sd_mm, seen_sd_mm)) return false;
-    reasons.push_back(fmt::format(
-        "{}: its step of {:.3f} mm was left out, because the balls say {:.3f} +- {:.3f} mm; is the "
-        "balls' radius right",
-        step.press,
-        step.step_mm,
-        seen.height_mm,
-        std::hypot(seen.sd_mm, seen_sd_mm)));
+    reasons.push_back(en::at(
+        Message::typed(step.press),
+        en::say(
+            "its step of {:.3f} mm was left out, because the balls say {:.3f} +- {:.3f} mm; is the "
+            "balls' radius right",
+            step.step_mm,
+            seen.height_mm,
+            std::hypot(seen.sd_mm, seen_sd_mm))));
     return true;
   });
   return reasons;

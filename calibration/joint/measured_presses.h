@@ -6,6 +6,7 @@
 #include "calibration/joint/model_choice.h"
 #include "calibration/joint/step_press.h"
 #include "core/job.h"
+#include "core/message.h"
 
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ namespace alltact {
 /// The punches among the presses; why one cannot be used goes to `left_out`.
 [[nodiscard]] std::vector<StepSamples> find_steps(const std::vector<Press>& presses,
                                                   const Face& face,
-                                                  std::vector<std::string>* left_out);
+                                                  std::vector<Message>* left_out);
 
 /// How a fitted curve reads them.
 [[nodiscard]] std::vector<StepFit> steps_of(const std::vector<StepSamples>& steps,
@@ -35,9 +36,9 @@ struct MeasuredPress {
 /// further from that than four standard deviations of both: a gauge that was not set to zero must
 /// not stretch all depths. Gives the reasons. Nothing is taken away where the pictures alone leave
 /// the depth open.
-[[nodiscard]] std::vector<std::string> drop_contradicting(const std::vector<MeasuredPress>& presses,
-                                                          std::vector<StepSamples>& steps,
-                                                          const CalibrationSettings& settings,
-                                                          const Job& job);
+[[nodiscard]] std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presses,
+                                                      std::vector<StepSamples>& steps,
+                                                      const CalibrationSettings& settings,
+                                                      const Job& job);
 
 }  // namespace alltact

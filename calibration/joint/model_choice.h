@@ -1,29 +1,23 @@
 // Which mapping to fit, and how much of each contact to believe: decided by the presses themselves.
 #pragma once
 
-#include "calibration/joint/calibrate.h"
+#include "calibration/joint/calibration_settings.h"
 #include "calibration/joint/joint_fit.h"
+#include "calibration/joint/starting_curve.h"
+#include "core/message.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace alltact {
-
-/// Presses and where to start: the balls as found, one a press, and punches beside them.
-struct ChoiceInput {
-  std::vector<const PressSamples*> presses;
-  std::vector<Eigen::Vector3d> centres_mm;
-  const std::vector<StepSamples>* steps = nullptr;  ///< see JointOptions
-};
 
 struct ModelChoice {
   JointOptions options;             ///< along and zone
   JointFit fit;                     ///< of the chosen family, to go on from
   std::vector<double> held_out_mm;  ///< one a press; empty with one press
   double spread_mm = 0;             ///< see Calibration::spread_mm; 0 with one press
-  std::string sentence;             ///< why
-  std::vector<std::string> remarks;
+  Message sentence;                 ///< why
+  std::vector<Message> remarks;
 };
 
 /// The mean absolute error inside a contact of a press that the mapping was fitted without, only
@@ -39,13 +33,5 @@ struct ModelChoice {
 [[nodiscard]] std::optional<ModelChoice> choose_model(const ChoiceInput& input,
                                                       const CalibrationSettings& settings,
                                                       const Job& job);
-
-/// What is stored of a fitted curve.
-[[nodiscard]] MappingParameters mapping_parameters(const MappingCurve& curve,
-                                                   MappingAlong along,
-                                                   const PressedPart& part = {});
-
-/// Whether a fitted curve is a mapping: increasing over its whole domain.
-[[nodiscard]] bool increases(const MappingCurve& curve, MappingAlong along);
 
 }  // namespace alltact

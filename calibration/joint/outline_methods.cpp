@@ -2,7 +2,7 @@
 
 #include "calibration/joint/joint_fit.h"
 #include "calibration/joint/mapping_curve.h"
-#include "calibration/joint/model_choice.h"
+#include "calibration/joint/stored_curve.h"
 #include "calibration/joint/tangent_arc.h"
 #include "calibration/presses/press_samples.h"
 #include "core/geometry/ball.h"
@@ -13,7 +13,6 @@
 #include <cmath>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
 namespace alltact {
 namespace {
@@ -129,17 +128,17 @@ struct Border {
   FaceShape::Local middle;  ///< under the circle's middle
 };
 
-Error no_ball(const Press& press, const std::string& why) {
-  return {why, press.name, ""};
+Error no_ball(const Press& press, Message why) {
+  return {std::move(why), press.name, ""};
 }
 
 Result<Border> border_of(const OutlinePress& input) {
   const Press& press = *input.press;
   const auto circle =
       border_circle(press.difference.x, input.guess.disc_px, input.guess.disc_radius_px);
-  if (!circle) return no_ball(press, "no circle goes through the dark border");
+  if (!circle) return no_ball(press, en::say("no circle goes through the dark border"));
   const auto middle = press.shape.at(circle->centre.x(), circle->centre.y());
-  if (!middle) return no_ball(press, "the circle's middle lies off the face");
+  if (!middle) return no_ball(press, en::say("the circle's middle lies off the face"));
   return Border{press, input.guess, *circle, *middle};
 }
 
@@ -160,10 +159,11 @@ Result<Eigen::Vector3d> by_contact_line(const Border& border, const Face& face) 
     radius_mm += (untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal) - foot).norm();
     ++seen;
   }
-  if (seen == 0) return no_ball(border.press, "the circle lies off the face");
+  if (seen == 0) return no_ball(border.press, en::say("the circle lies off the face"));
   radius_mm /= seen;
   const double ball_mm = border.press.ball_radius_mm;
-  if (radius_mm >= ball_mm) return no_ball(border.press, "the circle is larger than the ball");
+  if (radius_mm >= ball_mm)
+    return no_ball(border.press, en::say("the circle is larger than the ball"));
   return Eigen::Vector3d(foot + std::sqrt((ball_mm - radius_mm) * (ball_mm + radius_mm)) *
                                     border.middle.normal);
 }
@@ -175,14 +175,14 @@ Result<Eigen::Vector3d> by_cone(const OutlinePress& input) {
   if (arc.arc_deg < kLeastArcDeg)
     return no_ball(
         press,
-        fmt::format("{:.0f} degrees of the ball's outline are seen, a cone needs {:.0f}; the "
-                    "rest of the dark border is where the skin leaves the ball",
-                    arc.arc_deg,
-                    kLeastArcDeg));
+        en::say("{:.0f} degrees of the ball's outline are seen, a cone needs {:.0f}; the "
+                "rest of the dark border is where the skin leaves the ball",
+                arc.arc_deg,
+                kLeastArcDeg));
   std::vector<Eigen::Vector3d> directions;
   for (const OutlinePoint& point : arc.points) directions.push_back(point.direction);
   const auto centre = fit_ball_to_outline(directions, press.ball_radius_mm);
-  if (!centre) return no_ball(press, "no cone touches the outline");
+  if (!centre) return no_ball(press, en::say("no cone touches the outline"));
   return *centre;
 }
 
@@ -213,7 +213,8 @@ Result<Eigen::Vector3d> by_circle_and_constant(const Border& border,
   const auto to_edge =
       camera.unproject(border.circle.centre + Eigen::Vector2d(0.0, border.circle.radius));
   const auto local = border.press.shape.at(border.guess.disc_px.x(), border.guess.disc_px.y());
-  const Error no_sight = no_ball(border.press, "the camera does not see the circle's middle");
+  const Error no_sight =
+      no_ball(border.press, en::say("the camera does not see the circle's middle"));
   if (!to_middle || !to_edge || !local) return no_sight;
   const Eigen::Vector3d near = border.guess.centre_mm +
                                untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ) -
@@ -234,7 +235,7 @@ Result<Eigen::Vector3d> by_circle_and_constant(const Border& border,
   const auto found = inside.x_max > 0.0
                          ? without_constant(inside.samples, *sight, z_mm, radius_mm, inside.x_max)
                          : std::nullopt;
-  if (!found) return no_ball(border.press, "no place of the ball gives a cubic");
+  if (!found) return no_ball(border.press, en::say("no place of the ball gives a cubic"));
   return *found;
 }
 
@@ -258,7 +259,8 @@ Result<Solved> solve_press(const OutlinePress& input,
   Solved solved;
   solved.cloud = cloud_of(inside_of(*border, face).samples, *centre, press.ball_radius_mm);
   if (solved.cloud.x.size() < 50)
-    return no_ball(press, "the ball that follows from the dark border hardly touches the face");
+    return no_ball(press,
+                   en::say("the ball that follows from the dark border hardly touches the face"));
   solved.ball.press = press.name;
   solved.ball.radius_mm = press.ball_radius_mm;
   solved.ball.centre_mm = *centre;
@@ -306,23 +308,23 @@ Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presse
                                          const Job& job,
                                          Calibration calibration) {
   std::vector<Solved> solved;
-  std::string reason;
+  Message reason;
   for (const OutlinePress& input : presses) {
     if (job.stop_requested()) break;
     auto one = solve_press(input, method, camera, face);
     if (one) {
       solved.push_back(std::move(*one));
     } else {
-      calibration.left_out.push_back(one.error().where + ": " + one.error().what + ".");
+      calibration.left_out.push_back(en::say("{}.", one.error().message()));
       reason = one.error().what;
     }
   }
   if (solved.empty())
-    return Error{fmt::format("no ball follows from the dark border of any of {} presses ({})",
-                             presses.size(),
-                             reason),
+    return Error{en::say("no ball follows from the dark border of any of {} presses ({})",
+                         presses.size(),
+                         reason),
                  "",
-                 "the joint method, which fits the ball itself"};
+                 en::say("the joint method, which fits the ball itself")};
   double x_max = 0;
   for (const Solved& s : solved)
     for (const double x : s.cloud.x) x_max = std::max(x_max, x);
@@ -331,17 +333,17 @@ Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presse
   for (int degree = kDegree; degree >= 1 && !curve; --degree)
     curve = curve_through(solved, degree, x_max);
   if (!curve)
-    return Error{"the polynomial through the balls' depths does not increase",
+    return Error{en::say("the polynomial through the balls' depths does not increase"),
                  "",
-                 "the joint method, or more presses of different depth"};
+                 en::say("the joint method, or more presses of different depth")};
   const int degree = curve->family().coefficients;
   if (degree != kDegree)
     calibration.remarks.push_back(
-        fmt::format("the cubic does not increase; degree {} was used instead", degree));
+        en::say("the cubic does not increase; degree {} was used instead", degree));
   calibration.mapping = mapping_parameters(*curve, MappingAlong::kZ);
   calibration.degree_choice =
-      curve->family().name() +
-      (degree == kDegree ? ": the source paper's" : ", in place of the paper's cubic");
+      degree == kDegree ? en::at(curve->family().name(), en::say("the source paper's"))
+                        : en::say("{}, in place of the paper's cubic", curve->family().name());
   for (Solved& s : solved) {
     double sum = 0;
     for (std::size_t i = 0; i < s.cloud.x.size(); ++i)

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
 namespace alltact {
 namespace {
@@ -88,13 +87,13 @@ Pressed pressed_by(const PressSamples& press, const Eigen::Vector3d& centre) {
           nearest->normal};
 }
 
-std::string where_in_words(double along_mm, double across_mm) {
-  const std::string side = std::abs(across_mm) < 2.0
-                               ? "in the middle of the face"
-                               : fmt::format("{:.0f} mm from the middle on the {} side",
-                                             std::abs(across_mm),
-                                             across_mm < 0 ? "upper" : "lower");
-  return fmt::format("{:.0f} mm from the base, {}", along_mm, side);
+Message where_in_words(double along_mm, double across_mm) {
+  const Message half = across_mm < 0 ? en::say("upper") : en::say("lower");
+  const Message side =
+      std::abs(across_mm) < 2.0
+          ? en::say("in the middle of the face")
+          : en::say("{:.0f} mm from the middle on the {} side", std::abs(across_mm), half);
+  return en::say("{:.0f} mm from the base, {}", along_mm, side);
 }
 
 /// The middle of the first third of the face's length in which there is no press; -1: none.
@@ -123,12 +122,12 @@ Weakness weakest_direction(const MappingCurve& curve, const Eigen::MatrixXd& cov
   weakness.is_scale = shape.minCoeff() * shape.maxCoeff() >= 0.0;
   weakness.sentence =
       weakness.is_scale
-          ? fmt::format(
+          ? en::say(
                 "least certain is the scale: all depths may be too large or too small "
                 "together, by {:.3f} mm at {:.2f} mm (one standard deviation)",
                 weakness.sd_mm,
                 weakness.depth_mm)
-          : fmt::format(
+          : en::say(
                 "least certain is how shallow and deep go together: by {:.3f} mm at "
                 "{:.2f} mm (one standard deviation), the other way at the other end",
                 weakness.sd_mm,
@@ -175,18 +174,20 @@ std::optional<RadiusSense> sense_radius(const std::vector<const PressSamples*>& 
   sense.larger_mm = larger->residual_mm;
   sense.is_seen =
       std::min(smaller->residual_mm, larger->residual_mm) > (1.0 + kSeen) * given->residual_mm;
-  const std::string figures = fmt::format(
+  const Message other = sense.depth_part < 0 ? en::say("smaller") : en::say("larger");
+  const Message figures = en::say(
       "a ball 1 % larger than said makes depths {:.1f} % {}; the residual is {:.4f} mm "
       "with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger",
       100.0 * std::abs(sense.depth_part),
-      sense.depth_part < 0 ? "smaller" : "larger",
+      other,
       sense.smaller_mm,
       sense.given_mm,
       sense.larger_mm);
-  sense.sentence = sense.is_seen ? figures + ": a wrong radius would be noticed"
-                                 : figures +
-                                       ": the presses cannot show a wrong radius, so measure "
-                                       "the ball to a hundredth of a millimetre";
+  sense.sentence =
+      en::at(figures,
+             sense.is_seen ? en::say("a wrong radius would be noticed")
+                           : en::say("the presses cannot show a wrong radius, so measure "
+                                     "the ball to a hundredth of a millimetre"));
   return sense;
 }
 
@@ -226,11 +227,11 @@ PressAdvice advise(const std::vector<const PressSamples*>& presses,
     }
   const double empty = empty_third_mm(made, face_length_mm);
   if (!std::isfinite(advice.sd_then_mm)) {
-    advice.sentence = "press next: at another place, 0.5 to 1 mm deep";
+    advice.sentence = en::say("press next: at another place, 0.5 to 1 mm deep");
   } else if (empty >= 0.0) {
     advice.along_mm = empty;
     advice.across_mm = 0;
-    advice.sentence = fmt::format(
+    advice.sentence = en::say(
         "press next: {}, {:.1f} mm deep; no press tells whether the mapping holds in that third",
         where_in_words(empty, 0),
         advice.depth_mm);
@@ -238,12 +239,12 @@ PressAdvice advise(const std::vector<const PressSamples*>& presses,
     advice.enough = advice.sd_then_mm > (1.0 - kWorthIt) * advice.sd_now_mm;
     advice.sentence =
         advice.enough
-            ? fmt::format(
+            ? en::say(
                   "enough: one press more would take the standard deviation of depth from "
                   "{:.4f} mm to {:.4f} mm at best",
                   advice.sd_now_mm,
                   std::min(advice.sd_now_mm, advice.sd_then_mm))
-            : fmt::format(
+            : en::say(
                   "press next: {}, {:.1f} mm deep; that would take the standard deviation "
                   "of depth from {:.4f} mm to {:.4f} mm",
                   where_in_words(advice.along_mm, advice.across_mm),

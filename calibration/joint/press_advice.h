@@ -2,9 +2,9 @@
 #pragma once
 
 #include "calibration/joint/joint_fit.h"
+#include "core/message.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ struct Weakness {
   double depth_mm = 0;   ///< where on the curve it shows most
   double sd_mm = 0;      ///< how much, there
   bool is_scale = true;  ///< all depths go wrong alike; false: shallow and deep ones differently
-  std::string sentence;
+  Message sentence;
 };
 /// covariance: of curve.values(). Its principal component on depths over the whole domain.
 [[nodiscard]] Weakness weakest_direction(const MappingCurve& curve,
@@ -28,7 +28,7 @@ struct RadiusSense {
   double smaller_mm = 0, given_mm = 0,
          larger_mm = 0;  ///< residual with 1 % less, as given, 1 % more
   bool is_seen = false;  ///< the radius given fits better than both by a tenth
-  std::string sentence;
+  Message sentence;
 };
 /// Fits the presses again with a radius 1 % smaller and larger. nullopt when a fit fails or the job
 /// is stopped.
@@ -42,7 +42,7 @@ struct PressAdvice {
   bool enough = false;                               ///< another press would hardly help
   double along_mm = 0, across_mm = 0, depth_mm = 0;  ///< where and how deep to press next
   double sd_now_mm = 0, sd_then_mm = 0;  ///< of the depth, root mean square over the domain
-  std::string sentence;
+  Message sentence;
 };
 
 /// Tries, in the mind, one press more at the place of each that was made and in thirds of the face

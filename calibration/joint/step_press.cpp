@@ -8,15 +8,14 @@
 #include <limits>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
 
 constexpr double kMostSamples = 20000;   // of the whole face
-constexpr double kTouchedPart = 0.15;    // of the greatest difference
-constexpr double kTouchedSd = 6.0;       // of the noise
+constexpr double kPunchedPart = 0.15;    // of the greatest difference
+constexpr double kPunchedSd = 6.0;       // of the noise
 constexpr double kMarginMm = 1.2;        // in which the skin comes back from an edge
 constexpr double kSearchMarginMm = 0.4;  // narrow: else a line aside parts as well
 constexpr int kFewest = 40;              // samples a plateau
@@ -43,13 +42,13 @@ double pitch_mm(const PressSamples& press) {
   return steps.empty() ? 0.0 : upper_median(steps);
 }
 
-/// Keeps the largest touched part, without its border.
-void keep_touched(PressSamples& press) {
+/// Keeps the largest punched part, without its border.
+void keep_punched(PressSamples& press) {
   std::vector<double> x;
   for (const Sample& sample : press.samples) x.push_back(sample.x);
   const auto top = x.begin() + static_cast<std::ptrdiff_t>(0.995 * static_cast<double>(x.size()));
   std::nth_element(x.begin(), top, x.end());
-  const double touched = std::max(kTouchedSd * press.x_sd, kTouchedPart * *top);
+  const double punched = std::max(kPunchedSd * press.x_sd, kPunchedPart * *top);
   const auto place = [&](const Sample& sample) {
     return cv::Point(static_cast<int>(std::floor(sample.pixel.x() / press.block_px)),
                      static_cast<int>(std::floor(sample.pixel.y() / press.block_px)));
@@ -60,7 +59,7 @@ void keep_touched(PressSamples& press) {
   cv::Mat mask(last.y + 3, last.x + 3, CV_8UC1, cv::Scalar(0)), labels, stats, centres;
   const cv::Point frame(1, 1);
   for (const Sample& sample : press.samples)
-    if (sample.x > touched) mask.at<std::uint8_t>(place(sample) + frame) = 255;
+    if (sample.x > punched) mask.at<std::uint8_t>(place(sample) + frame) = 255;
   const int count = cv::connectedComponentsWithStats(mask, labels, stats, centres, 4, CV_32S);
   int largest = 0, area = 0;
   for (int i = 1; i < count; ++i)
@@ -178,11 +177,11 @@ double scatter_without(const std::vector<Searched>& samples) {
   return std::sqrt(left.squaredNorm() / static_cast<double>(samples.size()));
 }
 
-Error refused(const Press& press, std::string what) {
-  return {
-      std::move(what),
-      press.name,
-      "pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more"};
+Error refused(const Press& press, Message what) {
+  return {std::move(what),
+          press.name,
+          en::say("pressing the punch in until the skin lies on both of its levels, each 4 mm wide "
+                  "or more")};
 }
 
 }  // namespace
@@ -194,9 +193,9 @@ Result<StepSamples> find_step(const Press& press, const Face& face) {
                    {},
                    Eigen::Vector3d::Zero()};
   std::vector<Sample>& samples = step.samples.samples;
-  if (!samples.empty()) keep_touched(step.samples);
+  if (!samples.empty()) keep_punched(step.samples);
   if (samples.size() < 2 * kFewest)
-    return refused(press, "the punch touches too little of the face");
+    return refused(press, en::say("the punch touches too little of the face"));
   for (const Sample& sample : samples) step.face_normal += sample.normal;
   step.face_normal.normalize();
   const Sideways sideways(step.face_normal);
@@ -206,8 +205,8 @@ Result<StepSamples> find_step(const Press& press, const Face& face) {
     searched.push_back({sideways.of(samples[i].untouched_n), samples[i].x});
   const Parting parting = best_parting(searched);
   if (!(parting.scatter < kSeenPart * scatter_without(searched)) ||
-      !(std::abs(parting.step) > kTouchedSd * step.samples.x_sd))
-    return refused(press, "no step is to be seen");
+      !(std::abs(parting.step) > kPunchedSd * step.samples.x_sd))
+    return refused(press, en::say("no step is to be seen"));
   const auto off_mm = [&](const Sample& sample) {
     return parting.across.dot(sideways.of(sample.untouched_n)) - parting.offset_mm;
   };
@@ -218,7 +217,7 @@ Result<StepSamples> find_step(const Press& press, const Face& face) {
     step.is_lower.push_back((off_mm(sample) < 0) == (parting.step > 0));
   const auto lower = std::count(step.is_lower.begin(), step.is_lower.end(), char{1});
   if (lower < kFewest || static_cast<std::ptrdiff_t>(samples.size()) - lower < kFewest)
-    return refused(press, "one of the punch's levels touches too little of the face");
+    return refused(press, en::say("one of the punch's levels touches too little of the face"));
   return step;
 }
 

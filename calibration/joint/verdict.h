@@ -1,7 +1,7 @@
 // What a calibration is worth, in millimetres and in words.
 #pragma once
 
-#include <string>
+#include "core/message.h"
 
 namespace alltact {
 
@@ -20,7 +20,8 @@ struct Verdict {
   /// how far depth is off as a whole, as the root of the sum of their squares. With one press the
   /// error on that press.
   double error_mm = 0;
-  std::string sentence;  ///< grade, figure and what to do about it
+  Message reason;    ///< figure and what to do about it
+  Message sentence;  ///< the same behind the grade
 };
 
 /// Good up to this error, usable up to the other.

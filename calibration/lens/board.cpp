@@ -5,17 +5,16 @@
 
 #include <charconv>
 
-#include <fmt/format.h>
-
 namespace alltact {
 
 double Board::diagonal_mm() const {
   return square_mm * std::hypot(columns - 1, rows - 1);
 }
 
-std::string Board::words() const {
-  return fmt::format(
-      "{} x {} {}", columns, rows, pattern == BoardPattern::kDots ? "dots" : "inner corners");
+Message Board::words() const {
+  const Message counted =
+      pattern == BoardPattern::kDots ? en::say("dots") : en::say("inner corners");
+  return en::say("{} x {} {}", columns, rows, counted);
 }
 
 Status set_board_size(Board& board, std::string_view text) {
@@ -29,10 +28,9 @@ Status set_board_size(Board& board, std::string_view text) {
   const int rows = cross < text.size() ? side(text.substr(cross + 1)) : 0;
   for (const int count : {columns, rows})
     if (count < 3 || count > 100)
-      return Error{
-          fmt::format("'{}' is no board; it takes two counts from 3 to 100", printable(text)),
-          "--board",
-          "9x6 for nine inner corners in a row and six rows"};
+      return Error{en::say("'{}' is no board; it takes two counts from 3 to 100", printable(text)),
+                   std::string("--board"),
+                   en::say("9x6 for nine inner corners in a row and six rows")};
   board.columns = columns;
   board.rows = rows;
   return {};
@@ -47,7 +45,8 @@ Result<BoardView> find_board(const cv::Mat& grey, const Board& board) {
     if (view) view->edge_px = edge_width_px(grey, view->pixels);
     return view;
   } catch (const cv::Exception& problem) {
-    return Error{"the board finder gave up: " + problem.err, "", "another picture"};
+    return Error{
+        en::say("the board finder gave up: {}", problem.err), "", en::say("another picture")};
   }
 }
 

@@ -25,7 +25,7 @@ struct Board {
 
   [[nodiscard]] double diagonal_mm() const;
   /// "6 x 6 inner corners".
-  [[nodiscard]] std::string words() const;
+  [[nodiscard]] Message words() const;
 };
 
 /// "9x6" as columns and rows. Error: something else.

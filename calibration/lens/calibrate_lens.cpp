@@ -5,18 +5,16 @@
 #include "calibration/lens/odd_views.h"
 #include "core/numerics/median.h"
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
 Error too_few(std::size_t count) {
-  return {fmt::format("only {} different views of the board are left, {} are needed at least",
-                      count,
-                      kFewestViews),
+  return {en::say("only {} different views of the board are left, {} are needed at least",
+                  count,
+                  kFewestViews),
           "",
-          fmt::format("{} pictures or more, with the board tilted and in all parts of the picture",
-                      kEnoughViews)};
+          en::say("{} pictures or more, with the board tilted and in all parts of the picture",
+                  kEnoughViews)};
 }
 
 LensViewReport& report_of(LensCalibration& calibration, const std::string& name) {
@@ -25,7 +23,7 @@ LensViewReport& report_of(LensCalibration& calibration, const std::string& name)
                        [&](const LensViewReport& report) { return report.name == name; });
 }
 
-void put_aside(LensCalibration& calibration, std::size_t index, const std::string& reason) {
+void put_aside(LensCalibration& calibration, std::size_t index, const Message& reason) {
   const auto at = static_cast<std::ptrdiff_t>(index);
   report_of(calibration, calibration.used[index].name).put_aside = reason;
   calibration.used.erase(calibration.used.begin() + at);
@@ -62,7 +60,7 @@ void put_repeats_aside(LensCalibration& calibration, cv::Size size) {
     if (calibration.used.begin() + static_cast<std::ptrdiff_t>(i) == same) {
       ++i;
     } else {
-      put_aside(calibration, i, fmt::format("shows the board just where {} shows it", same->name));
+      put_aside(calibration, i, en::say("shows the board just where {} shows it", same->name));
     }
   }
 }
@@ -76,7 +74,7 @@ Status start(LensCalibration& calibration, cv::Size size, CameraModel model) {
   for (std::size_t i = 0; i < calibration.used.size();) {
     const auto poses = poses_of(calibration.used[i], camera);
     if (poses.empty()) {
-      put_aside(calibration, i, "no flat board can look so");
+      put_aside(calibration, i, en::say("no flat board can look so"));
       continue;
     }
     calibration.fit.poses.push_back(poses.front());
@@ -109,7 +107,7 @@ Status fit_with_ladder(LensCalibration& calibration, LensFitOptions& options, co
     LensFit begin = calibration.fit;
     if (coefficients == 0) begin.lens.distortion.clear();
     auto fit = fit_lens(calibration.used, begin, options, job);
-    if (job.stop_requested()) return Error{"stopped before the lens was known", "", ""};
+    if (job.stop_requested()) return Error{en::say("stopped before the lens was known"), "", ""};
     if (fit) {
       const auto camera = Camera::create(fit->lens);
       if (camera) {
@@ -117,7 +115,7 @@ Status fit_with_ladder(LensCalibration& calibration, LensFitOptions& options, co
         return {};
       }
       problem = camera.error();
-      problem.advice = "views that reach into the picture's corners, or another --model";
+      problem.advice = en::say("views that reach into the picture's corners, or another --model");
     } else {
       problem = fit.error();
     }
@@ -212,9 +210,9 @@ void judge(LensCalibration& calibration,
            const LensFitOptions& options,
            const Job& job) {
   const LensFit& fit = calibration.fit;
-  job.report(0.6, "leaving views out");
+  job.report(0.6, en::say("leaving views out"));
   calibration.held_out = cross_validate(calibration.used, fit, options, job);
-  job.report(0.9, "comparing halves");
+  job.report(0.9, en::say("comparing halves"));
   calibration.halves =
       difference_of_halves(calibration.used, fit, options, settings.distance_mm, job);
   calibration.coverage = coverage_of(calibration.used, fit);
@@ -239,19 +237,20 @@ void remark(LensCalibration& calibration, const LensFitOptions& options, const J
   const int most = ladder(calibration.fit.lens.model).front();
   if (options.coefficients < most)
     calibration.remarks.push_back(
-        fmt::format("with {} coefficients of distortion the lens folds over inside the picture or "
-                    "stays undetermined; {} are used",
-                    most,
-                    options.coefficients));
-  if (const std::string shape = board_problem(calibration.used, calibration.fit, options, job);
+        en::say("with {} coefficients of distortion the lens folds over inside the picture or "
+                "stays undetermined; {} are used",
+                most,
+                options.coefficients));
+  if (const Message shape = board_problem(calibration.used, calibration.fit, options, job);
       !shape.empty())
     calibration.remarks.push_back(shape);
   if (calibration.fit.sigma_px > 0.5)
-    calibration.remarks.push_back(fmt::format(
+    calibration.remarks.push_back(en::say(
         "corners scatter by {:.2f} px; good boards give 0.2 or less: look at focus, motion, and "
         "whether the board is flat",
         calibration.fit.sigma_px));
-  if (job.stop_requested()) calibration.remarks.push_back("stopped before everything was judged");
+  if (job.stop_requested())
+    calibration.remarks.push_back(en::say("stopped before everything was judged"));
 }
 
 }  // namespace
@@ -260,30 +259,30 @@ const std::vector<Setting<LensSettings>>& lens_settings() {
   using S = LensSettings;
   static const std::vector<Setting<S>> table{
       choice_setting<S, BoardPattern>("pattern",
-                                      "What is printed on the board",
+                                      en::say("What is printed on the board"),
                                       &S::pattern,
                                       {{"chessboard", BoardPattern::kChessboard},
                                        {"charuco", BoardPattern::kCharuco},
                                        {"dots", BoardPattern::kDots}}),
       choice_setting<S, CameraModel>(
           "model",
-          "brown up to about 120 degrees of view, fisheye beyond",
+          en::say("brown up to about 120 degrees of view, fisheye beyond"),
           &S::model,
           {{"brown", CameraModel::kBrown}, {"fisheye", CameraModel::kFisheye}}),
       number_setting<S, double>("distance-mm",
-                                "Distance of the finger, at which errors are told in mm",
+                                en::say("Distance of the finger, at which errors are told in mm"),
                                 &S::distance_mm,
                                 1.0,
                                 10000.0),
       choice_setting<S, MarkerDictionary>("dictionary",
-                                          "ChArUco: the markers' family",
+                                          en::say("ChArUco: the markers' family"),
                                           &S::dictionary,
                                           {{"4x4", MarkerDictionary::k4x4},
                                            {"5x5", MarkerDictionary::k5x5},
                                            {"6x6", MarkerDictionary::k6x6},
                                            {"original", MarkerDictionary::kOriginal}}),
       number_setting<S, double>("marker-part",
-                                "ChArUco: a marker's side as part of a square's",
+                                en::say("ChArUco: a marker's side as part of a square's"),
                                 &S::marker_part,
                                 0.2,
                                 0.95)};
@@ -342,15 +341,15 @@ Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
   put_repeats_aside(calibration, size);
   if (calibration.used.size() < kFewestViews) {
     if (calibration.used.size() == 1)
-      return Error{fmt::format("all {} views show the board in the same place", given),
+      return Error{en::say("all {} views show the board in the same place", given),
                    "",
-                   "move and tilt the board, or the camera, between pictures"};
+                   en::say("move and tilt the board, or the camera, between pictures")};
     return too_few(calibration.used.size());
   }
-  job.report(0, "looking for a first lens");
+  job.report(0, en::say("looking for a first lens"));
   if (const Status status = start(calibration, size, settings.model); !status)
     return status.error();
-  job.report(0.2, "fitting the lens");
+  job.report(0.2, en::say("fitting the lens"));
   LensFitOptions options;
   if (const Status status = fit_without_odd_views(calibration, options, job); !status)
     return status.error();

@@ -28,10 +28,10 @@ inline constexpr int kFewestViews = 3;
 struct LensViewReport {
   std::string name;
   int corners = 0;
-  int left_out = 0;       ///< corners that are outliers
-  double error_px = 0;    ///< root mean square of one coordinate of the corners used
-  double tilt_deg = 0;    ///< angle between board and line of sight, 0: straight
-  std::string put_aside;  ///< why this view is not used; empty: it is
+  int left_out = 0;     ///< corners that are outliers
+  double error_px = 0;  ///< root mean square of one coordinate of the corners used
+  double tilt_deg = 0;  ///< angle between board and line of sight, 0: straight
+  Message put_aside;    ///< why this view is not used; empty: it is
 };
 
 struct LensCalibration {
@@ -43,7 +43,7 @@ struct LensCalibration {
   LensCoverage coverage;
   double focal_sd_part = 0;  ///< from the covariance, or from views left out where they say more
   Verdict verdict;
-  std::vector<std::string> remarks;  ///< what the user should know
+  std::vector<Message> remarks;  ///< what the user should know
 
   [[nodiscard]] double focal_sd_px() const { return focal_sd_part * fit.lens.fx_px; }
 };

@@ -1,5 +1,6 @@
 #include "calibration/lens/find_board.h"
 
+#include "core/grey_range.h"
 #include "core/numerics/median.h"
 
 #include <fmt/format.h>
@@ -93,20 +94,22 @@ bool spans_a_plane(const std::vector<Eigen::Vector3d>& points) {
 
 }  // namespace
 
-Error no_board(const cv::Mat& grey, const Board& board, std::string_view pattern) {
+Error no_board(const cv::Mat& grey, const Board& board, const Message& pattern) {
   cv::Scalar mean, sd;
   cv::meanStdDev(grey, mean, sd);
-  const double white =
-      static_cast<double>(cv::countNonZero(grey >= 250)) / static_cast<double>(grey.total());
-  Error error{fmt::format("no {} with {} can be seen", pattern, board.words()), "", ""};
+  const double white = static_cast<double>(cv::countNonZero(grey >= kClippedFrom)) /
+                       static_cast<double>(grey.total());
+  Error error{en::say("no {} with {} can be seen", pattern, board.words()), "", ""};
   if (sd[0] < 12) {
-    error.what += "; the picture has hardly any contrast";
-    error.advice = "more light, and the board in focus";
+    error.what = en::clauses({error.what, en::say("the picture has hardly any contrast")});
+    error.advice = en::say("more light, and the board in focus");
   } else if (white > 0.3) {
-    error.what += "; a large part of the picture is white without detail";
-    error.advice = "a shorter exposure";
+    error.what =
+        en::clauses({error.what, en::say("a large part of the picture is white without detail")});
+    error.advice = en::say("a shorter exposure");
   } else {
-    error.advice = "the whole board in the picture, with its white border, sharp and evenly lit";
+    error.advice =
+        en::say("the whole board in the picture, with its white border, sharp and evenly lit");
   }
   return error;
 }
@@ -144,7 +147,7 @@ double edge_width_px(const cv::Mat& grey, const std::vector<Eigen::Vector2d>& pi
 Result<BoardView> find_chessboard(const cv::Mat& grey, const Board& board) {
   std::vector<cv::Point2f> corners;
   if (!find_corners(grey, {board.columns, board.rows}, corners))
-    return no_board(grey, board, "chessboard");
+    return no_board(grey, board, en::say("chessboard"));
   return whole_view(board, corners);
 }
 
@@ -161,19 +164,19 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
   std::vector<int> marker_ids;
   cv::aruco::detectMarkers(grey, dictionary, markers, marker_ids);
   if (markers.empty()) {
-    Error error = no_board(grey, board, "ChArUco board");
-    error.what += "; not one of its markers";
+    Error error = no_board(grey, board, en::say("ChArUco board"));
+    error.what = en::clauses({error.what, en::say("not one of its markers")});
     return error;
   }
   std::vector<cv::Point2f> corners;
   std::vector<int> ids;
   cv::aruco::interpolateCornersCharuco(markers, marker_ids, grey, charuco, corners, ids);
   if (static_cast<int>(corners.size()) < kFewestCorners)
-    return Error{fmt::format("only {} of the ChArUco board's corners can be seen, {} are needed",
-                             corners.size(),
-                             kFewestCorners),
+    return Error{en::say("only {} of the ChArUco board's corners can be seen, {} are needed",
+                         corners.size(),
+                         kFewestCorners),
                  "",
-                 "more of the board in the picture, sharp and evenly lit"};
+                 en::say("more of the board in the picture, sharp and evenly lit")};
   // Its markers stand in the squares around: up to them.
   refine(grey, corners, 0.5 * (1 - board.marker_part));
   BoardView view;
@@ -183,9 +186,9 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
     view.pixels.emplace_back(corners[i].x, corners[i].y);
   }
   if (!spans_a_plane(view.board_mm))
-    return Error{"only corners in one line of the ChArUco board can be seen",
+    return Error{en::say("only corners in one line of the ChArUco board can be seen"),
                  "",
-                 "more of the board in the picture"};
+                 en::say("more of the board in the picture")};
   return view;
 }
 

@@ -17,6 +17,6 @@ namespace alltact {
 [[nodiscard]] double half_spacing_px(const std::vector<Eigen::Vector2d>& pixels);
 
 /// "no ... can be seen", with what the picture itself says of the reason.
-[[nodiscard]] Error no_board(const cv::Mat& grey, const Board& board, std::string_view pattern);
+[[nodiscard]] Error no_board(const cv::Mat& grey, const Board& board, const Message& pattern);
 
 }  // namespace alltact

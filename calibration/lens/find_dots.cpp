@@ -3,7 +3,6 @@
 #include "core/numerics/median.h"
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
@@ -160,7 +159,7 @@ Result<BoardView> find_dots(const cv::Mat& grey, const Board& board) {
   cv::Mat dark_dots = grey;
   if (!find_grid(dark_dots, board, centres)) {
     cv::bitwise_not(grey, dark_dots);
-    if (!find_grid(dark_dots, board, centres)) return no_board(grey, board, "dot grid");
+    if (!find_grid(dark_dots, board, centres)) return no_board(grey, board, en::say("dot grid"));
   }
   BoardView view;
   std::vector<double> parts;
@@ -168,9 +167,9 @@ Result<BoardView> find_dots(const cv::Mat& grey, const Board& board) {
     const Eigen::Matrix2d spacing = spacing_at(centres, board, i);
     const auto dot = measured(dark_dots, centres[static_cast<std::size_t>(i)], spacing);
     if (!dot)
-      return Error{"a dot of the grid lies at the picture's border or has no contrast",
+      return Error{en::say("a dot of the grid lies at the picture's border or has no contrast"),
                    "",
-                   "the whole board in the picture, evenly lit"};
+                   en::say("the whole board in the picture, evenly lit")};
     // The ratio of two areas is the same in every affine view.
     parts.push_back(std::sqrt(4 / M_PI * dot->area_px2 / std::abs(spacing.determinant())));
     view.board_mm.emplace_back(

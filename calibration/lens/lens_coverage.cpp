@@ -1,6 +1,8 @@
 #include "calibration/lens/lens_coverage.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <functional>
 
 namespace alltact {
 namespace {
@@ -25,12 +27,22 @@ Cells cells_seen(const std::vector<BoardView>& views, const LensFit& fit) {
   return seen;
 }
 
-/// Thirds of the picture of whose cells more than half were never seen.
-std::vector<std::string> places_unseen(const Cells& seen) {
-  constexpr std::array<std::array<const char*, 3>, 3> kPlaces{
-      {{"top left corner", "top edge", "top right corner"},
-       {"left edge", "middle", "right edge"},
-       {"bottom left corner", "bottom edge", "bottom right corner"}}};
+/// A third of the picture across and down.
+struct Place {
+  std::size_t down, right;
+
+  [[nodiscard]] bool is_corner() const { return down != 1 && right != 1; }
+  [[nodiscard]] Message name() const {
+    static const std::array<std::array<Message, 3>, 3> names{
+        {{en::say("top left corner"), en::say("top edge"), en::say("top right corner")},
+         {en::say("left edge"), en::say("middle"), en::say("right edge")},
+         {en::say("bottom left corner"), en::say("bottom edge"), en::say("bottom right corner")}}};
+    return names[down][right];
+  }
+};
+
+/// The thirds of whose cells more than half were never seen.
+std::vector<Place> places_unseen(const Cells& seen) {
   std::array<std::array<int, 3>, 3> count{}, unseen{};
   for (std::size_t row = 0; row < kRows; ++row)
     for (std::size_t column = 0; column < kColumns; ++column) {
@@ -38,45 +50,53 @@ std::vector<std::string> places_unseen(const Cells& seen) {
       ++count[down][column / 2];
       unseen[down][column / 2] += seen[row][column] ? 0 : 1;
     }
-  std::vector<std::string> places;
+  std::vector<Place> places;
   for (std::size_t down = 0; down < 3; ++down)
     for (std::size_t right = 0; right < 3; ++right)
-      if (2 * unseen[down][right] > count[down][right]) places.emplace_back(kPlaces[down][right]);
+      if (2 * unseen[down][right] > count[down][right]) places.push_back({down, right});
   return places;
 }
 
-bool is_corner(const std::string& place) {
-  return place.ends_with("corner");
+Message listed(const std::vector<Message>& words) {
+  if (words.size() < 2) return en::list(words);
+  const Message first = en::list({words.begin(), words.end() - 1});
+  return en::say("{} and {}", first, words.back());
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  if (words.size() < 2) return fmt::format("{}", fmt::join(words, ""));
-  const std::vector<std::string> first(words.begin(), words.end() - 1);
-  return fmt::format("{} and {}", fmt::join(first, ", "), words.back());
+/// Of 1 to kEnoughViews.
+Message number_word(int number) {
+  static const std::array words{en::say("one"),
+                                en::say("two"),
+                                en::say("three"),
+                                en::say("four"),
+                                en::say("five"),
+                                en::say("six"),
+                                en::say("seven"),
+                                en::say("eight"),
+                                en::say("nine"),
+                                en::say("ten")};
+  static_assert(words.size() == kEnoughViews);
+  return words.at(static_cast<std::size_t>(number - 1));
 }
 
-std::string number_word(int number) {
-  constexpr std::array kWords{
-      "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"};
-  const auto at = static_cast<std::size_t>(std::max(number, 0));
-  return at < kWords.size() ? kWords[at] : fmt::format("{}", number);
-}
-
-std::string advice_of(const LensCoverage& coverage, int views) {
+Message advice_of(const LensCoverage& coverage, int views) {
   const bool flat = coverage.tilted_views < 4 || coverage.untilted.size() > 1;
   int more = std::max(kEnoughViews - views, static_cast<int>(coverage.unseen.size()));
   if (flat)
     more = std::max({more, 4 - coverage.tilted_views, static_cast<int>(coverage.untilted.size())});
   if (more <= 0) return {};
-  std::string advice = fmt::format("{} more, tilted", number_word(more));
-  if (flat && !coverage.untilted.empty() && coverage.untilted.size() < 4)
-    advice += fmt::format(" {}", listed(coverage.untilted));
+  const Message number = number_word(more);
+  const bool names_ways = flat && !coverage.untilted.empty() && coverage.untilted.size() < 4;
+  const Message tilted = names_ways
+                             ? en::say("{} more, tilted {}", number, listed(coverage.untilted))
+                             : en::say("{} more, tilted", number);
+  Message where;
   if (coverage.unseen.size() > 4) {
-    advice += ", large enough to fill the picture";
+    where = en::say("large enough to fill the picture");
   } else if (!coverage.unseen.empty()) {
-    advice += fmt::format(", near the {}", listed(coverage.unseen));
+    where = en::say("near the {}", listed(coverage.unseen));
   }
-  return advice;
+  return en::list({tilted, where});
 }
 
 }  // namespace
@@ -100,7 +120,8 @@ LensCoverage coverage_of(const std::vector<BoardView>& views, const LensFit& fit
   int count = 0;
   for (const auto& row : seen) count += static_cast<int>(std::count(row.begin(), row.end(), true));
   coverage.seen_part = static_cast<double>(count) / (kColumns * kRows);
-  coverage.unseen = places_unseen(seen);
+  const std::vector<Place> unseen = places_unseen(seen);
+  for (const Place& place : unseen) coverage.unseen.push_back(place.name());
   std::array<int, 4> ways{};  // left, right, up, down
   for (std::size_t i = 0; i < views.size(); ++i) {
     const Eigen::Vector2d tilt = tilt_deg(views[i], fit.poses[i]);
@@ -113,13 +134,14 @@ LensCoverage coverage_of(const std::vector<BoardView>& views, const LensFit& fit
     if (way.y() < -0.38) ++ways[2];
     if (way.y() > 0.38) ++ways[3];
   }
-  constexpr std::array kWays{"to the left", "to the right", "up", "down"};
+  const std::array all{
+      en::say("to the left"), en::say("to the right"), en::say("up"), en::say("down")};
   for (std::size_t i = 0; i < ways.size(); ++i)
-    if (ways[i] == 0) coverage.untilted.emplace_back(kWays[i]);
+    if (ways[i] == 0) coverage.untilted.push_back(all[i]);
   const auto n = static_cast<int>(views.size());
   coverage.enough = n >= kEnoughViews && coverage.tilted_views >= 4 &&
                     coverage.untilted.size() <= 1 &&
-                    std::all_of(coverage.unseen.begin(), coverage.unseen.end(), is_corner);
+                    std::all_of(unseen.begin(), unseen.end(), std::mem_fn(&Place::is_corner));
   coverage.advice = advice_of(coverage, n);
   return coverage;
 }

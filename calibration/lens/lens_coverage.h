@@ -2,8 +2,8 @@
 #pragma once
 
 #include "calibration/lens/lens_fit.h"
+#include "core/message.h"
 
-#include <string>
 #include <vector>
 
 namespace alltact {
@@ -13,13 +13,13 @@ namespace alltact {
 [[nodiscard]] Eigen::Vector2d tilt_deg(const BoardView& view, const BoardPose& pose);
 
 struct LensCoverage {
-  double seen_part = 0;  ///< of 6 x 4 cells of the picture, those where a corner was seen
-  std::vector<std::string> unseen;    ///< thirds of the picture ("right edge", "top left corner")
-  int tilted_views = 0;               ///< by 15 degrees or more
-  std::vector<std::string> untilted;  ///< ways in which no view is tilted ("to the left", "up")
+  double seen_part = 0;           ///< of 6 x 4 cells of the picture, those where a corner was seen
+  std::vector<Message> unseen;    ///< thirds of the picture ("right edge", "top left corner")
+  int tilted_views = 0;           ///< by 15 degrees or more
+  std::vector<Message> untilted;  ///< ways in which no view is tilted ("to the left", "up")
   bool enough =
-      false;  ///< ten views, four of them tilted in three ways, no edge nor the middle unseen
-  std::string advice;  ///< "three more, tilted to the left, near the right edge"; empty: no more
+      false;       ///< ten views, four of them tilted in three ways, no edge nor the middle unseen
+  Message advice;  ///< "three more, tilted to the left, near the right edge"; empty: no more
 };
 
 /// Views needed before a lens is called well covered.

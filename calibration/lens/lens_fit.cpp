@@ -175,9 +175,10 @@ Result<LensFit> LensProblem::result() const {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * information *
                                                              scale.asDiagonal());
   if (!(freedom > 0) || !(eigen.eigenvalues()[0] > 1e-12))
-    return Error{"these views leave the lens undetermined",
-                 "",
-                 "more views, with the board tilted by 20 to 40 degrees in different directions"};
+    return Error{
+        en::say("these views leave the lens undetermined"),
+        "",
+        en::say("more views, with the board tilted by 20 to 40 degrees in different directions")};
   LensFit fit;
   fit.sigma_px = std::sqrt(sum / freedom);
   Eigen::MatrixXd covariance = fit.sigma_px * fit.sigma_px * scale.asDiagonal() *
@@ -232,10 +233,10 @@ Result<LensFit> fit_lens(const std::vector<BoardView>& views,
                          const LensFitOptions& options,
                          const Job& job) {
   const auto failed = [&]() -> Error {
-    if (job.stop_requested()) return {"stopped before the lens was known", "", ""};
-    return {"no lens could be fitted to the corners that were found",
+    if (job.stop_requested()) return {en::say("stopped before the lens was known"), "", ""};
+    return {en::say("no lens could be fitted to the corners that were found"),
             "",
-            "a flat board of the size given with --board, and views that show it tilted"};
+            en::say("a flat board of the size given with --board, and views that show it tilted")};
   };
   LensProblem problem(views, start, options);
   if (!solve_robustly(problem, job)) return failed();

@@ -119,10 +119,11 @@ Result<CameraParameters> first_lens(const std::vector<BoardView>& views,
       lens = camera->parameters();
     }
   if (!std::isfinite(best))
-    return Error{"no lens explains the corners that were found",
-                 "",
-                 "a flat board of the size given with --board; --model fisheye for a lens wider "
-                 "than 120 degrees"};
+    return Error{
+        en::say("no lens explains the corners that were found"),
+        "",
+        en::say("a flat board of the size given with --board; --model fisheye for a lens wider "
+                "than 120 degrees")};
   return lens;
 }
 

@@ -2,8 +2,6 @@
 
 #include <set>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -17,14 +15,17 @@ bool shows_the_same(const BoardView& a, const BoardView& b, cv::Size size) {
 }
 
 Error none_found(const LensViews& views, const cv::Mat& first, const Board& board) {
-  std::string what = fmt::format("no board was found in any of {} pictures", views.looked_at);
-  if (!views.refused.empty()) what += fmt::format(" (the first: {})", views.refused.front().second);
+  Message what = en::say("no board was found in any of {} pictures", views.looked_at);
+  if (!views.refused.empty())
+    what = en::say("{} (the first: {})", what, views.refused.front().second);
   if (!first.empty())
     if (const std::string other = other_size_found(first, board); !other.empty())
-      return {fmt::format("no board with {} was found, but one with {}", board.words(), other),
-              views.refused.empty() ? "" : views.refused.front().first,
-              fmt::format("--board with {}: inner corners are counted, not squares", other)};
-  return {what, "", "--board and --pattern as the board is, and the whole board in the picture"};
+      return {en::say("no board with {} was found, but one with {}", board.words(), other),
+              views.refused.empty() ? Where() : views.refused.front().first,
+              en::say("--board with {}: inner corners are counted, not squares", other)};
+  return {what,
+          "",
+          en::say("--board and --pattern as the board is, and the whole board in the picture")};
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ Result<LensViews> find_boards(Source& source,
   std::set<std::string> names;
   for (std::size_t index = 0;; ++index) {
     if (job.stop_requested())
-      return Error{"stopped while looking for boards; nothing was written", "", ""};
+      return Error{en::say("stopped while looking for boards; nothing was written"), "", ""};
     const auto next = source.next();
     if (!next) {
       const Error& error = next.error();
@@ -55,23 +56,24 @@ Result<LensViews> find_boards(Source& source,
     const Frame& frame = **next;
     if (count > 0)
       job.report(0.9 * static_cast<double>(index) / static_cast<double>(count),
-                 fmt::format("looking for the board in {}", frame.name));
+                 en::say("looking for the board in {}", frame.name));
     if (raw.empty()) {
       raw = frame.grey.size();
       first = frame.grey;
     }
     if (frame.grey.size() != raw)
-      return Error{fmt::format("is {} x {} px, the pictures before it {} x {}",
-                               frame.grey.cols,
-                               frame.grey.rows,
-                               raw.width,
-                               raw.height),
-                   frame.origin,
-                   "pictures of one camera in one mode; a lens differs with the picture's size"};
+      return Error{
+          en::say("is {} x {} px, the pictures before it {} x {}",
+                  frame.grey.cols,
+                  frame.grey.rows,
+                  raw.width,
+                  raw.height),
+          frame.origin,
+          en::say("pictures of one camera in one mode; a lens differs with the picture's size")};
     if (!names.insert(frame.name).second)
-      return Error{fmt::format("another picture is called '{}' as well", frame.name),
+      return Error{en::say("another picture is called '{}' as well", frame.name),
                    frame.origin,
-                   "giving the pictures different names"};
+                   en::say("giving the pictures different names")};
     ++views.looked_at;
     auto view = find_board(frame.grey, board);
     if (!view) {

@@ -4,17 +4,18 @@
 #include "calibration/lens/board.h"
 #include "core/camera/camera.h"
 #include "core/job.h"
+#include "core/result.h"
 #include "core/sources/source.h"
 
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace alltact {
 
 struct LensViews {
-  std::vector<BoardView> views;  ///< pixels of the pictures after orientation
-  cv::Size size;                 ///< of the pictures after orientation
-  std::vector<std::pair<std::string, std::string>> refused;  ///< picture, and why
+  std::vector<BoardView> views;                    ///< pixels of the pictures after orientation
+  cv::Size size;                                   ///< of the pictures after orientation
+  std::vector<std::pair<Where, Message>> refused;  ///< picture, and why
   std::size_t looked_at = 0;  ///< of a long recording not every picture is looked at
   std::size_t repeats = 0;    ///< of a long recording, pictures that show a board once more
 };

@@ -2,8 +2,6 @@
 
 #include "core/numerics/median.h"
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -18,18 +16,18 @@ double scatter_px(const std::vector<double>& errors_px) {
   return upper_median(errors) / 1.1774;
 }
 
-std::string why_odd(const BoardView& view,
-                    const LensFit& fit,
-                    std::size_t index,
-                    double scatter,
-                    double usual_scatter,
-                    double usual_edge_px) {
-  const std::string found = fmt::format(
+Message why_odd(const BoardView& view,
+                const LensFit& fit,
+                std::size_t index,
+                double scatter,
+                double usual_scatter,
+                double usual_edge_px) {
+  const Message found = en::say(
       "its corners lie {:.2f} px from where the lens sees them, those of the others {:.2f} px",
       scatter,
       usual_scatter);
   if (view.edge_px > kBlurred * usual_edge_px)
-    return fmt::format(
+    return en::say(
         "blurred, by motion or focus: its edges are {:.1f} px wide, those of the "
         "others {:.1f} px",
         view.edge_px,
@@ -39,15 +37,16 @@ std::string why_odd(const BoardView& view,
   BoardShape shape;
   const double flat = fit_pose(view, fit.lens, ones, flat_pose);
   const double bent = fit_pose(view, fit.lens, ones, bent_pose, &shape);
-  if (bent < 0.5 * flat) return found + "; the board is bent in it, glue it to something stiff";
+  if (bent < 0.5 * flat)
+    return en::clauses({found, en::say("the board is bent in it, glue it to something stiff")});
   const auto wrong = std::count(fit.weights[index].begin(), fit.weights[index].end(), 0.0);
   if (scatter < kOddScatter * usual_scatter)
-    return fmt::format(
+    return en::say(
         "{} of its {} corners lie elsewhere: covered, mirrored in something, or "
         "blurred",
         wrong,
         view.pixels.size());
-  return found + "; moved during the exposure, or not this board";
+  return en::clauses({found, en::say("moved during the exposure, or not this board")});
 }
 
 }  // namespace
@@ -71,10 +70,10 @@ std::vector<OddView> odd_views(const std::vector<BoardView>& views, const LensFi
   return odd;
 }
 
-std::string board_problem(const std::vector<BoardView>& views,
-                          const LensFit& fit,
-                          const LensFitOptions& options,
-                          const Job& job) {
+Message board_problem(const std::vector<BoardView>& views,
+                      const LensFit& fit,
+                      const LensFitOptions& options,
+                      const Job& job) {
   constexpr std::size_t kFewestViewsForShape = 6;
   if (views.size() < kFewestViewsForShape) return {};
   LensFitOptions with_shape = options;
@@ -93,22 +92,23 @@ std::string board_problem(const std::vector<BoardView>& views,
     const double value = std::abs(shape[static_cast<std::size_t>(i)]);
     return value > kSureSigmas * shaped->shape_sd[i] && value > least;
   };
-  std::vector<std::string> problems;
+  Message problem;
   constexpr double kLeastStretch = 0.001, kLeastBend = 0.002;  // what hardly any print keeps
   if (is_sure(0, kLeastStretch))
-    problems.push_back(fmt::format("its squares are {:.2f} % {} than they are high",
-                                   100 * std::abs(shape[0]),
-                                   shape[0] > 0 ? "wider" : "narrower"));
+    problem = en::say("its squares are {:.2f} % {} than they are high",
+                      100 * std::abs(shape[0]),
+                      shape[0] > 0 ? en::say("wider") : en::say("narrower"));
   if (is_sure(1, kLeastBend) || is_sure(2, kLeastBend) || is_sure(3, kLeastBend)) {
     const double bend = std::max({std::abs(shape[1]), std::abs(shape[2]), std::abs(shape[3])});
-    problems.push_back(fmt::format("it is bent by about {:.2g} mm from its middle to its corners",
-                                   bend * half_mm));
+    const Message bent =
+        en::say("it is bent by about {:.2g} mm from its middle to its corners", bend * half_mm);
+    problem = problem.empty() ? bent : en::say("{}, and {}", problem, bent);
   }
-  if (problems.empty()) return {};
-  return fmt::format(
+  if (problem.empty()) return {};
+  return en::say(
       "the board is not the flat, even one it is taken for: {}; with that allowed for fx would be "
       "{:.2f} instead of {:.2f} px; use a board on glass or metal",
-      fmt::join(problems, ", and "),
+      problem,
       shaped->lens.fx_px,
       fit.lens.fx_px);
 }

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "calibration/lens/lens_fit.h"
+#include "core/message.h"
 
-#include <string>
 #include <vector>
 
 namespace alltact {
 
 struct OddView {
   std::size_t index = 0;
-  std::string reason;
+  Message reason;
 };
 
 /// Views in which more than a quarter of the corners are outliers, or that scatter 2.5 times as
@@ -20,9 +20,9 @@ struct OddView {
 
 /// Fits again with a board that may be stretched and bent: what is wrong with the board itself, in
 /// words; empty when nothing is, and when fewer than six views could not tell.
-[[nodiscard]] std::string board_problem(const std::vector<BoardView>& views,
-                                        const LensFit& fit,
-                                        const LensFitOptions& options,
-                                        const Job& job);
+[[nodiscard]] Message board_problem(const std::vector<BoardView>& views,
+                                    const LensFit& fit,
+                                    const LensFitOptions& options,
+                                    const Job& job);
 
 }  // namespace alltact

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
@@ -22,7 +21,7 @@ constexpr int kMinimumPixels = 60;
 constexpr double kLeastContrast = 0.012;  // of the brightness: a tenth of a millimetre or so
 constexpr double kSurely = 5.0;           // times the scatter of what is untouched
 
-Error refuse(const Press& press, std::string what, std::string advice) {
+Error refuse(const Press& press, Message what, Message advice) {
   return {std::move(what), press.name, std::move(advice)};
 }
 
@@ -216,17 +215,18 @@ Result<BallGuess> find(const Press& press, const Face& face, const BallFinderOpt
   const auto levels = levels_of(x);
   if (!levels)
     return refuse(press,
-                  "hardly any pixel of the face could be compared with the reference",
-                  "a press and a reference of the same size in which the face is lit");
+                  en::say("hardly any pixel of the face could be compared with the reference"),
+                  en::say("a press and a reference of the same size in which the face is lit"));
   const double contrast = levels->darkest - std::max(0.0, levels->untouched);
   if (contrast < std::max(kLeastContrast, kSurely * levels->spread))
-    return refuse(press,
-                  fmt::format("nothing on the face is clearly darker than in the reference (the "
-                              "darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)",
-                              100.0 * contrast,
-                              100.0 * levels->spread),
-                  "pressing the ball in deeper, and checking that the reference shows the same "
-                  "finger in the same pose");
+    return refuse(
+        press,
+        en::say("nothing on the face is clearly darker than in the reference (the "
+                "darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)",
+                100.0 * contrast,
+                100.0 * levels->spread),
+        en::say("pressing the ball in deeper, and checking that the reference shows the same "
+                "finger in the same pose"));
   const double level = std::max(0.0, levels->untouched) + kLevel * contrast;
   cv::Mat dark = x > level;
   if (options.opening_px > 0) {
@@ -239,55 +239,54 @@ Result<BallGuess> find(const Press& press, const Face& face, const BallFinderOpt
   const auto patches = patches_of(labels, x, count);
   if (patches.empty())
     return refuse(press,
-                  fmt::format("only specks are dark, none larger than {} pixels", kMinimumPixels),
-                  "pressing the ball in deeper");
+                  en::say("only specks are dark, none larger than {} pixels", kMinimumPixels),
+                  en::say("pressing the ball in deeper"));
   if (patches.size() > 1 && patches[1].weight > options.second_contact * patches[0].weight)
     return refuse(press,
-                  fmt::format("two contacts were found, the second with {:.0f} % of the first",
-                              100.0 * patches[1].weight / patches[0].weight),
-                  "a press in which only the ball touches the face");
+                  en::say("two contacts were found, the second with {:.0f} % of the first",
+                          100.0 * patches[1].weight / patches[0].weight),
+                  en::say("a press in which only the ball touches the face"));
 
   const Rim rim = RimReader(press, x, labels, level)(patches[0].label);
   const auto circle = robust_circle(rim.points_mm);
   const auto circle_px = robust_circle(rim.points_px);
   if (!circle || !circle_px)
     return refuse(press,
-                  "the border of the dark part is no arc of a circle",
-                  "a press in which the ball lies wholly on the face");
+                  en::say("the border of the dark part is no arc of a circle"),
+                  en::say("a press in which the ball lies wholly on the face"));
   BallGuess guess;
   guess.rim_arc_deg = arc_deg(rim.points_mm, *circle);
   guess.cut_by_edge = rim.off_face > 2;
   guess.disc_px = circle_px->centre;
   guess.disc_radius_px = circle_px->radius;
   if (guess.rim_arc_deg < kMinimumRimDeg)
-    return refuse(press,
-                  fmt::format("only {:.0f} degrees of the dark disc's rim lie on the face",
-                              guess.rim_arc_deg),
-                  "a press nearer to the middle of the face");
+    return refuse(
+        press,
+        en::say("only {:.0f} degrees of the dark disc's rim lie on the face", guess.rim_arc_deg),
+        en::say("a press nearer to the middle of the face"));
   if (circle->radius > ball_radius_mm)
     return refuse(
         press,
-        fmt::format("the dark part has a radius of {:.2f} mm, more than the ball's {:g} mm",
-                    circle->radius,
-                    ball_radius_mm),
-        "checking the ball's radius, or a picture in which only the ball touches");
+        en::say("the dark part has a radius of {:.2f} mm, more than the ball's {:g} mm",
+                circle->radius,
+                ball_radius_mm),
+        en::say("checking the ball's radius, or a picture in which only the ball touches"));
   double spread = 0;
   for (const auto& p : rim.points_mm)
     spread += std::pow((p - circle->centre).norm() - circle->radius, 2);
   spread = std::sqrt(spread / static_cast<double>(rim.points_mm.size())) / circle->radius;
   const Inside inside = look_inside(press, x, *circle, level);
   if (spread > kRoughRim || inside.dark_share < kRagged || !inside.nearest)
-    return refuse(
-        press,
-        fmt::format("the dark part is no disc: its rim is off a circle by {:.0f} % of the "
-                    "radius, and {:.0f} % of the circle is dark",
-                    100.0 * spread,
-                    100.0 * inside.dark_share),
-        "a picture in which a ball, and only the ball, touches the face");
+    return refuse(press,
+                  en::say("the dark part is no disc: its rim is off a circle by {:.0f} % of the "
+                          "radius, and {:.0f} % of the circle is dark",
+                          100.0 * spread,
+                          100.0 * inside.dark_share),
+                  en::say("a picture in which a ball, and only the ball, touches the face"));
   if (inside.to_middle_mm.norm() > circle->radius)
     return refuse(press,
-                  "the middle of the dark disc lies off the face",
-                  "a press nearer to the middle of the face");
+                  en::say("the middle of the dark disc lies off the face"),
+                  en::say("a press nearer to the middle of the face"));
 
   // The 40 % contour of a cap of height h lies where the depth is about 0.4 h: r^2 = 2 R h 0.6.
   const double depth =
@@ -310,16 +309,19 @@ Result<BallGuess> find_ball(const Press& press,
                             const Face& face,
                             const BallFinderOptions& options) {
   if (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm))
-    return Error{fmt::format("a ball radius of {} mm is impossible", press.ball_radius_mm),
+    return Error{en::say("a ball radius of {} mm is impossible", press.ball_radius_mm),
                  press.name,
-                 "the radius in millimetres, as measured with callipers"};
+                 en::say("the radius in millimetres, as measured with callipers")};
   if (press.difference.x.type() != CV_32FC1 || press.difference.x.empty() ||
       press.difference.x.cols != press.shape.width_px())
-    return refuse(press, "the press has no difference picture", "taking the picture again");
+    return refuse(
+        press, en::say("the press has no difference picture"), en::say("taking the picture again"));
   try {
     return find(press, face, options);
   } catch (const cv::Exception& problem) {
-    return refuse(press, fmt::format("OpenCV failed: {}", problem.what()), "a smaller picture");
+    return refuse(press,
+                  en::say("OpenCV failed: {}", std::string(problem.what())),
+                  en::say("a smaller picture"));
   }
 }
 

@@ -7,7 +7,6 @@
 #include <cassert>
 #include <cmath>
 
-#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
@@ -101,17 +100,17 @@ Result<FramePtr> BurstSource::next() {
     if (auto alike = held.alike(); alike.size() > longest.size()) longest = std::move(alike);
   }
   if (read > 1 && longest.size() < kFewestHeld)
-    return Error{
-        fmt::format("the finger moves: no more than {} of {} frames in a row show the same",
-                    longest.size(),
-                    read),
-        burst.string(),
-        "holding ball and finger still for half a second, at a steady light"};
+    return Error{en::say("the finger moves: no more than {} of {} frames in a row show the same",
+                         longest.size(),
+                         read),
+                 burst.string(),
+                 en::say("holding ball and finger still for half a second, at a steady light")};
   auto frame = std::make_shared<Frame>(*mean_frame(longest));
   frame->name = (burst.has_stem() ? burst : burst.parent_path()).stem().string();
   frame->origin = burst.string();
-  made_of_.push_back(fmt::format(
-      "{}: the mean of {} frames held still, of {} read", frame->name, longest.size(), read));
+  made_of_.push_back(
+      en::at(Message::typed(frame->name),
+             en::say("the mean of {} frames held still, of {} read", longest.size(), read)));
   return FramePtr(std::move(frame));
 }
 

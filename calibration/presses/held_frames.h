@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/frame.h"
+#include "core/message.h"
 #include "core/result.h"
 #include "core/sources/source.h"
 
 #include <deque>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace alltact {
@@ -53,12 +53,12 @@ class BurstSource final : public Source {
   [[nodiscard]] std::optional<std::size_t> count() const override { return bursts_.size(); }
   [[nodiscard]] bool is_continuous() const override { return false; }
   /// What the frames so far were made of, a sentence each.
-  [[nodiscard]] const std::vector<std::string>& made_of() const { return made_of_; }
+  [[nodiscard]] const std::vector<Message>& made_of() const { return made_of_; }
 
  private:
   std::vector<std::filesystem::path> bursts_;
   std::size_t position_ = 0;
-  std::vector<std::string> made_of_;
+  std::vector<Message> made_of_;
 };
 
 }  // namespace alltact

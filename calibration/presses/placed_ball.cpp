@@ -47,9 +47,10 @@ Result<PlacedBall> placed_ball_from(const std::string& text) {
                           ? std::nullopt
                           : three_numbers(std::string_view(text).substr(sign + 1));
   if (!centre || !(centre->z() > 0))
-    return Error{fmt::format("'{}' does not say where a ball is", printable(text)),
-                 "",
-                 "NAME=X,Y,Z with the ball's centre in mm before the camera, as press_3=1.5,-2,48"};
+    return Error{
+        en::say("'{}' does not say where a ball is", printable(text)),
+        "",
+        en::say("NAME=X,Y,Z with the ball's centre in mm before the camera, as press_3=1.5,-2,48")};
   return PlacedBall{text.substr(0, sign), *centre};
 }
 
@@ -104,9 +105,9 @@ Result<BallGuess> guess_of_placed_ball(const Press& press,
   const auto contact = ball_on_face(press.shape, face, centre_mm, radius_mm);
   const auto outline = fit_circle(ball_outline_px(camera, centre_mm, radius_mm, kRimPoints));
   if (!contact || !(contact->depth_mm > 0) || !(contact->depth_mm < radius_mm) || !outline)
-    return Error{"the ball that was put there by hand does not touch the face",
+    return Error{en::say("the ball that was put there by hand does not touch the face"),
                  press.name,
-                 "moving its outline onto the dark disc, or having the ball found"};
+                 en::say("moving its outline onto the dark disc, or having the ball found")};
   BallGuess guess;
   guess.centre_mm = centre_mm;
   guess.contact_radius_mm = contact->radius_mm;

@@ -1,43 +1,30 @@
 #include "calibration/presses/press_yaml.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
 void refuse_unless_paired(YamlSection& top, const char* key, std::size_t count, std::size_t names) {
   if (count != names)
     top.refuse(key,
-               fmt::format("has {} entries for {} presses", count, names),
-               "one for each press, \"\" where there is nothing to say");
+               en::say("has {} entries for {} presses", count, names),
+               en::say("one for each press, \"\" where there is nothing to say"));
 }
 
-bool is_radius(double mm) {
-  return mm > 0 && mm <= kLargestBallMm;
-}
-
-bool is_length(double mm) {
-  return mm > 0 && mm <= kDeepestMm;
-}
-
-constexpr double kFarthestMm = 10000;  // of a ball from the camera
-constexpr const char* kRadiusRange = "must be above 0 and at most 1000";
-constexpr const char* kLengthRange = "must be above 0 and at most 100";
+constexpr Limits kRadiusMm{0, kLargestBallMm, true}, kLengthMm{0, kDeepestMm, true};
+constexpr Limits kPlaceMm{-10000, 10000};  // of a ball, from the camera
 
 std::vector<PlacedBall> read_placed_balls(YamlSection& top) {
   std::vector<PlacedBall> balls;
   if (!top.has("balls")) return balls;
   const auto names = top.texts("balls");
-  const auto centres = top.rows("balls_mm");
+  const auto centres = top.rows("balls_mm", kPlaceMm);
   refuse_unless_paired(top, "balls_mm", centres.size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<double>& c = centres[i];
-    const auto is_near = [](double mm) { return std::abs(mm) <= kFarthestMm; };
-    if (c.size() != 3 || !std::all_of(c.begin(), c.end(), is_near) || !(c[2] > 0))
-      top.refuse("balls_mm", "is not the centre of a ball before the camera", "x, y, z in mm");
+    if (c.size() != 3 || !(c[2] > 0))
+      top.refuse("balls_mm",
+                 en::say("is not the centre of a ball before the camera"),
+                 en::say("x, y, z in mm"));
     balls.push_back({names[i], {c[0], c[1], c[2]}});
   }
   return balls;
@@ -57,13 +44,9 @@ std::vector<OtherBall> read_other_balls(YamlSection& top) {
   std::vector<OtherBall> balls;
   if (!top.has("other_balls")) return balls;
   const auto names = top.texts("other_balls");
-  const auto radii_mm = top.numbers("other_balls_mm");
+  const auto radii_mm = top.numbers("other_balls_mm", kRadiusMm);
   refuse_unless_paired(top, "other_balls_mm", radii_mm.size(), names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!is_radius(radii_mm[i]))
-      top.refuse("other_balls_mm", kRadiusRange, "the balls' radii in mm");
-    balls.push_back({names[i], radii_mm[i]});
-  }
+  for (std::size_t i = 0; i < names.size(); ++i) balls.push_back({names[i], radii_mm[i]});
   return balls;
 }
 
@@ -71,12 +54,14 @@ std::vector<PressDepth> read_depths(YamlSection& top) {
   std::vector<PressDepth> depths;
   if (!top.has("depths")) return depths;
   const auto names = top.texts("depths");
-  const auto rows = top.rows("depths_mm");
+  const auto rows = top.rows("depths_mm", kLengthMm);
   refuse_unless_paired(top, "depths_mm", rows.size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<double>& row = rows[i];
-    if (row.size() != 2 || !is_length(row[0]) || !is_length(row[1]))
-      top.refuse("depths_mm", kLengthRange, "a depth and its standard deviation in mm");
+    if (row.size() != 2)
+      top.refuse("depths_mm",
+                 en::say("must hold two numbers for each press"),
+                 en::say("a depth and its standard deviation in mm"));
     depths.push_back({names[i], {row[0], row[1]}});
   }
   return depths;
@@ -86,12 +71,9 @@ std::vector<PressStep> read_steps(YamlSection& top) {
   std::vector<PressStep> steps;
   if (!top.has("steps")) return steps;
   const auto names = top.texts("steps");
-  const auto heights_mm = top.numbers("steps_mm");
+  const auto heights_mm = top.numbers("steps_mm", kLengthMm);
   refuse_unless_paired(top, "steps_mm", heights_mm.size(), names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!is_length(heights_mm[i])) top.refuse("steps_mm", kLengthRange, "the steps' heights in mm");
-    steps.push_back({names[i], heights_mm[i]});
-  }
+  for (std::size_t i = 0; i < names.size(); ++i) steps.push_back({names[i], heights_mm[i]});
   return steps;
 }
 
@@ -153,9 +135,7 @@ void add_steps(const std::vector<PressStep>& steps, YamlBlock& block) {
 }  // namespace
 
 double read_ball_radius_mm(YamlSection& top) {
-  const double radius_mm = top.number("ball_radius_mm", "the ball's radius in mm");
-  if (!is_radius(radius_mm)) top.refuse("ball_radius_mm", kRadiusRange, "the ball's radius in mm");
-  return radius_mm;
+  return top.number("ball_radius_mm", kRadiusMm);
 }
 
 SaidOfPresses read_said_of_presses(YamlSection& top) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "calibration/presses/said_of_presses.h"
-#include "core/finger/yaml_reader.h"
-#include "core/finger/yaml_writer.h"
+#include "core/yaml/yaml_reader.h"
+#include "core/yaml/yaml_writer.h"
 
 namespace alltact {
 

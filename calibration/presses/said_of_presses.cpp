@@ -82,7 +82,7 @@ Result<OtherBall> other_ball_from(const std::string& text) {
   const auto mm = parts ? length_mm(parts->rest, kLargestBallMm) : std::nullopt;
   if (!mm)
     return Error{
-        fmt::format("'{}' is not NAME=R, a press and its ball's radius in mm", printable(text)),
+        en::say("'{}' is not NAME=R, a press and its ball's radius in mm", printable(text)),
         "",
         ""};
   return OtherBall{parts->name, *mm};
@@ -93,9 +93,9 @@ std::string to_text(const OtherBall& ball) {
 }
 
 Result<PressDepth> press_depth_from(const std::string& text) {
-  const Error wrong{fmt::format("'{}' is not NAME=MM+-SD, a press, how deep its ball was pressed "
-                                "in and how well that is known, in mm",
-                                printable(text)),
+  const Error wrong{en::say("'{}' is not NAME=MM+-SD, a press, how deep its ball was pressed "
+                            "in and how well that is known, in mm",
+                            printable(text)),
                     "",
                     ""};
   const auto parts = named(text);
@@ -122,9 +122,9 @@ Result<PressStep> press_step_from(const std::string& text) {
   const auto parts = named(text);
   const auto mm = parts ? length_mm(parts->rest, kDeepestMm) : std::nullopt;
   if (!mm)
-    return Error{fmt::format("'{}' is not NAME=MM, a press and the height of its punch's step in "
-                             "mm",
-                             printable(text)),
+    return Error{en::say("'{}' is not NAME=MM, a press and the height of its punch's step in "
+                         "mm",
+                         printable(text)),
                  "",
                  ""};
   return PressStep{parts->name, *mm};

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -71,23 +69,24 @@ double MotionCoverage::covered() const {
   return seen / all;
 }
 
-std::vector<std::string> MotionCoverage::missing() const {
-  std::vector<std::string> words;
-  const auto say = [&](const char* what, double reached, double need, const char* unit) {
+std::vector<Message> MotionCoverage::missing() const {
+  std::vector<Message> words;
+  const Message mm = en::say("mm"), degrees = en::say("degrees");
+  const auto ask = [&](const Message& what, double reached, double need, const Message& unit) {
     if (reached < kReached * need)
       words.push_back(
-          fmt::format("{}: {:.1f} of {:.1f} {} reached", what, std::max(0.0, reached), need, unit));
+          en::at(what, en::say("{:.1f} of {:.1f} {} reached", std::max(0.0, reached), need, unit)));
   };
-  say("bend it further away from the camera", bend_.most, need_.bend_mm, "mm");
-  say("bend it further towards the camera", -bend_.least, need_.bend_mm, "mm");
-  say("push its tip further to one side", sway_.most, need_.sway_mm, "mm");
-  say("push its tip further to the other side", -sway_.least, need_.sway_mm, "mm");
-  say("twist it further one way", twist_.most, need_.twist_deg, "degrees");
-  say("twist it further the other way", -twist_.least, need_.twist_deg, "degrees");
+  ask(en::say("bend it further away from the camera"), bend_.most, need_.bend_mm, mm);
+  ask(en::say("bend it further towards the camera"), -bend_.least, need_.bend_mm, mm);
+  ask(en::say("push its tip further to one side"), sway_.most, need_.sway_mm, mm);
+  ask(en::say("push its tip further to the other side"), -sway_.least, need_.sway_mm, mm);
+  ask(en::say("twist it further one way"), twist_.most, need_.twist_deg, degrees);
+  ask(en::say("twist it further the other way"), -twist_.least, need_.twist_deg, degrees);
   if (words.empty() && covered() < kEnough)
     words.push_back(
-        fmt::format("bend it while its tip is pushed aside: {:.0f} % of the combinations were seen",
-                    100.0 * covered()));
+        en::say("bend it while its tip is pushed aside: {:.0f} % of the combinations were seen",
+                100.0 * covered()));
   return words;
 }
 

@@ -1,12 +1,12 @@
 // How far a recording bends the finger, against what grasping needs.
 #pragma once
 
+#include "core/message.h"
 #include "core/sensing/face/face_shape.h"
 #include "core/sensing/markers/markers.h"
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -58,7 +58,7 @@ class MotionCoverage {
   /// Part of the cells, corners left out, in which there is a frame.
   [[nodiscard]] double covered() const;
   /// What is still to be done, in words, the most important first; empty when all is covered.
-  [[nodiscard]] std::vector<std::string> missing() const;
+  [[nodiscard]] std::vector<Message> missing() const;
 
  private:
   MotionNeed need_;

@@ -7,14 +7,10 @@
 
 #include <limits>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
 constexpr double kMostResidualPx = 3.0;
-constexpr const char* kTooLittleFace =
-    "too little of the face is seen to tell the pose by its shape";
 
 const std::vector<Dot>& dots_of(const FrameDots& frame, Polarity polarity) {
   return polarity == Polarity::kBright ? frame.bright : frame.dark;
@@ -133,7 +129,7 @@ Eigen::MatrixXd layouts_of(const Rows& rows) {
 }
 
 // Why the rows could not be had: what a frame shows at the median.
-std::string too_few_dots(const std::vector<FrameDots>& frames, Polarity polarity, int per_row) {
+Message too_few_dots(const std::vector<FrameDots>& frames, Polarity polarity, int per_row) {
   std::vector<double> upper, lower;
   for (const FrameDots& frame : frames) {
     if (!frame.problem.empty()) continue;
@@ -144,7 +140,7 @@ std::string too_few_dots(const std::vector<FrameDots>& frames, Polarity polarity
     lower.push_back(static_cast<double>(dots.size()) - static_cast<double>(above));
   }
   const double above = upper_median(upper), below = upper_median(lower);
-  return fmt::format(
+  return en::say(
       "a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but "
       "no two rows of up to {} that keep their places on the finger",
       above,
@@ -171,14 +167,14 @@ void number_all(const std::vector<FrameDots>& frames,
     const auto& dots = dots_of(frames[i], out.polarity);
     auto markers = model.number(dots);
     if (!markers) {
-      out.problems[i] = fmt::format("{} dots were found but they fit no pose of the {} markers",
-                                    dots.size(),
-                                    model.present_count());
+      out.problems[i] = en::say("{} dots were found but they fit no pose of the {} markers",
+                                dots.size(),
+                                model.present_count());
     } else if (2 * seen_count(*markers) < model.present_count()) {
       out.problems[i] =
-          fmt::format("only {} of {} markers found", seen_count(*markers), model.present_count());
+          en::say("only {} of {} markers found", seen_count(*markers), model.present_count());
     } else if (const double residual = model.residual_px(*markers); residual > kMostResidualPx) {
-      out.problems[i] = fmt::format("the markers lie {:.1f} px from where they can be", residual);
+      out.problems[i] = en::say("the markers lie {:.1f} px from where they can be", residual);
     } else {
       out.markers[i] = std::move(markers);
     }
@@ -225,7 +221,7 @@ bool number_by_dots(const std::vector<FrameDots>& frames,
     return false;
   }
   if (present < kFewestMarkers) {
-    out.no_markers = fmt::format("of {} markers none may be hidden", present);
+    out.no_markers = en::say("of {} markers none may be hidden", present);
     return false;
   }
   out.missing = rows.missing;
@@ -250,11 +246,11 @@ bool number_by_dots(const std::vector<FrameDots>& frames,
 }
 
 Error no_face(const std::vector<FrameDots>& frames) {
-  return {frames.empty() || frames.front().problem.empty()
-              ? "no frame shows the face"
-              : "no frame shows the face: " + frames.front().problem,
-          "recording",
-          "a recording in which both long edges of the bright face are visible"};
+  const Message what = en::say("no frame shows the face");
+  return {frames.empty() || frames.front().problem.empty() ? what
+                                                           : en::at(what, frames.front().problem),
+          en::say("recording"),
+          en::say("a recording in which both long edges of the bright face are visible")};
 }
 
 // By places of the face, in every frame that shows it.
@@ -281,7 +277,8 @@ Result<void> number_by_shape(const std::vector<FrameDots>& frames, NumberedRecor
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (!out.markers[i]) continue;
     out.markers[i] = model->complete(std::move(*out.markers[i]));
-    if (!out.markers[i]) out.problems[i] = kTooLittleFace;
+    if (!out.markers[i])
+      out.problems[i] = en::say("too little of the face is seen to tell the pose by its shape");
   }
   out.marker_noise_px = model->noise_px();
   return {};

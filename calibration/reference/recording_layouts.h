@@ -2,12 +2,12 @@
 #pragma once
 
 #include "core/finger/finger.h"
+#include "core/message.h"
 #include "core/result.h"
 #include "core/sensing/markers/markers.h"
 #include "core/sensing/reference/pose_places.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace alltact {
@@ -15,18 +15,18 @@ namespace alltact {
 /// What was found in one frame, in either polarity.
 struct FrameDots {
   std::vector<Dot> bright, dark;
-  EdgeCurves curves;    ///< of the face the dots lie beside
-  std::string problem;  ///< why there is nothing; empty when the frame was read and has a face
+  EdgeCurves curves;  ///< of the face the dots lie beside
+  Message problem;    ///< why there is nothing; empty when the frame was read and has a face
 };
 
 struct NumberedRecording {
   Polarity polarity = Polarity::kBright;
   std::vector<std::optional<Markers>> markers;  ///< by frame
-  std::vector<std::string> problems;            ///< by frame, where there are no markers
+  std::vector<Message> problems;                ///< by frame, where there are no markers
   std::vector<Dot> typical;
   std::vector<int> missing;          ///< numbers that no dot has, ascending
   std::optional<PosePlaces> places;  ///< the markers are these places of the face, not dots
-  std::string no_markers;            ///< with places: why there are no markers, empty: none wanted
+  Message no_markers;                ///< with places: why there are no markers, empty: none wanted
   double marker_noise_px = 0;  ///< how far a marker typically lies from what the others tell of it
 };
 

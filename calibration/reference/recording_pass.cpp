@@ -8,8 +8,6 @@
 
 #include <system_error>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -75,13 +73,14 @@ Result<RecordingPass> read_recording(Source& source,
   std::size_t kept_bytes = 0;
   for (;;) {
     if (job.stop_requested())
-      return Error{"stopped before the recording was read", video.parent_path().string(), ""};
+      return Error{
+          en::say("stopped before the recording was read"), video.parent_path().string(), ""};
     const auto frame = source.next();
     if (frame && !*frame) break;
     const std::size_t number = pass.frames.size();
     if (total && *total > 0)
       job.report(static_cast<double>(number) / static_cast<double>(*total),
-                 fmt::format("reading frame {} of {}", number + 1, *total));
+                 en::say("reading frame {} of {}", number + 1, *total));
     if (!frame) {
       pass.frames.push_back({{}, {}, {}, frame.error().what});
       pass.in_video.push_back(-1);
@@ -90,12 +89,12 @@ Result<RecordingPass> read_recording(Source& source,
       if (!total && pass.written == 0 && pass.frames.size() > 100) return frame.error();
       continue;
     }
-    const auto grey = oriented_for(
-        finger.camera,
-        (*frame)->grey,
-        "the picture",
-        (*frame)->origin.empty() ? (*frame)->name : (*frame)->origin,
-        "a recording made with this finger's camera, or the right camera.size and orientation");
+    const auto grey = oriented_for(finger.camera,
+                                   (*frame)->grey,
+                                   en::say("the picture"),
+                                   (*frame)->origin.empty() ? (*frame)->name : (*frame)->origin,
+                                   en::say("a recording made with this finger's camera, or the "
+                                           "right camera.size and orientation"));
     if (!grey) return grey.error();
     pass.settings.add(**frame);
     pass.frames.push_back(look_at(*grey, camera, finger));
@@ -117,7 +116,8 @@ Status keep_frames(const fs::path& video, const std::vector<char>& keep, const J
   std::error_code problem;
   fs::rename(video, whole, problem);
   if (problem)
-    return Error{"the recording cannot be renamed: " + problem.message(), video.string(), ""};
+    return Error{
+        en::say("the recording cannot be renamed: {}", problem.message()), video.string(), ""};
   struct Remove {
     const fs::path& file;
     ~Remove() {
@@ -130,10 +130,10 @@ Status keep_frames(const fs::path& video, const std::vector<char>& keep, const J
   ReferenceVideo writer(video, reader->frames_per_s());
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (job.stop_requested())
-      return Error{"stopped before the recording was written", video.string(), ""};
+      return Error{en::say("stopped before the recording was written"), video.string(), ""};
     if (!keep[i]) continue;
     job.report(static_cast<double>(i) / static_cast<double>(keep.size()),
-               "writing the frames that are kept");
+               en::say("writing the frames that are kept"));
     const auto frame = reader->frame(i);
     if (!frame) return frame.error();
     if (const Status written = writer.add(**frame); !written) return written;

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
@@ -91,16 +90,16 @@ class Study {
     gap_ = static_cast<std::size_t>(std::max(1.0, std::min(most, kMostSeconds * frames_per_s)));
   }
 
-  /// `touched`: frames known to be touched take no part.
+  /// `dented`: frames known to be dented take no part.
   [[nodiscard]] StudiedFrame frame(std::size_t index,
                                    const Looked& looked,
-                                   const std::vector<char>& touched) const {
+                                   const std::vector<char>& dented) const {
     StudiedFrame studied;
     studied.number = library_.frame_numbers()[index];
     const Markers& markers = numbered_[index];
     for (std::size_t pair = 0; pair < markers.size() / 2; ++pair)
       studied.pairs.push_back(tip_place(markers, pair, looked.shape));
-    std::vector<char> without = touched;
+    std::vector<char> without = dented;
     const std::size_t first = index > gap_ ? index - gap_ : 0;
     for (std::size_t i = first; i <= index + gap_ && i < without.size(); ++i) without[i] = 1;
     if (std::count(without.begin(), without.end(), 0) < 2) return studied;
@@ -190,23 +189,23 @@ std::vector<double> limits_of(const std::vector<StudiedFrame>& frames) {
   return limits;
 }
 
-std::optional<TouchSeen> touch_in(const StudiedFrame& frame, const std::vector<double>& limits) {
-  std::optional<TouchSeen> touch;
-  if (!frame.compared) return touch;
+std::optional<DentedFrame> dent_in(const StudiedFrame& frame, const std::vector<double>& limits) {
+  std::optional<DentedFrame> dent;
+  if (!frame.compared) return dent;
   for (std::size_t zone = 0; zone < limits.size(); ++zone) {
     const auto darker = static_cast<double>(frame.darkest[zone]);
-    if (!(darker > limits[zone]) || (touch && darker < touch->darker)) continue;
-    touch = TouchSeen{darker, FaceZones().along_mm(static_cast<int>(zone))};
+    if (!(darker > limits[zone]) || (dent && darker < dent->darker)) continue;
+    dent = DentedFrame{darker, FaceZones().along_mm(static_cast<int>(zone))};
   }
-  return touch;
+  return dent;
 }
 
-/// Frames that could be compared with no other and lie between touched ones in time, or next to
-/// them, count as touched as well.
+/// Frames that could be compared with no other and lie between dented ones in time, or next to
+/// them, count as dented as well.
 void spread_to_neighbours(RecordingStudy& study) {
   const auto pass = [&](std::size_t from, std::size_t to) {
-    if (study.touched[from] && !study.touched[to] && !study.frames[to].compared)
-      study.touched[to] = study.touched[from];
+    if (study.dented[from] && !study.dented[to] && !study.frames[to].compared)
+      study.dented[to] = study.dented[from];
   };
   for (std::size_t i = 1; i < study.frames.size(); ++i) pass(i - 1, i);
   for (std::size_t i = study.frames.size(); i-- > 1;) pass(i, i - 1);
@@ -238,9 +237,10 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
     return look(*grey, camera, finger);
   };
   for (std::size_t i = 0; i < count; ++i) {
-    if (job.stop_requested()) return Error{"stopped before the recording was compared", "", ""};
+    if (job.stop_requested())
+      return Error{en::say("stopped before the recording was compared"), "", ""};
     job.report(static_cast<double>(i) / static_cast<double>(count),
-               fmt::format("comparing frame {} of {}", i + 1, count));
+               en::say("comparing frame {} of {}", i + 1, count));
     const auto looked = looked_at(i);
     if (!looked) return looked.error();
     StudiedFrame studied;
@@ -251,24 +251,24 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
   const std::vector<double> limits = limits_of(result.frames);
   std::vector<char> suspects(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    result.touched.push_back(touch_in(result.frames[i], limits));
-    suspects[i] = result.touched[i].has_value();
+    result.dented.push_back(dent_in(result.frames[i], limits));
+    suspects[i] = result.dented[i].has_value();
   }
   // Suspects are looked at again without each other: an untouched frame that was compared with
-  // touched ones is none.
+  // dented ones is none.
   for (std::size_t i = 0; i < count; ++i) {
     if (!suspects[i]) continue;
     const auto looked = looked_at(i);
     if (!looked) return looked.error();
     StudiedFrame again = study.frame(i, **looked, suspects);
     if (!again.compared) continue;
-    result.touched[i] = touch_in(again, limits);
+    result.dented[i] = dent_in(again, limits);
     result.frames[i] = std::move(again);
   }
   spread_to_neighbours(result);
   std::vector<double> errors, nearest;
   for (std::size_t i = 0; i < count; ++i) {
-    if (result.touched[i] || !result.frames[i].compared) continue;
+    if (result.dented[i] || !result.frames[i].compared) continue;
     errors.push_back(result.frames[i].error);
     nearest.push_back(result.frames[i].nearest_error);
   }

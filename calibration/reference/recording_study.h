@@ -35,8 +35,8 @@ struct FaceZones {
   [[nodiscard]] double along_mm(int zone) const { return (zone / kAcross + 0.5) * piece_mm; }
 };
 
-/// Something that pressed on the face in a frame.
-struct TouchSeen {
+/// A frame in which something pressed on the face: its darkest patch.
+struct DentedFrame {
   double darker = 0;    ///< 0.1: by 10 %
   double along_mm = 0;  ///< from the base
 };
@@ -44,18 +44,18 @@ struct TouchSeen {
 struct RecordingStudy {
   std::vector<StudiedFrame> frames;  ///< by the library's index
   /// By the library's index: something pressed on the face.
-  std::vector<std::optional<TouchSeen>> touched;
-  /// Over the frames that are not touched: what references of this recording are off by in
+  std::vector<std::optional<DentedFrame>> dented;
+  /// Over the frames that are not dented: what references of this recording are off by in
   /// brightness, as parts of it.
   double error_median = 0, error_p95 = 0;
   double nearest_error_median = 0;
 };
 
 /// Compares every frame with the local regression over the others, leaving out those taken shortly
-/// before and after, which show the same pose and the same touch (an eighth of the recording, at
-/// most two seconds of it). A frame counts as touched where a patch is darker by 3 % and by far
+/// before and after, which show the same pose and the same dent (an eighth of the recording, at
+/// most two seconds of it). A frame counts as dented where a patch is darker by 4 % and by far
 /// more than patches of its zone typically are (the dark end of a finger is told less well), also
-/// when no other touched frame has part in its reference. `numbered`: the markers of the library's
+/// when no other dented frame has part in its reference. `numbered`: the markers of the library's
 /// frames, by index. Errors: a stopped job; a frame that cannot be read.
 [[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                                      const std::vector<Markers>& numbered,

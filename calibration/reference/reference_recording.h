@@ -4,12 +4,12 @@
 #include "calibration/reference/motion_coverage.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
+#include "core/message.h"
 #include "core/result.h"
 #include "core/sources/source.h"
 
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace alltact {
@@ -17,11 +17,11 @@ namespace alltact {
 struct ReferenceReport {
   int frames_read = 0;
   int frames_kept = 0;
-  std::vector<std::string> rejected;  ///< "frame 17: only 5 of 12 markers found", ...
-  std::vector<std::string> remarks;
-  std::vector<std::string> warnings;  ///< sentences: settings of camera and light that do not fit
-  double median_step_px = 0;          ///< mean marker distance from a frame to its nearest other
-  int repeated = 0;                   ///< frames left out because others show the same pose
+  std::vector<Message> rejected;  ///< "frame 17: only 5 of 12 markers found", ...
+  std::vector<Message> remarks;
+  std::vector<Message> warnings;  ///< sentences: settings of camera and light that do not fit
+  double median_step_px = 0;      ///< mean marker distance from a frame to its nearest other
+  int repeated = 0;               ///< frames left out because others show the same pose
   /// What references made from this recording are off by: half of the frames by less than the
   /// first, 95 % by less than the second. Parts of the brightness, and what that is in depth, by
   /// the finger's mapping or, before there is one, by that of a usual layer.
@@ -71,9 +71,17 @@ inline constexpr const char* kReferenceProblem = "reference.problem.png";
                                                         const Job& job,
                                                         const ReferenceChoices& choices = {});
 
-/// A flat sensor's one untouched picture: copied into the folder as reference.png. Gives warnings
-/// as above.
-[[nodiscard]] Result<std::vector<std::string>> install_flat_reference(
-    const std::filesystem::path& picture, const std::filesystem::path& folder, Finger& finger);
+/// Of a flat sensor.
+struct UntouchedPicture {
+  cv::Mat grey;          ///< CV_8UC1, as the camera gave it
+  std::string controls;  ///< what camera and light were set to; empty: not told
+  Where origin;          ///< for errors
+};
+[[nodiscard]] Result<UntouchedPicture> read_untouched_picture(const std::filesystem::path& file);
+
+/// A flat sensor's one untouched picture: written into the folder as reference.png; `finger` is
+/// changed and not saved. Gives warnings as above.
+[[nodiscard]] Result<std::vector<Message>> install_flat_reference(
+    const UntouchedPicture& picture, const std::filesystem::path& folder, Finger& finger);
 
 }  // namespace alltact

@@ -2,24 +2,28 @@
 #pragma once
 
 #include "core/finger/finger.h"
+#include "core/message.h"
 #include "core/sources/frame_settings.h"
 
-#include <string>
 #include <vector>
 
 namespace alltact {
+
+/// Keys of Finger::provenance.
+inline constexpr const char* kReferenceSettings = "reference_settings";
+inline constexpr const char* kPressSettings = "press_settings";
 
 enum class RecordingKind { kReference = 1, kPresses };
 
 /// Writes the settings of camera and light to provenance (reference_settings or press_settings), or
 /// removes what is there when the pictures told none. Returns a sentence where settings changed on
 /// the way, and where reference and presses differ: brightness is compared between them.
-[[nodiscard]] std::vector<std::string> record_settings(const SettingsSeen& seen,
-                                                       RecordingKind kind,
-                                                       Finger& finger);
+[[nodiscard]] std::vector<Message> record_settings(const SettingsSeen& seen,
+                                                   RecordingKind kind,
+                                                   Finger& finger);
 
 /// A sentence where a frame's settings are not those of the presses that the finger was calibrated
 /// with (of its reference where these told none); else empty.
-[[nodiscard]] std::string other_settings_than_stored(const Frame& frame, const Finger& finger);
+[[nodiscard]] Message other_settings_than_stored(const Frame& frame, const Finger& finger);
 
 }  // namespace alltact

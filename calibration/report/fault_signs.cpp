@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 namespace alltact {
 
-std::vector<std::string> fault_signs(const std::vector<PressSign>& presses) {
-  std::vector<std::string> signs;
+std::vector<Message> fault_signs(const std::vector<PressSign>& presses) {
+  std::vector<Message> signs;
   if (presses.empty()) return signs;
   const auto n = static_cast<double>(presses.size());
   double mean = 0, squares = 0;
@@ -17,23 +15,24 @@ std::vector<std::string> fault_signs(const std::vector<PressSign>& presses) {
     squares += (press.light_change - mean) * (press.light_change - mean);
   const double sd = n > 1 ? std::sqrt(squares / (n - 1)) : 0.0;
   if (presses.size() > 2 && sd > kUnsteadyLight) {
-    signs.push_back(fmt::format(
+    signs.push_back(en::say(
         "the brightness of the untouched face changes from press to press (standard deviation "
         "{:.1f} %): exposure or gain is automatic, or the room's light gets in; lock them, shade "
         "the finger and press again",
         100 * sd));
   } else if (std::abs(mean) > kOtherLight) {
-    signs.push_back(fmt::format(
+    const Message how = mean > 0 ? en::say("brighter") : en::say("darker");
+    signs.push_back(en::say(
         "the untouched face is {:.1f} % {} in all presses than in the reference: the light, the "
         "exposure or the gain has changed between them; depth is corrected for it as far as it is "
         "smooth, but let the lamps warm up and record the reference again",
         100 * std::abs(mean),
-        mean > 0 ? "brighter" : "darker"));
+        how));
   }
   const auto unknown = std::count_if(
       presses.begin(), presses.end(), [](const PressSign& press) { return !press.known_pose; });
   if (2 * unknown > static_cast<std::ptrdiff_t>(presses.size()))
-    signs.push_back(fmt::format(
+    signs.push_back(en::say(
         "in {} of {} presses the finger is bent in a way that the reference recording does not "
         "hold, or it has moved in its mount since: record a reference that bends as far, or press "
         "with less bending",

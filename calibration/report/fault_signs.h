@@ -13,7 +13,8 @@
 // it (press_check.h).
 #pragma once
 
-#include <string>
+#include "core/message.h"
+
 #include <vector>
 
 namespace alltact {
@@ -28,6 +29,6 @@ inline constexpr double kOtherLight = 0.02;     ///< mean of all presses
 inline constexpr double kUnsteadyLight = 0.01;  ///< standard deviation of three presses and more
 
 /// A sentence without full stop for each sign, most serious first; empty where there is none.
-[[nodiscard]] std::vector<std::string> fault_signs(const std::vector<PressSign>& presses);
+[[nodiscard]] std::vector<Message> fault_signs(const std::vector<PressSign>& presses);
 
 }  // namespace alltact

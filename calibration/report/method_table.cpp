@@ -13,7 +13,7 @@ MethodRow row_of(CalibrationMethod method, const Calibration& made, const Calibr
   for (const BallFit& ball : made.balls) row.press_depth_mm += ball.depth_mm / row.presses;
   const auto mapping = Mapping::create(made.mapping), reads = Mapping::create(joint.mapping);
   if (!mapping || !reads) {
-    row.failed = "no mapping came of it";
+    row.failed = en::say("no mapping came of it");
     return row;
   }
   const double x = std::min(mapping->x_max(), reads->x_max());

@@ -3,8 +3,8 @@
 
 #include "calibration/joint/calibrate.h"
 #include "calibration/presses/press.h"
+#include "core/message.h"
 
-#include <string>
 #include <vector>
 
 namespace alltact {
@@ -17,7 +17,7 @@ struct MethodRow {
   double residual_mm = 0;     ///< mean absolute, of its own mapping on its own balls
   double at_depth_mm = 0;     ///< what it reads where the joint method's mapping reads...
   double joint_depth_mm = 0;  ///< ...this, which lies within both domains
-  std::string failed;         ///< why there is no mapping
+  Message failed;             ///< why there is no mapping
 };
 
 /// `joint` is the solution of calibrate() for these presses; the paper's method, a circle and a

@@ -8,8 +8,6 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -96,10 +94,11 @@ std::vector<ZoneError> zone_errors(const std::vector<PressResiduals>& residuals,
                                    FaceKind kind) {
   const bool flat = kind == FaceKind::kFlat;
   std::array<ZoneError, 5> zones;
-  const std::array<const char*, 5> names =
-      flat ? std::array{"left", "middle", "right", "upper half", "lower half"}
-           : std::array{"base", "middle", "tip", "upper half", "lower half"};
-  for (std::size_t i = 0; i < zones.size(); ++i) zones[i].zone = names[i];
+  zones[0].zone = flat ? en::say("left") : en::say("base");
+  zones[1].zone = en::say("middle");
+  zones[2].zone = flat ? en::say("right") : en::say("tip");
+  zones[3].zone = en::say("upper half");
+  zones[4].zone = en::say("lower half");
   for (const PressResiduals& press : residuals) {
     const auto ball = std::find_if(calibration.balls.begin(),
                                    calibration.balls.end(),
@@ -119,18 +118,16 @@ std::vector<ZoneError> zone_errors(const std::vector<PressResiduals>& residuals,
   return {zones.begin(), zones.end()};
 }
 
-std::string zone_sentence(const std::vector<ZoneError>& zones) {
-  std::string text;
-  for (const ZoneError& zone : zones) {
-    if (!text.empty()) text += ", ";
-    text += zone.error_mm ? fmt::format("{} {:.3f} mm ({} press{})",
-                                        zone.zone,
-                                        *zone.error_mm,
-                                        zone.presses,
-                                        zone.presses == 1 ? "" : "es")
-                          : zone.zone + " unknown: no press there";
-  }
-  return text;
+Message zone_sentence(const std::vector<ZoneError>& zones) {
+  std::vector<Message> all;
+  for (const ZoneError& zone : zones)
+    all.push_back(zone.error_mm ? en::count("{1} {2:.3f} mm ({0} presses)",
+                                            "{1} {2:.3f} mm ({0} press)",
+                                            zone.presses,
+                                            zone.zone,
+                                            *zone.error_mm)
+                                : en::say("{} unknown: no press there", zone.zone));
+  return en::list(all);
 }
 
 }  // namespace alltact

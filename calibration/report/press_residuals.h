@@ -4,6 +4,7 @@
 
 #include "calibration/joint/calibrate.h"
 #include "calibration/presses/press.h"
+#include "core/message.h"
 
 #include <optional>
 #include <string>
@@ -45,7 +46,7 @@ struct PressResiduals {
 
 /// The error of the presses in one part of the face.
 struct ZoneError {
-  std::string zone;                ///< "base", "upper half", ...
+  Message zone;                    ///< "base", "upper half", ...
   int presses = 0;                 ///< whose middle lies there
   std::optional<double> error_mm;  ///< mean, left out or (one press only) own; absent: no press
 };
@@ -57,6 +58,6 @@ struct ZoneError {
                                                  FaceKind kind);
 
 /// "base 0.004 mm (2 presses), middle 0.003 mm (1 press), tip unknown: no press there".
-[[nodiscard]] std::string zone_sentence(const std::vector<ZoneError>& zones);
+[[nodiscard]] Message zone_sentence(const std::vector<ZoneError>& zones);
 
 }  // namespace alltact

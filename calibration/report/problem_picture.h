@@ -26,7 +26,8 @@ struct ProblemScene {
   cv::Mat grey;      ///< CV_8UC1, not empty
   EdgeCurves edges;  ///< of the face; empty where it was not found
   std::vector<ProblemMark> marks;
-  std::vector<std::string> words;  ///< sentences below the picture
+  /// Sentences below the picture, in English: its letters are all that can be drawn.
+  std::vector<std::string> words;
   /// CV_8UC1, not 0 where the untouched face is brighter; outlined. May be empty.
   cv::Mat darker = {};
 };

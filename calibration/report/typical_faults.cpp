@@ -92,7 +92,7 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault,
   SimulatedCalibration made;
   std::vector<Press> presses;
   for (int i = 0; i < pressed->frame_count(); ++i) {
-    if (job.stop_requested()) return Error{"stopped", "", ""};
+    if (job.stop_requested()) return Error{en::say("stopped"), "", ""};
     auto frame = std::make_shared<Frame>();
     frame->grey = with_fault(pressed->render(i), fault, i);
     frame->name = fmt::format("press_{}", i);

@@ -57,7 +57,7 @@ Status add_frame(const Json& entry,
   if (!our_points) return our_points.error();
   if (our_depth->size() != depth->size() || our_points->size() != depth->size() ||
       z->size() != depth->size())
-    return Error{"results and truth are of different size", (results / name).string(), ""};
+    return Error{en::say("results and truth are of different size"), (results / name).string(), ""};
   Truth truth;
   truth.depth_mm = std::move(depth).value();
   truth.untouched_z_mm = std::move(z).value();
@@ -185,10 +185,10 @@ Result<Evaluation> evaluate_folder(const fs::path& truth_folder, const fs::path&
     }
     return evaluator.evaluation();
   } catch (const Json::exception& error) {
-    return Error{fmt::format("not as `alltact simulate` and `alltact reconstruct` write it ({})",
-                             error.what()),
-                 truth_folder.string() + " with " + results_folder.string(),
-                 "running both again"};
+    return Error{en::say("not as `alltact simulate` and `alltact reconstruct` write it ({})",
+                         std::string(error.what())),
+                 en::say("{} with {}", truth_folder, results_folder),
+                 en::say("running both again")};
   }
 }
 

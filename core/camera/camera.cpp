@@ -46,27 +46,27 @@ std::size_t coefficient_limit(CameraModel model) {
 std::optional<Error> size_problem(const CameraParameters& p) {
   for (int side : {p.width_px, p.height_px})
     if (side < 16 || side > 16384)
-      return Error{fmt::format("{} x {} px is no picture size; a side must have 16 to 16384",
-                               p.width_px,
-                               p.height_px),
-                   "camera.size",
-                   "the size of the camera's pictures, [width, height]"};
+      return Error{en::say("{} x {} px is no picture size; a side must have 16 to 16384",
+                           p.width_px,
+                           p.height_px),
+                   std::string("camera.size"),
+                   en::say("the size of the camera's pictures, [width, height]")};
   return std::nullopt;
 }
 
 std::optional<Error> scale_problem(const CameraParameters& p) {
   if (p.model == CameraModel::kOrthographic) {
     if (!(p.mm_per_px >= 1e-6 && p.mm_per_px <= 100))
-      return Error{"must be a number from 0.000001 to 100",
-                   "camera.mm_per_px",
-                   "millimetres on the object per pixel"};
+      return Error{en::say("must be a number from 0.000001 to 100"),
+                   std::string("camera.mm_per_px"),
+                   en::say("millimetres on the object per pixel")};
     return std::nullopt;
   }
   for (const auto& [value, key] : {std::pair{p.fx_px, "camera.fx"}, {p.fy_px, "camera.fy"}})
     if (!(value >= 1 && value <= 1e6))
-      return Error{"must be a number from 1 to 1000000",
-                   key,
-                   "the focal length in pixels, as 'alltact lens' finds it"};
+      return Error{en::say("must be a number from 1 to 1000000"),
+                   std::string(key),
+                   en::say("the focal length in pixels, as 'alltact lens' finds it")};
   return std::nullopt;
 }
 
@@ -74,37 +74,42 @@ std::optional<Error> centre_problem(const CameraParameters& p) {
   for (const auto& [value, side, key] : {std::tuple{p.cx_px, p.width_px, "camera.cx"},
                                          std::tuple{p.cy_px, p.height_px, "camera.cy"}})
     if (!(value >= -side && value <= 2 * side))
-      return Error{fmt::format("must be a number from {} to {}", -side, 2 * side),
-                   key,
-                   "the picture's centre, or run 'alltact lens'"};
+      return Error{en::say("must be a number from {} to {}", -side, 2 * side),
+                   std::string(key),
+                   en::say("the picture's centre, or run 'alltact lens'")};
   return std::nullopt;
 }
 
 std::optional<Error> distortion_problem(const CameraParameters& p) {
   const std::size_t limit = coefficient_limit(p.model);
-  if (p.distortion.size() > limit)
-    return Error{fmt::format("a {} camera has {} coefficients, here are {}",
-                             to_string(p.model),
-                             limit == 0 ? "no" : fmt::format("at most {}", limit),
-                             p.distortion.size()),
-                 "camera.distortion",
-                 "brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []"};
+  if (p.distortion.size() > limit) {
+    const Message allowed = limit == 0 ? en::say("no") : en::say("at most {}", limit);
+    return Error{en::say("a {} camera has {} coefficients, here are {}",
+                         std::string(to_string(p.model)),
+                         allowed,
+                         p.distortion.size()),
+                 std::string("camera.distortion"),
+                 en::say("brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []")};
+  }
   for (double k : p.distortion)
     if (!(std::abs(k) <= 1e4))
-      return Error{"holds a number that no lens has", "camera.distortion", "run 'alltact lens'"};
+      return Error{en::say("holds a number that no lens has"),
+                   std::string("camera.distortion"),
+                   en::say("run 'alltact lens'")};
   return std::nullopt;
 }
 
 std::optional<Error> port_problem(const CameraParameters& p) {
   if (!p.port) return std::nullopt;
   if (p.model == CameraModel::kOrthographic)
-    return Error{"belongs to a perspective camera; an orthographic one sees no nearer through it",
-                 "camera.port",
-                 "leave it out"};
+    return Error{
+        en::say("belongs to a perspective camera; an orthographic one sees no nearer through it"),
+        std::string("camera.port"),
+        en::say("leave it out")};
   const Status status = check_port(*p.port);
   if (status) return std::nullopt;
   Error error = status.error();
-  error.where = "camera.port." + error.where;
+  error.where = "camera.port." + error.where.english();
   return error;
 }
 
@@ -134,11 +139,11 @@ Result<Camera> Camera::create(const CameraParameters& parameters) {
     camera.max_radius_ = FisheyeDistortion(parameters.distortion).valid_angle();
   if (camera.folds_in_picture())
     return Error{
-        "the distortion folds over inside the picture: near its border two directions "
-        "would be seen in one pixel",
-        "camera.distortion",
-        "run 'alltact lens' with boards that reach into the corners, or with fewer "
-        "coefficients"};
+        en::say("the distortion folds over inside the picture: near its border two directions "
+                "would be seen in one pixel"),
+        std::string("camera.distortion"),
+        en::say("run 'alltact lens' with boards that reach into the corners, or with fewer "
+                "coefficients")};
   return camera;
 }
 
@@ -250,19 +255,19 @@ cv::Mat oriented(const cv::Mat& raw, Orientation orientation) {
 
 Result<cv::Mat> oriented_for(const CameraParameters& camera,
                              const cv::Mat& raw,
-                             std::string_view what,
-                             const std::string& where,
-                             std::string_view advice) {
+                             const Message& what,
+                             const Where& where,
+                             const Message& advice) {
   cv::Mat turned = oriented(raw, camera.orientation);
   if (turned.size() == cv::Size(camera.width_px, camera.height_px)) return turned;
-  return Error{fmt::format("{} is {} x {} px, the camera of this finger gives {} x {}",
-                           what,
-                           turned.cols,
-                           turned.rows,
-                           camera.width_px,
-                           camera.height_px),
+  return Error{en::say("{} is {} x {} px, the camera of this finger gives {} x {}",
+                       what,
+                       turned.cols,
+                       turned.rows,
+                       camera.width_px,
+                       camera.height_px),
                where,
-               std::string(advice)};
+               advice};
 }
 
 }  // namespace alltact

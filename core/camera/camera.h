@@ -95,8 +95,8 @@ class Camera {
 /// not then have the size that the camera gives. `what` names it: "the picture".
 [[nodiscard]] Result<cv::Mat> oriented_for(const CameraParameters& camera,
                                            const cv::Mat& raw,
-                                           std::string_view what,
-                                           const std::string& where,
-                                           std::string_view advice);
+                                           const Message& what,
+                                           const Where& where,
+                                           const Message& advice);
 
 }  // namespace alltact

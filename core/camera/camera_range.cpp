@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 namespace alltact {
 
 Status check_camera_range(const CameraParameters& p) {
@@ -12,9 +10,9 @@ Status check_camera_range(const CameraParameters& p) {
   if (p.model == CameraModel::kOrthographic) {
     constexpr double kLeastMm = 0.1, kMostMm = 10000;
     if (p.mm_per_px * side >= kLeastMm && p.mm_per_px * side <= kMostMm) return {};
-    return Error{fmt::format("must be a number from {:g} to {:g}", kLeastMm / side, kMostMm / side),
-                 "camera.mm_per_px",
-                 "millimetres on the object per pixel"};
+    return Error{en::say("must be a number from {:g} to {:g}", kLeastMm / side, kMostMm / side),
+                 std::string("camera.mm_per_px"),
+                 en::say("millimetres on the object per pixel")};
   }
   constexpr double kWidest = 0.05, kNarrowest = 10, kSquare = 2;
   for (const auto& [value, other, key] :
@@ -26,9 +24,9 @@ Status check_camera_range(const CameraParameters& p) {
       most = std::min(most, other * kSquare);
     }
     if (!(value >= least && value <= most))
-      return Error{fmt::format("must be a number from {:g} to {:g}", least, most),
-                   key,
-                   "the focal length in pixels, as 'alltact lens' finds it"};
+      return Error{en::say("must be a number from {:g} to {:g}", least, most),
+                   std::string(key),
+                   en::say("the focal length in pixels, as 'alltact lens' finds it")};
   }
   return {};
 }

@@ -22,13 +22,15 @@ constexpr double kSteepest = 1000;  // tangent of 89.9 degrees
 Status check_port(const FlatPort& port) {
   for (const auto& [value, key] : {std::pair{port.gap_mm, "gap_mm"}, {port.plate_mm, "plate_mm"}})
     if (!(value >= 0 && value <= 1000))
-      return Error{"must be a length from 0 to 1000 mm", key, "a caliper's reading"};
+      return Error{en::say("must be a length from 0 to 1000 mm"),
+                   std::string(key),
+                   en::say("a caliper's reading")};
   for (const auto& [value, key] :
        {std::pair{port.plate_index, "plate_index"}, {port.medium_index, "medium_index"}})
     if (!(value >= 1 && value <= 3))
-      return Error{"must be an index of refraction from 1 to 3",
-                   key,
-                   "1 for air, 1.33 water, 1.41 silicone, 1.49 acrylic, 1.52 glass"};
+      return Error{en::say("must be an index of refraction from 1 to 3"),
+                   std::string(key),
+                   en::say("1 for air, 1.33 water, 1.41 silicone, 1.49 acrylic, 1.52 glass")};
   return {};
 }
 

@@ -13,44 +13,46 @@ bool is_in(double value, double low, double high) {
 
 std::optional<Error> face_problem(const Face& face, bool is_perspective) {
   if (!(face.layer_mm > 0 && face.layer_mm <= 50))
-    return Error{"must be above 0 and at most 50",
-                 "face.layer_mm",
-                 "the thickness of the translucent layer in mm, for example 1.5"};
+    return Error{en::say("must be above 0 and at most 50"),
+                 std::string("face.layer_mm"),
+                 en::say("the thickness of the translucent layer in mm, for example 1.5")};
   if (face.kind == FaceKind::kFinRay) {
     if (!(face.width_mm > 0 && face.width_mm <= 500))
-      return Error{"must be above 0 and at most 500",
-                   "face.width_mm",
-                   "the distance between the two edges of the view face in mm"};
+      return Error{en::say("must be above 0 and at most 500"),
+                   std::string("face.width_mm"),
+                   en::say("the distance between the two edges of the view face in mm")};
     if (!is_perspective)
-      return Error{"a fin_ray needs a camera with perspective: its shape comes from it",
-                   "camera.model",
-                   "pinhole, brown or fisheye"};
+      return Error{en::say("a fin_ray needs a camera with perspective: its shape comes from it"),
+                   std::string("camera.model"),
+                   en::say("pinhole, brown or fisheye")};
     return std::nullopt;
   }
   if (!is_in(face.plane_z_mm, is_perspective ? 1e-3 : -1e4, 1e4))
     return Error{is_perspective
-                     ? "must be above 0 and at most 10000: the face lies before the camera"
-                     : "must be a number from -10000 to 10000",
-                 "face.plane_z_mm",
-                 "the distance of the face from the camera in mm"};
+                     ? en::say("must be above 0 and at most 10000: the face lies before the camera")
+                     : en::say("must be a number from -10000 to 10000"),
+                 std::string("face.plane_z_mm"),
+                 en::say("the distance of the face from the camera in mm")};
   return std::nullopt;
 }
 
 std::optional<Error> marker_problem(const MarkerRows& markers, FaceKind kind) {
   if (kind == FaceKind::kFlat) {
     if (markers.per_row == 0) return std::nullopt;
-    return Error{"a flat sensor has no markers", "markers.per_row", "remove the block 'markers'"};
+    return Error{en::say("a flat sensor has no markers"),
+                 std::string("markers.per_row"),
+                 en::say("remove the block 'markers'")};
   }
   if (!(markers.per_row >= 0 && markers.per_row <= 64))
-    return Error{"must be a whole number from 0 to 64",
-                 "markers.per_row",
-                 "the number of dots on one side face, 0 for a finger without"};
+    return Error{en::say("must be a whole number from 0 to 64"),
+                 std::string("markers.per_row"),
+                 en::say("the number of dots on one side face, 0 for a finger without")};
   int least = 0;
   for (const int number : markers.missing) {
     if (number < least || number >= 2 * markers.per_row)
-      return Error{fmt::format("must be numbers from 0 to {}, ascending", 2 * markers.per_row - 1),
-                   "markers.missing",
-                   "record the reference again"};
+      return Error{en::say("must be numbers from 0 to {}, ascending", 2 * markers.per_row - 1),
+                   std::string("markers.missing"),
+                   en::say("record the reference again")};
     least = number + 1;
   }
   return std::nullopt;
@@ -64,16 +66,16 @@ std::optional<Error> mapping_problem(const MappingParameters& parameters, double
   // Nothing so narrow was ever calibrated, and its powers of x soon are no numbers.
   constexpr double kLeastDomain = 1e-3;
   if (parameters.x_max < kLeastDomain)
-    return Error{fmt::format("must be a number from {} to {}", kLeastDomain, 1),
-                 "mapping.domain",
-                 "calibrate again"};
+    return Error{en::say("must be a number from {} to {}", kLeastDomain, 1),
+                 std::string("mapping.domain"),
+                 en::say("calibrate again")};
   constexpr double kMostLayers = 4;
   const double deepest_mm = mapping->depth_mm(mapping->x_max());
   if (deepest_mm <= kMostLayers * layer_mm) return std::nullopt;
   return Error{
-      fmt::format("gives depths up to {:.3g} mm in a layer of {:g} mm", deepest_mm, layer_mm),
-      parameters.kind == MappingKind::kMoebius ? "mapping.a_mm" : "mapping.chebyshev",
-      "calibrate again"};
+      en::say("gives depths up to {:.3g} mm in a layer of {:g} mm", deepest_mm, layer_mm),
+      std::string(parameters.kind == MappingKind::kMoebius ? "mapping.a_mm" : "mapping.chebyshev"),
+      en::say("calibrate again")};
 }
 
 std::optional<Error> record_problem(const MappingRecord& record) {
@@ -82,7 +84,8 @@ std::optional<Error> record_problem(const MappingRecord& record) {
                                    {record.spread_mm, "mapping.spread_mm"},
                                    {record.pixel_mm, "mapping.pixel_mm"}})
     if (!is_in(value, 0, 1000))
-      return Error{"must be a number from 0 to 1000", key, "calibrate again"};
+      return Error{
+          en::say("must be a number from 0 to 1000"), std::string(key), en::say("calibrate again")};
   return std::nullopt;
 }
 
@@ -91,9 +94,9 @@ std::optional<Error> file_problem(const std::string& name, const std::string& ke
   const bool leads_out = path.is_absolute() || *path.lexically_normal().begin() == "..";
   if (!name.empty() && !leads_out && path.has_filename() && name.find('\0') == std::string::npos)
     return std::nullopt;
-  return Error{fmt::format("'{}' is no file inside the finger's folder", printable(name)),
+  return Error{en::say("'{}' is no file inside the finger's folder", printable(name)),
                key,
-               "copy the file into the folder and give its name only"};
+               en::say("copy the file into the folder and give its name only")};
 }
 
 std::optional<Error> reference_problem(const ReferenceFiles& files) {
@@ -101,13 +104,13 @@ std::optional<Error> reference_problem(const ReferenceFiles& files) {
     return file_problem(files.image, "reference.image");
   if (const auto& places = files.places;
       places && !(is_in(places->from_u_px, -1e5, 1e5) && is_in(places->step_mm, 1e-3, 500)))
-    return Error{"must be a column of the picture and a step of 0.001 to 500 mm",
-                 "reference.places",
-                 "record the reference again"};
+    return Error{en::say("must be a column of the picture and a step of 0.001 to 500 mm"),
+                 std::string("reference.places"),
+                 en::say("record the reference again")};
   if (!files.image.empty())
-    return Error{"there is either a video with its markers or one picture, not both",
-                 "reference.image",
-                 "remove one of them"};
+    return Error{en::say("there is either a video with its markers or one picture, not both"),
+                 std::string("reference.image"),
+                 en::say("remove one of them")};
   if (auto problem = file_problem(files.video, "reference.video")) return problem;
   return file_problem(files.markers, "reference.markers");
 }
@@ -116,34 +119,36 @@ std::optional<Error> contact_problem(const ContactSettings& contact,
                                      int marker_count,
                                      const CameraParameters& camera) {
   if (!(contact.threshold_px > 0 && contact.threshold_px <= 1e6))
-    return Error{"must be above 0 and at most 1000000",
-                 "contact.threshold_px",
-                 "record the reference again"};
+    return Error{en::say("must be above 0 and at most 1000000"),
+                 std::string("contact.threshold_px"),
+                 en::say("record the reference again")};
   const std::string key = "contact.rest_markers";
   if (static_cast<int>(contact.rest_markers.size()) != marker_count)
-    return Error{fmt::format("holds {} positions, but there are {} markers",
-                             contact.rest_markers.size(),
-                             marker_count),
+    return Error{en::say("holds {} positions, but there are {} markers",
+                         contact.rest_markers.size(),
+                         marker_count),
                  key,
-                 "record the reference again"};
+                 en::say("record the reference again")};
   // Hidden ones are estimated, and may lie a little outside; raw pictures may be turned.
   const double side = std::max(camera.width_px, camera.height_px);
   for (const Eigen::Vector2d& marker : contact.rest_markers)
     if (!is_in(marker.x(), -side, 2 * side) || !is_in(marker.y(), -side, 2 * side))
-      return Error{"holds a position far outside the picture", key, "record the reference again"};
+      return Error{en::say("holds a position far outside the picture"),
+                   key,
+                   en::say("record the reference again")};
   return std::nullopt;
 }
 
 std::optional<Error> gripper_problem(const RigidTransform& gripper_from_camera) {
   for (const double along : gripper_from_camera.translation_mm)
     if (!is_in(along, -1e4, 1e4))
-      return Error{"must be three numbers from -10000 to 10000",
-                   "gripper_from_camera.translation_mm",
-                   "where the camera sits in the gripper, in mm"};
+      return Error{en::say("must be three numbers from -10000 to 10000"),
+                   std::string("gripper_from_camera.translation_mm"),
+                   en::say("where the camera sits in the gripper, in mm")};
   if (!is_in(gripper_from_camera.rotation.norm(), 0.999, 1.001))
-    return Error{"is no rotation: a quaternion w, x, y, z has the length 1",
-                 "gripper_from_camera.rotation",
-                 "[1.0, 0.0, 0.0, 0.0] for a camera that is not turned"};
+    return Error{en::say("is no rotation: a quaternion w, x, y, z has the length 1"),
+                 std::string("gripper_from_camera.rotation"),
+                 en::say("[1.0, 0.0, 0.0, 0.0] for a camera that is not turned")};
   return std::nullopt;
 }
 
@@ -151,7 +156,9 @@ std::optional<Error> gripper_problem(const RigidTransform& gripper_from_camera) 
 
 Status Finger::validate() const {
   if (name.empty() || name.size() > 200)
-    return Error{"must be a text of 1 to 200 letters", "name", "what is written on the finger"};
+    return Error{en::say("must be a text of 1 to 200 letters"),
+                 std::string("name"),
+                 en::say("what is written on the finger")};
   if (const Status status = check_camera_range(camera); !status) return status.error();
   const bool is_perspective = camera.model != CameraModel::kOrthographic;
   if (auto problem = face_problem(face, is_perspective)) return *problem;
@@ -160,7 +167,9 @@ Status Finger::validate() const {
     if (auto problem = mapping_problem(*mapping, face.layer_mm)) return *problem;
   if (mapping_record) {
     if (!mapping)
-      return Error{"says how a mapping was made, but there is none", "mapping", "calibrate"};
+      return Error{en::say("says how a mapping was made, but there is none"),
+                   std::string("mapping"),
+                   en::say("calibrate")};
     if (auto problem = record_problem(*mapping_record)) return *problem;
   }
   if (reference)

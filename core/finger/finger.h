@@ -65,7 +65,7 @@ struct ReferenceFiles {
 };
 
 struct ContactSettings {
-  double threshold_px = 0;                    ///< sum of marker offsets that counts as touched
+  double threshold_px = 0;  ///< sum of marker offsets that counts as a push (push.h)
   std::vector<Eigen::Vector2d> rest_markers;  ///< 2n positions of the finger at rest, px
 };
 
@@ -99,12 +99,12 @@ class Finger {
   /// with file, line, key and what would be right. Kind: unknown keys are kept (save() writes them
   /// back) and named in `warnings`. Files that are named must lie inside the folder.
   static Result<Finger> load(const std::filesystem::path& folder,
-                             std::vector<std::string>* warnings = nullptr);
+                             std::vector<Message>* warnings = nullptr);
 
   /// What load() does with the file's content; `origin` names it in errors.
   static Result<Finger> parse(const std::string& yaml,
                               const std::filesystem::path& origin,
-                              std::vector<std::string>* warnings = nullptr);
+                              std::vector<Message>* warnings = nullptr);
 
   /// Writes FOLDER/finger.yaml whole or not at all; a finger that is not valid is refused. Keys are
   /// written in the order of the format, numbers with all their digits: load, save, load gives an

@@ -112,16 +112,19 @@ ALLTACT_WIDE void moebius_depths(float a_mm,
 
 std::optional<Error> covariance_problem(const Eigen::MatrixXd& covariance, Eigen::Index wanted) {
   if (covariance.size() == 0) return std::nullopt;
-  const auto problem = [](std::string what) {
-    return Error{std::move(what), "mapping.covariance", "leave it out, or calibrate again"};
+  const auto problem = [](Message what) {
+    return Error{std::move(what),
+                 std::string("mapping.covariance"),
+                 en::say("leave it out, or calibrate again")};
   };
   if (covariance.rows() != wanted || covariance.cols() != wanted)
-    return problem(fmt::format("must be {0} rows of {0} numbers", wanted));
+    return problem(en::say("must be {0} rows of {0} numbers", wanted));
   if (!covariance.allFinite() || covariance.cwiseAbs().maxCoeff() > 1e12)
-    return problem("holds values that no covariance has");
-  if ((covariance.diagonal().array() < 0).any()) return problem("has a negative variance");
+    return problem(en::say("holds values that no covariance has"));
+  if ((covariance.diagonal().array() < 0).any()) return problem(en::say("has a negative variance"));
   const double asymmetry = (covariance - covariance.transpose()).cwiseAbs().maxCoeff();
-  if (asymmetry > 1e-9 * covariance.cwiseAbs().maxCoeff()) return problem("is not symmetric");
+  if (asymmetry > 1e-9 * covariance.cwiseAbs().maxCoeff())
+    return problem(en::say("is not symmetric"));
   return std::nullopt;
 }
 
@@ -130,31 +133,35 @@ std::optional<Error> variation_problem(const FaceVariation& variation) {
                       variation.middle_mm.allFinite() && variation.half_mm.allFinite() &&
                       variation.half_mm.minCoeff() > 0;
   if (is_one) return std::nullopt;
-  return Error{"must hold finite numbers, half_mm above 0, along and across together at most 0.5",
-               "mapping.varies",
-               "leave it out, or calibrate again"};
+  return Error{
+      en::say("must hold finite numbers, half_mm above 0, along and across together at most 0.5"),
+      std::string("mapping.varies"),
+      en::say("leave it out, or calibrate again")};
 }
 
 std::optional<Error> coefficient_problem(const MappingParameters& p) {
   if (p.kind == MappingKind::kMoebius) {
     if (!(p.a_mm > 0 && std::isfinite(p.a_mm)))
-      return Error{"must be a positive number", "mapping.a_mm", "calibrate again"};
+      return Error{en::say("must be a positive number"),
+                   std::string("mapping.a_mm"),
+                   en::say("calibrate again")};
     if (!(p.b > -1 / p.x_max && p.b <= 1e6))
-      return Error{fmt::format("must be greater than {:.6g}, where the curve has its pole, and at "
-                               "most 1000000",
-                               -1 / p.x_max),
-                   "mapping.b",
-                   "calibrate again"};
+      return Error{en::say("must be greater than {:.6g}, where the curve has its pole, and at "
+                           "most 1000000",
+                           -1 / p.x_max),
+                   std::string("mapping.b"),
+                   en::say("calibrate again")};
     return std::nullopt;
   }
   if (p.chebyshev.empty() || p.chebyshev.size() > kMaxCoefficients)
-    return Error{fmt::format("must hold 1 to {} numbers", kMaxCoefficients),
-                 "mapping.chebyshev",
-                 "calibrate again"};
+    return Error{en::say("must hold 1 to {} numbers", kMaxCoefficients),
+                 std::string("mapping.chebyshev"),
+                 en::say("calibrate again")};
   for (double c : p.chebyshev)
     if (!(std::abs(c) <= 1e6))
-      return Error{
-          "holds a number that is no coefficient in mm", "mapping.chebyshev", "calibrate again"};
+      return Error{en::say("holds a number that is no coefficient in mm"),
+                   std::string("mapping.chebyshev"),
+                   en::say("calibrate again")};
   return std::nullopt;
 }
 
@@ -178,9 +185,10 @@ Mapping::Mapping(MappingParameters parameters) : parameters_(std::move(parameter
 
 Result<Mapping> Mapping::create(MappingParameters parameters) {
   if (!(parameters.x_max > 0 && parameters.x_max <= 1))
-    return Error{"must end above 0 and at 1 or below: it is a relative difference of brightness",
-                 "mapping.domain",
-                 "calibrate again"};
+    return Error{
+        en::say("must end above 0 and at 1 or below: it is a relative difference of brightness"),
+        std::string("mapping.domain"),
+        en::say("calibrate again")};
   if (auto problem = coefficient_problem(parameters)) return *problem;
   const bool is_moebius = parameters.kind == MappingKind::kMoebius;
   if (auto problem = variation_problem(parameters.variation)) return *problem;
@@ -199,18 +207,18 @@ Result<Mapping> Mapping::create(MappingParameters parameters) {
       const double slope = mapping.slope_mm(x);
       if (!(slope > 0 && std::isfinite(slope)))
         return Error{
-            fmt::format("the curve does not rise at x = {:.4g} (slope {:.4g} mm)", x, slope),
+            en::say("the curve does not rise at x = {:.4g} (slope {:.4g} mm)", x, slope),
             key,
-            "calibrate with fewer coefficients or as moebius, or with deeper presses"};
+            en::say("calibrate with fewer coefficients or as moebius, or with deeper presses")};
     }
   }
   if (!(mapping.end_depth_mm_ > 0 && mapping.end_depth_mm_ <= kMaxDepthMm))
-    return Error{fmt::format("gives a depth of {:.4g} mm at the end of its domain; it must lie "
-                             "above 0 and below {:g} mm",
-                             mapping.end_depth_mm_,
-                             kMaxDepthMm),
+    return Error{en::say("gives a depth of {:.4g} mm at the end of its domain; it must lie "
+                         "above 0 and below {:g} mm",
+                         mapping.end_depth_mm_,
+                         kMaxDepthMm),
                  key,
-                 "calibrate again"};
+                 en::say("calibrate again")};
   return mapping;
 }
 

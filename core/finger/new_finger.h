@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/finger/finger.h"
+#include "core/result.h"
 
 #include <filesystem>
 #include <string>
@@ -20,5 +21,9 @@ struct NewFinger {
   Polarity polarity = Polarity::kAuto;
   std::optional<RigidTransform> gripper_from_camera;
 };
+
+/// Makes a finger folder and gives what lies in it. Errors: there is a finger already; the camera
+/// file or a value is wrong; the folder cannot be written.
+[[nodiscard]] Result<Finger> make_finger(const NewFinger& wanted);
 
 }  // namespace alltact

@@ -47,7 +47,7 @@ class Temporary {
   bool is_kept_ = false;
 };
 
-constexpr std::string_view kWriting = "could not write the file";
+const Message kWriting = en::say("could not write the file");
 
 /// Hidden, in the same folder and with the same ending: the ending tells encoders the format.
 fs::path temporary_name(const fs::path& file, int attempt) {
@@ -97,7 +97,8 @@ Status sync_folder(const fs::path& folder) {
   Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   // Some file systems know no fsync of a folder (EINVAL); there is nothing more to be done there.
   if (descriptor.number() < 0 || (::fsync(descriptor.number()) != 0 && errno != EINVAL))
-    return system_error("could not make sure that the folder is on the disk", folder, errno);
+    return system_error(
+        en::say("could not make sure that the folder is on the disk"), folder, errno);
   return {};
 }
 
@@ -110,9 +111,9 @@ Status replace(const fs::path& wanted,
     return system_error(kWriting, wanted, EISDIR);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::exists(folder, ignored) && !ignored)
-    return Error{fmt::format("{}: its folder does not exist", kWriting),
+    return Error{en::at(kWriting, en::say("its folder does not exist")),
                  wanted.string(),
-                 "make the folder first, or check the path for typing errors"};
+                 en::say("make the folder first, or check the path for typing errors")};
 
   auto [number, path] = create_temporary(file);
   if (number < 0) return system_error(kWriting, wanted, errno);
@@ -149,15 +150,15 @@ Status write_file_atomically(const fs::path& file,
 }
 
 Result<std::string> read_file(const fs::path& file, std::size_t limit_bytes) {
-  constexpr std::string_view kReading = "could not read the file";
+  const Message kReading = en::say("could not read the file");
   Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   if (descriptor.number() < 0) return system_error(kReading, file, errno);
   struct stat status {};
   if (::fstat(descriptor.number(), &status) != 0) return system_error(kReading, file, errno);
   if (S_ISDIR(status.st_mode)) return system_error(kReading, file, EISDIR);
-  const Error too_large{fmt::format("{}: it is larger than {} bytes", kReading, limit_bytes),
+  const Error too_large{en::at(kReading, en::say("it is larger than {} bytes", limit_bytes)),
                         file.string(),
-                        "check that it is the right file"};
+                        en::say("check that it is the right file")};
   if (static_cast<std::size_t>(status.st_size) > limit_bytes) return too_large;
 
   // The size is a hint only: pipes have none, and a file may grow while it is read.
@@ -184,7 +185,8 @@ Status make_folder(const fs::path& folder) {
   if (!error && fs::is_directory(folder, error)) return {};
   const int number = error ? error.value() : ENOTDIR;
   // A file in the way is reported in two ways, depending on where in the path it lies.
-  return system_error("could not make the folder", folder, number == EEXIST ? ENOTDIR : number);
+  return system_error(
+      en::say("could not make the folder"), folder, number == EEXIST ? ENOTDIR : number);
 }
 
 }  // namespace alltact

@@ -31,12 +31,12 @@ Result<Encoded> read_encoded(const std::filesystem::path& file) {
   if (!header) return at(file, header.error());
   const auto [width, height] = std::pair(header->width_px, header->height_px);
   if (width < 1 || height < 1 || width > kMaxSidePx || height > kMaxSidePx)
-    return Error{fmt::format("the picture says it is {} x {} px; a side must have 1 to {}",
-                             width,
-                             height,
-                             kMaxSidePx),
+    return Error{en::say("the picture says it is {} x {} px; a side must have 1 to {}",
+                         width,
+                         height,
+                         kMaxSidePx),
                  file.string(),
-                 "a smaller picture, or copy it again if that size is wrong"};
+                 en::say("a smaller picture, or copy it again if that size is wrong")};
   return Encoded{std::move(*content), *header};
 }
 
@@ -55,26 +55,27 @@ cv::Mat decode(const Encoded& encoded) {
 }
 
 Error not_decodable(const std::filesystem::path& file) {
-  return {"the picture is damaged or cut short", file.string(), "copy or record it again"};
+  return {en::say("the picture is damaged or cut short"),
+          file.string(),
+          en::say("copy or record it again")};
 }
 
 std::optional<Error> unfit_for_grey(const PictureHeader& header) {
   if (header.is_float || header.bits > 8)
-    return Error{
-        header.is_float
-            ? fmt::format("the picture has {} bits per channel (floating point); 8 are needed",
-                          header.bits)
-            : fmt::format("the picture has {} bits per channel; 8 are needed", header.bits),
-        "",
-        "the camera's 8-bit pictures"};
+    return Error{header.is_float
+                     ? en::say("the picture has {} bits per channel (floating point); 8 are needed",
+                               header.bits)
+                     : en::say("the picture has {} bits per channel; 8 are needed", header.bits),
+                 "",
+                 en::say("the camera's 8-bit pictures")};
   if (header.has_transparency)
-    return Error{"the picture has transparent parts; a camera takes none",
+    return Error{en::say("the picture has transparent parts; a camera takes none"),
                  "",
-                 "the picture as the camera took it, without an alpha channel"};
+                 en::say("the picture as the camera took it, without an alpha channel")};
   if (header.channels != 1 && header.channels != 3)
-    return Error{fmt::format("the picture has {} channels; 1 or 3 are needed", header.channels),
+    return Error{en::say("the picture has {} channels; 1 or 3 are needed", header.channels),
                  "",
-                 "the picture as the camera took it"};
+                 en::say("the picture as the camera took it")};
   return std::nullopt;
 }
 
@@ -98,11 +99,13 @@ Result<std::vector<unsigned char>> encode(const std::filesystem::path& file,
   const bool is_png = ending == ".png" && (type == CV_8UC1 || type == CV_8UC3);
   const bool is_tiff =
       (ending == ".tif" || ending == ".tiff") && (type == CV_32FC1 || type == CV_32FC3);
-  if (picture.empty() || !(is_png || is_tiff))
-    return Error{fmt::format("cannot write this kind of picture ({}) under that name",
-                             picture.empty() ? "empty" : cv::typeToString(type)),
+  if (picture.empty() || !(is_png || is_tiff)) {
+    const Message kind =
+        picture.empty() ? en::say("empty") : Message::typed(cv::typeToString(type));
+    return Error{en::say("cannot write this kind of picture ({}) under that name", kind),
                  file.string(),
-                 "'.png' for 8-bit pictures, '.tiff' for floating point"};
+                 en::say("'.png' for 8-bit pictures, '.tiff' for floating point")};
+  }
   const std::vector<int> options = is_png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 3}
                                           : std::vector<int>{cv::IMWRITE_TIFF_COMPRESSION, 1};
   std::vector<unsigned char> bytes;
@@ -111,7 +114,8 @@ Result<std::vector<unsigned char>> encode(const std::filesystem::path& file,
   } catch (const cv::Exception&) {
     // As when it returns false: no reason is given either way.
   }
-  return Error{"could not encode the picture", file.string(), "a smaller picture"};
+  return Error{
+      en::say("could not encode the picture"), file.string(), en::say("a smaller picture")};
 }
 
 }  // namespace
@@ -124,26 +128,26 @@ Result<cv::Mat> read_grey_picture(const std::filesystem::path& file, std::string
   if (picture.empty()) return not_decodable(file);
   // The decoder has the last word over what the header seemed to say.
   if (picture.type() != CV_8UC1 && picture.type() != CV_8UC3)
-    return Error{fmt::format("the picture is of a kind that cannot be used ({})",
-                             cv::typeToString(picture.type())),
+    return Error{en::say("the picture is of a kind that cannot be used ({})",
+                         std::string(cv::typeToString(picture.type()))),
                  file.string(),
-                 "8-bit grey pictures"};
+                 en::say("8-bit grey pictures")};
   if (picture.channels() == 3) {
     cv::Mat grey;
     cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
     if (const double colour = colourfulness(picture, grey); colour > kMaxColour)
-      return Error{
-          fmt::format("the picture is in colour: its channels differ from grey by {:.0f} %",
-                      100 * colour),
-          file.string(),
-          "a picture of the finger under white light"};
+      return Error{en::say("the picture is in colour: its channels differ from grey by {:.0f} %",
+                           100 * colour),
+                   file.string(),
+                   en::say("a picture of the finger under white light")};
     picture = grey;
   }
   double brightest = 0;
   cv::minMaxLoc(picture, nullptr, &brightest);
   if (brightest <= kBlack)
-    return Error{
-        "the picture is all black", file.string(), "switch on the light, or take off the lens cap"};
+    return Error{en::say("the picture is all black"),
+                 file.string(),
+                 en::say("switch on the light, or take off the lens cap")};
   if (note != nullptr) *note = note_of(encoded->content);
   return picture;
 }
@@ -165,9 +169,9 @@ Result<cv::Mat> read_float_picture(const std::filesystem::path& file) {
   const PictureHeader& header = encoded->header;
   if (header.format != PictureFormat::kTiff || !header.is_float || header.bits != 32 ||
       (header.channels != 1 && header.channels != 3))
-    return Error{"the picture is no TIFF of 32-bit floating point with 1 or 3 channels",
+    return Error{en::say("the picture is no TIFF of 32-bit floating point with 1 or 3 channels"),
                  file.string(),
-                 "a depth or points picture written by this program"};
+                 en::say("a depth or points picture written by this program")};
   cv::Mat picture = decode(*encoded);
   if (picture.empty()) return not_decodable(file);
   if (picture.type() != CV_32FC1 && picture.type() != CV_32FC3) return not_decodable(file);

@@ -8,10 +8,10 @@ namespace {
 using std::string_view_literals::operator""sv;
 
 Error truncated() {
-  return {"the picture is cut short", "", "copy or record it again"};
+  return {en::say("the picture is cut short"), "", en::say("copy or record it again")};
 }
-Error damaged(std::string_view what) {
-  return {fmt::format("the picture is damaged: {}", what), "", "copy or record it again"};
+Error damaged_picture(const Message& what) {
+  return {en::at(en::say("the picture is damaged"), what), "", en::say("copy or record it again")};
 }
 
 /// Numbers at places in a file; reading past the end gives 0 and is remembered.
@@ -48,7 +48,8 @@ Result<PictureHeader> png_header(std::string_view content) {
   Bytes bytes(content, true);
   PictureHeader header{PictureFormat::kPng};
   if (content.size() < 33) return truncated();
-  if (content.substr(12, 4) != "IHDR") return damaged("it does not begin with its header");
+  if (content.substr(12, 4) != "IHDR")
+    return damaged_picture(en::say("it does not begin with its header"));
   header.width_px = bytes.u32(16);
   header.height_px = bytes.u32(20);
   header.bits = static_cast<int>(bytes.u8(24));
@@ -62,7 +63,7 @@ Result<PictureHeader> png_header(std::string_view content) {
     const std::string_view name = content.substr(at + 4, 4);
     // Before the decoder sees it, which writes its own words on the terminal.
     if (bytes.u32(at + 8 + length) != png_check_sum(content.substr(at + 4, 4 + length)))
-      return damaged("a check sum is wrong");
+      return damaged_picture(en::say("a check sum is wrong"));
     if (name == "tRNS") header.has_transparency = true;
     if (name == "IEND") return header;
     at += 12 + length;
@@ -88,18 +89,18 @@ Result<PictureHeader> jpeg_header(std::string_view content) {
   for (std::size_t at = 2;;) {
     const std::uint32_t start = bytes.u8(at), code = bytes.u8(at + 1);
     if (bytes.is_past_end()) return truncated();
-    if (start != 0xFF) return damaged("its parts do not join");
+    if (start != 0xFF) return damaged_picture(en::say("its parts do not join"));
     if (code == 0xFF) {  // fill byte
       ++at;
       continue;
     }
     if (code == 0xD9) {  // end of image
-      if (header.width_px == 0) return damaged("it has no header");
+      if (header.width_px == 0) return damaged_picture(en::say("it has no header"));
       return header;
     }
     const std::size_t length = bytes.u16(at + 2);
     if (bytes.is_past_end() || at + 2 + length > content.size()) return truncated();
-    if (length < 2) return damaged("its parts do not join");
+    if (length < 2) return damaged_picture(en::say("its parts do not join"));
     const bool is_frame =
         code >= 0xC0 && code <= 0xCF && code != 0xC4 && code != 0xC8 && code != 0xCC;
     if (is_frame) {
@@ -121,13 +122,14 @@ Result<PictureHeader> bmp_header(std::string_view content) {
   const int bits_per_pixel = static_cast<int>(bytes.u16(28));
   const std::uint32_t compression = bytes.u32(30);
   if (bytes.is_past_end()) return truncated();
-  if (bytes.u32(14) < 40) return damaged("its header is of a kind no longer in use");
+  if (bytes.u32(14) < 40)
+    return damaged_picture(en::say("its header is of a kind no longer in use"));
   header.width_px = static_cast<std::int32_t>(bytes.u32(18));
   header.height_px = std::abs(static_cast<std::int64_t>(height));
   header.bits = 8;
   header.channels = bits_per_pixel > 8 ? 3 : 1;
   header.has_transparency = bits_per_pixel == 32;
-  if (header.width_px < 0) return damaged("its width is negative");
+  if (header.width_px < 0) return damaged_picture(en::say("its width is negative"));
   const std::size_t row =
       (static_cast<std::size_t>(header.width_px) * bits_per_pixel + 31) / 32 * 4;
   const std::size_t needed =
@@ -150,12 +152,13 @@ Result<PictureHeader> pgm_header(std::string_view content) {
     const std::size_t begin = at;
     for (; at < content.size() && content[at] >= '0' && content[at] <= '9'; ++at)
       number = std::min<std::int64_t>(10 * number + (content[at] - '0'), 1 << 30);
-    if (at == begin) return damaged("its header holds something that is no number");
+    if (at == begin)
+      return damaged_picture(en::say("its header holds something that is no number"));
   }
   header.width_px = numbers[0];
   header.height_px = numbers[1];
   header.bits = numbers[2] > 255 ? 16 : 8;
-  if (numbers[2] < 255) return damaged("its white is not 255");
+  if (numbers[2] < 255) return damaged_picture(en::say("its white is not 255"));
   const auto sample = header.channels * (header.bits / 8);
   const std::int64_t left =
       static_cast<std::int64_t>(content.size()) - static_cast<std::int64_t>(at) - 1;
@@ -220,15 +223,16 @@ Result<PictureHeader> tiff_header(std::string_view content) {
 }  // namespace
 
 Result<PictureHeader> picture_header(std::string_view content) {
-  if (content.empty()) return Error{"the file is empty", "", "copy or record it again"};
+  if (content.empty())
+    return Error{en::say("the file is empty"), "", en::say("copy or record it again")};
   if (content.starts_with("\x89PNG\r\n\x1A\n"sv)) return png_header(content);
   if (content.starts_with("\xFF\xD8\xFF"sv)) return jpeg_header(content);
   if (content.starts_with("BM")) return bmp_header(content);
   if (content.starts_with("P5") || content.starts_with("P6")) return pgm_header(content);
   if (content.starts_with("II*\0"sv) || content.starts_with("MM\0*"sv)) return tiff_header(content);
-  return Error{"the file is no picture of a kind that is known here",
+  return Error{en::say("the file is no picture of a kind that is known here"),
                "",
-               "PNG, JPEG, BMP, binary PGM or TIFF"};
+               en::say("PNG, JPEG, BMP, binary PGM or TIFF")};
 }
 
 }  // namespace alltact

@@ -210,12 +210,12 @@ Status write_surface(const std::filesystem::path& file,
       {".ply", &ply}, {".vtp", &vtp}, {".stl", &stl}, {".glb", &glb}};
   const auto writer = kWriters.find(file.extension().string());
   if (writer == kWriters.end())
-    return Error{"no surface can be written under such a name",
+    return Error{en::say("no surface can be written under such a name"),
                  file.string(),
-                 "a name that ends in .ply, .vtp, .stl or .glb"};
+                 en::say("a name that ends in .ply, .vtp, .stl or .glb")};
   const Triangles mesh = triangles_of(points_mm, depth_mm);
   if (mesh.points_mm.empty())
-    return Error{"there is no point of the face to write", file.string(), ""};
+    return Error{en::say("there is no point of the face to write"), file.string(), ""};
   return write_file_atomically(file, writer->second(mesh));
 }
 

@@ -21,12 +21,12 @@ using Archive = std::unique_ptr<zip_t, Discard>;
 
 /// What the library says, as an error about `path`.
 Error zip_failure(zip_error_t* failure, const fs::path& path) {
-  constexpr std::string_view kPacking = "could not write the archive";
+  const Message packing = en::say("could not write the archive");
   if (zip_error_system_type(failure) == ZIP_ET_SYS && zip_error_code_system(failure) != 0)
-    return system_error(kPacking, path, zip_error_code_system(failure));
-  return {fmt::format("{}: {}", kPacking, zip_error_strerror(failure)),
+    return system_error(packing, path, zip_error_code_system(failure));
+  return {en::at(packing, Message::typed(zip_error_strerror(failure))),
           path.string(),
-          "another name for the file that is meant"};
+          en::say("another name for the file that is meant")};
 }
 
 bool is_packed_already(const std::string& name) {
@@ -40,7 +40,7 @@ bool is_packed_already(const std::string& name) {
 Status check_readable(const std::vector<ZipEntry>& entries) {
   for (const ZipEntry& entry : entries)
     if (!entry.file.empty() && ::access(entry.file.c_str(), R_OK) != 0)
-      return system_error("could not read the file", entry.file, errno);
+      return system_error(en::say("could not read the file"), entry.file, errno);
   return {};
 }
 
@@ -85,8 +85,8 @@ Status pack(const fs::path& file,
 
   struct Watch {
     const Job& job;
-    std::string what;
-  } watch{job, "packing " + file.filename().string()};
+    Message what;
+  } watch{job, en::say("packing {}", file.filename())};
   zip_register_progress_callback_with_state(
       archive.get(),
       0.005,
@@ -104,7 +104,8 @@ Status pack(const fs::path& file,
       nullptr,
       &watch);
   if (zip_close(archive.get()) != 0) {
-    if (job.stop_requested()) return Error{"stopped before it was packed", file.string(), ""};
+    if (job.stop_requested())
+      return Error{en::say("stopped before it was packed"), file.string(), ""};
     return zip_failure(zip_get_error(archive.get()), file);
   }
   static_cast<void>(archive.release());  // closing took it

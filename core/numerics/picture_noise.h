@@ -1,6 +1,10 @@
 // How noisy a picture is, from the picture itself.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <span>
+
 #include <opencv2/core.hpp>
 
 namespace alltact {
@@ -10,5 +14,10 @@ namespace alltact {
 /// do not count, nor do pixels at the floor or the ceiling. At least that of quantisation
 /// (1/sqrt(12)), which is also returned when too few pixels qualify.
 [[nodiscard]] double picture_noise_sd(const cv::Mat& grey);
+
+/// Standard deviation, grey levels, of differences that are normal but for some that lie far out:
+/// from those within 3 sd, corrected for the cut. `histogram`: how many have a magnitude of 0, 1,
+/// 2, ... grey levels. At least 0.5; nullopt: fewer than 100 within 3 sd.
+[[nodiscard]] std::optional<double> sd_of_differences(std::span<const std::int64_t> histogram);
 
 }  // namespace alltact

@@ -15,7 +15,10 @@ namespace {
 
 constexpr std::string_view kFormat = "# alltact-frames/1\n";
 constexpr std::string_view kColumns = "frame,time_ns,sequence,controls\n";
-constexpr std::string_view kWriting = "could not write the recording's journal";
+
+Message writing() {
+  return en::say("could not write the recording's journal");
+}
 
 /// One line of a text, and the text moves behind it; nothing where no whole line is left.
 std::optional<std::string_view> take_line(std::string_view& text) {
@@ -70,7 +73,7 @@ Result<JournalWriter> JournalWriter::create(const std::filesystem::path& file,
   journal.file_ = file;
   journal.descriptor_ =
       ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-  if (journal.descriptor_ < 0) return system_error(kWriting, file, errno);
+  if (journal.descriptor_ < 0) return system_error(writing(), file, errno);
   std::string head(kFormat);
   head.append("# source: ").append(field(source)).append("\n").append(kColumns);
   if (Status status = journal.write(head); !status) return status.error();
@@ -101,7 +104,7 @@ Status JournalWriter::write(std::string_view text) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      const Error error = system_error(kWriting, file_, errno);
+      const Error error = system_error(writing(), file_, errno);
       // Half a line is none to a reader, should this fail.
       [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, static_cast<off_t>(bytes_));
       return error;
@@ -131,7 +134,7 @@ Status JournalWriter::remark(std::string_view sentence) {
 
 Status JournalWriter::finish() {
   if (!is_removed(descriptor_) && ::fsync(descriptor_) != 0)
-    return system_error(kWriting, file_, errno);
+    return system_error(writing(), file_, errno);
   return {};
 }
 
@@ -149,9 +152,9 @@ Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file
         !take_number(*line, entry.time_ns) || !take_number(*line, entry.sequence))
       break;
     if (!entries.empty() && entry.time_ns < entries.back().time_ns)
-      return Error{fmt::format("frame {} is older than frame {}", number, number - 1),
+      return Error{en::say("frame {} is older than frame {}", number, number - 1),
                    file.string(),
-                   "move this file away: the video's own times count then"};
+                   en::say("move this file away: the video's own times count then")};
     if (!line->empty()) {
       // The same from frame to frame, mostly: kept once.
       std::string controls = text_of(*line);

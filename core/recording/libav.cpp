@@ -13,10 +13,10 @@ extern "C" {
 namespace alltact {
 namespace {
 
-Error no_video(std::string_view what, const std::filesystem::path& file) {
-  return {std::string(what),
+Error no_video(const Message& what, const std::filesystem::path& file) {
+  return {what,
           file.string(),
-          "play it in a video player; if that fails too, record it again"};
+          en::say("play it in a video player; if that fails too, record it again")};
 }
 
 /// One component of every pixel of a row, 16 bits each.
@@ -59,12 +59,12 @@ void quiet_libav() {
   std::call_once(once, [] { av_log_set_level(AV_LOG_QUIET); });
 }
 
-Error av_error(std::string_view doing, const std::filesystem::path& file, int number) {
+Error av_error(const Message& doing, const std::filesystem::path& file, int number) {
   const int system = AVUNERROR(number);
   if (system > 0 && system < 200) return system_error(doing, file, system);
   std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
   av_strerror(number, text.data(), text.size());
-  return {fmt::format("{}: {}", doing, text.data()), file.string(), "once more"};
+  return {en::at(doing, Message::typed(text.data())), file.string(), en::say("once more")};
 }
 
 bool VideoInput::read(AVPacket& packet) const {
@@ -77,15 +77,15 @@ bool VideoInput::read(AVPacket& packet) const {
 
 Result<VideoInput> open_video_input(const std::filesystem::path& file) {
   quiet_libav();
-  constexpr std::string_view kCannot = "the video cannot be opened";
+  const Message cannot = en::say("the video cannot be opened");
   AVFormatContext* raw = nullptr;
-  if (avformat_open_input(&raw, file.c_str(), nullptr, nullptr) < 0) return no_video(kCannot, file);
+  if (avformat_open_input(&raw, file.c_str(), nullptr, nullptr) < 0) return no_video(cannot, file);
   VideoInput input{AvInput(raw), -1};
   // Matroska says all in its header; other formats must be looked into.
   if (!input.is_matroska() && avformat_find_stream_info(raw, nullptr) < 0)
-    return no_video(kCannot, file);
+    return no_video(cannot, file);
   input.stream = av_find_best_stream(raw, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
-  if (input.stream < 0) return no_video(kCannot, file);
+  if (input.stream < 0) return no_video(cannot, file);
   for (unsigned i = 0; i < raw->nb_streams; ++i)
     if (static_cast<int>(i) != input.stream) raw->streams[i]->discard = AVDISCARD_ALL;
   return input;
@@ -96,7 +96,8 @@ Result<cv::Mat> grey_of(const AVFrame& picture) {
       av_pix_fmt_desc_get(static_cast<AVPixelFormat>(picture.format));
   if (format == nullptr ||
       (format->flags & (AV_PIX_FMT_FLAG_PAL | AV_PIX_FMT_FLAG_HWACCEL | AV_PIX_FMT_FLAG_FLOAT)))
-    return Error{"its kind of picture has no brightness", "", "a grey or colour video"};
+    return Error{
+        en::say("its kind of picture has no brightness"), "", en::say("a grey or colour video")};
   cv::Mat grey(picture.height, picture.width, CV_8UC1);
   if (has_byte_plane(*format)) {
     for (int v = 0; v < grey.rows; ++v)

@@ -54,7 +54,7 @@ struct VideoInput {
 
 /// `number`: what a libav function returned, below 0. Errors of the system (disk full, ...) come
 /// out as system_error() tells them.
-[[nodiscard]] Error av_error(std::string_view doing, const std::filesystem::path& file, int number);
+[[nodiscard]] Error av_error(const Message& doing, const std::filesystem::path& file, int number);
 
 /// A decoded picture as grey, CV_8UC1, in memory of its own. Grey pictures come out as they are;
 /// of colour in luma and chroma the luma is taken, stretched to 0 to 255 where it was stored as 16

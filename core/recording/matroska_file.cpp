@@ -12,10 +12,13 @@
 namespace alltact {
 namespace {
 
-constexpr std::string_view kWriting = "could not write the video";
 constexpr int kBufferBytes = 1 << 16;
 constexpr const char* kRecordedBy = "RECORDED_BY";
 constexpr const char* kUs = "AllTact";
+
+Message writing_video() {
+  return en::say("could not write the video");
+}
 
 }  // namespace
 
@@ -47,7 +50,7 @@ struct MatroskaFile::State {
   }
 
   [[nodiscard]] Error error(int number) const {
-    return av_error(kWriting, file, error_number != 0 ? AVERROR(error_number) : number);
+    return av_error(writing_video(), file, error_number != 0 ? AVERROR(error_number) : number);
   }
   Status open(const AVCodecParameters& parameters, double frames_per_s);
   Status cut_back(int number);
@@ -78,7 +81,9 @@ Status MatroskaFile::State::open(const AVCodecParameters& parameters, double fra
   descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) return error(AVERROR(errno));
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
-    return Error{"it is being recorded or mended right now", file.string(), "another name"};
+    return Error{en::say("it is being recorded or mended right now"),
+                 file.string(),
+                 en::say("another name")};
   if (::ftruncate(descriptor, 0) != 0) return error(AVERROR(errno));
   io = avio_alloc_context(static_cast<std::uint8_t*>(av_malloc(kBufferBytes)),
                           kBufferBytes,

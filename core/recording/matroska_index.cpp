@@ -151,10 +151,12 @@ class Walk {
 
 Result<MatroskaIndex> index_matroska(const std::filesystem::path& path) {
   const File file(path);
-  if (!file.is_open()) return system_error("the video cannot be opened", path, errno);
+  if (!file.is_open()) return system_error(en::say("the video cannot be opened"), path, errno);
   const auto head = element_at(file, 0);
   if (!head || head->id != kEbmlHead)
-    return Error{"this is no Matroska file", path.string(), "check that it is the right file"};
+    return Error{en::say("this is no Matroska file"),
+                 path.string(),
+                 en::say("check that it is the right file")};
   return Walk(file).run();
 }
 

@@ -49,18 +49,19 @@ Status copy_packets(const fs::path& from,
   // Behind the last whole block lies what the crash left of the next.
   while (copied < blocks.size() && input->read(*packet) &&
          packet->pos == blocks[copied].data_bytes_at) {
-    if (job.stop_requested()) return Error{"stopped before it was mended", from.string(), ""};
+    if (job.stop_requested())
+      return Error{en::say("stopped before it was mended"), from.string(), ""};
     if (copied % 64 == 0)
       job.report(static_cast<double>(copied) / static_cast<double>(blocks.size()),
-                 "mending an interrupted recording");
+                 en::say("mending an interrupted recording"));
     av_packet_rescale_ts(packet.get(), video.time_base, {1, 1000});
     if (Status status = output->write(*packet); !status) return status;
     ++copied;
   }
   if (copied < blocks.size())
-    return Error{fmt::format("only {} of its {} frames could be read", copied, blocks.size()),
+    return Error{en::say("only {} of its {} frames could be read", copied, blocks.size()),
                  from.string(),
-                 "another copy of the recording"};
+                 en::say("another copy of the recording")};
   return output->finish();
 }
 
@@ -70,7 +71,7 @@ Status check_space(const fs::path& file) {
   const auto space = fs::space(fs::absolute(file).parent_path(), failed);
   constexpr std::uintmax_t kSpareBytes = 64 << 20;  // for whoever else writes meanwhile
   if (!failed && space.available < bytes + bytes / 64 + kSpareBytes)
-    return system_error("the interrupted recording cannot be mended", file, ENOSPC);
+    return system_error(en::say("the interrupted recording cannot be mended"), file, ENOSPC);
   return {};
 }
 
@@ -82,7 +83,9 @@ Result<bool> mend_recording(const fs::path& file, const Job& job) {
   if (!input->is_matroska() || !is_our_recording(*input->context)) return false;
   const Lock lock(file);
   if (!lock.is_held())
-    return Error{"it is being recorded or mended right now", file.string(), "wait for its end"};
+    return Error{en::say("it is being recorded or mended right now"),
+                 file.string(),
+                 en::say("wait for its end")};
   // Only now: before, its writer may have been about to finish it.
   const auto index = index_matroska(file);
   if (!index) return index.error();

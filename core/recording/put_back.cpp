@@ -15,8 +15,11 @@
 namespace alltact {
 namespace {
 
-constexpr std::string_view kPuttingBack = "could not put the recording back";
-constexpr off_t kMegabyte = 1000000;
+constexpr off_t kPutBackUnit = 1000000;  // MB
+
+Message putting_back() {
+  return en::say("could not put the recording back");
+}
 
 off_t size_of(int descriptor) {
   struct stat status {};
@@ -31,26 +34,26 @@ Status copy_all(int from, int to, const std::filesystem::path& file, const Job& 
   const off_t size = size_of(from);
   for (off_t at = 0;;) {
     if (can_stop && job.stop_requested())
-      return Error{fmt::format("stopped when {} of {} MB of the recording were put back",
-                               at / kMegabyte,
-                               size / kMegabyte),
+      return Error{en::say("stopped when {} of {} MB of the recording were put back",
+                           at / kPutBackUnit,
+                           size / kPutBackUnit),
                    file.string(),
                    ""};
     const ssize_t copied = ::sendfile(to, from, &at, kStep);
     if (copied == 0) return {};
     if (copied < 0 && errno == EINTR) continue;
-    if (copied < 0 || ::fdatasync(to) != 0) return system_error(kPuttingBack, file, errno);
-    job.report(
-        static_cast<double>(at) / static_cast<double>(std::max(at, size)),
-        fmt::format(
-            "putting the removed recording back: {} of {} MB", at / kMegabyte, size / kMegabyte));
+    if (copied < 0 || ::fdatasync(to) != 0) return system_error(putting_back(), file, errno);
+    job.report(static_cast<double>(at) / static_cast<double>(std::max(at, size)),
+               en::say("putting the removed recording back: {} of {} MB",
+                       at / kPutBackUnit,
+                       size / kPutBackUnit));
   }
 }
 
 Status bring(int from, int to, const std::filesystem::path& file, const Job& job) {
   if (::ioctl(to, FICLONE, from) != 0)
     if (Status status = copy_all(from, to, file, job); !status) return status;
-  if (::fsync(to) != 0) return system_error(kPuttingBack, file, errno);
+  if (::fsync(to) != 0) return system_error(putting_back(), file, errno);
   return {};
 }
 
@@ -67,9 +70,9 @@ Status put_back(int descriptor, const std::filesystem::path& file, const Job& jo
   // Ours is open for writing only; the same file once more, for reading.
   const int from =
       ::open(fmt::format("/proc/self/fd/{}", descriptor).c_str(), O_RDONLY | O_CLOEXEC);
-  if (from < 0) return system_error(kPuttingBack, file, errno);
+  if (from < 0) return system_error(putting_back(), file, errno);
   const int to = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  Status status = to < 0 ? system_error(kPuttingBack, file, errno) : bring(from, to, file, job);
+  Status status = to < 0 ? system_error(putting_back(), file, errno) : bring(from, to, file, job);
   ::close(from);
   if (to >= 0) ::close(to);
   return status;

@@ -41,11 +41,11 @@ std::uint64_t free_bytes_at(int descriptor) {
 }
 
 Error nearly_full(const fs::path& file, std::uint64_t free_bytes, int reserve_mb) {
-  return {fmt::format("the disk is nearly full: {} MB are left, {} MB are kept free",
-                      free_bytes / kMegabyte,
-                      reserve_mb),
+  return {en::say("the disk is nearly full: {} MB are left, {} MB are kept free",
+                  free_bytes / kMegabyte,
+                  reserve_mb),
           file.string(),
-          "free some space, or record to another disk"};
+          en::say("free some space, or record to another disk")};
 }
 
 /// Makes the file, which must be new: recordings are not written over.
@@ -53,13 +53,15 @@ Result<int> make_new(const fs::path& file) {
   const int number = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (number >= 0) return number;
   if (errno == EEXIST)
-    return Error{"there is a file already", file.string(), "another name, or remove the old one"};
+    return Error{en::say("there is a file already"),
+                 file.string(),
+                 en::say("another name, or remove the old one")};
   std::error_code failed;
   if (errno == ENOENT && !fs::exists(folder_of(file), failed))
-    return Error{"could not begin the recording: its folder does not exist",
+    return Error{en::say("could not begin the recording: its folder does not exist"),
                  file.string(),
-                 "make the folder first, or check the path for typing errors"};
-  return system_error("could not begin the recording", file, errno);
+                 en::say("make the folder first, or check the path for typing errors")};
+  return system_error(en::say("could not begin the recording"), file, errno);
 }
 
 }  // namespace
@@ -69,24 +71,25 @@ const std::vector<Setting<RecorderSettings>>& recorder_settings() {
   static const std::vector<Setting<S>> settings{
       choice_setting<S, VideoCodec>(
           "codec",
-          "how pictures are stored, all without loss: auto takes the camera's own packets (mjpeg) "
-          "where it sends such, else ffv1 where this computer keeps up with it, else magicyuv",
+          en::say("how pictures are stored, all without loss: auto takes the camera's own packets "
+                  "(mjpeg) where it sends such, else ffv1 where this computer keeps up with it, "
+                  "else magicyuv"),
           &S::codec,
           {{"auto", VideoCodec::kAuto},
            {"magicyuv", VideoCodec::kMagicYuv},
            {"ffv1", VideoCodec::kFfv1},
            {"mjpeg", VideoCodec::kMjpeg}}),
       number_setting<S>("queue-mb",
-                        "memory for frames that wait for the disk, in megabytes",
+                        en::say("memory for frames that wait for the disk, in megabytes"),
                         &S::queue_mb,
                         1,
                         64000),
-      number_setting<S>("reserve-mb",
-                        "space that is left free on the disk, in megabytes; the recording ends "
-                        "before",
-                        &S::reserve_mb,
-                        0,
-                        1000000),
+      number_setting<S>(
+          "reserve-mb",
+          en::say("space that is left free on the disk, in megabytes; the recording ends before"),
+          &S::reserve_mb,
+          0,
+          1000000),
   };
   return settings;
 }
@@ -231,7 +234,7 @@ Status Recorder::State::check_disk() {
   if (free_bytes < static_cast<std::uint64_t>(settings.reserve_mb) * kMegabyte)
     return nearly_full(file, free_bytes, settings.reserve_mb);
   if (is_removed(journal.descriptor()) || (video && is_removed(video->descriptor())))
-    return Error{"the recording was removed while it was being made", file.string(), ""};
+    return Error{en::say("the recording was removed while it was being made"), file.string(), ""};
   return {};
 }
 
@@ -249,7 +252,9 @@ Status Recorder::State::close(std::string_view why, const Job& job) {
     const std::lock_guard lock(mutex);
     counts.bytes = video->bytes();
   } else if (first) {
-    first = Error{"no frame came, so nothing was recorded", file.string(), "check the source"};
+    first = Error{en::say("no frame came, so nothing was recorded"),
+                  file.string(),
+                  en::say("check the source")};
   }
   note(journal.finish());
   if (!video) {
@@ -258,7 +263,8 @@ Status Recorder::State::close(std::string_view why, const Job& job) {
     fs::remove(journal_of(file), ignored);
   } else if (is_removed(video->descriptor())) {
     first = save_removed(
-        first ? Error{"the recording was removed at its end", file.string(), ""} : first.error(),
+        first ? Error{en::say("the recording was removed at its end"), file.string(), ""}
+              : first.error(),
         job);
   }
   return first;
@@ -271,13 +277,12 @@ Status Recorder::State::save_removed(const Error& removed, const Job& job) {
     saved = put_back(journal.descriptor(), journal_of(file), job);
   if (saved) saved = put_back(video->descriptor(), file, job);
   if (!saved)
-    return Error{
-        fmt::format("{}, and it could not be put back ({})", removed.what, saved.error().what),
-        removed.where,
-        "record again, and leave the folder alone meanwhile"};
-  return Error{removed.what + "; what was recorded until then was put back",
+    return Error{en::say("{}, and it could not be put back ({})", removed.what, saved.error().what),
+                 removed.where,
+                 en::say("record again, and leave the folder alone meanwhile")};
+  return Error{en::clauses({removed.what, en::say("what was recorded until then was put back")}),
                removed.where,
-               "leave the folder alone while it records"};
+               en::say("leave the folder alone while it records")};
 }
 
 Recorder::Recorder(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -293,7 +298,9 @@ Result<std::unique_ptr<Recorder>> Recorder::start(const fs::path& file,
                                                   std::string_view source) {
   assert(frames_per_s > 0);
   if (file.extension() != ".mkv")
-    return Error{"recordings are Matroska files", file.string(), "a name that ends in .mkv"};
+    return Error{en::say("recordings are Matroska files"),
+                 file.string(),
+                 en::say("a name that ends in .mkv")};
   const auto made = make_new(file);
   if (!made) return made.error();
   const std::uint64_t free_bytes = free_bytes_at(*made);

@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 /// others, whether decoding can begin there, and its check sum.
 using Entry = MatroskaIndex::Block;
 
-Error unreadable(std::string_view what, const fs::path& file) {
-  return {std::string(what),
+Error unreadable(const Message& what, const fs::path& file) {
+  return {what,
           file.string(),
-          "play it in a video player; if that fails too, record it again"};
+          en::say("play it in a video player; if that fails too, record it again")};
 }
 
 std::int64_t time_of(const AVPacket& packet, std::int64_t otherwise) {
@@ -58,8 +58,8 @@ std::vector<Entry> entries_by_structure(const VideoInput& input, const MatroskaI
 Result<AvPtr<AVCodecContext>> open_decoder(const AVStream& video, const fs::path& file) {
   const AVCodec* found = avcodec_find_decoder(video.codecpar->codec_id);
   if (found == nullptr)
-    return unreadable(fmt::format("the video cannot be opened: no decoder for {}",
-                                  avcodec_get_name(video.codecpar->codec_id)),
+    return unreadable(en::say("the video cannot be opened: no decoder for {}",
+                              std::string(avcodec_get_name(video.codecpar->codec_id))),
                       file);
   AvPtr<AVCodecContext> context(avcodec_alloc_context3(found));
   avcodec_parameters_to_context(context.get(), video.codecpar);
@@ -67,7 +67,7 @@ Result<AvPtr<AVCodecContext>> open_decoder(const AVStream& video, const fs::path
   context->thread_count = 2;
   context->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;  // wrong pixels are no pixels
   if (avcodec_open2(context.get(), found, nullptr) < 0)
-    return unreadable("the video cannot be opened", file);
+    return unreadable(en::say("the video cannot be opened"), file);
   return context;
 }
 
@@ -105,7 +105,7 @@ struct VideoFile::State {
   [[nodiscard]] Status add_jpeg(std::size_t number, Frame& frame);
   void tell_when(std::size_t number, Frame& frame) const;
   [[nodiscard]] Error frame_error(std::size_t number) const {
-    return unreadable(fmt::format("frame {} of the video cannot be read", number), file);
+    return unreadable(en::say("frame {} of the video cannot be read", number), file);
   }
 };
 
@@ -223,7 +223,7 @@ Result<VideoFile> VideoFile::open(const fs::path& file, const Job& job) {
   if (is_our_recording(*state->input.context))
     state->check = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   const auto& entries = state->entries;
-  if (entries.empty()) return unreadable("the video holds no frame", file);
+  if (entries.empty()) return unreadable(en::say("the video holds no frame"), file);
   state->shown.resize(entries.size());
   std::iota(state->shown.begin(), state->shown.end(), 0U);
   std::stable_sort(state->shown.begin(), state->shown.end(), [&](std::size_t a, std::size_t b) {

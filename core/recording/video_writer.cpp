@@ -7,10 +7,13 @@
 namespace alltact {
 namespace {
 
-constexpr std::string_view kEncoding = "could not encode the picture";
 constexpr double kFfv1Share = 0.4;  // of a frame's time; the rest is for everyone else
 constexpr int kSlices = 4;
 constexpr int kSmallestSliced = 32;  // px; smaller pictures cannot be cut into slices
+
+Message encoding() {
+  return en::say("could not encode the picture");
+}
 
 /// Grey pictures to packets, one each, without delay.
 class Encoder {
@@ -19,9 +22,10 @@ class Encoder {
     const bool is_ffv1 = codec == VideoCodec::kFfv1;
     const AVCodec* found = avcodec_find_encoder(is_ffv1 ? AV_CODEC_ID_FFV1 : AV_CODEC_ID_MAGICYUV);
     if (found == nullptr)
-      return Error{fmt::format("this system's libavcodec cannot write {}", to_string(codec)),
-                   "",
-                   "another codec, or Debian's libavcodec"};
+      return Error{
+          en::say("this system's libavcodec cannot write {}", std::string(to_string(codec))),
+          "",
+          en::say("another codec, or Debian's libavcodec")};
     Encoder encoder;
     encoder.context_.reset(avcodec_alloc_context3(found));
     AVCodecContext& context = *encoder.context_;
@@ -42,7 +46,7 @@ class Encoder {
       av_opt_set(context.priv_data, "pred", "median", 0);
     }
     if (const int status = avcodec_open2(&context, found, nullptr); status < 0)
-      return av_error(kEncoding, {}, status);
+      return av_error(encoding(), {}, status);
     return encoder;
   }
 
@@ -52,7 +56,7 @@ class Encoder {
     av_packet_unref(&packet);
     int status = avcodec_send_frame(context_.get(), picture_.get());
     if (status >= 0) status = avcodec_receive_packet(context_.get(), &packet);
-    if (status < 0) return av_error(kEncoding, {}, status);
+    if (status < 0) return av_error(encoding(), {}, status);
     return {};
   }
 
@@ -75,7 +79,7 @@ class Encoder {
     } else {
       status = av_frame_make_writable(&picture);
     }
-    if (status < 0) return av_error(kEncoding, {}, status);
+    if (status < 0) return av_error(encoding(), {}, status);
     for (int v = 0; v < grey.rows; ++v)
       std::copy_n(grey.ptr<std::uint8_t>(v),
                   grey.cols,
@@ -124,19 +128,21 @@ AvPtr<AVCodecParameters> mjpeg_parameters(cv::Size size) {
 
 Status check(const Frame& frame, cv::Size size, VideoCodec codec) {
   if (frame.grey.type() != CV_8UC1 || frame.grey.empty())
-    return Error{"only 8-bit grey pictures can be recorded", frame.origin, "a grey source"};
+    return Error{en::say("only 8-bit grey pictures can be recorded"),
+                 frame.origin,
+                 en::say("a grey source")};
   if (frame.grey.size() != size)
-    return Error{fmt::format("the picture is {} x {}, those before were {} x {}",
-                             frame.grey.cols,
-                             frame.grey.rows,
-                             size.width,
-                             size.height),
+    return Error{en::say("the picture is {} x {}, those before were {} x {}",
+                         frame.grey.cols,
+                         frame.grey.rows,
+                         size.width,
+                         size.height),
                  frame.origin,
-                 "one recording for each size"};
+                 en::say("one recording for each size")};
   if (codec == VideoCodec::kMjpeg && !frame.jpeg)
-    return Error{"the source gives no JPEG packets that could be stored untouched",
+    return Error{en::say("the source gives no JPEG packets that could be stored untouched"),
                  frame.origin,
-                 "the codec magicyuv or ffv1"};
+                 en::say("the codec magicyuv or ffv1")};
   return {};
 }
 

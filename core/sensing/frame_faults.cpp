@@ -1,14 +1,14 @@
 #include "core/sensing/frame_faults.h"
 
-#include <cstring>
+#include "core/grey_range.h"
 
-#include <fmt/format.h>
+#include <cstring>
 
 namespace alltact {
 namespace {
 
 constexpr int kEvery = 8;
-constexpr int kSaturatedFrom = 250, kBlackBelow = 16;
+constexpr int kBlackBelow = 16;
 constexpr double kBrightest = 0.001;  // part of the picture that may be brighter
 constexpr int kBlankLevels = 2;       // from the darkest to the brightest of a blank picture
 constexpr double kSaturatedPicture = 1.0 / 3;
@@ -18,7 +18,7 @@ constexpr double kForeign = 0.1;  // part of the face brighter than its referenc
 
 }  // namespace
 
-std::optional<std::string> picture_fault(const cv::Mat& grey) {
+std::optional<Message> picture_fault(const cv::Mat& grey) {
   CV_Assert(grey.type() == CV_8UC1);
   std::array<int, 256> histogram{};
   int all = 0;
@@ -33,18 +33,18 @@ std::optional<std::string> picture_fault(const cv::Mat& grey) {
   for (int below = histogram[0]; darkest < 255 && below <= kBrightest * all;)
     below += histogram[static_cast<std::size_t>(++darkest)];
   if (level < kBlackBelow)
-    return fmt::format(
+    return en::say(
         "the picture is black: its brightest parts reach {} of 255 grey levels; take the cap off "
         "the lens, switch the lamps on, or expose longer",
         level);
   int saturated = 0;
-  for (std::size_t i = kSaturatedFrom; i < histogram.size(); ++i) saturated += histogram[i];
+  for (std::size_t i = kClippedFrom; i < histogram.size(); ++i) saturated += histogram[i];
   if (saturated > kSaturatedPicture * all)
-    return fmt::format(
+    return en::say(
         "the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps",
         100.0 * saturated / all);
   if (level - darkest <= kBlankLevels)
-    return fmt::format(
+    return en::say(
         "the picture is blank: all of it has {} of 255 grey levels, without even a camera's noise; "
         "plug the camera in again",
         level);
@@ -65,35 +65,35 @@ bool is_same_picture(const cv::Mat& a, const cv::Mat& b) {
   return true;
 }
 
-std::vector<std::string> face_faults(const FlagShares& shares, const LightGain& light) {
-  std::vector<std::string> faults;
+std::vector<Message> face_faults(const FlagShares& shares, const LightGain& light) {
+  std::vector<Message> faults;
   if (shares.of[kSaturated] > kWorthTelling)
     faults.push_back(
-        fmt::format("{:.0f} % of the face is too bright to be measured; expose shorter, or dim the "
-                    "lamps",
-                    100.0 * shares.of[kSaturated]));
+        en::say("{:.0f} % of the face is too bright to be measured; expose shorter, or dim the "
+                "lamps",
+                100.0 * shares.of[kSaturated]));
   if (shares.of[kNoReference] > kWorthTelling)
-    faults.push_back(fmt::format(
+    faults.push_back(en::say(
         "{:.0f} % of the face was never recorded in a pose like this; record the finger bending "
         "further in this direction",
         100.0 * shares.of[kNoReference]));
   if (shares.of[kHiddenEnd] > 0)
     faults.push_back(
-        fmt::format("{:.1f} % of the face, at its end, is hidden in this frame: nothing is told of "
-                    "it, neither that it is touched nor that it is not",
-                    100.0 * shares.of[kHiddenEnd]));
+        en::say("{:.1f} % of the face, at its end, is hidden in this frame: nothing is told of "
+                "it, neither that it is touched nor that it is not",
+                100.0 * shares.of[kHiddenEnd]));
   if (light.change() < -kMuchDarker)
-    faults.push_back(fmt::format(
+    faults.push_back(en::say(
         "the face is {:.0f} % darker than when its reference was recorded; set exposure, gain and "
         "lamps as they were then",
         -100.0 * light.change()));
   if (light.change() > kMuchBrighter)
-    faults.push_back(fmt::format(
+    faults.push_back(en::say(
         "the face is {:.0f} % brighter than when its reference was recorded; set exposure, gain "
         "and lamps as they were then",
         100.0 * light.change()));
   if (light.brighter() > kForeign)
-    faults.push_back(fmt::format(
+    faults.push_back(en::say(
         "{:.0f} % of the face is brighter than its reference: this is another finger, or its skin "
         "has changed; choose the finger that it is, or record the reference again",
         100.0 * light.brighter()));

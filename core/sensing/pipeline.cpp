@@ -10,12 +10,13 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
 constexpr int kFaultRows = 8;  // one in so many tells how much of the face is measured
+/// Of a flat sensor, grey levels: what is dark and how the light is weighed does not hang on how
+/// noisy a picture is.
+constexpr double kPlaneNoise = 1.0;
 
 /// Writes the time since the last lap into a field of StepTimes.
 class StopWatch {
@@ -34,8 +35,8 @@ class StopWatch {
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-std::string never_recorded(double distance_px) {
-  return fmt::format(
+Message never_recorded(double distance_px) {
+  return en::say(
       "this pose was never recorded: the nearest reference frame is {:.1f} px away; record the "
       "finger bending further in this direction",
       distance_px);
@@ -56,8 +57,7 @@ struct Pipeline::State {
   FaceEdgeFinder edge_finder;
   std::optional<FaceShape> plane;        // flat sensors: known beforehand
   std::optional<MarkerTracker> tracker;  // fingers with markers
-  double plane_noise_sd = 1.0;
-  FramePtr last = nullptr;  // of a continuous source
+  FramePtr last = nullptr;               // of a continuous source
 
   void look_at_picture(FrameResult& result);
   void find_shape(FrameResult& result, StopWatch& watch) const;
@@ -75,9 +75,9 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   result.frame = frame;
   auto grey = oriented_for(state.finger.camera,
                            frame->grey,
-                           "the picture",
+                           en::say("the picture"),
                            frame->origin,
-                           "a picture at the size that the finger was calibrated with");
+                           en::say("a picture at the size that the finger was calibrated with"));
   if (!grey) return grey.error();
   result.grey = std::move(grey).value();
   state.look_at_picture(result);
@@ -94,9 +94,9 @@ void Pipeline::State::look_at_picture(FrameResult& result) {
   if (auto fault = picture_fault(result.grey)) result.problems.push_back(std::move(*fault));
   if (last && !is_same_frame(*last, *result.frame) &&
       is_same_picture(last->grey, result.frame->grey))
-    result.problems.emplace_back(
+    result.problems.push_back(en::say(
         "the picture is the same as the one before to the last grey level: the camera stands "
-        "still; plug it in again");
+        "still; plug it in again"));
   last = result.frame;
 }
 
@@ -108,14 +108,14 @@ void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
   auto edges = edge_finder(result.grey);
   watch.lap(result.times_ms.edges);
   if (!edges) {
-    result.problems.push_back(edges.error().sentence());
+    result.problems.push_back(en::say("{}.", edges.error().message()));
     return;
   }
   result.edges = std::move(edges).value();
   auto shape = FaceShape::fit(*result.edges, camera, finger.face, settings.profile_degree);
   watch.lap(result.times_ms.global);
   if (!shape) {
-    result.problems.push_back(shape.error().sentence());
+    result.problems.push_back(en::say("{}.", shape.error().message()));
     return;
   }
   result.shape = std::move(shape).value();
@@ -123,13 +123,13 @@ void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
 
 // False: they are needed and could not be had.
 bool Pipeline::State::find_markers(FrameResult& result) {
-  std::string problem;
+  Message problem;
   if (tracker) {
     result.markers = (*tracker)(result.grey, *result.shape, &problem);
   } else if (const MarkerModel* model = library.marker_model()) {
     result.markers =
         model->complete(markers_at(*finger.reference->places, edge_curves(*result.shape)));
-    problem = "too little of the face is seen to tell the pose by its shape";
+    problem = en::say("too little of the face is seen to tell the pose by its shape");
   } else {
     return true;
   }
@@ -142,10 +142,10 @@ void Pipeline::State::find_markers_by_shape(FrameResult& result) const {
   const ShapePoses* poses = library.shape_poses();
   auto told = poses ? (*poses)(*result.shape) : std::nullopt;
   if (!told) return;
-  result.problems.emplace_back(
+  result.problems.push_back(en::say(
       "the markers were not found: the face's shape alone tells this pose, so that depth is less "
       "sure and neither twist nor what touches the finger is told; uncover and light the dots on "
-      "the side faces");
+      "the side faces"));
   if (!told->known_pose) result.problems.push_back(never_recorded(told->distance_px));
   result.markers = std::move(told->markers);
 }
@@ -161,7 +161,7 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
         result.shape = std::move(*turned);
   }
   if (seen && finger.contact)
-    result.touch = touch(*result.markers, *finger.contact, result.shape->base_at_low_u());
+    result.push = push_of(*result.markers, *finger.contact, result.shape->base_at_low_u());
   result.reference = library.reference_for(
       result.markers ? *result.markers : Markers{}, *result.shape, settings.reference);
   if (!result.reference->known_pose) {
@@ -170,9 +170,9 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
   constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
   if (result.reference->known_pose && result.reference->error_factor > kFarBeyond)
     result.problems.push_back(
-        fmt::format("few recorded frames are near this pose: its reference is {:.0f} times less "
-                    "sure than usual; record the finger bending slowly through it",
-                    result.reference->error_factor));
+        en::say("few recorded frames are near this pose: its reference is {:.0f} times less "
+                "sure than usual; record the finger bending slowly through it",
+                result.reference->error_factor));
   watch.lap(result.times_ms.reference);
 }
 
@@ -181,16 +181,18 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   options.smoothing =
       mapping ? smoothing_of(settings.smoothing_px) : plain_smoothing_of(settings.smoothing_px);
   options.correct_light = settings.light == LightChange::kCorrected;
-  options.noise_sd = result.edges ? result.edges->noise_sd : plane_noise_sd;
+  options.noise_sd = result.edges ? result.edges->noise_sd : kPlaneNoise;
+  options.measure_noise = !result.edges;
   if (mapping) {
     result.depth = depth_map(result.grey, *result.reference, *result.shape, options, *mapping);
     flag_hidden(result.reference->hidden, &result.depth->flags);
-    for (std::string& fault :
+    for (Message& fault :
          face_faults(flag_shares(result.depth->flags, kFaultRows), result.depth->light))
       result.problems.push_back(std::move(fault));
   } else {
     result.difference = difference(result.grey, *result.reference, *result.shape, options);
-    result.problems.emplace_back("the finger is not calibrated: calibrate it with ball presses");
+    result.problems.push_back(
+        en::say("the finger is not calibrated: calibrate it with ball presses"));
   }
   watch.lap(result.times_ms.local);
 }

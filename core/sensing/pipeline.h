@@ -4,9 +4,10 @@
 #include "core/finger/finger.h"
 #include "core/frame.h"
 #include "core/job.h"
+#include "core/message.h"
 #include "core/result.h"
 #include "core/sensing/contact/contact_regions.h"
-#include "core/sensing/contact/touch.h"
+#include "core/sensing/contact/push.h"
 #include "core/sensing/depth/local_depth.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/face_shape.h"
@@ -17,7 +18,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace alltact {
@@ -38,10 +38,10 @@ struct FrameResult {
   std::optional<Reference> reference;
   std::optional<Difference> difference;  ///< of a finger without a mapping
   std::optional<DepthMap> depth;         ///< of one with a mapping
-  std::optional<Touch> touch;
+  std::optional<Push> push;
   std::vector<ContactRegion> regions;
   StepTimes times_ms;
-  std::vector<std::string> problems;
+  std::vector<Message> problems;
 };
 
 /// Built once from a finger; turns frames into results. Remembers only where the markers were and

@@ -57,13 +57,13 @@ Json reference_json(const Reference& reference, bool searched, ReferenceMethod m
   return entry;
 }
 
-Json touch_json(const Touch& touch) {
+Json push_json(const Push& push) {
   Json entry = Json::object();
-  entry["touched"] = touch.touched;
-  put_vector(entry, "offset_px", touch.offset_px, 3);
-  if (touch.direction) put_vector(entry, "direction", *touch.direction, 5);
-  if (touch.sd_deg) put(entry, "sd_deg", *touch.sd_deg, 2);
-  if (touch.face) entry["face"] = to_string(*touch.face);
+  entry["touched"] = push.pushed;
+  put_vector(entry, "offset_px", push.offset_px, 3);
+  if (push.direction) put_vector(entry, "direction", *push.direction, 5);
+  if (push.sd_deg) put(entry, "sd_deg", *push.sd_deg, 2);
+  if (push.face) entry["face"] = to_string(*push.face);
   return entry;
 }
 
@@ -100,6 +100,12 @@ Json validity_json(const cv::Mat& flags) {
   return entry;
 }
 
+Json english(const std::vector<Message>& messages) {
+  Json array = Json::array();
+  for (const Message& message : messages) array.push_back(message.english());
+  return array;
+}
+
 /// Only the steps that ran: a step that did not has no time.
 Json times_json(const FrameResult& result) {
   const StepTimes& times = result.times_ms;
@@ -126,22 +132,22 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   if (result.markers) line["markers"] = markers_json(*result.markers);
   if (result.reference)
     line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);
-  if (result.touch) line["contact"] = touch_json(*result.touch);
+  if (result.push) line["contact"] = push_json(*result.push);
   if (result.depth && !result.depth->flags.empty())
     line["validity"] = validity_json(result.depth->flags);
   if (result.depth) line["regions"] = regions_json(result.regions);
   line["times_ms"] = times_json(result);
-  if (!result.problems.empty()) line["problems"] = result.problems;
+  if (!result.problems.empty()) line["problems"] = english(result.problems);
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string failure_line(const std::string& frame,
                          std::size_t index,
-                         const std::vector<std::string>& problems) {
+                         const std::vector<Message>& problems) {
   Json line;
   line["frame"] = frame;
   line["index"] = index;
-  line["problems"] = problems;
+  line["problems"] = english(problems);
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

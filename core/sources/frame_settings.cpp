@@ -26,6 +26,15 @@ std::map<std::string_view, std::string_view> entries_of(std::string_view setting
   return entries;
 }
 
+/// Controls are named by their camera; of these the name is ours.
+Message name_of(std::string_view name) {
+  if (name == "Camera") return en::say("Camera");
+  if (name == "Serial number") return en::say("Serial number");
+  if (name == "Format") return en::say("Format");
+  if (name == "Light") return en::say("Light");
+  return Message::typed(std::string(name));
+}
+
 }  // namespace
 
 void add_setting(std::string& settings, std::string_view name, std::string_view value) {
@@ -33,16 +42,16 @@ void add_setting(std::string& settings, std::string_view name, std::string_view 
       "{}{}={}", settings.empty() ? "" : kBetween, without(name, ";="), without(value, ";"));
 }
 
-std::string differences(std::string_view before, std::string_view now) {
-  std::string text;
+Message differences(std::string_view before, std::string_view now) {
+  std::vector<Message> changes;
   const auto earlier = entries_of(before);
   for (const auto& [name, value] : entries_of(now)) {
     const auto old = earlier.find(name);
     if (old == earlier.end() || old->second == value) continue;
-    text +=
-        fmt::format("{}{} was {} and is {}", text.empty() ? "" : ", ", name, old->second, value);
+    changes.push_back(en::say(
+        "{} was {} and is {}", name_of(name), std::string(old->second), std::string(value)));
   }
-  return text;
+  return en::list(changes);
 }
 
 void SettingsSeen::add(const Frame& frame) {

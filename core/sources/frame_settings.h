@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/frame.h"
+#include "core/message.h"
 
 #include <string>
 #include <string_view>
@@ -16,7 +17,7 @@ void add_setting(std::string& settings, std::string_view name, std::string_view 
 
 /// "Gain was 3 and is 5, Focus was 200 and is 0": of the entries that both have, those that differ;
 /// empty where none does.
-[[nodiscard]] std::string differences(std::string_view before, std::string_view now);
+[[nodiscard]] Message differences(std::string_view before, std::string_view now);
 
 /// The settings of a recording, whose frames should all have the same.
 class SettingsSeen {
@@ -25,10 +26,11 @@ class SettingsSeen {
   /// Of the first frame that told any; empty where none did.
   [[nodiscard]] const std::string& first() const { return first_; }
   /// The first change on the way, as differences() tells it; empty where nothing changed.
-  [[nodiscard]] const std::string& change() const { return change_; }
+  [[nodiscard]] const Message& change() const { return change_; }
 
  private:
-  std::string first_, change_;
+  std::string first_;
+  Message change_;
   std::shared_ptr<const std::string> last_;
 };
 

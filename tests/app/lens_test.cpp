@@ -1,4 +1,6 @@
 // `alltact lens` on pictures of boards, from the pictures to the camera file and a finger.
+#include "core/finger/finger.h"
+#include "core/io/message_json.h"
 #include "tests/support/boards.h"
 #include "tests/support/program.h"
 
@@ -73,6 +75,11 @@ TEST(Lens, ChessboardsGiveTheCameraOfAFinger) {
   EXPECT_EQ(found["pictures"], 11);
   EXPECT_THAT(found["views"].dump(), HasSubstr("hardly any contrast"));
   EXPECT_EQ(found["camera"], camera);
+  LensRecord record;
+  ASSERT_TRUE(load_camera(camera, &record));
+  EXPECT_EQ(record["verdict"], found["verdict"]);
+  const auto verdict = nlohmann::ordered_json::parse(record["verdict_message"]);
+  EXPECT_EQ(message_of(verdict).english(), record["verdict"]);
 
   std::vector<std::string> in_words = {"lens"};
   in_words.insert(in_words.end(), arguments.begin(), arguments.end());

@@ -145,7 +145,7 @@ void BM_RealBoardsAsMrcal(benchmark::State& state) {
   const auto source = open_source({folder});
   const auto found = source ? find_boards(**source, corners.board, Orientation::kNone, {})
                             : Result<LensViews>(source.error());
-  if (!found) return state.SkipWithError(found.error().what.c_str());
+  if (!found) return state.SkipWithError(found.error().what.english().c_str());
   corners.size = found->size;
   corners.views = found->views;
   LensSettings settings;

@@ -2,7 +2,7 @@
 #include "core/geometry/ball.h"
 #include "core/geometry/circle_fit.h"
 #include "core/sensing/contact/contact_regions.h"
-#include "core/sensing/contact/touch.h"
+#include "core/sensing/contact/push.h"
 #include "core/sensing/depth/depth_cells.h"
 #include "core/sensing/face/face_shape.h"
 #include "tests/support/cameras.h"
@@ -348,10 +348,10 @@ TEST(TouchLaws, ATurnedOffsetIsATurnedDirectionAndUnitsDoNotMatter) {
       scaled_settings.rest_markers.emplace_back(k * rest);
       scaled_markers.push_back({k * now.x(), k * now.y(), true, k * sd});
     }
-    const Touch one = touch(markers, settings, true);
-    RC_PRE(one.touched && one.offset_px.norm() > 1.0);
-    const Touch turned = touch(turned_markers, turned_settings, true);
-    const Touch scaled = touch(scaled_markers, scaled_settings, true);
+    const Push one = push_of(markers, settings, true);
+    RC_PRE(one.pushed && one.offset_px.norm() > 1.0);
+    const Push turned = push_of(turned_markers, turned_settings, true);
+    const Push scaled = push_of(scaled_markers, scaled_settings, true);
     RC_ASSERT(turned.direction && scaled.direction);
     RC_ASSERT((turned.direction->head<2>() - turn * one.direction->head<2>()).norm() < 1e-10);
     RC_ASSERT((*scaled.direction - *one.direction).norm() < 1e-10);

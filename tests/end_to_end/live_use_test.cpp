@@ -161,13 +161,14 @@ void disturb(test::FakeCamera& fake, std::chrono::milliseconds time) {
 TEST(LiveUse, MemoryStaysFlat) {
   const Bench bench;
   test::FakeCamera fake(bench.camera);
-  auto opened = V4l2Camera::open({&fake,
-                                  "soak",
-                                  [&]() -> Result<std::string> {
-                                    if (fake.is_plugged()) return std::string("/dev/video0");
-                                    return Error{"the camera is not there", "soak", ""};
-                                  }},
-                                 {});
+  auto opened =
+      V4l2Camera::open({&fake,
+                        "soak",
+                        [&]() -> Result<std::string> {
+                          if (fake.is_plugged()) return std::string("/dev/video0");
+                          return Error{en::say("the camera is not there"), std::string("soak"), ""};
+                        }},
+                       {});
   ASSERT_TRUE(opened.ok());
   const std::shared_ptr<V4l2Camera> camera = std::move(*opened);
   ASSERT_TRUE(camera->lock().ok());

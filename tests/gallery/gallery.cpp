@@ -108,7 +108,9 @@ Shown start_panel() {
   camera.identity.name = "Finger camera";
   camera.identity.by_id = "usb-Maker_Camera_0001-video-index0";
   FoundCamera busy = camera;
-  busy.problem = Error{"another program uses it", "/dev/video2", "closing that program"};
+  busy.problem = Error{en::say("another program uses it"),
+                       std::string("/dev/video2"),
+                       en::say("closing that program")};
   panel->set_cameras({camera, busy});
   panel->set_last("finger left-07");
   return panel;
@@ -116,7 +118,7 @@ Shown start_panel() {
 
 Shown new_finger_dialog() {
   return std::make_unique<NewFingerDialog>([](const NewFinger&) -> Status {
-    return Error{"the gallery makes no fingers", "", "the Studio itself"};
+    return Error{en::say("the gallery makes no fingers"), "", en::say("the Studio itself")};
   });
 }
 
@@ -191,7 +193,7 @@ class EmptyRecording : public QWidget {
                                               const std::filesystem::path& /*video*/,
                                               const ReferenceChoices& /*choices*/,
                                               const Job& /*job*/) {
-    return Error{"the gallery has no fingers", "", "the Studio itself"};
+    return Error{en::say("the gallery has no fingers"), "", en::say("the Studio itself")};
   }
   LiveSession session_;
   RecordPlace place_;

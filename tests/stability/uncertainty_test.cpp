@@ -1,7 +1,7 @@
 // Reported uncertainties are true: over many runs the squared error, divided by the reported
 // covariance, is one per unknown.
 #include "calibration/joint/joint_fit.h"
-#include "core/sensing/contact/touch.h"
+#include "core/sensing/contact/push.h"
 #include "tests/stability/trapping.h"
 
 #include <array>
@@ -198,7 +198,7 @@ TEST(Uncertainty, OfATouchsDirectionIsTrue) {
                          true,
                          sd_px});
     }
-    const Touch told = touch(markers, settings, true);
+    const Push told = push_of(markers, settings, true);
     ASSERT_TRUE(told.direction && told.sd_deg);
     const double error =
         std::remainder(std::atan2(told.direction->y(), told.direction->x()) - angle, 2 * M_PI);

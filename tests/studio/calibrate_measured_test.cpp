@@ -200,7 +200,7 @@ TEST_F(CalibrateMeasured, TheSolutionIsSaidBesideWhatWasTold) {
   ASSERT_TRUE(wait_until([&] { return rig_.run().result() != nullptr; }, 60000))
       << rig_.studio().problems();
   const Calibration& solved = rig_.run().result()->calibration;
-  for (const std::string& reason : solved.left_out) ADD_FAILURE() << reason;
+  for (const Message& reason : solved.left_out) ADD_FAILURE() << reason.english();
   std::printf("[ figures  ] %s; %s\n", state_of("press_01").c_str(), state_of("press_07").c_str());
   ASSERT_EQ(solved.steps.size(), 1U);
   EXPECT_NEAR(solved.steps[0].reads_mm, 0.5, 0.03);

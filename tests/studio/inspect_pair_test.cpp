@@ -1,10 +1,7 @@
-// Two fingers in the place Inspect, the view that is turned by hand, and what comes back after a
-// crash.
+// Two fingers in the place Inspect, and the view that is turned by hand.
 #include "core/finger/finger.h"
 #include "core/io/picture.h"
-#include "core/recording/video_writer.h"
-#include "core/sources/open/open_source.h"
-#include "tests/studio/studio_rig.h"
+#include "tests/studio/two_fingers.h"
 #include "widgets/inspect/gripper_dialog.h"
 #include "widgets/inspect/second_finger_dialog.h"
 
@@ -21,47 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-/// The calibrated finger twice, and what both recorded: `left.mkv` every 100 ms, `right.mkv` every
-/// 50 ms.
-class TwoFingers {
- public:
-  static const TwoFingers& get() {
-    static const TwoFingers fingers;
-    return fingers;
-  }
-  [[nodiscard]] fs::path left() const { return folder_ / "left"; }
-  [[nodiscard]] fs::path right() const { return folder_ / "right"; }
-  [[nodiscard]] fs::path left_video() const { return folder_ / "left.mkv"; }
-  [[nodiscard]] fs::path right_video() const { return folder_ / "right.mkv"; }
-  /// The faces look at each other.
-  static RigidTransform place_of_left() {
-    return {rotation_of_degrees({0, 60, 0}), Eigen::Vector3d(-150, 0, 0)};
-  }
-  static RigidTransform place_of_right() {
-    return {rotation_of_degrees({0, 60, 180}), Eigen::Vector3d(150, 0, 0)};
-  }
-
- private:
-  TwoFingers() {
-    for (const fs::path& finger : {left(), right()})
-      fs::copy(MadeFingers::get().calibrated(), finger, fs::copy_options::recursive);
-    write(left_video(), 6, 100);
-    write(right_video(), 12, 50);
-  }
-  static void write(const fs::path& file, int count, int step_ms) {
-    const auto source = open_source({MadeFingers::get().touched()}).value();
-    std::optional<VideoWriter> writer;
-    for (int i = 0; i < count; ++i) {
-      Frame frame = *source->next().value();
-      frame.time_ns = (1000 + i * step_ms) * std::int64_t{1'000'000};
-      if (!writer) writer = VideoWriter::create(file, frame, VideoCodec::kMagicYuv, 20).value();
-      EXPECT_TRUE(writer->add(frame));
-    }
-    EXPECT_TRUE(writer->finish());
-  }
-  TemporaryFolder folder_;
-};
 
 void put_in_gripper(const fs::path& folder, const std::optional<RigidTransform>& place) {
   Finger finger = Finger::load(folder).value();
@@ -220,85 +176,6 @@ TEST_F(InspectPair, SaysWhyTheSecondCannotBeShown) {
       wait_until([&] { return studio_.problems().find("/nowhere/finger") != std::string::npos; }));
   ASSERT_TRUE(
       wait_until([&] { return studio_.problems().find("/nowhere/b.mkv") != std::string::npos; }));
-}
-
-class InspectAfterACrash : public testing::Test {
- protected:
-  SessionState kept() {
-    SessionState state;
-    state.finger = TwoFingers::get().left();
-    state.place = "inspect";
-    InspectOptions& options = state.inspect.options;
-    options.recording = TwoFingers::get().left_video();
-    options.second = SecondFinger{TwoFingers::get().right(), TwoFingers::get().right_video()};
-    options.scene.top_mm = 0.7;
-    options.a = cv::Point2d(400, 260);
-    options.look = Look{{1, -90, -120}, {0, 0, 60}, {0, -1, 0}};
-    state.inspect.frame = 4;
-    return state;
-  }
-  void leave(const SessionState& state) {
-    { SessionKeeper(folder_ / "session").keep(state); }
-    leave_as_after_a_crash(folder_ / "session");
-  }
-  StudioOptions options() {
-    StudioOptions options;
-    options.session_folder = folder_ / "session";
-    return options;
-  }
-  TemporaryFolder folder_;
-};
-
-TEST_F(InspectAfterACrash, WhatWasInspectedComesBack) {
-  leave(kept());
-  Studio studio(options());
-  studio.click("Go on with it");
-  auto& place = *studio.window().findChild<InspectPlace*>();
-  ASSERT_TRUE(wait_until([&] { return place.pair().frames().has_value(); }, 20000));
-  EXPECT_TRUE(wait_until([&] { return place.inspection().frame()->number == 4; }));
-  EXPECT_TRUE(wait_until([&] { return place.pair().frames()->second->number == 8; }));
-  InspectOptions expected = kept().inspect.options;
-  if (!VtkView::is_supported()) expected.shown_as = ShownAs::kHeightMap;
-  EXPECT_EQ(place.options(), expected);
-  EXPECT_EQ(studio.find<QSpinBox>("Number of the frame")->value(), 5);
-  EXPECT_EQ(studio.window().undo_stack().count(), 1);
-  studio.window().undo_stack().undo();
-  EXPECT_TRUE(place.options().recording.empty());
-}
-
-TEST_F(InspectAfterACrash, ARecordingThatHasGoneIsSaid) {
-  SessionState state = kept();
-  state.inspect.options.recording = folder_ / "grasp.mkv";
-  state.inspect.options.second.reset();
-  leave(state);
-  Studio studio(options());
-  studio.click("Go on with it");
-  ASSERT_TRUE(wait_until([&] {
-    return studio.problems().find("grasp.mkv: this recording is not there any more") !=
-           std::string::npos;
-  })) << studio.problems();
-}
-
-TEST_F(InspectAfterACrash, WhatIsShownIsKeptWhileOneWorks) {
-  {
-    StudioOptions with = options();
-    with.finger = TwoFingers::get().left();
-    Studio studio(with);
-    studio.window().go_to("inspect");
-    auto& place = *studio.window().findChild<InspectPlace*>();
-    place.open(TwoFingers::get().left_video());
-    ASSERT_TRUE(wait_until([&] { return place.inspection().frame() != nullptr; }, 20000));
-    studio.find<QSlider>("Frame of the recording")->setValue(2);
-    ASSERT_TRUE(wait_until([&] { return place.inspection().frame()->number == 2; }));
-    studio.click("Deepest");
-    const auto written = [&] {
-      const SessionKeeper other(folder_ / "session");
-      return other.last() ? other.last()->inspect : InspectState();
-    };
-    EXPECT_TRUE(wait_until([&] { return written().frame == 2 && written().options.a; }))
-        << "without closing it";
-    EXPECT_EQ(written().options.recording, TwoFingers::get().left_video());
-  }
 }
 
 /// On a screen with OpenGL only.

@@ -100,8 +100,8 @@ TEST(Live, EveryOverlayChangesWhatIsPainted) {
   ASSERT_TRUE(wait_for_depth(studio));
   LiveView view = *studio.session().view();
   // The ball does not move this finger; another force would.
-  view.watched.result.touch =
-      Touch{true, {20, 0}, Eigen::Vector3d(1, 0, 0), 1.0, TouchedFace::kContact};
+  view.watched.result.push =
+      Push{true, {20, 0}, Eigen::Vector3d(1, 0, 0), 1.0, PushedFace::kContact};
   const auto painted = [&](const ViewOptions& options) {
     ImageView picture;
     picture.resize(960, 540);

@@ -1,5 +1,5 @@
 // The place Record, as a person uses it.
-#include "app/console/finger_work.h"
+#include "core/finger/new_finger.h"
 #include "core/recording/video_file.h"
 #include "core/simulation/plan.h"
 #include "core/sources/open/open_source.h"

@@ -102,7 +102,7 @@ TEST(SessionKeeper, SaysWhyItCannotKeep) {
   ASSERT_TRUE(write_file_atomically(folder / "file", "not a folder"));
   const SessionKeeper keeper(folder / "file/session");
   ASSERT_TRUE(keeper.problem());
-  EXPECT_NE(keeper.problem()->where.find("file/session"), std::string::npos);
+  EXPECT_NE(keeper.problem()->where.english().find("file/session"), std::string::npos);
 }
 
 }  // namespace

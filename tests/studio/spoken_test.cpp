@@ -17,9 +17,8 @@ using testing::HasSubstr;
 
 /// As the translations have it.
 std::string in(const std::string& language, const char* source) {
-  for (const Message& message : messages_of(ts_file(language)))
-    if (message.context == QLatin1String(kLibraryContext) &&
-        message.source == QLatin1String(source))
+  for (const TsMessage& message : messages_of(ts_file(language)))
+    if (message.context == QLatin1String(kSaidContext) && message.source == QLatin1String(source))
       return message.translations.first().toStdString();
   ADD_FAILURE() << "not translated: " << source;
   return {};
@@ -102,7 +101,7 @@ TEST_F(Spoken, TheVerdictTheAdviceAndTheRemarks) {
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
   const FingerCalibration& done = *rig.run().result();
   ASSERT_TRUE(done.calibration.next_press);
-  ASSERT_THAT(done.calibration.next_press->sentence, HasSubstr(" mm from the base"));
+  ASSERT_THAT(done.calibration.next_press->sentence.english(), HasSubstr(" mm from the base"));
   for (const char* step : {"3", "4", "5", "6"}) {
     rig.go_to_step(step);
     in_every_language(

@@ -1,6 +1,7 @@
 // What the window costs in time: until its picture moves, and how old the picture is when it is
 // shown.
-#include "app/console/finger_work.h"
+#include "calibration/reference/new_reference.h"
+#include "core/finger/new_finger.h"
 #include "core/simulation/plan.h"
 #include "tests/studio/studio_rig.h"
 #include "widgets/picture/outline_editor.h"
@@ -61,7 +62,7 @@ void age_of_full_hd(benchmark::State& state) {
   const Status saved = save_camera(description.camera, plan.finger().camera);
   auto finger = make_finger(description);
   if (!saved || !finger) return state.SkipWithError("no finger");
-  if (has_reference && !install_recording(description.finger, *finger, {folder / "hd.yaml"}, Job()))
+  if (has_reference && !give_reference(description.finger, {folder / "hd.yaml"}, Job()))
     return state.SkipWithError("no reference");
   for (auto step : state) {
     StudioOptions options;

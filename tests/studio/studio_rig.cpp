@@ -1,6 +1,8 @@
 #include "tests/studio/studio_rig.h"
 
-#include "app/console/finger_work.h"
+#include "calibration/reference/new_reference.h"
+#include "core/finger/finger_update.h"
+#include "core/finger/new_finger.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/simulation/plan.h"
@@ -82,7 +84,7 @@ MadeFingers::MadeFingers() {
     auto finger = make_finger(wanted);
     must(finger ? Status() : Status(finger.error()));
     if (folder != calibrated()) continue;
-    const auto report = install_recording(folder, *finger, {bending()}, Job());
+    const auto report = give_reference(folder, {bending()}, Job());
     must(report ? Status() : Status(report.error()));
     // What the demonstration's calibration gives of the same silicone.
     MappingParameters mapping;
@@ -90,8 +92,11 @@ MadeFingers::MadeFingers() {
     mapping.a_mm = 3.425;
     mapping.b = 1.012;
     mapping.x_max = 0.507;
-    finger->mapping = mapping;
-    must(finger->save(folder));
+    const auto mapped = update_finger(folder, [&](Finger& now) {
+      now.mapping = mapping;
+      return Status();
+    });
+    must(mapped ? Status() : Status(mapped.error()));
   }
 }
 
@@ -103,7 +108,8 @@ SourceOpener with_camera(FakeCamera& fake) {
     place.calls = &fake;
     place.identity = "camera";
     place.find_node = [&fake]() -> Result<std::string> {
-      if (!fake.is_plugged()) return Error{"there is no such camera", "camera", ""};
+      if (!fake.is_plugged())
+        return Error{en::say("there is no such camera"), std::string("camera"), ""};
       return std::string("/dev/video0");
     };
     auto camera = V4l2Camera::open(place, {});

@@ -1,12 +1,12 @@
 // Every text can be translated, is translated, and has room for longer words.
 #include "tests/studio/calibrate_rig.h"
 #include "tests/support/program.h"
+#include "tests/support/source_texts.h"
 #include "tests/support/ts_file.h"
 #include "tests/support/words_left.h"
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/settings_dialog.h"
-#include "widgets/words/catalogue.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -16,12 +16,17 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QTranslator>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace alltact::test {
 namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kTop = ALLTACT_SOURCE_DIR;
 
 QStringList places_in(const QString& text) {
   static const QRegularExpression form(QStringLiteral("%(n|[1-9])"));
@@ -32,20 +37,50 @@ QStringList places_in(const QString& text) {
   return places;
 }
 
-/// What the window says. The report, which the command line writes, is English.
-const std::string kSpoken =
-    "widgets/calibrating widgets/controls widgets/inspect widgets/live widgets/panels "
-    "widgets/picture widgets/places widgets/plots widgets/recording "
-    "widgets/report/calibration_figures.cpp "
-    "widgets/shell widgets/words app/studio";
+/// The parts that the holes {}, {0:.2f} and so on of a template stand for.
+std::multiset<int> holes_in(QString text) {
+  static const QRegularExpression form(QStringLiteral("\\{([0-9]*)(:[^{}]*)?\\}"));
+  text.remove(QStringLiteral("{{")).remove(QStringLiteral("}}"));
+  std::multiset<int> holes;
+  int next = 0;
+  for (auto found = form.globalMatch(text); found.hasNext();) {
+    const QString number = found.next().captured(1);
+    holes.insert(number.isEmpty() ? next++ : number.toInt());
+  }
+  EXPECT_EQ(static_cast<qsizetype>(holes.size()), text.count(QLatin1Char('{')))
+      << text.toStdString();
+  return holes;
+}
 
-class Language : public testing::TestWithParam<const char*> {};
+/// What the window says, and what the libraries say in it.
+const char* const kSpoken[] = {"core", "calibration", "widgets", "app/studio"};
+
+/// lupdate's look at files or folders: `ts`, brought up to date with them.
+std::vector<TsMessage> looked_at(const std::string& sources, const fs::path& ts) {
+  const ProgramRun run = run_shell("cd '" + kTop.string() + "' && " + ALLTACT_LUPDATE +
+                                   " -silent -no-obsolete -locations none -I . "
+                                   "-tr-function-alias tr+=say,tr+=count,tr+=word " +
+                                   sources + " -ts '" + ts.string() + "'");
+  EXPECT_EQ(run.status, 0) << run.errors;
+  return messages_of(ts);
+}
+
+std::string all_spoken() {
+  std::string folders;
+  for (const char* folder : kSpoken) folders += std::string(folder) + " ";
+  return folders;
+}
+
+class Language : public testing::TestWithParam<const char*> {
+ protected:
+  [[nodiscard]] std::string name() const { return std::string("alltact_") + GetParam() + ".ts"; }
+};
 INSTANTIATE_TEST_SUITE_P(Ts, Language, testing::Values("de", "zh_CN"));
 
 TEST_P(Language, IsCompleteAndKeepsWhatIsFilledIn) {
   const auto messages = messages_of(ts_file(GetParam()));
   EXPECT_GT(messages.size(), 200U);
-  for (const Message& message : messages) {
+  for (const TsMessage& message : messages) {
     EXPECT_TRUE(message.is_finished) << message.source.toStdString();
     ASSERT_FALSE(message.translations.empty()) << message.source.toStdString();
     EXPECT_EQ(places_in(message.translations.first()), places_in(message.source))
@@ -53,19 +88,90 @@ TEST_P(Language, IsCompleteAndKeepsWhatIsFilledIn) {
   }
 }
 
+TEST_P(Language, FillsEveryHoleThatIsSaid) {
+  int counted = 0, said = 0;
+  for (const TsMessage& message : messages_of(ts_file(GetParam()))) {
+    if (message.context != QLatin1String(kSaidContext)) continue;
+    ++said;
+    const std::string where = message.source.toStdString();
+    const auto holes = holes_in(message.source);
+    for (const QString& form : message.translations) {
+      EXPECT_EQ(holes_in(form), holes) << where << "\n" << form.toStdString();
+      EXPECT_FALSE(form.trimmed().isEmpty()) << where;
+    }
+    if (!message.is_counted) {
+      EXPECT_EQ(message.translations.size(), 1) << where;
+      continue;
+    }
+    ++counted;
+    EXPECT_EQ(message.translations.size(), GetParam() == std::string("de") ? 2 : 1) << where;
+    EXPECT_EQ(holes_in(message.comment), holes) << where;
+    EXPECT_GT(holes.count(0), 0U) << "says no count: " << where;
+    for (const QString& form : message.translations + QStringList{message.source})
+      EXPECT_FALSE(form.contains(QLatin1String("%n"))) << "Qt fills this in: " << where;
+  }
+  EXPECT_GT(said, 700);
+  EXPECT_GT(counted, 2);
+}
+
 TEST_P(Language, HoldsEveryTextOfTheProgramAndNoOther) {
   const TemporaryFolder folder;
-  const std::string name = std::string("alltact_") + GetParam() + ".ts";
-  const std::filesystem::path top = ALLTACT_SOURCE_DIR;
-  std::filesystem::copy(top / "translations" / name, folder / name);
-  const ProgramRun run = run_shell("cd '" + top.string() + "' && " + ALLTACT_LUPDATE +
-                                   " -silent -no-obsolete -locations none -I . " + kSpoken +
-                                   " -ts '" + (folder / name).string() + "'");
-  ASSERT_EQ(run.status, 0) << run.errors;
-  const auto now = messages_of(folder / name), kept = messages_of(top / "translations" / name);
-  for (const Message& message : now)
+  fs::copy(kTop / "translations" / name(), folder / name());
+  const auto now = looked_at(all_spoken(), folder / name());
+  const auto kept = messages_of(kTop / "translations" / name());
+  for (const TsMessage& message : now)
     EXPECT_TRUE(message.is_finished) << "new: " << message.source.toStdString();
-  EXPECT_EQ(now.size(), kept.size()) << "translations/" << name << " holds texts that nothing says";
+  EXPECT_EQ(now.size(), kept.size())
+      << "translations/" << name() << " holds texts that nothing says";
+}
+
+TEST_P(Language, MissesATemplateOfWhichOneLetterIsOther) {
+  const TemporaryFolder folder;
+  const fs::path source = kTop / "core/camera/camera.cpp";
+  const auto said = said_in(source);
+  ASSERT_GT(said.size(), 3U);
+  for (const SaidText& text : {said.front(), said.back()}) {
+    SCOPED_TRACE(text.words);
+    std::string changed = text_of(source);
+    const std::size_t begin = changed.find('"' + text.words.substr(0, 12));
+    ASSERT_NE(begin, std::string::npos);
+    changed[begin + 1] = '#';
+    write_text(folder / "camera.cpp", changed);
+    fs::copy_file(
+        kTop / "translations" / name(), folder / name(), fs::copy_options::overwrite_existing);
+    QStringList unknown;
+    for (const TsMessage& message :
+         looked_at("'" + (folder / "camera.cpp").string() + "'", folder / name()))
+      if (!message.is_finished) unknown << message.source;
+    EXPECT_EQ(unknown, QStringList{QString::fromStdString('#' + text.words.substr(1))});
+  }
+}
+
+TEST(Translations, FindWhateverIsSaid) {
+  const TemporaryFolder folder;
+  using Said = std::set<std::pair<std::string, std::string>>;
+  Said found, said;
+  for (const TsMessage& message : looked_at(all_spoken(), folder / "found.ts")) {
+    const std::string words = message.source.toStdString();
+    EXPECT_FALSE(message.context.isEmpty())
+        << "said within another message, directly behind its template: give it a name: " << words;
+    EXPECT_NE(message.context, QLatin1String("en"))
+        << "lupdate takes a constant of std:: with '=' above it for a class: write {} there: "
+        << words;
+    if (message.context == QLatin1String(kSaidContext))
+      found.emplace(words, message.comment.toStdString());
+  }
+  for (const char* sources : kSpoken)
+    for (const SaidText& text : said_below(kTop / sources)) {
+      EXPECT_NE(text.words, "") << text.file << ":" << text.line << ": says no literal";
+      if (text.words.empty()) continue;
+      said.emplace(text.words, text.comment);
+      EXPECT_TRUE(found.contains({text.words, text.comment}))
+          << text.file << ":" << text.line << ": lupdate overlooks: " << text.words;
+    }
+  for (const auto& text : found)
+    EXPECT_TRUE(said.contains(text)) << "the sources do not say: " << text.first;
+  EXPECT_GT(said.size(), 700U);
 }
 
 /// Says everything a third longer and between brackets.
@@ -77,11 +183,10 @@ class Pseudo : public QTranslator {
                                   const char* source,
                                   const char* /*disambiguation*/,
                                   int n) const override {
-    if (!QByteArray(context).startsWith("alltact") && QByteArray(context) != kLibraryContext)
-      return {};
+    if (!QByteArray(context).startsWith("alltact")) return {};
     QString text = QString::fromUtf8(source);
     // Blanks of another kind, so that what a library said and nobody translated is told apart.
-    if (QByteArray(context) == kLibraryContext) text.replace(QLatin1Char(' '), QChar{0x2002});
+    if (QByteArray(context) == kSaidContext) text.replace(QLatin1Char(' '), QChar{0x2002});
     if (n >= 0) text.replace(QLatin1String("%n"), QString::number(n));
     return kOpen + text + QString(text.size() / 3, QLatin1Char('~')) + kClose;
   }

@@ -124,7 +124,7 @@ TEST_P(Closing, TakesLessThanASecond) {
   if (state == "stuck")  // a driver that does not answer
     options.opener = [](const auto&, const auto&) -> Result<std::unique_ptr<Source>> {
       std::this_thread::sleep_for(std::chrono::seconds(3));
-      return Error{"too late", "", ""};
+      return Error{en::say("too late"), "", ""};
     };
   if (state != "empty") options.source = {MadeFingers::get().touched()};
   if (state == "failed") options.source = {"/nowhere.mkv"};

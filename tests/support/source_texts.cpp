@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <regex>
+#include <set>
 
 namespace alltact::test {
 namespace {
@@ -20,8 +20,6 @@ char unescaped(char letter) {
       return '\n';
     case 't':
       return '\t';
-    case '0':
-      return '\x04';
     default:
       return letter;
   }
@@ -32,12 +30,19 @@ class Scanner {
  public:
   Scanner(const fs::path& file, std::string source) : file_(file), source_(std::move(source)) {}
 
-  std::vector<SourceText> texts() {
+  std::vector<SaidText> texts() {
     while (at_ < source_.size()) step();
     return std::move(texts_);
   }
 
  private:
+  struct Bracket {
+    std::string word;  ///< before it
+    int line = 0;
+    std::vector<std::string> literals;  ///< with which its content begins
+    bool has_more = false;              ///< behind them
+  };
+
   [[nodiscard]] bool here(std::string_view what) const {
     return source_.compare(at_, what.size(), what) == 0;
   }
@@ -49,17 +54,22 @@ class Scanner {
   void step() {
     if (here("//") || here("#include")) return skip_to("\n");
     if (here("/*")) return skip_to("*/");
-    if (here("R\"(")) return read_raw();
+    if (here("R\"(")) return skip_to(")\"");
     const char letter = source_[at_];
     if (letter == '"') return read_text();
     if (letter == '\'' && (at_ == 0 || !is_word(source_[at_ - 1]))) return skip_letter();
-    if (letter == '(' || letter == '{') open_.push_back(word_before());
-    if ((letter == ')' || letter == '}') && !open_.empty()) open_.pop_back();
+    if (letter == ')' || letter == '}') close();
     if (std::isspace(static_cast<unsigned char>(letter)) == 0) {
       is_after_text_ = false;
-      is_first_ = letter == '(' || letter == '{';
+      if (!open_.empty() && letter != ',') open_.back().has_more = true;
     }
+    if (letter == '(' || letter == '{') open_.push_back({word_before(), line(), {}, false});
     ++at_;
+  }
+
+  [[nodiscard]] int line() const {
+    const auto here = source_.begin() + static_cast<std::ptrdiff_t>(at_);
+    return 1 + static_cast<int>(std::count(source_.begin(), here, '\n'));
   }
 
   [[nodiscard]] std::string word_before() const {
@@ -74,108 +84,58 @@ class Scanner {
     is_after_text_ = false;
   }
 
-  void read_raw() {
-    const std::size_t begin = at_ + 3;
-    skip_to(")\"");
-    add(source_.substr(begin, at_ - 2 - begin));
-  }
-
   void read_text() {
     std::string text;
     for (++at_; at_ < source_.size() && source_[at_] != '"'; ++at_)
       text += source_[at_] == '\\' ? unescaped(source_[++at_]) : source_[at_];
     ++at_;
-    add(std::move(text));
+    if (open_.empty() || open_.back().has_more) return;
+    auto& literals = open_.back().literals;
+    if (is_after_text_)
+      literals.back() += text;
+    else
+      literals.push_back(std::move(text));
+    is_after_text_ = true;
   }
 
-  void add(std::string text) {
-    if (is_after_text_) {
-      texts_.back().text += text;
-      return;
-    }
-    const auto line =
-        1 + std::count(source_.begin(), source_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
-    const bool is_filled_in = std::any_of(open_.begin(), open_.end(), [](const std::string& word) {
-      return word == "fmt::format" || word == "report" || word == "remark";
-    });
-    const bool is_what = !open_.empty() && open_.back() == "Error" && is_first_;
-    const bool is_told = is_filled_in || is_what;
-    static const std::set<std::string> kQt{"QStringLiteral", "QLatin1String", "QT_TRANSLATE_NOOP"};
-    const bool is_qt =
-        is_first_ && !open_.empty() &&
-        (open_.back() == "tr" || open_.back().ends_with("::tr") || kQt.contains(open_.back()));
-    texts_.push_back({file_, static_cast<int>(line), std::move(text), is_told, is_qt});
-    is_after_text_ = true;
-    is_first_ = false;
+  void close() {
+    if (open_.empty()) return;
+    const Bracket call = std::move(open_.back());
+    open_.pop_back();
+    const bool is_said = call.word.ends_with("en::say");
+    if (!is_said && !call.word.ends_with("en::count") && !call.word.ends_with("en::word")) return;
+    SaidText text{file_, call.line, {}, {}};
+    if (!call.literals.empty()) text.words = call.literals[0];
+    if (!is_said && call.literals.size() > 1) text.comment = call.literals[1];
+    texts_.push_back(std::move(text));
   }
 
   fs::path file_;
   std::string source_;
   std::size_t at_ = 0;
-  std::vector<std::string> open_;  // the word before each bracket that is open
-  bool is_after_text_ = false, is_first_ = false;
-  std::vector<SourceText> texts_;
+  std::vector<Bracket> open_;
+  bool is_after_text_ = false;
+  std::vector<SaidText> texts_;
 };
-
-std::string without_joints(const std::string& text) {
-  static const std::regex joints("^[\x01 ;:,.]+|[\x01 ;:,.]+$");
-  return std::regex_replace(text, joints, "");
-}
 
 }  // namespace
 
-std::vector<SourceText> texts_of(const fs::path& file) {
+std::vector<SaidText> said_in(const fs::path& file) {
   std::ifstream stream(file);
   return Scanner(file, {std::istreambuf_iterator<char>(stream), {}}).texts();
 }
 
-std::vector<SourceText> texts_below(const fs::path& folder) {
+std::vector<SaidText> said_below(const fs::path& folder) {
   std::set<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h")
       files.insert(entry.path());
-  std::vector<SourceText> all;
+  std::vector<SaidText> all;
   for (const fs::path& file : files) {
-    auto some = texts_of(file);
+    auto some = said_in(file);
     std::move(some.begin(), some.end(), std::back_inserter(all));
   }
   return all;
-}
-
-std::string bare_pattern(const std::string& pattern) {
-  static const std::regex hole("%[1-9]");
-  return without_joints(std::regex_replace(pattern, hole, "\x01"));
-}
-
-std::set<std::string> bare_sentences(const std::string& text) {
-  static const std::regex plural("([a-z]{3})\\{\\}"), hole("\\{[^{}]*\\}"), end("\\. (?=[A-Z])");
-  static const std::regex advice("^Try: (?=.)");
-  static const std::regex open("\\{\\{"), close("\\}\\}");
-  std::set<std::string> sentences;
-  if (std::regex_search(text, plural)) {
-    const bool hisses = text.find("press{}") != std::string::npos;
-    for (const char* form : {"$1", hisses ? "$1es" : "$1s"})
-      sentences.merge(bare_sentences(std::regex_replace(text, plural, form)));
-    return sentences;
-  }
-  std::string marked = std::regex_replace(std::regex_replace(text, open, "\x02"), close, "\x03");
-  marked = std::regex_replace(marked, hole, "\x01");
-  std::replace(marked.begin(), marked.end(), '\x02', '{');
-  std::replace(marked.begin(), marked.end(), '\x03', '}');
-  for (std::sregex_token_iterator one(marked.begin(), marked.end(), end, -1), none; one != none;
-       ++one)
-    if (const std::string bare = without_joints(std::regex_replace(one->str(), advice, ""));
-        !bare.empty())
-      sentences.insert(bare);
-  return sentences;
-}
-
-bool is_for_people(const std::string& bare, bool is_told) {
-  static const std::regex words("[A-Za-z\x01'%)\\]][,;:]? [a-z(\x01]");
-  static const std::regex letters("[A-Za-z]{2,}");
-  static const std::regex word("[A-Za-z ,'-]{3,}");
-  if (!std::regex_search(bare, letters)) return false;
-  return std::regex_search(bare, words) || (is_told && std::regex_match(bare, word));
 }
 
 }  // namespace alltact::test

@@ -1,11 +1,8 @@
 // The translations as they are written down, for tests.
 #pragma once
 
-#include <QCoreApplication>
 #include <QFile>
-#include <QHash>
 #include <QStringList>
-#include <QTranslator>
 #include <QXmlStreamReader>
 #include <filesystem>
 #include <string>
@@ -15,10 +12,13 @@
 
 namespace alltact::test {
 
-struct Message {
-  QString context, source;
+/// Of what the libraries say.
+inline constexpr const char* kSaidContext = "alltact::en";
+
+struct TsMessage {
+  QString context, source, comment;
   QStringList translations;
-  bool is_finished = true;
+  bool is_finished = true, is_counted = false;
 };
 
 inline std::filesystem::path ts_file(const std::string& language) {
@@ -26,54 +26,33 @@ inline std::filesystem::path ts_file(const std::string& language) {
          ("alltact_" + language + ".ts");
 }
 
-inline std::vector<Message> messages_of(const std::filesystem::path& file) {
+inline std::vector<TsMessage> messages_of(const std::filesystem::path& file) {
   QFile text(QString::fromStdString(file.string()));
   EXPECT_TRUE(text.open(QIODevice::ReadOnly)) << file;
   QXmlStreamReader xml(&text);
-  std::vector<Message> messages;
+  std::vector<TsMessage> messages;
   QString context;
   while (!xml.atEnd()) {
     xml.readNext();
     if (!xml.isStartElement()) continue;
     if (xml.name() == QLatin1String("name")) context = xml.readElementText();
-    if (xml.name() == QLatin1String("message")) messages.emplace_back().context = context;
+    if (xml.name() == QLatin1String("message")) {
+      messages.emplace_back().context = context;
+      messages.back().is_counted = xml.attributes().hasAttribute(QStringLiteral("numerus"));
+    }
     if (xml.name() == QLatin1String("source")) messages.back().source = xml.readElementText();
+    if (xml.name() == QLatin1String("comment")) messages.back().comment = xml.readElementText();
     if (xml.name() == QLatin1String("numerusform"))
       messages.back().translations << xml.readElementText();
     if (xml.name() == QLatin1String("translation")) {
       messages.back().is_finished = !xml.attributes().hasAttribute(QStringLiteral("type"));
-      const QString plain = xml.readElementText(QXmlStreamReader::IncludeChildElements);
-      if (!plain.trimmed().isEmpty()) messages.back().translations << plain;
+      if (messages.back().is_counted) continue;
+      if (const QString plain = xml.readElementText(); !plain.trimmed().isEmpty())
+        messages.back().translations << plain;
     }
   }
   EXPECT_FALSE(xml.hasError()) << file << xml.errorString().toStdString();
   return messages;
 }
-
-/// Speaks one context of a language as its file has it, for as long as it lives.
-class TsTranslator : public QTranslator {
- public:
-  TsTranslator(const std::string& language, QString context) : context_(std::move(context)) {
-    for (const Message& message : messages_of(ts_file(language)))
-      if (message.context == context_) words_[message.source] = message.translations.value(0);
-    QCoreApplication::installTranslator(this);
-  }
-  ~TsTranslator() override { QCoreApplication::removeTranslator(this); }
-  TsTranslator(const TsTranslator&) = delete;
-  TsTranslator& operator=(const TsTranslator&) = delete;
-
-  [[nodiscard]] bool isEmpty() const override { return words_.isEmpty(); }
-  [[nodiscard]] QString translate(const char* context,
-                                  const char* source,
-                                  const char* /*disambiguation*/,
-                                  int /*n*/) const override {
-    if (context_ != QLatin1String(context)) return {};
-    return words_.value(QString::fromUtf8(source));
-  }
-
- private:
-  QString context_;
-  QHash<QString, QString> words_;
-};
 
 }  // namespace alltact::test

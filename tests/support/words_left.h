@@ -1,7 +1,7 @@
 // Finds what the libraries said and nobody translated.
 #pragma once
 
-#include "widgets/words/catalogue.h"
+#include "tests/support/ts_file.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -9,15 +9,20 @@
 namespace alltact::test {
 
 /// Stretches of the libraries' English sentences, `least` letters long at least, in a text of
-/// another language.
+/// another language. What German says alike, as commands, is no sentence.
 inline QStringList words_left(const QString& text, qsizetype least = 12) {
   static const QStringList kStretches = [] {
-    static const QRegularExpression hole(QStringLiteral("%[1-9]"));
+    static const QRegularExpression hole(QStringLiteral("\\{[^{}]*\\}"));
     QStringList stretches;
-    for (const char* pattern : library_patterns())
-      for (const QString& part : QString::fromUtf8(pattern).split(hole))
-        if (const QString words = part.trimmed(); words.contains(QLatin1Char(' ')))
-          stretches << words;
+    for (const TsMessage& message : messages_of(ts_file("de")))
+      if (message.context == QLatin1String(kSaidContext))
+        for (const QString& form : {message.source, message.comment})
+          for (const QString& part : form.split(hole))
+            if (const QString words = part.trimmed();
+                words.contains(QLatin1Char(' ')) &&
+                !message.translations.join(QLatin1Char(' ')).contains(words))
+              stretches << words;
+    stretches.removeDuplicates();
     return stretches;
   }();
   QStringList left;

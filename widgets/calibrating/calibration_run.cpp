@@ -2,10 +2,11 @@
 
 #include "calibration/finger/calibration_report.h"
 #include "core/io/atomic_file.h"
-#include "widgets/words/library_words.h"
+#include "core/utc_time.h"
 
 #include <QUndoCommand>
 #include <algorithm>
+#include <mutex>
 #include <set>
 
 namespace alltact {
@@ -50,6 +51,12 @@ bool say_the_same(const PressNotes& a, const PressNotes& b) {
 }
 
 }  // namespace
+
+/// Told on one thread, shown on another.
+struct CalibrationRun::HeardRounds {
+  std::mutex mutex;
+  std::vector<Round> rounds;
+};
 
 /// A calibration as a step: what was written before it is put back.
 class CalibrationRun::Undo : public QUndoCommand {
@@ -99,7 +106,7 @@ CalibrationRun::CalibrationRun(PressDesk& desk,
   });
   connect(&process_, &QProcess::finished, this, [this](int status) {
     has_report_ = status == 0;
-    if (!has_report_) report_errors_ = process_.readAllStandardError().trimmed().toStdString();
+    if (!has_report_) report_errors_ = QString::fromUtf8(process_.readAllStandardError().trimmed());
     Q_EMIT changed();
   });
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
@@ -191,6 +198,11 @@ void CalibrationRun::start() {
   report_errors_.clear();
   FingerCalibrationInput input = input_for(desk_.notes());
   input.date = utc_now();
+  rounds_ = std::make_shared<HeardRounds>();
+  input.on_round = [heard = rounds_](const Round& round) {
+    const std::lock_guard lock(heard->mutex);
+    heard->rounds.push_back(round);
+  };
   struct Done {
     Files before;
     std::optional<Result<FingerCalibration>> result;
@@ -223,10 +235,16 @@ void CalibrationRun::stop() {
   work_.stop();
 }
 
+std::vector<Round> CalibrationRun::rounds() const {
+  if (!rounds_) return {};
+  const std::lock_guard lock(rounds_->mutex);
+  return rounds_->rounds;
+}
+
 QString CalibrationRun::report_problem() const {
   if (is_program_missing_)
     return tr("The command line, alltact, is not installed beside this program.");
-  return report_errors_.empty() ? start_problem_ : in_window_language(report_errors_);
+  return report_errors_.isEmpty() ? start_problem_ : report_errors_;
 }
 
 void CalibrationRun::write_report() {

@@ -37,6 +37,8 @@ class CalibrationRun : public QObject {
   void stop();
   [[nodiscard]] bool is_running() const { return work_.is_running(); }
   [[nodiscard]] const BackgroundWork& work() const { return work_; }
+  /// How the calibration that runs, or ran last, has settled so far.
+  [[nodiscard]] std::vector<Round> rounds() const;
 
   [[nodiscard]] CalibrationState state() const;
   /// With all its figures; null where it was not made since the finger was opened.
@@ -60,6 +62,7 @@ class CalibrationRun : public QObject {
 
  private:
   class Undo;
+  struct HeardRounds;
   using Files = std::map<std::string, std::optional<std::string>>;
   struct Made {
     std::shared_ptr<const FingerCalibration> result;
@@ -84,10 +87,11 @@ class CalibrationRun : public QObject {
   std::filesystem::path looked_at_;
   bool has_report_ = false;
   bool is_program_missing_ = false;
-  QString start_problem_;      ///< in the system's words
-  std::string report_errors_;  ///< what the command line said that wrote it
+  QString start_problem_;  ///< in the system's words
+  QString report_errors_;  ///< what the command line said that wrote it
   QProcess process_;
-  int restored_ = 0, told_ = 0;  // counts
+  int restored_ = 0, told_ = 0;          // counts
+  std::shared_ptr<HeardRounds> rounds_;  ///< the calibrating thread has a part in it
   BackgroundWork work_, loading_, writing_;
 };
 

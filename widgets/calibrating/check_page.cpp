@@ -2,11 +2,12 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
+#include "core/utc_time.h"
+#include "widgets/language.h"
 #include "widgets/report/report_words.h"
 #include "widgets/shell/icons.h"
 #include "widgets/theme.h"
 #include "widgets/value_change.h"
-#include "widgets/words/library_words.h"
 
 #include <QApplication>
 #include <QHBoxLayout>

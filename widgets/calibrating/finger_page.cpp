@@ -1,7 +1,6 @@
 #include "widgets/calibrating/finger_page.h"
 
-#include "calibration/reference/reference_recording.h"
-#include "core/io/picture.h"
+#include "calibration/reference/new_reference.h"
 
 #include <QHBoxLayout>
 #include <QLocale>
@@ -25,17 +24,10 @@ QString geometry_text(const Finger& finger) {
 
 /// The frame becomes the sensor's untouched picture.
 Status install_untouched(const std::filesystem::path& folder, const Frame& frame) {
-  auto finger = Finger::load(folder);
-  if (!finger) return finger.error();
-  const auto picture = folder / ".untouched.png";
-  Status status =
-      write_picture(picture, frame.grey, frame.controls ? *frame.controls : std::string());
-  if (!status) return status;
-  const auto warnings = install_flat_reference(picture, folder, *finger);
-  std::error_code ignored;
-  std::filesystem::remove(picture, ignored);
-  if (!warnings) return warnings.error();
-  return finger->save(folder);
+  const auto warnings = give_untouched_picture(
+      folder,
+      {frame.grey, frame.controls ? *frame.controls : std::string(), en::say("the camera")});
+  return warnings ? Status() : warnings.error();
 }
 
 }  // namespace

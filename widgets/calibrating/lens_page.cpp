@@ -1,13 +1,16 @@
 #include "widgets/calibrating/lens_page.h"
 
 #include "core/io/atomic_file.h"
-#include "widgets/words/library_words.h"
+#include "core/io/message_json.h"
+#include "widgets/language.h"
 
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QVBoxLayout>
+
+#include <nlohmann/json.hpp>
 
 namespace alltact {
 namespace {
@@ -26,6 +29,16 @@ QString model_text(CameraModel model) {
   return LensPage::tr("a lens with parallel rays");
 }
 
+/// In words that can be translated, where the program that wrote it kept them.
+Message verdict_in(const LensRecord& record) {
+  if (const auto kept = record.find("verdict_message"); kept != record.end()) {
+    const auto json = nlohmann::ordered_json::parse(kept->second, nullptr, false);
+    if (json.is_object()) return message_of(json);
+  }
+  const auto verdict = record.find("verdict");
+  return verdict == record.end() ? Message() : Message::typed(verdict->second);
+}
+
 QString camera_text(const CameraParameters& camera, const LensRecord& record) {
   const QLocale locale;
   QString text = LensPage::tr("%1, %2 × %3 px")
@@ -38,9 +51,9 @@ QString camera_text(const CameraParameters& camera, const LensRecord& record) {
     text += LensPage::tr(", focal length %1 px").arg(locale.toString(camera.fx_px, 'f', 1));
   if (camera.port) text += LensPage::tr(", behind a window");
   text += QLatin1Char('.');
-  if (const auto verdict = record.find("verdict"); verdict != record.end())
-    text += QLatin1Char('\n') +
-            LensPage::tr("Its calibration: %1.").arg(in_window_language(verdict->second));
+  if (const Message verdict = verdict_in(record); !verdict.empty())
+    text +=
+        QLatin1Char('\n') + LensPage::tr("Its calibration: %1.").arg(in_window_language(verdict));
   return text;
 }
 
@@ -282,7 +295,7 @@ void LensPage::show_progress() {
   bar_->setVisible(is_running);
   stop_->setVisible(is_running);
   bar_->setValue(static_cast<int>(100 * work_.fraction()));
-  bar_->setFormat(work_.what());
+  bar_->setFormat(in_window_language(work_.what()));
 }
 
 }  // namespace alltact

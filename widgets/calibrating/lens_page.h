@@ -26,7 +26,7 @@ struct LensWanted {
 };
 /// Measures a lens as the command line does and writes the camera file; gives the verdict, a
 /// sentence. Runs on a thread of its own.
-using LensMeasurer = std::function<Result<std::string>(const LensWanted&, const Job&)>;
+using LensMeasurer = std::function<Result<Message>(const LensWanted&, const Job&)>;
 
 class LensPage : public StepPage {
   Q_OBJECT

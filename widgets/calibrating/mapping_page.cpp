@@ -1,7 +1,7 @@
 #include "widgets/calibrating/mapping_page.h"
 
+#include "widgets/language.h"
 #include "widgets/report/calibration_figures.h"
-#include "widgets/words/library_words.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -96,7 +96,7 @@ void MappingPage::show_status() {
   bar_->setValue(static_cast<int>(100 * run_.work().fraction()));
   QString progress;
   if (is_running) {
-    progress = run_.work().what();
+    progress = in_window_language(run_.work().what());
     if (const auto left = run_.work().seconds_left())
       progress += QLatin1Char(' ') +
                   tr("(about %n second(s) left)", nullptr, static_cast<int>(std::ceil(*left)));
@@ -120,8 +120,8 @@ void MappingPage::show_log() {
   was_running_ = is_running;
   log_->setVisible(is_running);
   convergence_->setVisible(is_running);
-  if (is_running) convergence_->set_rounds(run_.work().rounds());
-  const QString what = run_.work().what();
+  if (is_running) convergence_->set_rounds(run_.rounds());
+  const QString what = in_window_language(run_.work().what());
   const int count = log_->count();
   if (!is_running || what.isEmpty() || (count > 0 && log_->item(count - 1)->text() == what)) return;
   log_->addItem(what);

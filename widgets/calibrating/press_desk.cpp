@@ -290,7 +290,8 @@ void PressDesk::erase(const std::vector<FramePtr>& frames) {
       std::error_code failed;
       fs::remove(file, failed);
       if (!failed) return {};
-      return Error{"the press could not be removed: " + failed.message(), file.string(), ""};
+      return Error{
+          en::say("the press could not be removed: {}", failed.message()), file.string(), ""};
     });
   }
   Q_EMIT changed();

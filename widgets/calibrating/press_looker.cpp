@@ -39,8 +39,8 @@ LookedAt PressLooker::operator()(const FramePtr& frame, double radius_mm) {
   looked.thumbnail = thumbnail_of(result->grey);
   if (result->shape) looked.shape = std::make_shared<const FaceShape>(*result->shape);
   if (!result->difference || !result->shape) {
-    looked.problem =
-        Error{result->problems.empty() ? "no face was found" : result->problems.front(), "", ""};
+    looked.problem = Error{
+        result->problems.empty() ? en::say("no face was found") : result->problems.front(), "", ""};
     return looked;
   }
   if (!(radius_mm > 0)) return looked;

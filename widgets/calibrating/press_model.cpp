@@ -1,6 +1,6 @@
 #include "widgets/calibrating/press_model.h"
 
-#include "widgets/words/library_words.h"
+#include "widgets/language.h"
 
 #include <QFont>
 #include <QLocale>
@@ -115,8 +115,9 @@ QVariant PressModel::data(const QModelIndex& index, int role) const {
       return QStringLiteral("%1\n%2").arg(text_of(press->name),
                                           press_state_text(*press, desk_, run_));
     case Qt::ToolTipRole:
-      return press->looked.problem ? in_window_language(press->looked.problem->sentence())
-                                   : QString();
+      return press->looked.problem
+                 ? in_window_language(en::say("{}.", press->looked.problem->message()))
+                 : QString();
     case Qt::DecorationRole:
       return press->looked.thumbnail.isNull() ? QVariant()
                                               : QPixmap::fromImage(press->looked.thumbnail);

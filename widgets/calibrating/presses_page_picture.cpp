@@ -1,8 +1,8 @@
 // What the step Presses shows of one press: its picture, the ball over it, and what to do with it.
 #include "calibration/presses/placed_ball.h"
 #include "widgets/calibrating/presses_page.h"
+#include "widgets/language.h"
 #include "widgets/picture/overlays.h"
-#include "widgets/words/library_words.h"
 
 #include <QLocale>
 #include <QPainter>

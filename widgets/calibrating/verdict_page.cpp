@@ -1,10 +1,10 @@
 #include "widgets/calibrating/verdict_page.h"
 
+#include "widgets/language.h"
 #include "widgets/report/calibration_figures.h"
 #include "widgets/report/report_words.h"
 #include "widgets/shell/icons.h"
 #include "widgets/theme.h"
-#include "widgets/words/library_words.h"
 
 #include <QClipboard>
 #include <QDesktopServices>
@@ -143,11 +143,7 @@ void VerdictPage::show_status() {
       symbol_name(meaning), meaning_colour(meaning, palette()), kSymbol, devicePixelRatioF()));
   grade_->setText(known ? grade_text(known->grade) : tr("Not calibrated yet"));
   QString words;
-  if (known) {
-    const std::string& whole = known->sentence;
-    const std::size_t colon = whole.find(": ");
-    words = window_sentence(colon == std::string::npos ? whole : whole.substr(colon + 2));
-  }
+  if (known) words = window_sentence(known->reason);
   if (run_.state() == CalibrationState::kStale)
     words += QLatin1Char(' ') + tr("The presses have changed since: calibrate again.");
   sentence_->setText(words);
@@ -197,12 +193,12 @@ void VerdictPage::show_remarks() {
   remarks_group_->setVisible(shown_ != nullptr);
   if (!shown_) return;
   const Calibration& calibration = shown_->calibration;
-  const auto add = [this](const std::string& text) { remarks_->addItem(window_sentence(text)); };
-  for (const std::string& sign : shown_->fault_signs) add(sign);
-  for (const std::string& warning : shown_->about_settings) add(warning);
-  for (const std::string& warning : shown_->warnings) add(warning);
-  for (const std::string& reason : calibration.left_out) add(reason);
-  for (const std::string& remark : calibration.remarks)
+  const auto add = [this](const Message& text) { remarks_->addItem(window_sentence(text)); };
+  for (const Message& sign : shown_->fault_signs) add(sign);
+  for (const Message& warning : shown_->about_settings) add(warning);
+  for (const Message& warning : shown_->warnings) add(warning);
+  for (const Message& reason : calibration.left_out) add(reason);
+  for (const Message& remark : calibration.remarks)
     if (!calibration.next_press || remark != calibration.next_press->sentence) add(remark);
   if (remarks_->count() == 0) remarks_->addItem(tr("None."));
 }

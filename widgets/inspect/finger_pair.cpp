@@ -1,6 +1,6 @@
 #include "widgets/inspect/finger_pair.h"
 
-#include "core/finger/finger.h"
+#include "core/finger/finger_update.h"
 
 namespace alltact {
 namespace {
@@ -150,10 +150,11 @@ std::optional<Error> FingerPair::problem() const {
 
 void FingerPair::set_place(const fs::path& folder, const std::optional<RigidTransform>& place) {
   disk_->add([folder, place]() -> Status {
-    auto finger = Finger::load(folder);
-    if (!finger) return finger.error();
-    finger->gripper_from_camera = place;
-    return finger->save(folder);
+    const auto changed = update_finger(folder, [&](Finger& finger) {
+      finger.gripper_from_camera = place;
+      return Status();
+    });
+    return changed ? Status() : changed.error();
   });
   read_places();
 }

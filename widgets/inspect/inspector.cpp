@@ -25,7 +25,9 @@ Status Inspector::load_finger(const std::filesystem::path& folder, const Job& jo
   last_.reset();
   grid_ = {};
   if (folder.empty())
-    return Error{"no finger is open, so the recording cannot be measured", "", "opening a finger"};
+    return Error{en::say("no finger is open, so the recording cannot be measured"),
+                 "",
+                 en::say("opening a finger")};
   auto finger = Finger::load(folder);
   if (!finger) return finger.error();
   auto pipeline = Pipeline::create(folder, *finger, measuring_settings(folder), job);
@@ -50,9 +52,9 @@ Status Inspector::open(const std::filesystem::path& input, const Job& job) {
   last_.reset();
   std::error_code ignored;
   if (!std::filesystem::exists(input, ignored))
-    return Error{"this recording is not there any more",
+    return Error{en::say("this recording is not there any more"),
                  input.string(),
-                 "plugging in the disk it lies on, or opening another one"};
+                 en::say("plugging in the disk it lies on, or opening another one")};
   auto frames = RecordedFrames::open(input, job);
   if (!frames) return frames.error();
   frames_ = std::move(*frames);

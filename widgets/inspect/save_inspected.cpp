@@ -34,10 +34,14 @@ void show(const InspectedFrame& frame, const InspectOptions& view, FaceScene& sc
     scene.show(*frame.surface, *frame.camera);
 }
 
+Error no_face(const std::filesystem::path& file) {
+  return {en::say("there is no face to save"), file, en::say("another frame")};
+}
+
 }  // namespace
 
 Status save_surface(const InspectedFrame& frame, const std::filesystem::path& file) {
-  if (!frame.result.depth) return Error{"there is no face to save", file.string(), "another frame"};
+  if (!frame.result.depth) return no_face(file);
   return write_surface(
       file, contact_face_points_mm(frame.result, frame.face), frame.result.depth->depth_mm);
 }
@@ -54,8 +58,7 @@ Status save_both(const std::array<PlacedFrame, 2>& frames, const std::filesystem
   const auto files = files_of_both(file);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const InspectedFrame& frame = *frames[i].frame;
-    if (!frame.result.depth)
-      return Error{"there is no face to save", files[i].string(), "another frame"};
+    if (!frame.result.depth) return no_face(files[i]);
     cv::Mat points = contact_face_points_mm(frame.result, frame.face);
     points.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int*) {
       const Eigen::Vector3d at = frames[i].gripper_from_camera.point({p[0], p[1], p[2]});
@@ -87,7 +90,7 @@ Status save_film(const FilmOptions& options, const std::filesystem::path& file, 
     if (!answer.recording) return *answer.problem;
     count = answer.recording->count;
     job.report(static_cast<double>(wish.number) / static_cast<double>(count),
-               fmt::format("frame {} of {}", wish.number + 1, count));
+               en::say("frame {} of {}", wish.number + 1, count));
     if (!answer.frame || !answer.frame->surface) continue;
     show(*answer.frame, options.view, scene);
     const Frame frame = frame_of(pictures->picture(), *answer.frame->result.frame, written++);
@@ -99,7 +102,8 @@ Status save_film(const FilmOptions& options, const std::filesystem::path& file, 
     }
     if (const Status status = writer->add(frame); !status) return status;
   }
-  if (!writer) return Error{"no frame of the recording shows a face", options.input.string(), ""};
+  if (!writer)
+    return Error{en::say("no frame of the recording shows a face"), options.input.string(), ""};
   return writer->finish();
 }
 

@@ -74,9 +74,10 @@ WatchedFrame FingerWatch::operator()(const FramePtr& frame, bool is_next) {
   if (finger_ && !watched.problem) {
     auto grey = oriented_for(finger_->camera,
                              frame->grey,
-                             "the picture",
+                             en::say("the picture"),
                              frame->origin,
-                             "the finger that belongs to this camera, or this finger's camera");
+                             en::say("the finger that belongs to this camera, or this finger's "
+                                     "camera"));
     if (grey) {
       result.grey = *grey;
     } else {
@@ -90,7 +91,7 @@ WatchedFrame FingerWatch::operator()(const FramePtr& frame, bool is_next) {
     result.edges = std::move(*edges);
     if (finger_ && finger_->face.kind == FaceKind::kFinRay) look_for_markers(watched);
   } else {
-    result.problems.push_back(edges.error().sentence());
+    result.problems.push_back(en::say("{}.", edges.error().message()));
   }
   result.times_ms.total = milliseconds_since(start);
   return watched;
@@ -107,7 +108,7 @@ void FingerWatch::look_for_markers(WatchedFrame& watched) {
   auto shape = FaceShape::fit(*result.edges, *camera_, finger_->face, settings_.profile_degree);
   result.times_ms.global = milliseconds_since(start);
   if (!shape) {
-    result.problems.push_back(shape.error().sentence());
+    result.problems.push_back(en::say("{}.", shape.error().message()));
     return;
   }
   start = std::chrono::steady_clock::now();

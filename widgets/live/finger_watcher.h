@@ -40,7 +40,7 @@ struct FingerStatus {
   bool has_reference = false;  ///< loaded, so that frames are compared with it
   std::string loading;         ///< what loading is at, in words
   std::optional<Error> problem;
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   std::uint64_t skipped = 0;  ///< frames that came and were never looked at: newer ones had come
 };
 
@@ -78,8 +78,9 @@ class FingerWatcher {
 
 /// The depth map in colours (viridis), more see-through where little presses.
 [[nodiscard]] cv::Mat depth_layer(const DepthMap& depth, double top_mm);
-/// Stripes falling to the right where the picture is too bright to measure, to the left where it is
-/// too dark; on the face only, where that is known.
+/// Stripes falling to the right where the measurement flags a pixel as kSaturated, to the left
+/// where as kTooDark. Where nothing was measured, `grey` alone tells both (grey_range.h), on the
+/// face only, where that is known. `grey`: CV_8UC1, the result's.
 [[nodiscard]] cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result);
 
 }  // namespace alltact

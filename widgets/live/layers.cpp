@@ -1,3 +1,4 @@
+#include "core/grey_range.h"
 #include "core/io/colour_map.h"
 #include "widgets/live/finger_watcher.h"
 
@@ -11,7 +12,6 @@ namespace {
 constexpr double kFaint_mm = 0.05;  // nothing is coloured below: noise of an untouched face
 constexpr double kFull_mm = 0.25;   // and fully from here on
 constexpr double kStrongest = 0.85;
-constexpr std::uint8_t kClipped = 250, kDark = 4;  // grey levels that cannot be measured
 constexpr int kStripe_px = 6;
 
 using Pixel = cv::Vec4b;  // blue, green, red, alpha
@@ -43,6 +43,25 @@ Rows face_rows(const FrameResult& result, int u, int height) {
   return {std::max(0, rows.first), std::min(height - 1, rows.last)};
 }
 
+/// What the measurement says of each pixel; where nothing was measured, what it would say of this
+/// picture if it were the reference, too.
+cv::Mat fault_flags(const cv::Mat& grey, const FrameResult& result) {
+  if (result.depth) return result.depth->flags;
+  if (result.difference) return result.difference->flags;
+  const double dark_below = result.edges ? too_dark_below(result.edges->noise_sd) : kTooDarkBelow;
+  cv::Mat flags(grey.size(), CV_8UC1, cv::Scalar(kOffFace));
+  for (int u = 0; u < grey.cols; ++u) {
+    const Rows rows = face_rows(result, u, grey.rows);
+    for (int v = rows.first; v <= rows.last; ++v) {
+      const int level = grey.at<std::uint8_t>(v, u);
+      flags.at<std::uint8_t>(v, u) = level >= kClippedFrom ? kSaturated
+                                     : level < dark_below  ? kTooDark
+                                                           : kMeasured;
+    }
+  }
+  return flags;
+}
+
 }  // namespace
 
 cv::Mat depth_layer(const DepthMap& depth, double top_mm) {
@@ -63,14 +82,15 @@ cv::Mat depth_layer(const DepthMap& depth, double top_mm) {
 cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result) {
   static const Pixel bright = premultiplied({230, 60, 40}, 1),
                      dark = premultiplied({60, 150, 255}, 1);
+  const cv::Mat flags = fault_flags(grey, result);
   cv::Mat layer = cv::Mat::zeros(grey.size(), CV_8UC4);
-  for (int u = 0; u < grey.cols; ++u) {
-    const Rows rows = face_rows(result, u, grey.rows);
-    for (int v = rows.first; v <= rows.last; ++v) {
-      const std::uint8_t level = grey.at<std::uint8_t>(v, u);
-      if (level >= kClipped && (u - v + grey.rows * kStripe_px) % kStripe_px < kStripe_px / 2)
-        layer.at<Pixel>(v, u) = bright;
-      if (level <= kDark && (u + v) % kStripe_px < kStripe_px / 2) layer.at<Pixel>(v, u) = dark;
+  for (int v = 0; v < grey.rows; ++v) {
+    const auto* flag = flags.ptr<std::uint8_t>(v);
+    auto* pixel = layer.ptr<Pixel>(v);
+    for (int u = 0; u < grey.cols; ++u) {
+      if (flag[u] == kSaturated && (u - v + grey.rows * kStripe_px) % kStripe_px < kStripe_px / 2)
+        pixel[u] = bright;
+      if (flag[u] == kTooDark && (u + v) % kStripe_px < kStripe_px / 2) pixel[u] = dark;
     }
   }
   return layer;

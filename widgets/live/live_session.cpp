@@ -137,11 +137,11 @@ void LiveSession::refresh() {
 void LiveSession::follow_remarks() {
   constexpr std::int64_t kShown_ns = 10 * kSecond_ns;
   const auto remarks =
-      status_.source.camera ? status_.source.camera->remarks : std::vector<std::string>{};
+      status_.source.camera ? status_.source.camera->remarks : std::vector<Message>{};
   if (remarks != remarks_ && !remarks.empty()) remarked_ns_ = monotonic_ns();
   remarks_ = remarks;
   const bool is_shown = !remarks_.empty() && monotonic_ns() < remarked_ns_ + kShown_ns;
-  status_.remark = is_shown ? remarks_.back() : std::string();
+  status_.remark = is_shown ? remarks_.back() : Message();
 }
 
 }  // namespace alltact

@@ -22,7 +22,7 @@ struct LiveStatus {
   DeskStatus desk;
   double shown_per_s = 0;        ///< views taken over the last second
   std::optional<double> age_ms;  ///< of the last view, when it was taken
-  std::string remark;            ///< the camera's latest, for ten seconds; then empty
+  Message remark;                ///< the camera's latest, for ten seconds; then empty
 };
 
 class LiveSession : public QObject {
@@ -78,7 +78,7 @@ class LiveSession : public QObject {
   std::deque<std::int64_t> taken_ns_;
   std::deque<double> ages_ms_;
   StepTimes times_ms_;
-  std::vector<std::string> remarks_;
+  std::vector<Message> remarks_;
   std::int64_t remarked_ns_ = 0;
   QTimer timer_;
 };

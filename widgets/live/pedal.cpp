@@ -1,6 +1,6 @@
 #include "widgets/live/pedal.h"
 
-#include "widgets/words/library_words.h"
+#include "widgets/language.h"
 
 #include <QMetaObject>
 #include <atomic>
@@ -23,7 +23,8 @@ Result<LearntButton> learn_from_all(const PedalPorts& ports, const Job& job) {
     names.push_back(hid.identity.lasting());
   }
   if (open.empty())
-    return Error{"there is no HID device that can be read", "", "plugging in a pedal"};
+    return Error{
+        en::say("there is no HID device that can be read"), "", en::say("plugging in a pedal")};
   std::vector<HidPort*> listening;
   for (const auto& port : open) listening.push_back(port.get());
   const auto found = learn_button(listening, kPatience_ms, job);
@@ -60,9 +61,9 @@ struct Pedal::Shared {
 Pedal::Pedal(PedalPorts ports, QObject* parent) : QObject(parent), ports_(std::move(ports)) {
   connect(&timer_, &QTimer::timeout, this, &Pedal::look);
   connect(&learning_, &BackgroundWork::progressed, this, [this] {
-    const QString text = learning_.fraction() > 0      ? tr("Press it once more.")
-                         : !learning_.what().isEmpty() ? tr("Press the pedal twice now.")
-                                                       : tr("Leave the pedal alone for a moment.");
+    const QString text = learning_.fraction() > 0    ? tr("Press it once more.")
+                         : !learning_.what().empty() ? tr("Press the pedal twice now.")
+                                                     : tr("Leave the pedal alone for a moment.");
     if (std::exchange(learning_text_, text) != text) Q_EMIT changed();
   });
   connect(&learning_, &BackgroundWork::finished, this, &Pedal::changed);
@@ -121,7 +122,7 @@ void Pedal::stop_learning() {
 void Pedal::end_learning(const Result<LearntButton>& learnt,
                          const std::optional<LearntButton>& before) {
   learning_text_ = learnt ? tr("Learnt: %1").arg(QString::fromStdString(learnt->device))
-                          : window_sentence(learnt.error().sentence());
+                          : window_sentence(learnt.error().message());
   listen(learnt ? std::optional(*learnt) : before);
 }
 

@@ -30,7 +30,7 @@ struct SourceRunner::Run {
   SourceOpener opener;
   std::vector<std::filesystem::path> inputs;
   std::uint64_t seed = 1;
-  Job job{[this](double, std::string_view what) {
+  Job job{[this](double, const Message& what) {
     const std::lock_guard lock(mutex);
     status.opening = what;
   }};
@@ -102,7 +102,8 @@ struct SourceRunner::Run {
     options.pace = Pace::kRecorded;
     options.seed = seed;
     options.job = &job;
-    auto source = job.stop_requested() ? Error{"stopped", "", ""} : opener(inputs, options);
+    auto source =
+        job.stop_requested() ? Error{en::say("stopped"), "", ""} : opener(inputs, options);
     if (!source) return fail(source.error());
     begin(**source);
     while (!job.stop_requested()) {

@@ -47,7 +47,7 @@ struct RecordingStatus {
 struct SourceStatus {
   SourceState state = SourceState::kClosed;
   std::vector<std::filesystem::path> inputs;
-  std::string opening;           ///< what long opening is at, in words
+  Message opening;               ///< what long opening is at, in words
   std::optional<Error> problem;  ///< why there are no frames now
   std::uint64_t delivered = 0;   ///< frames that came
   std::uint64_t missing = 0;     ///< frames that never came: gaps in the source's numbers

@@ -12,15 +12,15 @@ namespace {
 struct FrameWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::FrameWords)
  public:
-  static QString face(TouchedFace face) {
+  static QString face(PushedFace face) {
     switch (face) {
-      case TouchedFace::kContact:
+      case PushedFace::kContact:
         return tr("The finger is pushed from its contact face.");
-      case TouchedFace::kBack:
+      case PushedFace::kBack:
         return tr("The finger is pushed from its back.");
-      case TouchedFace::kUpper:
+      case PushedFace::kUpper:
         return tr("The finger is pushed from its upper side.");
-      case TouchedFace::kLower:
+      case PushedFace::kLower:
         break;
     }
     return tr("The finger is pushed from its lower side.");
@@ -63,7 +63,7 @@ struct FrameWords {
                         locale.toString(first.area_mm2, 'f', 1),
                         locale.toString(first.volume_mm3, 'f', 1));
     }
-    if (result.touch && result.touch->face) lines << face(*result.touch->face);
+    if (result.push && result.push->face) lines << face(*result.push->face);
     if (lines.isEmpty()) lines << tr("Not known without a reference recording.");
     return lines.join(QLatin1Char('\n'));
   }
@@ -84,8 +84,8 @@ std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& optio
   if (options.markers && result.markers) overlays.push_back(markers_overlay(*result.markers));
   if (options.markers && !view.watched.dots.empty())
     overlays.push_back(dots_overlay(view.watched.dots));
-  if (options.direction && result.touch && result.markers)
-    overlays.push_back(touch_overlay(*result.touch, *result.markers));
+  if (options.direction && result.push && result.markers)
+    overlays.push_back(push_overlay(*result.push, *result.markers));
   if (options.depth && !view.depth_layer.empty())
     overlays.push_back(
         colour_bar_overlay(depth_scale(view.depth_top_mm), FrameWords::colour_bar()));

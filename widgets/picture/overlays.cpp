@@ -119,10 +119,10 @@ Overlay dots_overlay(const std::vector<Dot>& dots) {
   };
 }
 
-Overlay touch_overlay(const Touch& touch, const Markers& markers) {
-  if (!touch.direction || markers.empty()) return [](QPainter&, const ImageTransform&) {};
+Overlay push_overlay(const Push& push, const Markers& markers) {
+  if (!push.direction || markers.empty()) return [](QPainter&, const ImageTransform&) {};
   const QPointF from = middle_of(markers);
-  const QPointF direction(touch.direction->x(), touch.direction->y());
+  const QPointF direction(push.direction->x(), push.direction->y());
   return [from, direction](QPainter& painter, const ImageTransform& transform) {
     constexpr double kLength = 70, kHead = 16;
     const QPointF start = transform.to_widget(from), end = start + kLength * direction;

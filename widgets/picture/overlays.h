@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/io/colour_map.h"
-#include "core/sensing/contact/touch.h"
+#include "core/sensing/contact/push.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/markers/markers.h"
 #include "widgets/picture/image_view.h"
@@ -28,7 +28,7 @@ void stroke_over(QPainter& painter,
 /// Dots without numbers: small squares.
 [[nodiscard]] Overlay dots_overlay(const std::vector<Dot>& dots);
 /// An arrow in the direction of the force, from the middle of the markers.
-[[nodiscard]] Overlay touch_overlay(const Touch& touch, const Markers& markers);
+[[nodiscard]] Overlay push_overlay(const Push& push, const Markers& markers);
 /// A layer of LiveView.
 [[nodiscard]] Overlay layer_overlay(const cv::Mat& layer);
 /// The scale with its numbers, at the lower right of the view.

@@ -1,9 +1,9 @@
 #include "widgets/places/inspect_place.h"
 
 #include "widgets/inspect/reading_text.h"
+#include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
 #include "widgets/value_change.h"
-#include "widgets/words/library_words.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>

@@ -1,8 +1,8 @@
 // What the place Inspect opens from files and saves into them.
 #include "core/io/picture.h"
 #include "widgets/inspect/save_inspected.h"
+#include "widgets/language.h"
 #include "widgets/places/inspect_place.h"
-#include "widgets/words/library_words.h"
 
 #include <QFileDialog>
 
@@ -101,7 +101,7 @@ void InspectPlace::end_saving(const Status& status,
   QStringList names;
   for (const auto& file : files) names << text_of(file);
   saved_->setText(status ? tr("Saved: %1").arg(names.join(QStringLiteral(", ")))
-                         : window_sentence(status.error().sentence()));
+                         : window_sentence(status.error().message()));
   saved_->setToolTip(saved_->text());
 }
 

@@ -1,8 +1,8 @@
 #include "widgets/places/record_place.h"
 
+#include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
 #include "widgets/shell/picture_dialog.h"
-#include "widgets/words/library_words.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -270,7 +270,7 @@ void RecordPlace::show_problem_picture() {
 void RecordPlace::list_rejected() {
   rejected_->clear();
   if (!report_ || !*report_) return;
-  for (const std::string& reason : report_->value().rejected)
+  for (const Message& reason : report_->value().rejected)
     rejected_->addItem(in_window_language(reason));
 }
 

@@ -163,7 +163,7 @@ void RecordPlace::show_problems(const LiveStatus& status) {
          tr("Little space is left on the disk."),
          tr("Choose a file on another disk, or make room."));
   if (report_ && report_->ok())
-    for (const std::string& warning : report_->value().warnings)
+    for (const Message& warning : report_->value().warnings)
       problems.push_back(Problem::of(Error{warning, "", ""}, Meaning::kDoubtful));
   if (!problem_picture_.isNull())
     problems.push_back({Meaning::kDoubtful,

@@ -1,7 +1,7 @@
 // How a solution settles, round by round.
 #pragma once
 
-#include "core/job.h"
+#include "calibration/joint/round.h"
 #include "widgets/plots/plot.h"
 
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include <QBuffer>
 #include <QColor>
-#include <QCoreApplication>
 #include <QHashFunctions>
 #include <QPageLayout>
 #include <QPdfWriter>
@@ -135,7 +134,7 @@ void Document::pictured_table(const QStringList& head,
   for (std::size_t first = 0; first < rows.size(); first += kRowsOfPage) {
     if (first > 0) {
       new_page();
-      heading(QCoreApplication::translate("Document", "Continued"));
+      heading("Continued");
     }
     const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(first);
     const auto count = std::min(kRowsOfPage, rows.size() - first);
@@ -180,7 +179,7 @@ Result<std::string> Document::pdf(const std::string& date) const {
     document.print(&writer);
   }
   QHashSeed::resetRandomGlobalSeed();
-  if (bytes.isEmpty()) return Error{"the report could not be printed", "", ""};
+  if (bytes.isEmpty()) return Error{en::say("the report could not be printed"), "", ""};
   set_time(bytes, date);
   return bytes.toStdString();
 }

@@ -3,18 +3,13 @@
 #include "calibration/report/typical_faults.h"
 #include "widgets/plots/press_light_plot.h"
 #include "widgets/report/calibration_figures.h"
-
-#include <QCoreApplication>
+#include "widgets/report/report_words.h"
 
 namespace alltact {
 namespace {
 
 constexpr int kWidth = 260, kHeight = 126;  // px at 96 to the inch
 constexpr std::uint64_t kSeed = 1;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("TypicalFaults", text);
-}
 
 enum class Shown { kCloud = 1, kLight };
 
@@ -28,41 +23,43 @@ std::vector<Entry> catalogue() {
   return {
       {Fault::kNone,
        Shown::kCloud,
-       tr("No fault"),
-       tr("One narrow cloud from zero to the deepest press, on the line.")},
+       text("No fault"),
+       text("One narrow cloud from zero to the deepest press, on the line.")},
       {Fault::kOtherLight,
        Shown::kLight,
-       tr("Other light than when the reference was taken"),
-       tr("Here 5 % more: all bars alike and beyond the dashed lines. The program corrects it and "
-          "says so. Left uncorrected, every press would seem less deep.")},
+       text("Other light than when the reference was taken"),
+       text(
+           "Here 5 % more: all bars alike and beyond the dashed lines. The program corrects it and "
+           "says so. Left uncorrected, every press would seem less deep.")},
       {Fault::kAutomaticExposure,
        Shown::kLight,
-       tr("Automatic exposure"),
-       tr("Here another gain in every press, within 6 %: bars up and down. The program says so: "
-          "lock "
-          "exposure and gain, shade the finger, press again.")},
+       text("Automatic exposure"),
+       text("Here another gain in every press, within 6 %: bars up and down. The program says so: "
+            "lock "
+            "exposure and gain, shade the finger, press again.")},
       {Fault::kMovedCamera,
        Shown::kCloud,
-       tr("Finger or camera moved after the reference"),
-       tr("Here by 0.45 mm. On a flat sensor in even light it does not show. Of a bending finger "
-          "the "
-          "program says when the reference does not hold the pose of most presses.")},
+       text("Finger or camera moved after the reference"),
+       text("Here by 0.45 mm. On a flat sensor in even light it does not show. Of a bending finger "
+            "the "
+            "program says when the reference does not hold the pose of most presses.")},
       {Fault::kLooseSkin,
        Shown::kCloud,
-       tr("Skin that leaves the ball, light at its edge"),
-       tr("Crosses away from the line near zero: towards the rim the skin no longer follows the "
-          "ball, "
-          "and swells brightly beside it. Common, and no fault as long as the dots lie on the "
-          "line: "
-          "only the inner part is used.")},
+       text("Skin that leaves the ball, light at its edge"),
+       text("Crosses away from the line near zero: towards the rim the skin no longer follows the "
+            "ball, "
+            "and swells brightly beside it. Common, and no fault as long as the dots lie on the "
+            "line: "
+            "only the inner part is used.")},
       {Fault::kBallRadius,
        Shown::kCloud,
-       tr("Wrong radius of the ball"),
-       tr("Here given 10 % too large: it looks as good as no fault, and every depth is 9 % too "
-          "small. "
-          "No residual shows a wrong radius. Measure the ball with callipers; a check with a ball "
-          "of "
-          "another size shows it (alltact check --presses --ball-radius-mm).")},
+       text("Wrong radius of the ball"),
+       text(
+           "Here given 10 % too large: it looks as good as no fault, and every depth is 9 % too "
+           "small. "
+           "No residual shows a wrong radius. Measure the ball with callipers; a check with a ball "
+           "of "
+           "another size shows it (alltact check --presses --ball-radius-mm).")},
   };
 }
 
@@ -96,10 +93,10 @@ Status add_typical_faults(Document& document,
                           const QFont& font,
                           const Job& job) {
   document.new_page();
-  document.heading(tr("Typical faults, and what they look like"));
-  document.paragraph(
-      tr("Each picture is a calibration with four presses on a small flat sensor that this program "
-         "has just simulated, with this fault and nothing else. Compare them with your own."));
+  document.heading(text("Typical faults, and what they look like"));
+  document.paragraph(text(
+      "Each picture is a calibration with four presses on a small flat sensor that this program "
+      "has just simulated, with this fault and nothing else. Compare them with your own."));
   std::vector<Document::Row> rows;
   for (const Entry& entry : catalogue()) {
     const auto made = simulate_calibration(entry.fault, kSeed, true, job);

@@ -1,6 +1,8 @@
 // How reports write things down.
 #pragma once
 
+#include "core/message.h"
+
 #include <QString>
 #include <string>
 
@@ -10,9 +12,17 @@ inline QString as_text(const std::string& text) {
   return QString::fromStdString(text);
 }
 
+/// Reports are English.
+inline QString text(const char* words) {
+  return QString::fromUtf8(words);
+}
+inline QString as_text(const Message& message) {
+  return as_text(message.english());
+}
+
 /// A sentence of ours, as one to begin a line with.
-inline QString sentence(const std::string& text) {
-  QString line = as_text(text);
+inline QString sentence(const Message& message) {
+  QString line = as_text(message);
   if (!line.isEmpty()) line[0] = line[0].toUpper();
   if (!line.isEmpty() && !line.endsWith('.')) line += '.';
   return line;

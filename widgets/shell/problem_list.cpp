@@ -1,8 +1,8 @@
 #include "widgets/shell/problem_list.h"
 
 #include "widgets/accessible.h"
+#include "widgets/language.h"
 #include "widgets/shell/icons.h"
-#include "widgets/words/library_words.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -31,10 +31,10 @@ Problem Problem::of(const Error& error, Meaning meaning) {
   Problem problem;
   problem.meaning = meaning;
   problem.told = error;
-  problem.what =
-      window_sentence(error.where.empty() ? error.what : error.where + ": " + error.what);
+  problem.what = window_sentence(en::at(error.where, error.what));
   if (!error.advice.empty())
-    problem.advice = ProblemList::tr("Try: %1").arg(in_window_language(error.advice + "."));
+    problem.advice =
+        ProblemList::tr("Try: %1").arg(in_window_language(en::say("{}.", error.advice)));
   return problem;
 }
 

@@ -1,6 +1,6 @@
 #include "widgets/shell/start_panel.h"
 
-#include "widgets/words/library_words.h"
+#include "widgets/language.h"
 
 namespace alltact {
 
@@ -90,7 +90,7 @@ void StartPanel::show_cameras() {
     cameras_->addWidget(button);
     if (!camera.problem) continue;
     button->setEnabled(false);
-    auto* why = new QLabel(window_sentence(camera.problem->sentence()));
+    auto* why = new QLabel(window_sentence(camera.problem->message()));
     why->setWordWrap(true);
     cameras_->addWidget(why);
   }

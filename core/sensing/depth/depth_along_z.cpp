@@ -14,7 +14,7 @@ namespace alltact {
 namespace {
 
 // Mean depth below which a cell only needs scaling: what noise makes of most of a face does too.
-constexpr float kTouchedMm = 0.02F, kMostTouchedMm = 0.1F;
+constexpr float kDentedMm = 0.02F, kMostDentedMm = 0.1F;
 constexpr float kAboveNoise = 3.0F;
 constexpr int kSteps = 6;  // each at least halves the error
 
@@ -57,30 +57,30 @@ struct Profile {
   }
 };
 
-/// The mean depth from which on a cell is touched, by the quarter of the face that is least so.
-float touched_mm(const cv::Mat& cells_mm) {
+/// The mean depth from which on a cell is dented, by the quarter of the face that is least so.
+float dented_mm(const cv::Mat& cells_mm) {
   std::vector<float> means;
   std::copy_if(
       cells_mm.begin<float>(), cells_mm.end<float>(), std::back_inserter(means), [](float mm) {
         return std::isfinite(mm);
       });
-  if (means.empty()) return kTouchedMm;
+  if (means.empty()) return kDentedMm;
   const auto quarter = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 4);
   std::nth_element(means.begin(), quarter, means.end());
-  return std::clamp(kAboveNoise * *quarter, kTouchedMm, kMostTouchedMm);
+  return std::clamp(kAboveNoise * *quarter, kDentedMm, kMostDentedMm);
 }
 
-/// Cells near a touched one: where looking elsewhere can make a difference.
-cv::Mat touched_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
-  cv::Mat touched = cells_mm > static_cast<double>(touched_mm(cells_mm));
+/// Cells near a dented one: where looking elsewhere can make a difference.
+cv::Mat dented_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
+  cv::Mat dented = cells_mm > static_cast<double>(dented_mm(cells_mm));
   double nearest_mm = 1e9;
   for (const FaceColumn& column : shape.columns())
     if (column.valid) nearest_mm = std::min(nearest_mm, column.z_mm);
   const double px_per_mm = 1.0 / shape.camera().mm_per_px_at(nearest_mm);
   const int reach =
       1 + static_cast<int>(std::ceil(shape.face().layer_mm * px_per_mm / kDepthCellPx));
-  cv::dilate(touched, touched, cv::Mat::ones(3, 2 * reach + 1, CV_8U));
-  return touched;
+  cv::dilate(dented, dented, cv::Mat::ones(3, 2 * reach + 1, CV_8U));
+  return dented;
 }
 
 /// Depth along z over one pixel; NaN where the pixel that sees it has no measurement.
@@ -123,9 +123,9 @@ cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
   cv::Mat depth_mm = depth_normal_mm.clone();
   const Profile profile(shape);
   const std::vector<float>& along_z = shape.along_z_per_normal();
-  const cv::Mat touched = touched_cells(cells_mm, shape);
+  const cv::Mat dented = dented_cells(cells_mm, shape);
   for (int row = 0; row < depth_mm.rows; ++row) {
-    const std::uint8_t* cell = touched.ptr<std::uint8_t>(row / kDepthCellPx);
+    const std::uint8_t* cell = dented.ptr<std::uint8_t>(row / kDepthCellPx);
     float* depth = depth_mm.ptr<float>(row);
     for (int u = 0; u < depth_mm.cols; ++u) {
       // Where the face is even, along the normal or along z is a matter of scale alone.

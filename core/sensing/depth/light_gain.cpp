@@ -1,5 +1,6 @@
 #include "core/sensing/depth/light_gain.h"
 
+#include "core/grey_range.h"
 #include "core/numerics/median.h"
 #include "core/sensing/reference/grey_steps.h"
 
@@ -16,8 +17,6 @@ namespace {
 constexpr double kBlocks = 1500;     // enough for six numbers, few enough to cost nothing
 constexpr double kFloor = 0.002;     // what references are off by apart from noise
 constexpr double kTukey = 4.0;       // sigmas beyond which a block says nothing
-constexpr double kBrightest = 250;   // levels from here on are clipped
-constexpr double kLeastLevel = 8;    // darker than this nothing can be divided by
 constexpr double kConstantSd = 0.5;  // what changes are to be expected
 constexpr double kShapeSd = 0.05;
 constexpr double kAlike = 2.0;   // times the shortest stretch of ratios
@@ -70,8 +69,8 @@ std::vector<Block> blocks_of(const cv::Mat& grey,
       for (int first = run.first; first + step <= run.end; first += step) {
         int sum = 0, reference_sum = 0, count = 0;
         for (int u = first; u < first + step; ++u) {
-          if (live[u] >= kBrightest || untouched[u] < kLeastLevel * kGreySteps ||
-              untouched[u] >= kBrightest * kGreySteps)
+          if (live[u] >= kClippedFrom || untouched[u] < kTooDarkBelow * kGreySteps ||
+              untouched[u] >= kClippedFrom * kGreySteps)
             continue;
           sum += live[u];
           reference_sum += untouched[u];
@@ -145,7 +144,8 @@ double refit(const std::vector<Block>& blocks,
 
 /// From the skin that is brighter than its reference, where no contact is: half of a normal
 /// distribution's magnitudes lie below 0.6745 sd. What references are off by is taken off.
-double noise_ratio(const std::vector<Block>& blocks, const Terms& terms) {
+/// `promised`: how noisy it is said to be, as a part of the blocks' noise.
+double noise_ratio(const std::vector<Block>& blocks, const Terms& terms, double promised) {
   std::vector<double> above, floors;
   for (const Block& block : blocks) {
     const double z = (block.ratio * (1.0 + block.basis.dot(terms)) - 1.0) / block.noise;
@@ -155,17 +155,20 @@ double noise_ratio(const std::vector<Block>& blocks, const Terms& terms) {
   }
   if (static_cast<int>(above.size()) < kLeastBlocks) return 1.0;
   const double all = upper_median(above) / 0.6745, floor = upper_median(floors);
-  return std::sqrt(std::max(1.0, all * all - floor * floor));
+  return std::sqrt(std::max(1.0, (all * all - floor * floor) / (promised * promised)));
 }
 
-/// By what the covariance of a fit to independent blocks falls short: what references are off by is
-/// alike over patches of the face.
-double shared_part(const std::vector<Block>& blocks, double noise_ratio) {
+/// By what the covariance of a fit to independent blocks, as noisy as they were weighed, falls
+/// short: noise is `ratio` times that, and what references are off by is alike over patches of the
+/// face.
+double shortfall(const std::vector<Block>& blocks, double ratio) {
   std::vector<double> noises;
   for (const Block& block : blocks) noises.push_back(block.noise);
-  const double noise = noise_ratio * upper_median(noises);
+  const double more = std::max(1.0, ratio), one = upper_median(noises);
+  const double noise = ratio * one, weighed = more * one;
   const double shared = std::max(1.0, static_cast<double>(blocks.size()) / kPatches);
-  return (noise * noise + shared * kFloor * kFloor) / (noise * noise + kFloor * kFloor);
+  return more * more *
+         ((noise * noise + shared * kFloor * kFloor) / (weighed * weighed + kFloor * kFloor));
 }
 
 /// The blocks that are clearly brighter than their reference under the light of `terms`.
@@ -258,7 +261,8 @@ LightGain light_gain(const cv::Mat& grey,
                      const ReferencePicture& reference,
                      const FaceRuns& face,
                      double noise_sd,
-                     double noise_gain) {
+                     double noise_gain,
+                     std::optional<double> told_sd) {
   CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.size());
   const cv::Rect bounds = bounds_of(face);
   if (bounds.empty()) return {};
@@ -269,13 +273,14 @@ LightGain light_gain(const cv::Mat& grey,
   const LightFit fit = brightest_light(blocks, std::move(*first));
   std::array<double, LightGain::kTerms> values;
   std::copy(fit.terms.begin(), fit.terms.end(), values.begin());
-  const double ratio_of_noise = noise_ratio(blocks, fit.terms);
+  const double promised = told_sd.value_or(noise_sd) / noise_sd;
+  const double ratio_of_noise = noise_ratio(blocks, fit.terms, promised);
   return {bounds,
           values,
           fit.believed,
           fit.brighter_part,
           ratio_of_noise,
-          ratio_of_noise * ratio_of_noise * shared_part(blocks, ratio_of_noise) * fit.covariance};
+          shortfall(blocks, promised * ratio_of_noise) * fit.covariance};
 }
 
 }  // namespace alltact

@@ -6,6 +6,7 @@
 #include "core/sensing/reference/reference_picture.h"
 
 #include <array>
+#include <optional>
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
@@ -41,8 +42,8 @@ class LightGain {
   /// Part of the face that is clearly brighter (5 %, and 5 sd) than its reference once the light is
   /// corrected: nearly none on the finger that was recorded, since what presses darkens.
   [[nodiscard]] double brighter() const { return brighter_; }
-  /// How noisy untouched skin is against its reference, times what the picture's own second
-  /// differences promise; at least 1. Compression hides noise from those but leaves it in the means
+  /// How noisy untouched skin is against its reference, times what second differences promise; at
+  /// least 1. Compression hides noise from those but leaves it in the means
   /// over some pixels, which this is told from.
   [[nodiscard]] double noise_ratio() const { return noise_ratio_; }
   /// Standard deviation of q at a pixel, by how well the untouched skin tells it.
@@ -61,12 +62,15 @@ class LightGain {
 /// leave so much of the face brighter than its reference. The smaller the untouched part, the
 /// simpler the change is taken to be. A change of the light that looks like a contact is not seen,
 /// nor a contact that is as wide and as even as a change of the light.
-/// grey: CV_8UC1 of the reference's size. noise_sd, noise_gain: grey levels of one picture, and the
-/// reference's against it. No change where the face cannot be compared.
+/// grey: CV_8UC1 of the reference's size. noise_sd, noise_gain: grey levels of one picture, by
+/// which blocks are weighed, and the reference's against it. told_sd: what second differences
+/// promise, from which noise_ratio() and sd_at() are told; it changes nothing else. No change where
+/// the face cannot be compared.
 [[nodiscard]] LightGain light_gain(const cv::Mat& grey,
                                    const ReferencePicture& reference,
                                    const FaceRuns& face,
                                    double noise_sd,
-                                   double noise_gain);
+                                   double noise_gain,
+                                   std::optional<double> told_sd = std::nullopt);
 
 }  // namespace alltact

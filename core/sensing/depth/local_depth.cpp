@@ -1,10 +1,12 @@
 #include "core/sensing/depth/local_depth.h"
 
+#include "core/grey_range.h"
 #include "core/numerics/blocks.h"
 #include "core/numerics/dispatch.h"
 #include "core/sensing/depth/depth_along_z.h"
 #include "core/sensing/depth/depth_cells.h"
 #include "core/sensing/depth/depth_scale.h"
+#include "core/sensing/depth/reference_noise.h"
 #include "core/sensing/depth/row_smoother.h"
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/reference/grey_steps.h"
@@ -22,7 +24,7 @@ namespace alltact {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr std::int16_t kCeiling = 250 * kGreySteps;  // levels from here on are taken as clipped
+constexpr std::int16_t kCeiling = kClippedFrom * kGreySteps;
 
 /// Both brightnesses of a row in steps; true when every pixel of it can be measured, as nearly all
 /// rows can.
@@ -227,8 +229,8 @@ void compare(const cv::Mat& grey,
   // weights of the missing neighbours cancel in the ratio, and dark pixels are not biased by it.
   RowSmoother live(options.smoothing, grey.cols), untouched(options.smoothing, grey.cols);
   ReferencePicture::Reader reader(reference.picture);
-  const auto darkest = static_cast<std::int16_t>(
-      std::lround(kGreySteps * std::clamp(6.0 * options.noise_sd, 8.0, 250.0)));
+  const auto darkest =
+      static_cast<std::int16_t>(std::lround(kGreySteps * too_dark_below(options.noise_sd)));
   const auto select = [&](int row) {
     const auto runs = row < grey.rows ? face.of_row(row) : std::span<const FaceRun>();
     std::int16_t* live_row = live.fresh_row(row, runs);
@@ -271,17 +273,24 @@ void compare(const cv::Mat& grey,
   }
 }
 
-/// One frame's noise averaged over the kernel.
-double smoothed_sd(const DifferenceOptions& options) {
-  return options.smoothing.noise_part() * options.noise_sd;
+/// One frame's noise, grey levels, that standard deviations are told from.
+double noise_now(const cv::Mat& grey,
+                 const Reference& reference,
+                 const FaceRuns& face,
+                 const DifferenceOptions& options) {
+  if (!options.measure_noise) return options.noise_sd;
+  return noise_against_reference(grey, reference.picture, reference.noise_gain, face)
+      .value_or(options.noise_sd);
 }
 
 LightGain light_now(const cv::Mat& grey,
                     const Reference& reference,
                     const FaceRuns& face,
-                    const DifferenceOptions& options) {
+                    const DifferenceOptions& options,
+                    double noise_sd) {
   if (!options.correct_light) return {};
-  return light_gain(grey, reference.picture, face, options.noise_sd, reference.noise_gain);
+  return light_gain(
+      grey, reference.picture, face, options.noise_sd, reference.noise_gain, noise_sd);
 }
 
 }  // namespace
@@ -296,9 +305,10 @@ Difference difference(const cv::Mat& grey,
   result.flags = pooled_picture(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size());
   result.blur_px2 = options.smoothing.blur_px2();
-  result.light = light_now(grey, reference, result.face, options);
-  result.grey_sd =
-      smoothed_sd(options) * result.light.noise_ratio() * std::hypot(1.0, reference.noise_gain);
+  const double noise_sd = noise_now(grey, reference, result.face, options);
+  result.light = light_now(grey, reference, result.face, options, noise_sd);
+  result.grey_sd = options.smoothing.noise_part() * noise_sd * result.light.noise_ratio() *
+                   std::hypot(1.0, reference.noise_gain);
   compare(
       grey,
       reference,
@@ -339,7 +349,8 @@ DepthMap depth_map(const cv::Mat& grey,
                0.0,
                {}};
   const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size());
-  map.light = light_now(grey, reference, face, options);
+  const double noise_sd = noise_now(grey, reference, face, options);
+  map.light = light_now(grey, reference, face, options, noise_sd);
   Mapper mapper(mapping, shape, face, map);
   std::vector<float> x(static_cast<std::size_t>(grey.cols));
   compare(
@@ -352,7 +363,7 @@ DepthMap depth_map(const cv::Mat& grey,
       [&](int) { return x.data(); },
       [&](int row) { mapper(row, x.data()); });
   mapper.finish();
-  map.live_sd = smoothed_sd(options) * map.light.noise_ratio();
+  map.live_sd = options.smoothing.noise_part() * noise_sd * map.light.noise_ratio();
   map.noise_mm = mapping.slope_mm(0.0) * map.live_sd * std::hypot(1.0, reference.noise_gain) /
                  mean_brightness(grey, face);
   return map;

@@ -39,8 +39,13 @@ struct DepthMap {
 struct DifferenceOptions {
   Smoothing smoothing = smoothing_of(1.0);
   double edge_margin_px = 1.0;  ///< pixels this near the face's edges are off the face
-  double noise_sd = 1.0;        ///< grey levels, from the picture
-  bool correct_light = false;   ///< take out what the light has changed (light_gain.h)
+  /// Noise of the picture, grey levels: how pixels are weighed for the light, below which level the
+  /// reference is too dark, and, unless it is measured, what standard deviations are told from.
+  double noise_sd = 1.0;
+  /// Tells standard deviations, and nothing else, from the noise against the reference
+  /// (reference_noise.h); from noise_sd where too few pixels tell it.
+  bool measure_noise = false;
+  bool correct_light = false;  ///< take out what the light has changed (light_gain.h)
 };
 
 /// Compares a picture with its reference on the face.

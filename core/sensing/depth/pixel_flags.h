@@ -15,8 +15,8 @@ namespace alltact {
 enum PixelFlag : std::uint8_t {
   kMeasured = 0,
   kOffFace = 1,       ///< no face here: NaN
-  kTooDark = 2,       ///< the reference is too dark to divide by: NaN
-  kSaturated = 3,     ///< live or reference picture at its ceiling: NaN
+  kTooDark = 2,       ///< the reference is too dark to divide by (grey_range.h): NaN
+  kSaturated = 3,     ///< live or reference picture is clipped (grey_range.h): NaN
   kExtrapolated = 4,  ///< darker than anything calibrated: depth goes on with the end slope
   kBeyondLayer = 5,   ///< deeper than the layer is thick: depth is set to that
   kNoReference = 6,   ///< the recording does not show this part of the face in this pose: NaN

@@ -11,10 +11,11 @@ namespace alltact {
 namespace {
 
 constexpr int kStrips = 9;
-constexpr int kMostSteps = 3;       // of one strip, the ones of most contrast
-constexpr int kNear = 3, kFar = 9;  // the levels are read from kNear to kFar columns away
-constexpr int kInside = 20;         // columns searched inwards of the edges' last sample
-constexpr int kBeyond = 120;        // and outwards
+constexpr int kMostSteps = 3;  // of one strip, the ones of most contrast
+constexpr int kEndNear = 3,
+              kEndFar = 9;    // the levels are read from kEndNear to kEndFar columns away
+constexpr int kInside = 20;   // columns searched inwards of the edges' last sample
+constexpr int kBeyond = 120;  // and outwards
 constexpr double kMostSlope = 0.7;
 constexpr double kOnLinePx = 1.2;
 constexpr int kLeastStrips = 4;
@@ -83,10 +84,10 @@ struct Step {
 };
 
 /// Mean of a line through values at x = first, first + 1, .. at x = 0, and its slope.
-struct Level {
+struct EndLevel {
   double value = 0, slope = 0;
 };
-Level level_of(const std::vector<float>& values, int centre, int first, int last) {
+EndLevel end_level(const std::vector<float>& values, int centre, int first, int last) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (int x = first; x <= last; ++x) {
     const auto y = static_cast<double>(values[static_cast<std::size_t>(centre + x)]);
@@ -110,10 +111,10 @@ class EndReader {
     const int from = static_cast<int>(std::lround(edges_.u[samples.front()]));
     const double half = 0.5 * (lower_.at(from) - upper_.at(from));
     const int bow = static_cast<int>(std::abs(bow_at(from)) * square(half));
-    start_ = from - outwards_ * (kInside + kFar + bow);
+    start_ = from - outwards_ * (kInside + kEndFar + bow);
     const int border = outwards_ > 0 ? grey_.cols - 1 - start_ : start_;
-    count_ = std::min(kInside + kFar + bow + kBeyond + kFar, border + 1);
-    if (start_ < 0 || start_ >= grey_.cols || count_ < 4 * kFar) return std::nullopt;
+    count_ = std::min(kInside + kEndFar + bow + kBeyond + kEndFar, border + 1);
+    if (start_ < 0 || start_ >= grey_.cols || count_ < 4 * kEndFar) return std::nullopt;
     for (int strip = 0; strip < kStrips; ++strip) read_steps(strip);
     return straightest();
   }
@@ -147,7 +148,7 @@ class EndReader {
       const auto k = static_cast<std::size_t>(i);
       return brightness[k - 1] + brightness[k] - brightness[k + 1] - brightness[k + 2];
     };
-    for (int i = kFar; i + 1 + kFar < count_; ++i) {
+    for (int i = kEndFar; i + 1 + kEndFar < count_; ++i) {
       if (!(fall(i) > 0.0F) || fall(i) < fall(i - 1) || fall(i) <= fall(i + 1)) continue;
       const auto step = step_at(brightness, i);
       if (!step || step->contrast < least) continue;
@@ -168,15 +169,15 @@ class EndReader {
 
   /// Half-way between the levels on both sides, each a line: the face darkens towards its end.
   [[nodiscard]] std::optional<Step> step_at(const std::vector<float>& brightness, int i) const {
-    const Level inside = level_of(brightness, i, -kFar, -kNear + 1);
-    const Level outside = level_of(brightness, i, kNear, kFar);
+    const EndLevel inside = end_level(brightness, i, -kEndFar, -kEndNear + 1);
+    const EndLevel outside = end_level(brightness, i, kEndNear, kEndFar);
     const auto above = [&](int x) {
       const double half = 0.5 * (inside.value + outside.value + x * (inside.slope + outside.slope));
       return static_cast<double>(brightness[static_cast<std::size_t>(i + x)]) - half;
     };
     const double contrast = inside.value + 0.5 * inside.slope - outside.value - 0.5 * outside.slope;
     if (!(contrast > 0.0)) return std::nullopt;
-    for (int x = -kNear + 1; x < kNear; ++x) {
+    for (int x = -kEndNear + 1; x < kEndNear; ++x) {
       const double a = above(x), b = above(x + 1);
       if (a >= 0.0 && b < 0.0) return Step{start_ + outwards_ * (i + x + a / (a - b)), 0, contrast};
     }

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -29,11 +27,13 @@ double outermost(const FaceEnd& end, double upper_v, double lower_v, int outward
   return outwards > 0 ? most : least;
 }
 
-Error no_shape(std::string what) {
-  return {std::move(what),
-          "the face's edges",
+Error no_shape(Message what) {
+  return {
+      std::move(what),
+      en::say("the face's edges"),
+      en::say(
           "a picture in which both long edges of the bright face are visible and lit evenly; check "
-          "that the lamps are on and that the lens is clean"};
+          "that the lamps are on and that the lens is clean")};
 }
 
 }  // namespace
@@ -44,15 +44,15 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
                                  int degree,
                                  double z_sd_limit_mm) {
   if (!camera.is_perspective())
-    return no_shape("the shape of a Fin Ray needs a perspective camera, not an orthographic one");
+    return no_shape(
+        en::say("the shape of a Fin Ray needs a perspective camera, not an orthographic one"));
   if (const auto jump = outline_jump(edges)) {
     if (jump->shorter_part < kShortPart)
       return fit(longer_side(edges, *jump), camera, face, degree, z_sd_limit_mm);
-    return Error{
-        fmt::format("no smooth shape fits the outline of the face: it jumps at column {:.0f}",
-                    jump->u_px),
-        "the face's edges",
-        "bending the finger less, until no part of it hides another"};
+    return Error{en::say("no smooth shape fits the outline of the face: it jumps at column {:.0f}",
+                         jump->u_px),
+                 en::say("the face's edges"),
+                 en::say("bending the finger less, until no part of it hides another")};
   }
   const CameraParameters& lens = camera.parameters();
   const int width = lens.width_px;
@@ -67,8 +67,8 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   const auto lower =
       fit_robust_polynomial(along, edges.lower.v, edges.lower.sd, edges.lower.valid, edge_degree);
   if (!upper || !lower) {
-    return no_shape(fmt::format("the {} edge of the face was seen in too few columns",
-                                !upper ? "upper" : "lower"));
+    const Message side = !upper ? en::say("upper") : en::say("lower");
+    return no_shape(en::say("the {} edge of the face was seen in too few columns", side));
   }
   // Nothing is invented beyond the face's ends or, where they were not seen, beyond the columns
   // where both edges were trusted; up to the picture's own border the last sample's half width
@@ -89,7 +89,8 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   };
   if (edges.ends.first) first = std::max(0.0, corner(*edges.ends.first, -1));
   if (edges.ends.last) last = std::min(width - 1.0, corner(*edges.ends.last, 1));
-  if (!(last - first >= 4.0 * step)) return no_shape("the two edges were never seen together");
+  if (!(last - first >= 4.0 * step))
+    return no_shape(en::say("the two edges were never seen together"));
 
   FaceShape shape(camera, face);
   shape.ends_ = edges.ends;
@@ -104,7 +105,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   shape.scale_ = scale;
   // Where a dark end is seen but not the edges up to it, these are extrapolated, to anywhere.
   if (!shape.fit_inverse_depth(std::max(first, seen_first), std::min(last, seen_last), edge_degree))
-    return no_shape("no smooth shape fits them");
+    return no_shape(en::say("no smooth shape fits them"));
 
   constexpr int kSdStep = 8;  // the error changes slowly along the face
   std::vector<double> width_sd;
@@ -123,7 +124,8 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     column.valid = column.z_sd_mm <= z_sd_limit_mm;
     valid += column.valid;
   }
-  if (valid < 5) return no_shape("the distance of the face is too uncertain in every column");
+  if (valid < 5)
+    return no_shape(en::say("the distance of the face is too uncertain in every column"));
   shape.finish();
   return shape;
 }

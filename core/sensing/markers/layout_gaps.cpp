@@ -11,7 +11,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostModes = 6;
+constexpr int kMostGapModes = 6;
 constexpr int kPasses = 12;
 constexpr int kLocalPasses = 4;
 constexpr std::size_t kPlenty = 40;
@@ -55,7 +55,7 @@ void refine(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd&
   const Eigen::MatrixXd centred = filled.rowwise() - mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(centred.transpose() * centred /
                                                              static_cast<double>(n - 1));
-  const Eigen::Index modes = std::min<Eigen::Index>({kMostModes, n - 1, size});
+  const Eigen::Index modes = std::min<Eigen::Index>({kMostGapModes, n - 1, size});
   const Eigen::VectorXd values = eigen.eigenvalues().tail(modes).cwiseMax(1e-6);
   const Eigen::MatrixXd basis = eigen.eigenvectors().rightCols(modes);
   for (std::size_t i = 0; i < seen.size(); ++i) {

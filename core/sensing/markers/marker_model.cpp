@@ -6,7 +6,6 @@
 #include <limits>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
 namespace alltact {
 namespace {
@@ -93,15 +92,14 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
   model.layouts_ = without_gaps(layouts);
   const Eigen::Index n = model.layouts_.rows(), size = layouts.cols();
   if (n < 2 || size < 4 || size % 4 != 0)
-    return Error{
-        fmt::format("only {} recorded pictures show every marker; at least 2 are needed", n),
-        "marker model",
-        "record the finger bending with both side faces in view and evenly lit"};
+    return Error{en::say("only {} recorded pictures show every marker; at least 2 are needed", n),
+                 en::say("marker model"),
+                 en::say("record the finger bending with both side faces in view and evenly lit")};
   if (static_cast<Eigen::Index>(typical_dots.size()) * 2 != size)
     return Error{
-        fmt::format("{} markers have a position but {} have a size", size / 2, typical_dots.size()),
-        "marker model",
-        "record the reference again"};
+        en::say("{} markers have a position but {} have a size", size / 2, typical_dots.size()),
+        en::say("marker model"),
+        en::say("record the reference again")};
   model.typical_ = typical_dots;
   model.missing_.assign(typical_dots.size(), 0);
   for (const int marker : missing) model.missing_[static_cast<std::size_t>(marker)] = 1;
@@ -111,9 +109,9 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
   const Eigen::MatrixXd covariance = centred.transpose() * centred / static_cast<double>(n - 1);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
   if (eigen.info() != Eigen::Success)
-    return Error{"the markers' positions are not finite numbers",
-                 "marker model",
-                 "record the reference again"};
+    return Error{en::say("the markers' positions are not finite numbers"),
+                 en::say("marker model"),
+                 en::say("record the reference again")};
   const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(0.0);
   // What the dots that exist can tell, less a little that tells whether they fit.
   const auto told =

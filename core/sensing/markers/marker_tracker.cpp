@@ -1,14 +1,12 @@
 #include "core/sensing/markers/dot_measure.h"
 #include "core/sensing/markers/markers.h"
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
 constexpr double kMostResidualPx = 3.0;  // beyond, the numbers are not believed
 
-std::size_t seen_count(const Markers& markers) {
+std::size_t count_of_seen(const Markers& markers) {
   return static_cast<std::size_t>(
       std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
 }
@@ -37,17 +35,17 @@ std::optional<Markers> MarkerTracker::follow(const cv::Mat& grey, const FaceShap
       if (markers[a].seen && markers[b].seen &&
           std::hypot(markers[a].u - markers[b].u, markers[a].v - markers[b].v) < 1.0)
         return std::nullopt;  // two markers on one dot: at least one of them jumped
-  const std::size_t found = seen_count(markers);
-  if (found + 1 < seen_count(*last_)) return std::nullopt;
+  const std::size_t found = count_of_seen(markers);
+  if (found + 1 < count_of_seen(*last_)) return std::nullopt;
   auto completed = model_.complete(std::move(markers));
   if (!completed || model_.residual_px(*completed) > kMostResidualPx) return std::nullopt;
-  if (seen_count(*completed) + 1 < found) return std::nullopt;  // several contradict the rest
+  if (count_of_seen(*completed) + 1 < found) return std::nullopt;  // several contradict the rest
   return completed;
 }
 
 std::optional<Markers> MarkerTracker::operator()(const cv::Mat& grey,
                                                  const FaceShape& shape,
-                                                 std::string* problem) {
+                                                 Message* problem) {
   if (last_) {
     last_ = follow(grey, shape);
     if (last_) return last_;
@@ -56,10 +54,9 @@ std::optional<Markers> MarkerTracker::operator()(const cv::Mat& grey,
   last_ = model_.number(found.dots);
   if (last_ && model_.residual_px(*last_) > kMostResidualPx) last_.reset();
   if (!last_ && problem)
-    *problem = fmt::format(
+    *problem = en::say(
         "{} dots were found beside the face, but no third of the {} markers among them fits a pose "
-        "of "
-        "the reference recording",
+        "of the reference recording",
         found.dots.size(),
         model_.present_count());
   return last_;

@@ -5,12 +5,12 @@
 #pragma once
 
 #include "core/finger/finger.h"
+#include "core/message.h"
 #include "core/result.h"
 #include "core/sensing/face/face_shape.h"
 
 #include <algorithm>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -135,7 +135,7 @@ class MarkerTracker {
   /// nullopt with `problem` set when the markers could not be found.
   [[nodiscard]] std::optional<Markers> operator()(const cv::Mat& grey,
                                                   const FaceShape& shape,
-                                                  std::string* problem);
+                                                  Message* problem);
   /// Forgets the last frame: the next one is looked at as if it were the first.
   void forget() { last_.reset(); }
 

@@ -9,7 +9,7 @@ namespace alltact {
 namespace {
 
 constexpr int kBorder = 12;  // columns: a face that ends there may go on outside
-constexpr std::size_t kLeastFrames = 8;
+constexpr std::size_t kLeastShowing = 8;
 constexpr double kLeastMm = 0.5, kScatters = 6.0;
 constexpr double kFurthest = 0.4;  // of the face's length, that it is continued
 
@@ -31,7 +31,7 @@ EndLengths::EndLengths(const std::vector<FaceChart>& charts, int width_px) {
 
 std::optional<EndLengths::End> EndLengths::end_of(std::vector<double> lengths_mm,
                                                   std::size_t frames) {
-  if (lengths_mm.size() < kLeastFrames || 2 * lengths_mm.size() < frames) return std::nullopt;
+  if (lengths_mm.size() < kLeastShowing || 2 * lengths_mm.size() < frames) return std::nullopt;
   const double middle = upper_median(lengths_mm);
   for (double& length : lengths_mm) length = std::abs(length - middle);
   constexpr double kSdOfMedian = 1.4826;  // sd over median deviation of a normal distribution

@@ -12,7 +12,10 @@ namespace {
 
 constexpr std::string_view kColumns = "frame,number,u,v,seen,radius,contrast";
 constexpr double kMarkerSdPx = 0.1;  // of recorded markers, as measured
-constexpr const char* kAdvice = "make the reference anew from the recording";
+
+Message advice() {
+  return en::say("make the reference anew from the recording");
+}
 
 struct Line {
   int frame = 0, number = 0, seen = 0;
@@ -74,66 +77,64 @@ void set_typical_places(MarkerTable& table) {
 
 Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int marker_count) {
   if (marker_count <= 0)
-    return Error{"the finger has no markers, so it has no marker table",
+    return Error{en::say("the finger has no markers, so it has no marker table"),
                  file.string(),
-                 "set markers.per_row"};
+                 en::say("set markers.per_row")};
   const auto content = read_file(file);
   if (!content) return content.error();
   Lines lines(*content);
-  const auto wrong = [&](std::string what) {
-    return Error{
-        std::move(what), fmt::format("{}, line {}", file.string(), lines.number()), kAdvice};
+  const auto wrong = [&](Message what) {
+    return Error{std::move(what), en::say("{}, line {}", file.string(), lines.number()), advice()};
   };
   const auto first = lines.next();
   if (!first || *first != kColumns)
-    return Error{fmt::format("not a marker table; its first line must be '{}'", kColumns),
+    return Error{en::say("not a marker table; its first line must be '{}'", std::string(kColumns)),
                  file.string(),
-                 kAdvice};
+                 advice()};
   MarkerTable table;
   std::vector<double> places;
   const auto count = static_cast<std::size_t>(marker_count);
   std::size_t inside = 0;  // markers of the current frame read so far
   for (;;) {
     const auto text = lines.next();
-    if (!text) return wrong("the table ends too early");
+    if (!text) return wrong(en::say("the table ends too early"));
     if (text->starts_with("end,")) {
       std::size_t frames = 0;
       std::string_view rest = text->substr(4);
       if (!take(rest, frames, true) || frames != table.frames.size() || inside != 0 ||
           !lines.at_end())
-        return wrong(fmt::format(
+        return wrong(en::say(
             "'{}' does not close a table of {} frames", printable(*text), table.frames.size()));
       break;
     }
     Line line;
     if (!parse(*text, line))
-      return wrong(
-          fmt::format("'{}' is not '{}' with possible values", printable(*text), kColumns));
+      return wrong(en::say(
+          "'{}' is not '{}' with possible values", printable(*text), std::string(kColumns)));
     if (line.number != static_cast<int>(inside))
-      return wrong(fmt::format(
+      return wrong(en::say(
           "marker {} stands where marker {} of {} must", line.number, inside, marker_count));
     if (inside == 0) {
       if (!table.frames.empty() && line.frame <= table.frames.back())
-        return wrong(fmt::format("frame {} comes after frame {}", line.frame, table.frames.back()));
+        return wrong(en::say("frame {} comes after frame {}", line.frame, table.frames.back()));
       table.frames.push_back(line.frame);
       table.seen.emplace_back(count, 0);
     } else if (line.frame != table.frames.back()) {
-      return wrong(fmt::format(
+      return wrong(en::say(
           "frame {} has {} markers instead of {}", table.frames.back(), inside, marker_count));
     }
     if (table.typical.size() <= inside) {
       table.typical.push_back({0, 0, line.radius, line.contrast, 0, false});
     } else if (table.typical[inside].radius_px != line.radius ||
                table.typical[inside].contrast != line.contrast) {
-      return wrong(
-          fmt::format("marker {} has another radius or contrast than before", line.number));
+      return wrong(en::say("marker {} has another radius or contrast than before", line.number));
     }
     table.seen.back()[inside] = static_cast<char>(line.seen);
     places.push_back(line.u);
     places.push_back(line.v);
     inside = (inside + 1) % count;
   }
-  if (table.frames.empty()) return wrong("the table holds no frame");
+  if (table.frames.empty()) return wrong(en::say("the table holds no frame"));
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   table.layouts = Eigen::Map<const Rows>(
       places.data(), static_cast<Eigen::Index>(table.frames.size()), 2 * marker_count);

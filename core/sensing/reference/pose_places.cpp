@@ -7,7 +7,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kEvery = 8;            // columns
+constexpr int kEveryColumns = 8;     // columns
 constexpr double kNearlyAll = 0.95;  // of the faces
 constexpr double kPlaceSdPx = 0.05;  // of an edge's smooth curve
 
@@ -35,7 +35,7 @@ double value_below(std::vector<double> values, double part) {
 EdgeCurves edge_curves(const FaceShape& shape) {
   EdgeCurves curves;
   curves.base_at_low_u = shape.base_at_low_u();
-  for (int u = kEvery / 2; u < shape.width_px(); u += kEvery) {
+  for (int u = kEveryColumns / 2; u < shape.width_px(); u += kEveryColumns) {
     const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
     if (!column.valid) continue;
     curves.u.push_back(static_cast<float>(u));

@@ -5,8 +5,6 @@
 
 #include <numeric>
 
-#include <fmt/format.h>
-
 namespace alltact {
 namespace {
 
@@ -78,10 +76,10 @@ class Reader {
     const std::size_t count = frames_.table.frames.size();
     for (std::size_t row = 0; row < count; ++row) {
       if (job.stop_requested())
-        return Error{"stopped before the reference was read", frames_.video.string(), ""};
+        return Error{en::say("stopped before the reference was read"), frames_.video.string(), ""};
       if (row % 16 == 0)
         job.report(static_cast<double>(row) / static_cast<double>(count),
-                   fmt::format("reading reference frame {} of {}", row + 1, count));
+                   en::say("reading reference frame {} of {}", row + 1, count));
       if (const Status status = add_row(row, keeper, read); !status) return status.error();
     }
     read.bytes = keeper.bytes();
@@ -92,21 +90,22 @@ class Reader {
   }
 
  private:
-  [[nodiscard]] Error wrong(std::string what) const {
-    return {std::move(what), frames_.video.string(), "make the reference anew from the recording"};
+  [[nodiscard]] Error wrong(Message what) const {
+    return {std::move(what),
+            frames_.video.string(),
+            en::say("make the reference anew from the recording")};
   }
   [[nodiscard]] Error too_few(std::size_t found) const {
-    return wrong(fmt::format("the face was found in {} of {} recorded pictures; 2 are needed",
-                             found,
-                             frames_.table.frames.size()));
+    return wrong(en::say("the face was found in {} of {} recorded pictures; 2 are needed",
+                         found,
+                         frames_.table.frames.size()));
   }
   [[nodiscard]] Result<cv::Mat> picture(std::size_t row) const {
     const auto number = static_cast<std::size_t>(frames_.table.frames[row]);
     if (number >= frames_.count)
-      return wrong(
-          fmt::format("the marker table names frame {} but the recording ends after {} frames",
-                      number,
-                      frames_.count));
+      return wrong(en::say("the marker table names frame {} but the recording ends after {} frames",
+                           number,
+                           frames_.count));
     auto grey = frames_.frame(number);
     if (!grey) return wrong(grey.error().what);
     return grey;
@@ -184,9 +183,9 @@ Result<RecordedFaces> read_recorded_faces(const RecordingToRead& frames,
   try {
     return Reader(frames, finger, camera)(limit_bytes, job);
   } catch (const std::exception& problem) {
-    return Error{fmt::format("the recording cannot be read ({})", problem.what()),
+    return Error{en::say("the recording cannot be read ({})", std::string(problem.what())),
                  frames.video.string(),
-                 "make the reference anew from the recording"};
+                 en::say("make the reference anew from the recording")};
   }
 }
 

@@ -1,5 +1,6 @@
 #include "core/sensing/reference/reference_error.h"
 
+#include "core/grey_range.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 constexpr int kCell = kErrorCellPx;
 constexpr int kTerms = 6;
 constexpr int kEvery = 2;  // cells are enough for the light
-constexpr float kLeastLevel = 8.0F;
+constexpr float kLeastLevel = kTooDarkBelow;
 constexpr int kLeastFrames = 12;            // to tell drift from pose
 constexpr int kMostStudied = 48;            // frames computed from their neighbours
 constexpr double kMedianOfSquare = 0.4549;  // of a normal distribution
@@ -114,9 +115,9 @@ void multiply(const FaceGrid& grid, const Terms& light, FacePicture& face) {
     std::uint8_t* grey = face.grey.data() + run.before;
     for (int u = run.first; u < run.end; ++u) {
       std::uint8_t& pixel = grey[u - run.first];
-      if (pixel >= 250) continue;  // clipped stays clipped
+      if (pixel >= kClippedFrom) continue;  // clipped stays clipped
       const double q = 1.0 + basis_at(grid.size, u + 0.5, run.row + 0.5).dot(light);
-      pixel = static_cast<std::uint8_t>(std::clamp(std::lround(q * pixel), 0L, 249L));
+      pixel = static_cast<std::uint8_t>(std::clamp(std::lround(q * pixel), 0L, kClippedFrom - 1L));
     }
   }
 }

@@ -5,20 +5,20 @@
 #include "core/sensing/markers/layout_search.h"
 #include "core/sensing/reference/reference_error.h"
 #include "core/sensing/reference/reference_weights.h"
+#include "core/shared_values.h"
 
 #include <limits>
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 namespace alltact {
 namespace {
 
 constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
 
-constexpr const char* kAdvice = "make the reference anew from the recording";
-
-Error wrong(std::string what, const std::filesystem::path& file) {
-  return {std::move(what), file.string(), kAdvice};
+Error wrong(Message what, const std::filesystem::path& file) {
+  return {std::move(what), file.string(), en::say("make the reference anew from the recording")};
 }
 
 }  // namespace
@@ -136,17 +136,40 @@ Eigen::MatrixXd seen_layouts(const MarkerTable& table, const std::vector<int>& m
 /// The untouched picture that a flat sensor's finger names.
 Result<cv::Mat> flat_picture(const std::filesystem::path& finger_folder, const Finger& finger) {
   if (!finger.reference || finger.reference->image.empty())
-    return Error{"the sensor has no untouched picture",
+    return Error{en::say("the sensor has no untouched picture"),
                  (finger_folder / Finger::kFileName).string(),
-                 "give one with the calibration"};
+                 en::say("give one with the calibration")};
   const auto file = finger_folder / finger.reference->image;
   const auto raw = read_grey_picture(file);
   if (!raw) return raw.error();
   return oriented_for(finger.camera,
                       *raw,
-                      "the untouched picture",
+                      en::say("the untouched picture"),
                       file.string(),
-                      "give the untouched picture anew");
+                      en::say("give the untouched picture anew"));
+}
+
+/// All that a library of these files depends on, as text; nullopt where that cannot be told.
+std::optional<std::string> made_from(const std::filesystem::path& video,
+                                     const std::filesystem::path& table,
+                                     const Finger& finger,
+                                     std::size_t memory_limit_bytes) {
+  Finger told;  // without what is measured with the library
+  told.name = "-";
+  told.camera = finger.camera;
+  told.face = finger.face;
+  told.markers = finger.markers;
+  told.reference = finger.reference;
+  const auto yaml = told.to_yaml();
+  if (!yaml) return std::nullopt;
+  std::string key = fmt::format("{} {}", memory_limit_bytes, *yaml);
+  for (const std::filesystem::path& file : {video, table}) {
+    struct stat of {};
+    if (stat(file.c_str(), &of) != 0) return std::nullopt;
+    key += fmt::format(
+        " {} {} {} {}.{}", of.st_dev, of.st_ino, of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
+  }
+  return key;
 }
 
 }  // namespace
@@ -162,14 +185,26 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& fin
     return single(*grey);
   }
   if (!finger.reference || finger.reference->video.empty() || finger.reference->markers.empty())
-    return Error{"the finger has no reference recording",
+    return Error{en::say("the finger has no reference recording"),
                  (finger_folder / Finger::kFileName).string(),
-                 "record the bending, untouched finger and make its reference"};
+                 en::say("record the bending, untouched finger and make its reference")};
+  const auto video_file = finger_folder / finger.reference->video;
   const auto table_file = finger_folder / finger.reference->markers;
-  const auto table = MarkerTable::load(table_file, finger.marker_count());
-  if (!table) return table.error();
-  return from_recording(
-      finger_folder / finger.reference->video, *table, finger, camera, job, memory_limit_bytes);
+  const auto read = [&]() -> Result<std::shared_ptr<const Content>> {
+    const auto table = MarkerTable::load(table_file, finger.marker_count());
+    if (!table) return table.error();
+    auto library = from_recording(video_file, *table, finger, camera, job, memory_limit_bytes);
+    if (!library) return library.error();
+    return std::move(library->content_);
+  };
+  static SharedValues<Content> shared;
+  const Error stopped{en::say("stopped before the reference was read"), video_file, ""};
+  const auto key = made_from(video_file, table_file, finger, memory_limit_bytes);
+  auto content = key ? shared.get(*key, job, stopped, read) : read();
+  if (!content) return content.error();
+  ReferenceLibrary library;
+  library.content_ = *content;
+  return library;
 }
 
 Result<ReferenceLibrary> ReferenceLibrary::from_recording(const std::filesystem::path& video_file,
@@ -179,11 +214,11 @@ Result<ReferenceLibrary> ReferenceLibrary::from_recording(const std::filesystem:
                                                           const Job& job,
                                                           std::size_t memory_limit_bytes) {
   auto video = VideoFile::open(video_file, job);
-  if (!video) return wrong("the reference recording is missing or no video", video_file);
+  if (!video) return wrong(en::say("the reference recording is missing or no video"), video_file);
   const auto frame = [&](std::size_t number) -> Result<cv::Mat> {
     const auto read = video->frame(number);
     if (!read) return read.error();
-    return oriented_for(finger.camera, (*read)->grey, "the recording's picture", "", "");
+    return oriented_for(finger.camera, (*read)->grey, en::say("the recording's picture"), "", "");
   };
   return from_frames(
       frame, video->frame_count(), video_file, table, finger, camera, job, memory_limit_bytes);
@@ -241,8 +276,9 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
 
 Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
   if (grey.empty() || grey.type() != CV_8UC1)
-    return Error{
-        "the reference picture is not an 8-bit grey picture", "reference", "save it as such"};
+    return Error{en::say("the reference picture is not an 8-bit grey picture"),
+                 en::say("reference"),
+                 en::say("save it as such")};
   auto content = std::make_shared<Content>();
   content->size = grey.size();
   cv::Mat levels;

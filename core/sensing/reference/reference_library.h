@@ -53,8 +53,9 @@ class ReferenceLibrary {
   /// Reads the recording a finger names. Only the face is kept of every frame, laid over the rest
   /// frame's (the one in the middle of all poses) so that each point of the skin stays at its
   /// place; when that would pass `memory_limit_bytes` only a covering subset of the frames
-  /// (farthest-point sampling in marker space). Errors: files missing or unreadable, table and
-  /// video disagree.
+  /// (farthest-point sampling in marker space). While somebody holds what was read from the same
+  /// files for the same camera and face, that is shared, not read again. Errors: files missing or
+  /// unreadable, table and video disagree.
   static Result<ReferenceLibrary> load(const std::filesystem::path& finger_folder,
                                        const Finger& finger,
                                        const Camera& camera,

@@ -72,13 +72,13 @@ Result<std::vector<fs::path>> pictures_in(const fs::path& folder) {
       files.push_back(entry->path());
   }
   if (error)
-    return Error{fmt::format("the folder cannot be read: {}", error.message()),
+    return Error{en::say("the folder cannot be read: {}", error.message()),
                  folder.string(),
-                 "ask its owner for access"};
+                 en::say("ask its owner for access")};
   if (files.empty())
-    return Error{"the folder holds no pictures",
+    return Error{en::say("the folder holds no pictures"),
                  folder.string(),
-                 "a folder with png, jpg, bmp, tif or pgm files"};
+                 en::say("a folder with png, jpg, bmp, tif or pgm files")};
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return a.filename().string() < b.filename().string();
   });

@@ -69,7 +69,7 @@ std::string ButtonPattern::text() const {
 
 Result<ButtonPattern> ButtonPattern::parse(const std::string& text) {
   const Error wrong{
-      fmt::format("'{}' describes no button", printable(text)), "", "learn the button again"};
+      en::say("'{}' describes no button", printable(text)), "", en::say("learn the button again")};
   std::string_view rest = text;
   ButtonPattern pattern;
   if (!take(rest, pattern.report_bytes, 10, ' ')) return wrong;
@@ -92,9 +92,9 @@ Result<LearntButton> LearntButton::parse(const std::string& text) {
   const std::size_t before =
       last == std::string::npos || last == 0 ? std::string::npos : text.rfind(' ', last - 1);
   if (before == std::string::npos || before == 0)
-    return Error{fmt::format("'{}' names no device and its button", printable(text)),
+    return Error{en::say("'{}' names no device and its button", printable(text)),
                  "",
-                 "'alltact devices --learn-button', which says what to write here"};
+                 en::say("'alltact devices --learn-button', which says what to write here")};
   const auto pattern = ButtonPattern::parse(text.substr(before + 1));
   if (!pattern) return pattern.error();
   return LearntButton{text.substr(0, before), *pattern};
@@ -148,11 +148,11 @@ Result<std::pair<std::size_t, ButtonPattern>> learn_button(const std::vector<Hid
   const auto end = begin + kRest + std::chrono::milliseconds(patience_ms);
   bool is_begun = false;
   while (Clock::now() < end && !ports.empty()) {
-    if (job.stop_requested()) return Error{"learning the button was stopped", "", ""};
+    if (job.stop_requested()) return Error{en::say("learning the button was stopped"), "", ""};
     if (!is_begun && Clock::now() >= begin + kRest) {
       is_begun = true;
       for (ButtonLearner& learner : learners) learner.begin();
-      job.report(0.0, "press it now, twice");
+      job.report(0.0, en::say("press it now, twice"));
     }
     for (std::size_t i = 0; i < ports.size(); ++i) {
       if (!is_alive[i]) {
@@ -163,12 +163,12 @@ Result<std::pair<std::size_t, ButtonPattern>> learn_button(const std::vector<Hid
       is_alive[i] = report.ok();
       if (report.ok()) learners[i].feed(*report);
       if (learners[i].pattern()) return std::pair(i, *learners[i].pattern());
-      if (learners[i].presses() == 1) job.report(0.5, "press it once more");
+      if (learners[i].presses() == 1) job.report(0.5, en::say("press it once more"));
     }
   }
-  return Error{"no button was pressed and let go twice",
+  return Error{en::say("no button was pressed and let go twice"),
                "",
-               "another device; a pedal that only clicks must be set to send a key"};
+               en::say("another device; a pedal that only clicks must be set to send a key")};
 }
 
 HidButton::HidButton(Opener open, ButtonPattern pattern, std::function<void()> on_press)

@@ -29,14 +29,13 @@ std::string narrow(const wchar_t* text) {
 
 Error no_access(const HidIdentity& identity, int error_number) {
   if (error_number != EACCES && error_number != EPERM)
-    return told("the device cannot be opened",
+    return told(en::say("the device cannot be opened"),
                 identity.node,
-                {{}, "unplug it and plug it in again"},
+                {{}, en::say("unplug it and plug it in again")},
                 error_number);
-  return {
-      "access to the device is not allowed",
-      fmt::format("{} ({})", identity.node, identity.lasting()),
-      fmt::format("install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in "
+  return {en::say("access to the device is not allowed"),
+          fmt::format("{} ({})", identity.node, identity.lasting()),
+          en::say("install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in "
                   "again; a device it does not name needs this line in it: KERNEL==\"hidraw*\", "
                   "ATTRS{{idVendor}}==\"{:04x}\", ATTRS{{idProduct}}==\"{:04x}\", "
                   "TAG+=\"uaccess\"",
@@ -45,7 +44,7 @@ Error no_access(const HidIdentity& identity, int error_number) {
 }
 
 Error unplugged(const std::string& name) {
-  return {"the device was unplugged", name, "plug it in again"};
+  return {en::say("the device was unplugged"), name, en::say("plug it in again")};
 }
 
 class HidapiPort : public HidPort {
@@ -72,7 +71,9 @@ class HidapiPort : public HidPort {
  private:
   [[nodiscard]] Status sent(int size) const {
     if (size >= 0) return {};
-    return Error{"the device took no report", name_, "plug it in again, and check its description"};
+    return Error{en::say("the device took no report"),
+                 name_,
+                 en::say("plug it in again, and check its description")};
   }
 
   hid_device* device_;
@@ -123,12 +124,11 @@ std::vector<FoundHid> list_hids() {
 
 Result<std::unique_ptr<HidPort>> open_hid(const std::string& wanted) {
   const auto hids = list_hids();
-  std::string names;
+  std::vector<Message> names;
   for (const FoundHid& hid : hids) {
     const HidIdentity& identity = hid.identity;
     if (!answers_to(identity, wanted)) {
-      names +=
-          fmt::format("{}{} ({})", names.empty() ? "" : ", ", identity.lasting(), identity.name);
+      names.push_back(Message::typed(fmt::format("{} ({})", identity.lasting(), identity.name)));
       continue;
     }
     if (hid.problem) return *hid.problem;
@@ -137,10 +137,10 @@ Result<std::unique_ptr<HidPort>> open_hid(const std::string& wanted) {
     if (device == nullptr) return no_access(identity, errno == 0 ? EIO : errno);
     return std::unique_ptr<HidPort>(std::make_unique<HidapiPort>(device, identity.lasting()));
   }
-  return Error{
-      names.empty() ? "no HID device was found" : "there is no such HID device; there is " + names,
-      wanted,
-      "plug it in; 'alltact devices' lists what is found"};
+  return Error{names.empty() ? en::say("no HID device was found")
+                             : en::say("there is no such HID device; there is {}", en::list(names)),
+               wanted,
+               en::say("plug it in; 'alltact devices' lists what is found")};
 }
 
 }  // namespace alltact

@@ -16,10 +16,10 @@ constexpr std::size_t kAdcAnswer = 7, kPinsAnswer = 22;          // places in th
 constexpr unsigned kChipSteps = 31;
 
 Error not_understood(const std::string& control) {
-  return {
-      fmt::format("'{}' describes no dimmer", printable(control)),
-      "",
-      "mcp2221a gp2, mcp2221a gp3, or a report such as 'output id=0 bytes=8 at=1 range=0..255'"};
+  return {en::say("'{}' describes no dimmer", printable(control)),
+          "",
+          en::say("mcp2221a gp2, mcp2221a gp3, or a report such as 'output id=0 bytes=8 at=1 "
+                  "range=0..255'")};
 }
 
 template <class T>
@@ -97,7 +97,7 @@ Result<LedDimmer> LedDimmer::create(std::unique_ptr<HidPort> port,
 
 Status LedDimmer::set(double level) {
   if (!(level >= 0 && level <= 1))
-    return Error{fmt::format("the brightness {} is not from 0 to 1", level), setting_.device, ""};
+    return Error{en::say("the brightness {} is not from 0 to 1", level), setting_.device, ""};
   const double low = pin_ != 0 ? 0 : report_.low;
   const double high = pin_ != 0 ? kChipSteps : report_.high;
   const double step = std::round(low + level * (high - low));
@@ -124,9 +124,9 @@ Result<std::vector<std::uint8_t>> LedDimmer::ask_chip(const std::vector<std::uin
   const bool is_good =
       answer->size() == kChipReport && (*answer)[0] == command[0] && (*answer)[1] == 0;
   if (!is_good)
-    return Error{"the MCP2221A did not answer as it should",
+    return Error{en::say("the MCP2221A did not answer as it should"),
                  setting_.device,
-                 "plug it in again; close other programs that use it"};
+                 en::say("plug it in again; close other programs that use it")};
   return answer;
 }
 

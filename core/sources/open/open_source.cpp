@@ -17,9 +17,9 @@ bool is_scene(const fs::path& file) {
 }
 
 Error not_an_input(const fs::path& path) {
-  return {"this is neither a picture, nor a folder of pictures, nor a video, nor a scene",
+  return {en::say("this is neither a picture, nor a folder of pictures, nor a video, nor a scene"),
           path.string(),
-          "png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene"};
+          en::say("png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene")};
 }
 
 Result<std::unique_ptr<Source>> open_video(const fs::path& file, const SourceOptions& options) {
@@ -61,10 +61,10 @@ Result<std::unique_ptr<Source>> open_pictures(const std::vector<fs::path>& input
     } else if (is_picture(input)) {
       files.push_back(input);
     } else if (is_video(input) || is_scene(input)) {
-      return Error{fmt::format("a {} cannot be mixed with other inputs",
-                               is_video(input) ? "video" : "scene"),
+      const Message kind = is_video(input) ? en::say("video") : en::say("scene");
+      return Error{en::say("a {} cannot be mixed with other inputs", kind),
                    input.string(),
-                   "it alone, or pictures only"};
+                   en::say("it alone, or pictures only")};
     } else {
       return not_an_input(input);
     }
@@ -84,14 +84,15 @@ Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
   if (inputs.size() == 1 && may_name_camera(inputs.front()))
     return open_camera_source(inputs.front());
   if (inputs.empty())
-    return Error{"no input was given",
+    return Error{en::say("no input was given"),
                  "",
-                 "name a picture, a folder of pictures, a video, a scene or a camera"};
+                 en::say("name a picture, a folder of pictures, a video, a scene or a camera")};
   for (const fs::path& input : inputs) {
     std::error_code ignored;
     if (!fs::exists(input, ignored))
-      return Error{
-          "there is no such file or folder", input.string(), "check the path for typing errors"};
+      return Error{en::say("there is no such file or folder"),
+                   input.string(),
+                   en::say("check the path for typing errors")};
   }
   std::error_code ignored;
   if (inputs.size() == 1 && !fs::is_directory(inputs.front(), ignored))

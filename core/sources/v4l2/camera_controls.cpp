@@ -159,6 +159,25 @@ std::string_view to_string(ControlType type) {
   return "other";
 }
 
+ControlValue* find_control(std::vector<ControlValue>& values, std::uint32_t id) {
+  for (ControlValue& value : values)
+    if (value.id == id) return &value;
+  return nullptr;
+}
+
+void merge_controls(std::vector<ControlValue>& values, const std::vector<ControlValue>& news) {
+  for (const ControlValue& value : news) {
+    if (ControlValue* old = find_control(values, value.id)) {
+      old->value = value.value;
+      continue;
+    }
+    const auto behind = std::find_if(values.begin(), values.end(), [&](const ControlValue& other) {
+      return other.id > value.id;
+    });
+    values.insert(behind, value);
+  }
+}
+
 std::vector<CameraControl> list_controls(const V4l2Device& device) {
   std::vector<CameraControl> controls;
   std::uint32_t last = 0;
@@ -199,7 +218,7 @@ Result<std::int64_t> read_control(const V4l2Device& device, const ControlValue& 
   const int error =
       transfer(device, VIDIOC_G_EXT_CTRLS, control.id, is_wide(device, control.id), value);
   if (error != 0)
-    return camera_error(fmt::format("'{}' cannot be read", control.name), device.node(), error);
+    return camera_error(en::say("'{}' cannot be read", control.name), device.node(), error);
   return value;
 }
 
@@ -207,19 +226,21 @@ Status write_control(const V4l2Device& device, const ControlValue& control) {
   std::int64_t value = control.value;
   const int error =
       transfer(device, VIDIOC_S_EXT_CTRLS, control.id, is_wide(device, control.id), value);
-  const std::string doing = fmt::format("'{}' cannot be set to {}", control.name, control.value);
+  const Message doing = en::say("'{}' cannot be set to {}", control.name, control.value);
   if (error == ERANGE || error == EINVAL)
-    return Error{doing + ": the camera refuses this value",
+    return Error{en::at(doing, en::say("the camera refuses this value")),
                  device.node(),
-                 "a value within its range; 'alltact devices --details' lists them"};
+                 en::say("a value within its range; 'alltact devices --details' lists them")};
   if (error == EACCES)
-    return Error{
-        doing + ": an automatic mode has it in hand", device.node(), "switch that mode off first"};
+    return Error{en::at(doing, en::say("an automatic mode has it in hand")),
+                 device.node(),
+                 en::say("switch that mode off first")};
   if (error != 0) return camera_error(doing, device.node(), error);
   if (value != control.value)
-    return Error{fmt::format("{}: the camera took {} instead", doing, value),
-                 device.node(),
-                 "a value within its range and steps; 'alltact devices --details' lists them"};
+    return Error{
+        en::at(doing, en::say("the camera took {} instead", value)),
+        device.node(),
+        en::say("a value within its range and steps; 'alltact devices --details' lists them")};
   return {};
 }
 
@@ -231,33 +252,32 @@ std::vector<ControlValue> settings_of(const std::vector<CameraControl>& controls
   return values;
 }
 
-std::vector<std::string> put_back(const V4l2Device& device,
-                                  const std::vector<ControlValue>& wanted) {
-  std::vector<std::string> problems;
+std::vector<Message> put_back(const V4l2Device& device, const std::vector<ControlValue>& wanted) {
+  std::vector<Message> problems;
   for (const bool modes_now : {true, false}) {
     for (const ControlValue& control : wanted) {
       if ((automatic_mode(control.id) != nullptr) != modes_now) continue;
       const auto now = read_control(device, control);
       if (now.ok() && *now == control.value) continue;
       if (const Status status = write_control(device, control); !status)
-        problems.push_back(status.error().sentence());
+        problems.push_back(status.error().message());
     }
   }
   return problems;
 }
 
 std::vector<ControlValue> lock_brightness(const V4l2Device& device,
-                                          std::vector<std::string>& problems) {
+                                          std::vector<Message>& problems) {
   for (const CameraControl& control : list_controls(device)) {
     const AutomaticMode* mode = automatic_mode(control.id);
     if (mode == nullptr || !control.is_setting()) continue;
     const auto off = off_value(control, *mode);
     if (!off) {
       problems.push_back(
-          fmt::format("'{}' cannot be switched off: brightness may drift.", control.name));
+          en::say("'{}' cannot be switched off: brightness may drift", control.name));
     } else if (control.value != *off) {
       const Status status = write_control(device, {control.id, control.name, *off});
-      if (!status) problems.push_back(status.error().sentence());
+      if (!status) problems.push_back(status.error().message());
     }
   }
   std::vector<ControlValue> held;

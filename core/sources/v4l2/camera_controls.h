@@ -45,6 +45,11 @@ struct ControlValue {
   bool operator==(const ControlValue&) const = default;
 };
 
+/// The one of this control; null where there is none.
+[[nodiscard]] ControlValue* find_control(std::vector<ControlValue>& values, std::uint32_t id);
+/// `news` take the place of what was known of them; ordered by id, as drivers list them.
+void merge_controls(std::vector<ControlValue>& values, const std::vector<ControlValue>& news);
+
 [[nodiscard]] std::vector<CameraControl> list_controls(const V4l2Device& device);
 [[nodiscard]] Result<std::int64_t> read_control(const V4l2Device& device,
                                                 const ControlValue& control);
@@ -55,15 +60,15 @@ struct ControlValue {
 [[nodiscard]] std::vector<ControlValue> settings_of(const std::vector<CameraControl>& controls);
 
 /// Writes them back, automatic modes first, because they decide what else can be written. Returns a
-/// sentence for each that could not be.
-[[nodiscard]] std::vector<std::string> put_back(const V4l2Device& device,
-                                                const std::vector<ControlValue>& wanted);
+/// sentence, without its full stop, for each that could not be.
+[[nodiscard]] std::vector<Message> put_back(const V4l2Device& device,
+                                            const std::vector<ControlValue>& wanted);
 
 /// Switches off every automatic mode of exposure, gain, white balance and focus, and gives what has
-/// to stay as it is from now on: these modes and their values. `problems` gets a sentence for each
-/// automatic mode that cannot be switched off.
+/// to stay as it is from now on: these modes and their values. `problems` gets a sentence, without
+/// its full stop, for each automatic mode that cannot be switched off.
 [[nodiscard]] std::vector<ControlValue> lock_brightness(const V4l2Device& device,
-                                                        std::vector<std::string>& problems);
+                                                        std::vector<Message>& problems);
 
 /// Asks to be told of changes that other programs and the camera itself make (POLLPRI, then
 /// next_change()): of controls, and of what the camera sends. Drivers without events are read in

@@ -86,15 +86,19 @@ std::optional<Error> problem_of(const FoundCamera& camera,
                                 const V4l2Device::Capability& capability) {
   const std::string& node = camera.identity.node;
   if (capability.is_multi_planar)
-    return Error{
-        "it sends its pictures in several planes, which cannot be read here", node, "a USB camera"};
-  if (!capability.can_stream) return Error{"it cannot stream", node, "a USB camera"};
+    return Error{en::say("it sends its pictures in several planes, which cannot be read here"),
+                 node,
+                 en::say("a USB camera")};
+  if (!capability.can_stream)
+    return Error{en::say("it cannot stream"), node, en::say("a USB camera")};
   const bool is_readable =
       std::any_of(camera.formats.begin(), camera.formats.end(), [](const CameraFormat& format) {
         return can_decode(format.fourcc);
       });
   if (!is_readable)
-    return Error{"it has no format that can be read here", node, "a camera with MJPG or YUYV"};
+    return Error{en::say("it has no format that can be read here"),
+                 node,
+                 en::say("a camera with MJPG or YUYV")};
   return std::nullopt;
 }
 
@@ -120,7 +124,7 @@ std::optional<FoundCamera> look_at(V4l2Calls& calls, CameraIdentity identity, bo
   camera.controls = list_controls(*device);
   camera.problem = problem_of(camera, *capability);
   if (!camera.problem && is_busy_told && take_and_leave(*device) == EBUSY)
-    camera.problem = camera_error("it cannot be used now", camera.identity.node, EBUSY);
+    camera.problem = camera_error(en::say("it cannot be used now"), camera.identity.node, EBUSY);
   return camera;
 }
 
@@ -129,11 +133,11 @@ bool answers_to(const CameraIdentity& identity, const std::string& wanted) {
          wanted == identity.serial;
 }
 
-std::string names_of(const std::vector<const CameraIdentity*>& identities) {
-  std::string text;
+Message names_of(const std::vector<const CameraIdentity*>& identities) {
+  std::vector<Message> names;
   for (const CameraIdentity* identity : identities)
-    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", identity->lasting(), identity->node);
-  return text;
+    names.push_back(Message::typed(fmt::format("{} ({})", identity->lasting(), identity->node)));
+  return en::list(names);
 }
 
 /// What a path below /dev/v4l stands for; other words as they are.
@@ -153,7 +157,7 @@ CameraPlace place_of(V4l2Calls& calls, const CameraIdentity& identity) {
             for (const CameraIdentity& now : video_nodes())
               if (answers_to(now, lasting)) return now.node;
             if (lasting.starts_with("/dev/")) return lasting;
-            return Error{"the camera is not there", lasting, "plug it in"};
+            return Error{en::say("the camera is not there"), lasting, en::say("plug it in")};
           },
           identity.serial};
 }
@@ -183,19 +187,20 @@ Result<CameraIdentity> find_camera(const std::string& wanted,
   }
   if (fitting.size() == 1) return *fitting.front();
   if (!fitting.empty())
-    return Error{"several cameras have this name: " + names_of(fitting),
+    return Error{en::say("several cameras have this name: {}", names_of(fitting)),
                  wanted,
-                 "the name before the brackets"};
+                 en::say("the name before the brackets")};
   // A node of a system that tells nothing of its devices is taken at its word.
   if (cameras.empty() && wanted.starts_with("/dev/")) {
     CameraIdentity identity;
     identity.node = wanted;
     return identity;
   }
-  return Error{
-      all.empty() ? "no camera was found" : "there is no such camera; there is " + names_of(all),
-      wanted,
-      all.empty() ? "plug one in; 'alltact devices' lists what is found" : "one of these names"};
+  return Error{all.empty() ? en::say("no camera was found")
+                           : en::say("there is no such camera; there is {}", names_of(all)),
+               wanted,
+               all.empty() ? en::say("plug one in; 'alltact devices' lists what is found")
+                           : en::say("one of these names")};
 }
 
 Result<std::unique_ptr<V4l2Camera>> open_camera(const std::string& wanted,

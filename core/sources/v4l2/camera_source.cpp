@@ -14,9 +14,9 @@ Result<FramePtr> CameraSource::next() {
   if (auto item = queue_->next(std::chrono::seconds(1))) return std::move(*item);
   const auto status = camera_->status();
   if (status.trouble) return *status.trouble;
-  return Error{"the camera has sent no picture for a second",
+  return Error{en::say("the camera has sent no picture for a second"),
                camera_->settings().identity,
-               "look after the cable and the USB port"};
+               en::say("look after the cable and the USB port")};
 }
 
 }  // namespace alltact

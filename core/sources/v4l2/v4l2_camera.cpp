@@ -1,6 +1,5 @@
 #include "core/sources/v4l2/v4l2_camera.h"
 
-#include "core/sources/frame_settings.h"
 #include "core/sources/hot_plug.h"
 
 #include <cerrno>
@@ -16,37 +15,10 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr std::size_t kMostRemarks = 20;
-constexpr milliseconds kBetweenChecks{100};  // of held controls, one at a time: each costs USB time
-constexpr int kBetweenTries_ms = 100;        // to open or start again
-constexpr int kFirstFrame_ms = 3000;         // some cameras take seconds to begin
+constexpr int kBetweenTries_ms = 100;  // to open or start again
+constexpr int kFirstFrame_ms = 3000;   // some cameras take seconds to begin
 constexpr int kLeastPatience_ms = 500;
 constexpr std::uint32_t kMostPlausibleGap = 100'000;  // more: the driver began to count anew
-
-Error unplugged(const std::string& identity) {
-  return {"the camera was unplugged",
-          identity,
-          "plug it in again; it goes on by itself with the same settings"};
-}
-
-ControlValue* find(std::vector<ControlValue>& values, std::uint32_t id) {
-  for (ControlValue& value : values)
-    if (value.id == id) return &value;
-  return nullptr;
-}
-
-/// Ordered by id, as drivers list them.
-void merge(std::vector<ControlValue>& values, const std::vector<ControlValue>& news) {
-  for (const ControlValue& value : news) {
-    if (ControlValue* old = find(values, value.id)) {
-      old->value = value.value;
-      continue;
-    }
-    const auto behind = std::find_if(values.begin(), values.end(), [&](const ControlValue& other) {
-      return other.id > value.id;
-    });
-    values.insert(behind, value);
-  }
-}
 
 /// Waits for one descriptor (or none, -1) and for the eventfd that ends waits.
 short wait_for(V4l2Calls& calls, int descriptor, short events, int wake, int timeout_ms) {
@@ -75,9 +47,9 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const CameraPlace& place,
   const auto capability = device->capability();
   if (!capability) return capability.error();
   if (!capability->is_capture || capability->is_multi_planar || !capability->can_stream)
-    return Error{"this node gives no pictures that can be read",
+    return Error{en::say("this node gives no pictures that can be read"),
                  *node,
-                 "a camera that 'alltact devices' lists as usable"};
+                 en::say("a camera that 'alltact devices' lists as usable")};
   std::unique_ptr<V4l2Camera> camera(new V4l2Camera(place, wish));
   camera->wanted_ = controls;
   if (const Status status = camera->start(std::move(*device)); !status) return status.error();
@@ -112,7 +84,7 @@ Status V4l2Camera::start(V4l2Device device) {
   const auto stride = device.configure(format);
   if (!stride) return stride.error();
   const std::lock_guard lock(device_mutex_);
-  for (std::string& problem : put_back(device, wanted_)) remark(std::move(problem));
+  for (const Message& problem : put_back(device, wanted_)) remark(problem);
   const auto controls = list_controls(device);
   watch_changes(device, controls);
   auto kept = std::make_unique<V4l2Device>(std::move(device));
@@ -120,7 +92,7 @@ Status V4l2Camera::start(V4l2Device device) {
   if (!stream) return stream.error();
   // What is put back later: first of all what was asked for, besides it what was found.
   std::vector<ControlValue> all = settings_of(controls);
-  merge(all, wanted_);
+  merge_controls(all, wanted_);
   wanted_ = std::move(all);
   stride_bytes_ = *stride;
   format_ = format;
@@ -165,24 +137,26 @@ void V4l2Camera::capture() {
     if (stream_ == nullptr) return;
     // An error state without a buffer behind it would end every later wait at once.
     if (!taken && (ready & (POLLERR | POLLHUP | POLLNVAL)) != 0)
-      return restart(camera_error("the camera stopped sending pictures", device_->node(), EIO));
+      return restart(
+          camera_error(en::say("the camera stopped sending pictures"), device_->node(), EIO));
   }
   if (is_locked && Clock::now() >= next_check_) check_next_held();
   const auto silence = std::chrono::duration_cast<milliseconds>(Clock::now() - last_frame_).count();
   if (silence >= patience_ms())
-    restart({fmt::format("no picture came for {:.1f} seconds", static_cast<double>(silence) / 1e3),
+    restart({en::say("no picture came for {:.1f} seconds", static_cast<double>(silence) / 1e3),
              place_.identity,
-             "look after the cable and the USB port; the stream is being started again"});
+             en::say("look after the cable and the USB port; the stream is being started again")});
 }
 
 bool V4l2Camera::take_frame() {
   const V4l2Stream::Taken taken = stream_->take();
   if (means_gone(taken.error_number)) {
-    drop_device(unplugged(place_.identity));
+    drop_device(unplugged());
     return false;
   }
   if (taken.error_number != 0) {
-    restart(camera_error("a picture cannot be taken", device_->node(), taken.error_number));
+    restart(
+        camera_error(en::say("a picture cannot be taken"), device_->node(), taken.error_number));
     return false;
   }
   if (!taken.filled) return false;
@@ -203,22 +177,6 @@ std::uint64_t V4l2Camera::number_of(std::uint32_t driver_sequence) {
   const std::uint64_t number = next_number_ + step - 1;
   next_number_ = number + 1;
   return number;
-}
-
-/// As far as they are known without asking the camera for each frame.
-std::shared_ptr<const std::string> V4l2Camera::controls_now() {
-  std::string text;
-  add_setting(text, "Camera", place_.identity);
-  if (!place_.serial.empty()) add_setting(text, "Serial number", place_.serial);
-  add_setting(text, "Format", format_.text());
-  {
-    const std::lock_guard lock(device_mutex_);
-    for (const ControlValue& control : wanted_)
-      add_setting(text, control.name, fmt::format("{}", control.value));
-  }
-  if (told_controls_ == nullptr || *told_controls_ != text)
-    told_controls_ = std::make_shared<const std::string>(std::move(text));
-  return told_controls_;
 }
 
 void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
@@ -258,14 +216,14 @@ void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
       status_.trouble.reset();
     }
   }
-  if (is_back) remark("Pictures come again.");
+  if (is_back) remark(en::say("Pictures come again"));
   if (is_good) hub_.publish(std::move(frame));
 }
 
 void V4l2Camera::restart(const Error& why) {
   auto capability = device_->capability();
   stream_.reset();
-  if (!capability) return drop_device(unplugged(place_.identity));
+  if (!capability) return drop_device(unplugged());
   trouble(CameraState::kStalled, why);
   {
     const std::lock_guard lock(status_mutex_);
@@ -310,26 +268,14 @@ void V4l2Camera::reconnect() {
     const std::lock_guard lock(status_mutex_);
     status_.state = CameraState::kStalled;
     status_.trouble =
-        Error{"the camera is back and has not sent a picture yet", place_.identity, ""};
+        Error{en::say("the camera is back and has not sent a picture yet"), place_.identity, ""};
   }
-  remark(fmt::format("The camera was plugged in again at {}.", *node));
-}
-
-void V4l2Camera::follow_changes() {
-  bool is_other_source = false;
-  while (const auto change = next_change(*device_)) {
-    if (const auto* control = std::get_if<ControlValue>(&*change)) {
-      on_change(*control);
-    } else {
-      is_other_source = true;
-    }
-  }
-  if (is_other_source) agree_anew();
+  remark(en::say("The camera was plugged in again at {}", *node));
 }
 
 /// The stream ends; another begins with the format of before where the camera still has it.
 void V4l2Camera::agree_anew() {
-  const std::string before = format_.text();
+  const Message before = format_.text();
   std::optional<V4l2Device> device;
   {
     const std::lock_guard lock(device_mutex_);
@@ -340,41 +286,17 @@ void V4l2Camera::agree_anew() {
   is_format_open_ = true;
   const Status status = start(std::move(*device));
   if (!status) return trouble(CameraState::kGone, status.error());  // is opened again and again
-  trouble(CameraState::kStalled,
-          {fmt::format(
-               "the camera's signal changed: it sent {}, and sends {} now", before, format_.text()),
-           place_.identity,
-           "look after what is plugged into it, if this was not meant"});
+  trouble(
+      CameraState::kStalled,
+      {en::say("the camera's signal changed: it sent {}, and sends {} now", before, format_.text()),
+       place_.identity,
+       en::say("look after what is plugged into it, if this was not meant")});
 }
 
-void V4l2Camera::check_next_held() {
-  next_check_ = Clock::now() + kBetweenChecks;
-  const auto held = locked();
-  if (held.empty()) return;
-  const ControlValue& control = held[next_held_++ % held.size()];
-  const auto now = read_control(*device_, control);
-  if (now.ok()) on_change({control.id, {}, *now});  // a failed read shows as a fault of the stream
-}
-
-void V4l2Camera::on_change(const ControlValue& change) {
-  const std::lock_guard lock(device_mutex_);
-  ControlValue* held = find(held_, change.id);
-  ControlValue* wanted = find(wanted_, change.id);
-  if (held == nullptr) {
-    if (wanted != nullptr) wanted->value = change.value;
-    return;
-  }
-  if (change.value == held->value) return;
-  const Status status = write_control(*device_, *held);
-  if (status.ok()) {
-    const std::lock_guard status_lock(status_mutex_);
-    ++status_.counts.put_back;
-  }
-  remark(fmt::format("'{}' was changed from {} to {} by something else; {}",
-                     held->name,
-                     held->value,
-                     change.value,
-                     status.ok() ? "it was put back." : status.error().sentence()));
+Error V4l2Camera::unplugged() const {
+  return {en::say("the camera was unplugged"),
+          place_.identity,
+          en::say("plug it in again; it goes on by itself with the same settings")};
 }
 
 void V4l2Camera::trouble(CameraState state, const Error& error) {
@@ -388,9 +310,9 @@ void V4l2Camera::trouble(CameraState state, const Error& error) {
   if (is_news) hub_.fault(error);
 }
 
-void V4l2Camera::remark(std::string text) {
+void V4l2Camera::remark(const Message& what) {
   const std::lock_guard lock(status_mutex_);
-  remarks_.push_back(std::move(text));
+  remarks_.push_back(en::say("{}.", what));
   if (remarks_.size() > kMostRemarks) remarks_.pop_front();
 }
 
@@ -399,48 +321,6 @@ CameraStatus V4l2Camera::status() const {
   CameraStatus status = status_;
   status.remarks.assign(remarks_.begin(), remarks_.end());
   return status;
-}
-
-CameraSettings V4l2Camera::settings() const {
-  const std::lock_guard lock(device_mutex_);
-  return {place_.identity,
-          format_,
-          device_ == nullptr ? wanted_ : settings_of(list_controls(*device_))};
-}
-
-Result<std::vector<CameraControl>> V4l2Camera::controls() const {
-  const std::lock_guard lock(device_mutex_);
-  if (device_ == nullptr) return unplugged(place_.identity);
-  return list_controls(*device_);
-}
-
-Status V4l2Camera::set_control(const ControlValue& control) {
-  const std::lock_guard lock(device_mutex_);
-  if (device_ == nullptr) return unplugged(place_.identity);
-  if (const Status status = write_control(*device_, control); !status) return status;
-  merge(wanted_, {control});
-  if (ControlValue* held = find(held_, control.id)) held->value = control.value;
-  return {};
-}
-
-Status V4l2Camera::lock() {
-  const std::lock_guard lock(device_mutex_);
-  if (device_ == nullptr) return unplugged(place_.identity);
-  std::vector<std::string> problems;
-  held_ = lock_brightness(*device_, problems);
-  merge(wanted_, held_);
-  for (std::string& problem : problems) remark(std::move(problem));
-  return {};
-}
-
-void V4l2Camera::unlock() {
-  const std::lock_guard lock(device_mutex_);
-  held_.clear();
-}
-
-std::vector<ControlValue> V4l2Camera::locked() const {
-  const std::lock_guard lock(device_mutex_);
-  return held_;
 }
 
 }  // namespace alltact

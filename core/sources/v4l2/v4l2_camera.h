@@ -60,7 +60,7 @@ struct CameraStatus {
   CameraState state = CameraState::kStreaming;
   std::optional<Error> trouble;  ///< why no pictures come now
   CameraCounts counts;
-  std::vector<std::string> remarks;  ///< the latest twenty: controls that changed, what came back
+  std::vector<Message> remarks;  ///< the latest twenty: controls that changed, what came back
 };
 
 class V4l2Camera {
@@ -117,8 +117,13 @@ class V4l2Camera {
   void check_next_held();
   void on_change(const ControlValue& change);
   void trouble(CameraState state, const Error& error);
-  void remark(std::string text);
+  /// `what`: a sentence without its full stop.
+  void remark(const Message& what);
   [[nodiscard]] int patience_ms() const;
+  [[nodiscard]] Error unplugged() const;
+
+  // Of held controls, one at a time: each costs USB time.
+  static constexpr std::chrono::milliseconds kBetweenChecks{100};
 
   CameraPlace place_;
   FormatWish wish_;
@@ -147,7 +152,7 @@ class V4l2Camera {
 
   mutable std::mutex status_mutex_;
   CameraStatus status_;
-  std::deque<std::string> remarks_;
+  std::deque<Message> remarks_;
 
   std::atomic<bool> stopping_{false};
   std::thread thread_;

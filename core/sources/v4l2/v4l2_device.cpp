@@ -15,34 +15,38 @@ FailureWords words_for(int error_number) {
   switch (error_number) {
     case EACCES:
     case EPERM:
-      return {"access is not allowed",
-              "sudo usermod -aG video $USER, then log in again; or install "
-              "packaging/70-alltact.rules in /etc/udev/rules.d and plug the camera in again"};
+      return {
+          en::say("access is not allowed"),
+          en::say("sudo usermod -aG video $USER, then log in again; or install "
+                  "packaging/70-alltact.rules in /etc/udev/rules.d and plug the camera in again")};
     case EBUSY:
-      return {"another program is using it", "close that program (fuser -v /dev/video* names it)"};
+      return {en::say("another program is using it"),
+              en::say("close that program (fuser -v /dev/video* names it)")};
     case ENODEV:
     case ENXIO:
     case ENOENT:
-      return {"it is not there", "plug the camera in; 'alltact devices' lists what is found"};
+      return {en::say("it is not there"),
+              en::say("plug the camera in; 'alltact devices' lists what is found")};
     case ENOSPC:
-      return {"the USB port has no bandwidth left",
-              "another USB port, MJPG instead of YUYV, or smaller pictures"};
+      return {en::say("the USB port has no bandwidth left"),
+              en::say("another USB port, MJPG instead of YUYV, or smaller pictures")};
     case EIO:
     case EPROTO:
     case EPIPE:
     case ETIMEDOUT:
-      return {"the USB connection is disturbed", "a shorter cable or another port"};
+      return {en::say("the USB connection is disturbed"),
+              en::say("a shorter cable or another port")};
     case EINVAL:
     case ENOTTY:
-      return {"the camera refuses",
-              "another format or value; 'alltact devices --details' lists them"};
+      return {en::say("the camera refuses"),
+              en::say("another format or value; 'alltact devices --details' lists them")};
     case EMFILE:
     case ENFILE:
-      return {"too many files are open", "close other programs"};
+      return {en::say("too many files are open"), en::say("close other programs")};
     case ENOMEM:
-      return {"there is not enough memory", "close other programs"};
+      return {en::say("there is not enough memory"), en::say("close other programs")};
     default:
-      return {{}, "unplug the camera and plug it in again"};
+      return {{}, en::say("unplug the camera and plug it in again")};
   }
 }
 
@@ -146,23 +150,23 @@ int rank_of(std::uint32_t fourcc) {
   return 0;
 }
 
-std::string listed(const std::vector<CameraFormat>& offered) {
-  std::string text;
-  std::size_t count = 0;
-  for (const CameraFormat& format : offered) {
-    if (++count > 12) return text + " and more";
-    text += (text.empty() ? "" : ", ") + format.text();
-  }
-  return text.empty() ? "nothing" : text;
+Message listed(const std::vector<CameraFormat>& offered) {
+  constexpr std::size_t kMost = 12;
+  std::vector<Message> formats;
+  for (const CameraFormat& format : offered)
+    if (formats.size() < kMost) formats.push_back(format.text());
+  const Message list = en::list(formats);
+  if (offered.size() > kMost) return en::say("{} and more", list);
+  return list.empty() ? en::say("nothing") : list;
 }
 
 }  // namespace
 
-std::string CameraFormat::text() const {
-  std::string text = fmt::format("{}x{} {}", width_px, height_px, fourcc_text(fourcc));
-  if (frames_per_second() > 0)
-    text += fmt::format(" at {:g} frames per second", std::round(frames_per_second() * 100) / 100);
-  return text;
+Message CameraFormat::text() const {
+  const std::string picture = fmt::format("{}x{} {}", width_px, height_px, fourcc_text(fourcc));
+  if (frames_per_second() <= 0) return Message::typed(picture);
+  const double rate = std::round(frames_per_second() * 100) / 100;
+  return en::say("{} at {:g} frames per second", picture, rate);
 }
 
 Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
@@ -179,14 +183,14 @@ Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
   for (const CameraFormat& format : offered)
     if (meets(format, wish) && (best == nullptr || worth(format) > worth(*best))) best = &format;
   if (best == nullptr)
-    return Error{fmt::format("the camera has no such format that can be read; it offers {}",
-                             listed(offered)),
-                 node,
-                 "one of these in GREY, Y16, YUYV or MJPG"};
+    return Error{
+        en::say("the camera has no such format that can be read; it offers {}", listed(offered)),
+        node,
+        en::say("one of these in GREY, Y16, YUYV or MJPG")};
   return *best;
 }
 
-Error camera_error(std::string_view doing, const std::string& node, int error_number) {
+Error camera_error(const Message& doing, const std::string& node, int error_number) {
   return told(doing, node, words_for(error_number), error_number);
 }
 
@@ -199,7 +203,7 @@ Result<V4l2Device> V4l2Device::open(V4l2Calls& calls, const std::string& node) {
   do {
     descriptor = calls.open(node.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   } while (descriptor < 0 && errno == EINTR);
-  if (descriptor < 0) return camera_error("the camera cannot be opened", node, errno);
+  if (descriptor < 0) return camera_error(en::say("the camera cannot be opened"), node, errno);
   return V4l2Device(calls, descriptor, node);
 }
 
@@ -221,7 +225,7 @@ int V4l2Device::ioctl(unsigned long request, void* argument) const {
 Result<V4l2Device::Capability> V4l2Device::capability() const {
   auto answer = cleared<v4l2_capability>();
   if (const int error = ioctl(VIDIOC_QUERYCAP, &answer); error != 0)
-    return camera_error("this does not answer as a camera", node_, error);
+    return camera_error(en::say("this does not answer as a camera"), node_, error);
   const std::uint32_t can =
       (answer.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? answer.device_caps : answer.capabilities;
   Capability capability{
@@ -259,16 +263,17 @@ Result<std::size_t> V4l2Device::configure(CameraFormat& format) const {
   picture.pixelformat = format.fourcc;
   picture.field = V4L2_FIELD_NONE;
   if (const int error = ioctl(VIDIOC_S_FMT, &request); error != 0)
-    return camera_error("the camera's format cannot be set to " + format.text(), node_, error);
+    return camera_error(
+        en::say("the camera's format cannot be set to {}", format.text()), node_, error);
   const CameraFormat got{picture.pixelformat,
                          static_cast<int>(picture.width),
                          static_cast<int>(picture.height),
                          format.seconds_numerator,
                          format.seconds_denominator};
   if (got != format)
-    return Error{fmt::format("the camera was asked for {} and chose {}", format.text(), got.text()),
+    return Error{en::say("the camera was asked for {} and chose {}", format.text(), got.text()),
                  node_,
-                 "a format that 'alltact devices --details' lists for it"};
+                 en::say("a format that 'alltact devices --details' lists for it")};
   if (format.seconds_numerator == 0) return picture.bytesperline;
 
   auto rate = cleared<v4l2_streamparm>();
@@ -277,7 +282,7 @@ Result<std::size_t> V4l2Device::configure(CameraFormat& format) const {
   seconds = {format.seconds_numerator, format.seconds_denominator};
   const int error = ioctl(VIDIOC_S_PARM, &rate);
   if (error != 0 && error != ENOTTY && error != EINVAL)  // some drivers know no rates
-    return camera_error("the camera's rate cannot be set", node_, error);
+    return camera_error(en::say("the camera's rate cannot be set"), node_, error);
   if (error == 0 && seconds.numerator != 0 && seconds.denominator != 0) {
     format.seconds_numerator = seconds.numerator;
     format.seconds_denominator = seconds.denominator;

@@ -24,7 +24,7 @@ struct CameraFormat {
                                   : static_cast<double>(seconds_denominator) / seconds_numerator;
   }
   /// "1920x1080 MJPG at 30 frames per second".
-  [[nodiscard]] std::string text() const;
+  [[nodiscard]] Message text() const;
   bool operator==(const CameraFormat&) const = default;
 };
 
@@ -44,7 +44,7 @@ struct FormatWish {
                                                  const std::string& node);
 
 /// What a failed call on a camera means. doing: "the camera could not be opened".
-[[nodiscard]] Error camera_error(std::string_view doing, const std::string& node, int error_number);
+[[nodiscard]] Error camera_error(const Message& doing, const std::string& node, int error_number);
 /// True for the error numbers of a device that is no longer there.
 [[nodiscard]] bool means_gone(int error_number);
 

@@ -54,25 +54,26 @@ Result<std::unique_ptr<V4l2Stream>> V4l2Stream::start(const V4l2Device& device) 
   if (const Status status = stream->map_buffers(); !status) return status.error();
   for (std::uint32_t i = 0; i < stream->buffers_.size(); ++i)
     if (const int error = stream->queue(i); error != 0)
-      return camera_error("the camera takes no buffer", device.node(), error);
+      return camera_error(en::say("the camera takes no buffer"), device.node(), error);
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   if (const int error = device.ioctl(VIDIOC_STREAMON, &type); error != 0)
-    return camera_error("the camera does not start", device.node(), error);
+    return camera_error(en::say("the camera does not start"), device.node(), error);
   return stream;
 }
 
 Status V4l2Stream::map_buffers() {
   std::uint32_t count = kBuffers;
   if (const int error = request_buffers(*device_, count); error != 0)
-    return camera_error("the camera gives no buffers", device_->node(), error);
-  if (count < 2) return camera_error("the camera gives no buffers", device_->node(), ENOMEM);
+    return camera_error(en::say("the camera gives no buffers"), device_->node(), error);
+  if (count < 2)
+    return camera_error(en::say("the camera gives no buffers"), device_->node(), ENOMEM);
   for (std::uint32_t i = 0; i < count; ++i) {
     v4l2_buffer buffer = capture_buffer(i);
     if (const int error = device_->ioctl(VIDIOC_QUERYBUF, &buffer); error != 0)
-      return camera_error("the camera's buffer cannot be found", device_->node(), error);
+      return camera_error(en::say("the camera's buffer cannot be found"), device_->node(), error);
     void* address = device_->calls().mmap(buffer.length, device_->descriptor(), buffer.m.offset);
     if (address == MAP_FAILED)
-      return camera_error("the camera's buffer cannot be mapped", device_->node(), errno);
+      return camera_error(en::say("the camera's buffer cannot be mapped"), device_->node(), errno);
     buffers_.emplace_back(static_cast<std::uint8_t*>(address), buffer.length);
   }
   return {};

@@ -56,7 +56,7 @@ RC_GTEST_PROP(CheckHistory, AnythingElseIsLeftOutAndNamed, ()) {
   const test::TemporaryFolder folder;
   const auto junk = *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', 127));
   test::write_text(folder / kCheckFile, "x" + junk + "\n");
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   const auto back = load_checks(folder.path(), &warnings);
   RC_ASSERT(back.ok() && back->empty());
   RC_ASSERT(warnings.size() == 1U);

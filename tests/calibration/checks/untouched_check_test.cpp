@@ -58,7 +58,7 @@ class AgedSensor : public testing::Test {
 
 TEST_F(AgedSensor, SameLightPasses) {
   const UntouchedCheck same = check([](double, double) { return 1.0; });
-  EXPECT_EQ(same.verdict, CheckVerdict::kPass) << same.sentence;
+  EXPECT_EQ(same.verdict, CheckVerdict::kPass) << same.sentence.english();
   EXPECT_NEAR(same.light_change, 0.0, 0.002);
   EXPECT_LT(same.false_depth_mm, same.limit_mm);
   EXPECT_EQ(same.pictures, 3);
@@ -67,12 +67,12 @@ TEST_F(AgedSensor, SameLightPasses) {
 TEST_F(AgedSensor, AFewPercentDriftAndAreTakenOut) {
   const UntouchedCheck darker =
       check([](double s, double t) { return 0.965 * (1.0 + 0.01 * s - 0.006 * t * t); });
-  EXPECT_EQ(darker.verdict, CheckVerdict::kDrifting) << darker.sentence;
+  EXPECT_EQ(darker.verdict, CheckVerdict::kDrifting) << darker.sentence.english();
   EXPECT_NEAR(darker.light_change, -0.035, 0.003);
   // 3.5 % are 0.077 mm of a mapping that begins with 2.2 mm.
   EXPECT_NEAR(darker.uncorrected_mm, 0.035 * FlatSensor::kA, 0.05);
   EXPECT_LT(darker.false_depth_mm, darker.limit_mm);
-  EXPECT_THAT(darker.sentence, testing::HasSubstr("3.5 % darker"));
+  EXPECT_THAT(darker.sentence.english(), testing::HasSubstr("3.5 % darker"));
 }
 
 TEST_F(AgedSensor, MuchMoreOrAStainWantsANewReference) {
@@ -80,8 +80,8 @@ TEST_F(AgedSensor, MuchMoreOrAStainWantsANewReference) {
   const UntouchedCheck stained = check([](double s, double t) {
     return s * s + t * t < 0.3 ? 0.94 : 1.0;  // a dull patch in the middle
   });
-  EXPECT_EQ(stained.verdict, CheckVerdict::kRecalibrate) << stained.sentence;
-  EXPECT_THAT(stained.sentence, testing::HasSubstr("record the reference again"));
+  EXPECT_EQ(stained.verdict, CheckVerdict::kRecalibrate) << stained.sentence.english();
+  EXPECT_THAT(stained.sentence.english(), testing::HasSubstr("record the reference again"));
 }
 
 TEST_F(AgedSensor, WhatCannotBeCheckedIsSaid) {

@@ -207,7 +207,7 @@ TEST(ExportFinger, StoppedItTellsWhatIsThere) {
   const Finger finger = whole_finger();
   const fs::path from = saved(folder, finger);
   Job* running = nullptr;
-  Job job([&](double, std::string_view) { running->request_stop(); });
+  Job job([&](double, const Message&) { running->request_stop(); });
   running = &job;
   std::vector<fs::path> written;
   const Status status = export_finger(finger, from, kAll, folder / "out", job, &written);

@@ -37,7 +37,7 @@ CalibrationInputs some_inputs() {
 
 TEST(CalibrationInputs, ComeBackAsTheyWereWritten) {
   const CalibrationInputs inputs = some_inputs();
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   const auto back = CalibrationInputs::parse(inputs.to_yaml(), "f", &warnings);
   ASSERT_TRUE(back.ok()) << back.error().sentence();
   EXPECT_TRUE(warnings.empty());
@@ -104,12 +104,13 @@ TEST(CalibrationInputs, KeysOfAnotherVersionAreKeptAndToldOf) {
   std::string text = some_inputs().to_yaml();
   text.insert(text.find("continuous"), "ball_material: steel\n");
   text.insert(text.find("method:"), "weather: dry, ");
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   const auto inputs = CalibrationInputs::parse(text, "f", &warnings);
   ASSERT_TRUE(inputs.ok()) << inputs.error().sentence();
-  EXPECT_THAT(
-      warnings,
-      testing::UnorderedElementsAre(HasSubstr("ball_material"), HasSubstr("calibration.weather")));
+  EXPECT_THAT(warnings,
+              testing::UnorderedElementsAre(
+                  testing::Property(&Message::english, HasSubstr("ball_material")),
+                  testing::Property(&Message::english, HasSubstr("calibration.weather"))));
   EXPECT_THAT(inputs->to_yaml(), HasSubstr("ball_material: steel\n"));
   EXPECT_THAT(inputs->to_yaml(), HasSubstr("weather: dry"));
   EXPECT_EQ(CalibrationInputs::parse(inputs->to_yaml(), "f")->to_yaml(), inputs->to_yaml());

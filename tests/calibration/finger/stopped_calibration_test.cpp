@@ -18,8 +18,9 @@ constexpr const char* kPage = "calibration_report.html";
 
 Result<std::vector<ReportFile>> one_page(const FingerCalibration&, const Job& job) {
   for (int page = 0; page < 3; ++page) {
-    job.report(0.95 + 0.01 * page, "writing a page");
-    if (job.stop_requested()) return Error{"stopped before the report was written", "", ""};
+    job.report(0.95 + 0.01 * page, Message::typed("writing a page"));
+    if (job.stop_requested())
+      return Error{Message::typed("stopped before the report was written"), "", ""};
   }
   return std::vector<ReportFile>{{kPage, "<html></html>"}};
 }
@@ -39,7 +40,7 @@ Stopped calibrate_until(const FlatFinger& flat, int count) {
   input.make_report = one_page;
   int reports = 0;
   Job* self = nullptr;
-  Job job([&](double, std::string_view) {
+  Job job([&](double, const Message&) {
     if (++reports == count) self->request_stop();
   });
   self = &job;

@@ -97,7 +97,7 @@ TEST(Calibrate, FaintPressesOnAStronglyScatteringLayerCount) {
   const Calibration calibration = run(presses);
   EXPECT_LT(mapping_error(calibration.mapping, layer), 0.02);
   ASSERT_EQ(calibration.balls.size(), 6U)
-      << (calibration.left_out.empty() ? "" : calibration.left_out.front());
+      << (calibration.left_out.empty() ? "" : calibration.left_out.front().english());
   for (const BallFit& ball : calibration.balls) {
     const auto i = static_cast<std::size_t>(std::stoi(ball.press.substr(1)));
     EXPECT_NEAR(ball.centre_mm.z(), centres_mm[i].z(), 0.02) << ball.press;
@@ -108,9 +108,9 @@ TEST(Calibrate, TellsHowTheSolutionSettlesAndThatChangesNothing) {
   std::mt19937 random(22);
   const std::vector<Press> presses = flat_presses({0.6, 0.02}, {}, 3, random);
   std::vector<Round> rounds;
-  const Job job({}, [&](const Round& round) { rounds.push_back(round); });
+  const auto listen = [&](const Round& round) { rounds.push_back(round); };
   const Scene scene = flat_scene();
-  const auto heard = calibrate(presses, scene.camera, scene.face, {}, job);
+  const auto heard = calibrate(presses, scene.camera, scene.face, {}, Job{}, listen);
   ASSERT_TRUE(heard.ok()) << heard.error().sentence();
   ASSERT_GE(rounds.size(), 3U);
   EXPECT_EQ(rounds.front().number, 1);
@@ -158,7 +158,7 @@ TEST(Calibrate, OnePressSaysWhatItCannotKnow) {
   EXPECT_EQ(calibration.held_out_mm, 0.0);
   EXPECT_TRUE(std::any_of(calibration.remarks.begin(),
                           calibration.remarks.end(),
-                          [](const std::string& r) { return r.find("one press") == 0; }));
+                          [](const Message& r) { return r.english().find("one press") == 0; }));
 }
 
 TEST(Calibrate, InclinedFacesTellWhichThicknessCounts) {
@@ -222,11 +222,12 @@ TEST(Calibrate, UnevenLightIsSeenAndAnsweredAndEvenLightIsLeftAlone) {
         worst = std::max(worst, std::abs(told - layer.depth_at(x) * factor));
       }
     EXPECT_LT(worst, 0.02) << uneven.transpose();
-    EXPECT_EQ(
-        std::any_of(calibration.remarks.begin(),
-                    calibration.remarks.end(),
-                    [](const std::string& r) { return r.find("varies over the face") != r.npos; }),
-        !uneven.isZero(0.0));
+    EXPECT_EQ(std::any_of(calibration.remarks.begin(),
+                          calibration.remarks.end(),
+                          [](const Message& r) {
+                            return r.english().find("varies over the face") != std::string::npos;
+                          }),
+              !uneven.isZero(0.0));
   }
 }
 
@@ -261,7 +262,7 @@ TEST(Calibrate, TheSamePictureTwiceCountsOnce) {
   EXPECT_EQ(once.mapping.a_mm, twice.mapping.a_mm);
   EXPECT_EQ(once.mapping.b, twice.mapping.b);
   ASSERT_EQ(twice.left_out.size(), 1U);
-  EXPECT_NE(twice.left_out[0].find("same picture as p1"), std::string::npos);
+  EXPECT_NE(twice.left_out[0].english().find("same picture as p1"), std::string::npos);
 }
 
 TEST(Calibrate, UnusablePressesAreNamedAndTheRestIsUsed) {
@@ -273,11 +274,11 @@ TEST(Calibrate, UnusablePressesAreNamedAndTheRestIsUsed) {
   const Calibration calibration = run(presses);
   EXPECT_EQ(calibration.balls.size(), 3U);
   ASSERT_EQ(calibration.left_out.size(), 1U);
-  EXPECT_EQ(calibration.left_out[0].rfind("empty: ", 0), 0U);
+  EXPECT_EQ(calibration.left_out[0].english().rfind("empty: ", 0), 0U);
 
   const auto refused = calibrate({empty}, scene.camera, scene.face, {}, Job{});
   ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.error().what.find("empty"), std::string::npos);
+  EXPECT_NE(refused.error().what.english().find("empty"), std::string::npos);
   EXPECT_FALSE(calibrate({}, scene.camera, scene.face, {}, Job{}).ok());
   presses[1].ball_radius_mm = -4.0;
   EXPECT_FALSE(calibrate(presses, scene.camera, scene.face, {}, Job{}).ok());
@@ -308,7 +309,7 @@ TEST(Calibrate, StoppedBeforeTheFirstSolutionSaysSo) {
   job.request_stop();
   const auto result = calibrate(presses, scene.camera, scene.face, {}, job);
   ASSERT_FALSE(result.ok());
-  EXPECT_NE(result.error().what.find("stopped"), std::string::npos);
+  EXPECT_NE(result.error().what.english().find("stopped"), std::string::npos);
 }
 
 TEST(Calibrate, SettingsSpeakForThemselves) {

@@ -51,7 +51,8 @@ Scale scale_of(const std::vector<Press>& presses) {
   const auto done = calibrate(presses, scene.camera, scene.face, {}, Job{});
   EXPECT_TRUE(done.ok()) << (done ? "" : done.error().sentence());
   if (!done) return {};
-  for (const std::string& reason : done->left_out) std::printf("[ figures  ] %s\n", reason.c_str());
+  for (const Message& reason : done->left_out)
+    std::printf("[ figures  ] %s\n", reason.english().c_str());
   const Mapping mapping = Mapping::create(done->mapping).value();
   constexpr double kDepth = 0.8;
   const double x = kLayer.difference_at(kDepth);
@@ -107,7 +108,8 @@ TEST(MeasuredDepth, ThatContradictsThePicturesIsNotUsed) {
   const auto done = calibrate(presses, scene.camera, scene.face, {}, Job{});
   ASSERT_TRUE(done.ok()) << done.error().sentence();
   EXPECT_THAT(done->left_out,
-              testing::Contains(HasSubstr("p4: its measured depth of 1.400 +- 0.010 mm")));
+              testing::Contains(testing::Property(
+                  &Message::english, HasSubstr("p4: its measured depth of 1.400 +- 0.010 mm"))));
   EXPECT_NEAR(done->balls[4].pressed_in_mm, 0.97, 0.03);
 }
 

@@ -53,7 +53,7 @@ TEST(PressAdvice, SaysTheStandardDeviationThatThePressThenGives) {
     EXPECT_NEAR(advice.sd_now_mm, depth_sd_mm(now), 0.35 * depth_sd_mm(now));
     if (advice.enough) break;
     EXPECT_LT(advice.sd_then_mm, advice.sd_now_mm);
-    EXPECT_THAT(advice.sentence, testing::HasSubstr("press next"));
+    EXPECT_THAT(advice.sentence.english(), testing::HasSubstr("press next"));
     // Nobody wants the shallow presses that tell least.
     EXPECT_GT(advice.depth_mm, 0.5);
     const double v = 150 + advice.across_mm / 0.05;
@@ -74,7 +74,8 @@ TEST(PressAdvice, AnEmptyThirdOfTheFaceComesFirst) {
   const Calibration calibration = run(presses);
   ASSERT_TRUE(calibration.next_press);
   EXPECT_FALSE(calibration.next_press->enough);
-  EXPECT_THAT(calibration.next_press->sentence, testing::HasSubstr("no press tells whether"));
+  EXPECT_THAT(calibration.next_press->sentence.english(),
+              testing::HasSubstr("no press tells whether"));
   // The face is 20 mm long and was pressed between 4 and 7 mm.
   EXPECT_GT(calibration.next_press->along_mm, 20.0 / 3);
 }
@@ -102,7 +103,7 @@ TEST(PressAdvice, SaysWhatAWrongRadiusDoesAndThatItCannotBeSeen) {
   EXPECT_NEAR(sense.depth_part, changed, 0.4 * std::abs(changed));
   EXPECT_NEAR(sense.larger_mm - sense.given_mm, larger.residual_mm - given.residual_mm, 3e-4);
   EXPECT_FALSE(sense.is_seen);
-  EXPECT_THAT(sense.sentence, testing::HasSubstr("cannot show a wrong radius"));
+  EXPECT_THAT(sense.sentence.english(), testing::HasSubstr("cannot show a wrong radius"));
 }
 
 TEST(PressAdvice, TheWeakestDirectionIsNamed) {
@@ -111,10 +112,10 @@ TEST(PressAdvice, TheWeakestDirectionIsNamed) {
   const Weakness scale = weakest_direction(curve, Eigen::Vector2d(1e-2, 1e-8).asDiagonal());
   EXPECT_TRUE(scale.is_scale);
   EXPECT_NEAR(scale.sd_mm, 0.1 * 0.5, 1e-6);  // of c0 times x at the end of the domain
-  EXPECT_THAT(scale.sentence, testing::HasSubstr("the scale"));
+  EXPECT_THAT(scale.sentence.english(), testing::HasSubstr("the scale"));
   const Weakness bend = weakest_direction(curve, Eigen::Vector2d(1e-8, 1e-2).asDiagonal());
   EXPECT_FALSE(bend.is_scale);
-  EXPECT_THAT(bend.sentence, testing::HasSubstr("shallow and deep"));
+  EXPECT_THAT(bend.sentence.english(), testing::HasSubstr("shallow and deep"));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ TEST(Verdict, HeldOutErrorCountsAndNotTheFlatteringOne) {
   const Verdict worth = verdict({0.01, 0.2, 0, 4});
   EXPECT_EQ(worth.grade, Grade::kUnfit);
   EXPECT_EQ(worth.error_mm, 0.2);
-  EXPECT_THAT(worth.sentence, HasSubstr("0.200 mm"));
+  EXPECT_THAT(worth.sentence.english(), HasSubstr("0.200 mm"));
 }
 
 TEST(Verdict, GradesChangeAtTheirLimits) {
@@ -27,14 +27,15 @@ TEST(Verdict, GradesChangeAtTheirLimits) {
 TEST(Verdict, WhatIsOffAsAWholeCountsToo) {
   const Verdict worth = verdict({0.01, 0.03, 0.04, 4});
   EXPECT_DOUBLE_EQ(worth.error_mm, 0.05);
-  EXPECT_THAT(worth.sentence, testing::AllOf(HasSubstr("0.050 mm"), HasSubstr("0.040 mm")));
+  EXPECT_THAT(worth.sentence.english(),
+              testing::AllOf(HasSubstr("0.050 mm"), HasSubstr("0.040 mm")));
   EXPECT_EQ(verdict({0.01, 0.03, 0.06, 4}).grade, Grade::kUsable);
 }
 
 TEST(Verdict, OnePressProvesNothing) {
   const Verdict worth = verdict({0.001, 0.0, 0, 1});
   EXPECT_EQ(worth.grade, Grade::kUnproven);
-  EXPECT_THAT(worth.sentence, HasSubstr("add presses"));
+  EXPECT_THAT(worth.sentence.english(), HasSubstr("add presses"));
 }
 
 TEST(Verdict, NoNumberIsNeverGood) {

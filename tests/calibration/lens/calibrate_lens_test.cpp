@@ -19,6 +19,7 @@ using made::board_lens;
 using made::board_scene;
 using made::chessboard;
 using testing::HasSubstr;
+using testing::Property;
 
 made::BoardScene usual_scene(int seed, int count = 14) {
   std::mt19937 random(seed);
@@ -79,7 +80,7 @@ TEST(CalibrateLens, TellsWhatTheLensIsWorth) {
   EXPECT_LT(found.held_out->error_px, 1.3 * found.fit.sigma_px);
   ASSERT_TRUE(found.halves);
   EXPECT_LT(found.halves->median_px, 1.0);
-  EXPECT_EQ(found.verdict.grade, Grade::kGood) << found.verdict.sentence;
+  EXPECT_EQ(found.verdict.grade, Grade::kGood) << found.verdict.sentence.english();
 }
 
 TEST(CalibrateLens, ABentViewIsPutAsideAndSaysSo) {
@@ -93,7 +94,7 @@ TEST(CalibrateLens, ABentViewIsPutAsideAndSaysSo) {
     bent.pixels[i] = camera.project(scene.poses[4](place)).value();
   }
   const LensCalibration found = calibrated(scene.views);
-  EXPECT_THAT(found.views[4].put_aside, HasSubstr("bent"));
+  EXPECT_THAT(found.views[4].put_aside.english(), HasSubstr("bent"));
   EXPECT_EQ(found.used.size(), scene.views.size() - 1);
   EXPECT_NEAR(found.fit.lens.fx_px, 521.4, 5 * found.fit.sd(0));
 }
@@ -104,7 +105,7 @@ TEST(CalibrateLens, ABlurredViewIsPutAsideAndSaysSo) {
   std::normal_distribution<double> noise(0, 1.0);
   scene.views[2].edge_px = 6;
   for (Eigen::Vector2d& pixel : scene.views[2].pixels) pixel.x() += noise(random);
-  EXPECT_THAT(calibrated(scene.views).views[2].put_aside, HasSubstr("blurred"));
+  EXPECT_THAT(calibrated(scene.views).views[2].put_aside.english(), HasSubstr("blurred"));
 }
 
 TEST(CalibrateLens, ABoardBentInAllViewsIsNoticed) {
@@ -120,9 +121,11 @@ TEST(CalibrateLens, ABoardBentInAllViewsIsNoticed) {
                                  Eigen::Vector2d(noise(random), noise(random));
     }
   const LensCalibration found = calibrated(scene.views);
-  EXPECT_THAT(found.remarks, testing::Contains(HasSubstr("bent by about")));
-  EXPECT_THAT(calibrated(usual_scene(9).views).remarks,
-              testing::Not(testing::Contains(HasSubstr("not the flat"))));
+  EXPECT_THAT(found.remarks,
+              testing::Contains(Property(&Message::english, HasSubstr("bent by about"))));
+  EXPECT_THAT(
+      calibrated(usual_scene(9).views).remarks,
+      testing::Not(testing::Contains(Property(&Message::english, HasSubstr("not the flat")))));
 }
 
 TEST(CalibrateLens, RepeatsAreNoNewViews) {
@@ -131,11 +134,12 @@ TEST(CalibrateLens, RepeatsAreNoNewViews) {
   for (std::size_t i = 0; i < same.size(); ++i) same[i].name = "same_" + std::to_string(i);
   const auto alike = calibrate_lens(same, {640, 480}, {}, {});
   ASSERT_FALSE(alike);
-  EXPECT_THAT(alike.error().what, HasSubstr("all 5 views show the board in the same place"));
+  EXPECT_THAT(alike.error().what.english(),
+              HasSubstr("all 5 views show the board in the same place"));
   same.resize(2);
   const auto few = calibrate_lens(same, {640, 480}, {}, {});
   ASSERT_FALSE(few);
-  EXPECT_THAT(few.error().what, HasSubstr("only 2"));
+  EXPECT_THAT(few.error().what.english(), HasSubstr("only 2"));
 }
 
 TEST(CalibrateLens, StraightViewsAreNotFitAndSayWhatIsMissing) {
@@ -144,11 +148,11 @@ TEST(CalibrateLens, StraightViewsAreNotFitAndSayWhatIsMissing) {
       board_scene(Camera::create(board_lens()).value(), chessboard(), 6, 3, 0.2, random);
   const auto found = calibrate_lens(scene.views, {640, 480}, {}, {});
   if (!found) {
-    EXPECT_THAT(found.error().advice, HasSubstr("tilted"));
+    EXPECT_THAT(found.error().advice.english(), HasSubstr("tilted"));
     return;
   }
-  EXPECT_EQ(found->verdict.grade, Grade::kUnfit) << found->verdict.sentence;
-  EXPECT_THAT(found->verdict.sentence, HasSubstr("more, tilted"));
+  EXPECT_EQ(found->verdict.grade, Grade::kUnfit) << found->verdict.sentence.english();
+  EXPECT_THAT(found->verdict.sentence.english(), HasSubstr("more, tilted"));
 }
 
 TEST(CalibrateLens, MissingPlacesAreNamed) {
@@ -161,8 +165,8 @@ TEST(CalibrateLens, MissingPlacesAreNamed) {
       left.push_back(view);
   ASSERT_GE(left.size(), 8U);
   const LensCalibration found = calibrated(left);
-  EXPECT_THAT(found.coverage.unseen, testing::Contains("right edge"));
-  EXPECT_THAT(found.coverage.advice, HasSubstr("right edge"));
+  EXPECT_THAT(found.coverage.unseen, testing::Contains(Property(&Message::english, "right edge")));
+  EXPECT_THAT(found.coverage.advice.english(), HasSubstr("right edge"));
   EXPECT_FALSE(found.coverage.enough);
   EXPECT_NE(found.verdict.grade, Grade::kGood);
 }
@@ -172,7 +176,7 @@ TEST(CalibrateLens, StoppedBeforeThereIsALensSaysSo) {
   job.request_stop();
   const auto found = calibrate_lens(usual_scene(13).views, {640, 480}, {}, job);
   ASSERT_FALSE(found);
-  EXPECT_THAT(found.error().what, HasSubstr("stopped"));
+  EXPECT_THAT(found.error().what.english(), HasSubstr("stopped"));
 }
 
 TEST(LensVerdict, GradesByTheWorstEvidence) {

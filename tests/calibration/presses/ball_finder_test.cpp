@@ -31,8 +31,9 @@ cv::Mat noise(const cv::Size& size, double sd) {
 void expect_refusal(const Press& press, const Scene& scene, const std::string& word) {
   const auto ball = find_ball(press, scene.face);
   ASSERT_FALSE(ball.ok());
-  EXPECT_EQ(ball.error().where, press.name);
-  EXPECT_NE(ball.error().what.find(word), std::string::npos) << ball.error().what;
+  EXPECT_EQ(ball.error().where.english(), press.name);
+  EXPECT_NE(ball.error().what.english().find(word), std::string::npos)
+      << ball.error().what.english();
   EXPECT_FALSE(ball.error().advice.empty());
 }
 

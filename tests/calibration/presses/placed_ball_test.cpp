@@ -64,7 +64,9 @@ TEST(PlacedBall, ServesAPressInWhichNoBallIsFound) {
   const Ball ball{420.0, 240.0, 4.0, 0.8}, thumb{640.0, 300.0, 4.0, 0.8};
   Made two = make_press(made.scene, {}, {}, {ball, thumb}, 1.0, random, "two");
   made.presses.push_back(two.press);
-  EXPECT_THAT(solve(made).left_out, testing::ElementsAre(HasSubstr("two contacts")));
+  EXPECT_THAT(
+      solve(made).left_out,
+      testing::ElementsAre(testing::Property(&Message::english, HasSubstr("two contacts"))));
   made.presses.back().ball_mm = two.centre_mm + Eigen::Vector3d(0.2, 0.1, 0.1);
   const Calibration calibration = solve(made);
   EXPECT_TRUE(calibration.left_out.empty());
@@ -78,7 +80,8 @@ TEST(PlacedBall, ABallThatDoesNotTouchIsLeftOutWithTheReason) {
   const Calibration calibration = solve(made);
   EXPECT_EQ(calibration.balls.size(), 4U);
   ASSERT_EQ(calibration.left_out.size(), 1U);
-  EXPECT_THAT(calibration.left_out[0], HasSubstr("p1: the ball that was put there by hand"));
+  EXPECT_THAT(calibration.left_out[0].english(),
+              HasSubstr("p1: the ball that was put there by hand"));
 }
 
 TEST(PlacedBall, LiesOnTheFaceAsItWasPressedIn) {

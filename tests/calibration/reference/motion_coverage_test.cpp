@@ -23,7 +23,7 @@ TEST(MotionCoverage, NamesTheDirectionThatIsMissing) {
   }
   const auto missing = coverage.missing();
   ASSERT_EQ(missing.size(), 1U);
-  EXPECT_THAT(missing.front(), testing::HasSubstr("towards the camera: 1.0 of 4.0 mm"));
+  EXPECT_THAT(missing.front().english(), testing::HasSubstr("towards the camera: 1.0 of 4.0 mm"));
 }
 
 TEST(MotionCoverage, CombinationsCountAsWell) {
@@ -36,7 +36,8 @@ TEST(MotionCoverage, CombinationsCountAsWell) {
     together.add({bend, sway, twist});
   }
   ASSERT_EQ(apart.missing().size(), 1U);
-  EXPECT_THAT(apart.missing().front(), testing::HasSubstr("while its tip is pushed aside"));
+  EXPECT_THAT(apart.missing().front().english(),
+              testing::HasSubstr("while its tip is pushed aside"));
   EXPECT_TRUE(together.missing().empty());
   EXPECT_GT(together.covered(), 0.95);
 }

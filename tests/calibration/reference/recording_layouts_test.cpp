@@ -103,7 +103,7 @@ void expect_numbered(const char* what,
                      const std::vector<int>& place_of) {
   const auto numbered = number_recording(recorded.frames, rows);
   ASSERT_TRUE(numbered.ok()) << what << ": " << numbered.error().sentence();
-  ASSERT_FALSE(numbered->places) << what << ": " << numbered->no_markers;
+  ASSERT_FALSE(numbered->places) << what << ": " << numbered->no_markers.english();
   std::vector<int> missing;
   for (std::size_t m = 0; m < place_of.size(); ++m)
     if (place_of[m] < 0) missing.push_back(static_cast<int>(m));
@@ -205,7 +205,7 @@ TEST(NumberRecording, OneDotARowTellsNoPoseWhereOneIsHiddenSoTheShapeDoes) {
   const auto numbered = number_recording(recorded.frames, {1, Polarity::kAuto});
   ASSERT_TRUE(numbered.ok());
   EXPECT_TRUE(numbered->places);
-  EXPECT_EQ(numbered->no_markers, "of 2 markers none may be hidden");
+  EXPECT_EQ(numbered->no_markers.english(), "of 2 markers none may be hidden");
 }
 
 TEST(NumberRecording, InAnyOrderWithDotsHiddenInEveryFrameAndFalseOnesAmongThem) {
@@ -319,10 +319,10 @@ TEST(NumberRecording, WithoutMarkersByPlacesOfTheFace) {
 
 TEST(NumberRecording, SaysThatNoFrameShowsTheFace) {
   std::vector<FrameDots> frames(3);
-  for (FrameDots& frame : frames) frame.problem = "it is dark";
+  for (FrameDots& frame : frames) frame.problem = Message::typed("it is dark");
   const auto numbered = number_recording(frames, {6, Polarity::kAuto});
   ASSERT_FALSE(numbered.ok());
-  EXPECT_NE(numbered.error().what.find("it is dark"), std::string::npos);
+  EXPECT_NE(numbered.error().what.english().find("it is dark"), std::string::npos);
 }
 
 }  // namespace

@@ -35,10 +35,11 @@ MarkedFinger::Extra dent(
   return {{u, v, radius_px, radius_px}, level * (1.0 - darker)};
 }
 
-std::set<int> numbers_of(const std::vector<std::string>& rejected, const std::string& reason) {
+std::set<int> numbers_of(const std::vector<Message>& rejected, const std::string& reason) {
   std::set<int> numbers;
-  for (const std::string& line : rejected)
-    if (line.find(reason) != std::string::npos) numbers.insert(std::stoi(line.substr(6)));
+  for (const Message& rejection : rejected)
+    if (const std::string line = rejection.english(); line.find(reason) != std::string::npos)
+      numbers.insert(std::stoi(line.substr(6)));
   return numbers;
 }
 
@@ -115,7 +116,9 @@ TEST(RecordingStudy, BendingIsMeasuredInMillimetres) {
   EXPECT_NEAR(report->coverage.sway_mm().most, sway, 0.03 * sway);
   EXPECT_NEAR(report->coverage.sway_mm().least, -sway, 0.03 * sway);
   EXPECT_LT(report->coverage.bend_mm().most, 0.3);
-  EXPECT_THAT(report->remarks, ::testing::Contains(::testing::HasSubstr("bend it further")));
+  EXPECT_THAT(report->remarks,
+              ::testing::Contains(
+                  ::testing::Property(&Message::english, ::testing::HasSubstr("bend it further"))));
 }
 
 }  // namespace

@@ -59,11 +59,12 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
       std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
   ASSERT_TRUE(report.ok()) << report.error().sentence();
   EXPECT_EQ(report->frames_read, kFrames);
-  for (const auto& line : report->rejected) std::printf("[ figures  ] rejected %s\n", line.c_str());
+  for (const auto& line : report->rejected)
+    std::printf("[ figures  ] rejected %s\n", line.english().c_str());
   EXPECT_GE(report->frames_kept, kFrames - 3);
   EXPECT_EQ(report->frames_kept + static_cast<int>(report->rejected.size()), kFrames);
   EXPECT_TRUE(std::any_of(report->rejected.begin(), report->rejected.end(), [](const auto& line) {
-    return line.find("frame 20: ") == 0;
+    return line.english().find("frame 20: ") == 0;
   }));
   EXPECT_EQ(finger.markers.polarity, Polarity::kBright);
 
@@ -72,7 +73,7 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
   std::erase_if(kept, [&](int i) {
     const std::string start = "frame " + std::to_string(i) + ": ";
     return std::any_of(report->rejected.begin(), report->rejected.end(), [&](const auto& line) {
-      return line.find(start) == 0;
+      return line.english().find(start) == 0;
     });
   });
   ASSERT_EQ(kept.size(), table->frames.size());
@@ -172,7 +173,8 @@ TEST(InstallReference, WhatTheCameraWasSetToIsKeptAndComparedWithThePresses) {
   ASSERT_TRUE(other.ok()) << other.error().sentence();
   EXPECT_EQ(finger.provenance.at("reference_settings"), "Camera=usb-1; Gain=5");
   ASSERT_EQ(other->warnings.size(), 1U);
-  EXPECT_NE(other->warnings[0].find("other settings: Gain was 3 and is 5."), std::string::npos);
+  EXPECT_NE(other->warnings[0].english().find("other settings: Gain was 3 and is 5."),
+            std::string::npos);
   EXPECT_TRUE(install("Camera=usb-1; Gain=3")->warnings.empty());
   EXPECT_TRUE(install(nullptr)->warnings.empty());
   EXPECT_FALSE(finger.provenance.contains("reference_settings")) << "not told, so not invented";
@@ -321,7 +323,7 @@ TEST(InstallReference, AFrameWhoseMarkersAreHiddenIsMeasuredByTheShapeOfItsFace)
     const auto seen = (*pipeline)(as_frame(f.with_noise(f.clean(bend), random)));
     ASSERT_TRUE(seen.ok() && seen->reference && seen->difference) << at;
     EXPECT_FALSE(seen->reference->by_shape);
-    EXPECT_TRUE(seen->touch.has_value());
+    EXPECT_TRUE(seen->push.has_value());
     pipeline->forget();
     const auto hidden = (*pipeline)(as_frame(f.with_noise(f.clean(bend, all), random)));
     ASSERT_TRUE(hidden.ok() && hidden->reference && hidden->difference) << at;
@@ -333,10 +335,10 @@ TEST(InstallReference, AFrameWhoseMarkersAreHiddenIsMeasuredByTheShapeOfItsFace)
     const Reference less_sure =
         library->reference_for(vague, *hidden->shape, ReferenceMethod::kLocal);
     EXPECT_GT(less_sure.error_factor, 1.1 * hidden->reference->error_factor);
-    EXPECT_FALSE(hidden->touch.has_value());
+    EXPECT_FALSE(hidden->push.has_value());
     // Why there are no markers, what that costs, and that the finger is not calibrated.
     ASSERT_EQ(hidden->problems.size(), 3U);
-    EXPECT_NE(hidden->problems[1].find("the markers were not found"), std::string::npos);
+    EXPECT_NE(hidden->problems[1].english().find("the markers were not found"), std::string::npos);
     const Eigen::VectorXd truth = f.layout(bend);
     for (std::size_t m = 0; m < 12; ++m) {
       const Marker& marker = (*hidden->markers)[m];
@@ -377,7 +379,7 @@ TEST(InstallReference, RestIsTheMiddleOfTheRecordingOrTheFrameAskedFor) {
     EXPECT_NEAR(finger.contact->rest_markers[m].x(), truth[2 * static_cast<Eigen::Index>(m)], 1.0);
   const auto beyond = install(40, finger);
   ASSERT_FALSE(beyond.ok());
-  EXPECT_NE(beyond.error().what.find("frame 40 cannot be"), std::string::npos);
+  EXPECT_NE(beyond.error().what.english().find("frame 40 cannot be"), std::string::npos);
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ TEST(FlatPort, SaysWhatCannotBeSeen) {
   EXPECT_FALSE(direction_to({0, 0, 1.49, 1.41}, {50, 0, 10}));  // beyond the critical angle
   EXPECT_TRUE(direction_to(port, {50, 0, 10}));                 // an air gap lets it in, very flat
   EXPECT_FALSE(ray_through(port, {1, 0, 0}));
-  EXPECT_EQ(check_port({-1, 3, 1.49, 1.41}).error().where, "gap_mm");
-  EXPECT_EQ(check_port({1, 3, 0.9, 1.41}).error().where, "plate_index");
+  EXPECT_EQ(check_port({-1, 3, 1.49, 1.41}).error().where.english(), "gap_mm");
+  EXPECT_EQ(check_port({1, 3, 0.9, 1.41}).error().where.english(), "plate_index");
   EXPECT_TRUE(check_port(port));
 }
 

@@ -89,13 +89,14 @@ TEST(PortCamera, AStepOfAPixelIsAsLongAsItSays) {
 }
 
 TEST(PortCamera, RefusesWindowsThatAreNone) {
-  EXPECT_EQ(Camera::create(lens(CameraModel::kPinhole, {-1, 3, 1.49, 1.41})).error().where,
-            "camera.port.gap_mm");
-  EXPECT_EQ(Camera::create(lens(CameraModel::kPinhole, {1, 3, 1.49, 9})).error().where,
+  EXPECT_EQ(
+      Camera::create(lens(CameraModel::kPinhole, {-1, 3, 1.49, 1.41})).error().where.english(),
+      "camera.port.gap_mm");
+  EXPECT_EQ(Camera::create(lens(CameraModel::kPinhole, {1, 3, 1.49, 9})).error().where.english(),
             "camera.port.medium_index");
   CameraParameters p = lens(CameraModel::kOrthographic, kPort);
   p.mm_per_px = 0.05;
-  EXPECT_EQ(Camera::create(p).error().where, "camera.port");
+  EXPECT_EQ(Camera::create(p).error().where.english(), "camera.port");
   EXPECT_FALSE(camera().project({1, 1, 7}));  // within the plate
 }
 

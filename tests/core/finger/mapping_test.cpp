@@ -265,7 +265,7 @@ TEST(Mapping, SpreadOverTheFaceIsThatOfItsLinearisation) {
 TEST(Mapping, RefusesWhatIsNoMapping) {
   const auto key_of = [](const MappingParameters& p) {
     const auto mapping = Mapping::create(p);
-    return mapping ? std::string("accepted") : mapping.error().where;
+    return mapping ? std::string("accepted") : mapping.error().where.english();
   };
   EXPECT_EQ(key_of(cubic()), "accepted");
   for (double x_max : {0.0, -0.3, 1.01, std::nan(""), HUGE_VAL}) {

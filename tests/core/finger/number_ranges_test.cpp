@@ -96,7 +96,7 @@ TEST(FingerNumbers, ThatAreNoneOrImpossibleNeverComeOutAgain) {
       const auto finger = Finger::parse(with_number(n, by), "finger.yaml");
       ++tried;
       if (!finger.ok()) {
-        EXPECT_THAT(finger.error().where, HasSubstr("finger.yaml:")) << by;
+        EXPECT_THAT(finger.error().where.english(), HasSubstr("finger.yaml:")) << by;
         continue;
       }
       ++accepted;
@@ -165,10 +165,10 @@ TEST(FingerNumbers, WhatIsRepeatedOfABadValueIsShortAndPlain) {
   EXPECT_THAT(said(huge), HasSubstr("'\\x1b[31mxxx"));
   EXPECT_LT(said(huge).size(), 300U);
   const std::string key = with("  model: brown", "  model: brown\n  \"\\e[2J\": 1");
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   ASSERT_TRUE(Finger::parse(key, "finger.yaml", &warnings).ok());
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings[0].find('\x1b'), std::string::npos);
+  EXPECT_EQ(warnings[0].english().find('\x1b'), std::string::npos);
 }
 
 }  // namespace

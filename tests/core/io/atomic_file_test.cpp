@@ -65,17 +65,17 @@ TEST(AtomicFile, FailureLeavesTheOldFileAndNothingElse) {
     for (std::size_t size : {1001U, 5000U, 2'000'000U}) {
       const Status status = write_file_atomically(folder / "a.txt", std::string(size, 'x'));
       ASSERT_FALSE(status.ok());
-      EXPECT_THAT(status.error().where, HasSubstr("a.txt"));
+      EXPECT_THAT(status.error().where.english(), HasSubstr("a.txt"));
     }
     EXPECT_TRUE(write_file_atomically(folder / "b.txt", std::string(1000, 'x')).ok());
   }
   const Status refused =
       write_file_atomically(folder / "a.txt", [&](const fs::path& temporary) -> Status {
         std::ofstream(temporary) << "half";
-        return Error{"the encoder gave up", "", ""};
+        return Error{en::say("the encoder gave up"), "", ""};
       });
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().what, "the encoder gave up");
+  EXPECT_EQ(refused.error().what.english(), "the encoder gave up");
   EXPECT_EQ(*read_file(folder / "a.txt"), "old");
   EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"a.txt", "b.txt"}));
 }
@@ -126,15 +126,17 @@ TEST(AtomicFile, SaysThatAccessIsNotAllowed) {
   }
   fs::permissions(folder.path(), fs::perms::owner_all);
   ASSERT_FALSE(status.ok());
-  EXPECT_THAT(status.error().what, HasSubstr("access is not allowed"));
+  EXPECT_THAT(status.error().what.english(), HasSubstr("access is not allowed"));
   EXPECT_EQ(*read_file(folder / "a.txt"), "old");
 }
 
 TEST(AtomicFile, FullAndReadOnlyDisksAreNamed) {
-  EXPECT_THAT(system_error("could not write", "/a/b", ENOSPC).sentence(),
+  EXPECT_THAT(system_error(en::say("could not write"), "/a/b", ENOSPC).sentence(),
               HasSubstr("/a/b: could not write: the disk is full. Try: free some space"));
-  EXPECT_THAT(system_error("could not write", "/a/b", EROFS).what, HasSubstr("read-only"));
-  EXPECT_FALSE(system_error("could not write", "/a/b", EPIPE).what.ends_with(": "));
+  EXPECT_THAT(system_error(en::say("could not write"), "/a/b", EROFS).what.english(),
+              HasSubstr("read-only"));
+  EXPECT_FALSE(
+      system_error(en::say("could not write"), "/a/b", EPIPE).what.english().ends_with(": "));
 }
 
 TEST(AtomicFile, KeepsPermissionsAndLinks) {
@@ -176,12 +178,12 @@ TEST(AtomicFile, ReadersSeeOldOrNewNeverHalf) {
 
 TEST(ReadFile, SaysWhyItCannotRead) {
   const TemporaryFolder folder;
-  EXPECT_THAT(read_file(folder / "none").error().what, HasSubstr("does not exist"));
-  EXPECT_THAT(read_file(folder.path()).error().what, HasSubstr("it is a folder"));
+  EXPECT_THAT(read_file(folder / "none").error().what.english(), HasSubstr("does not exist"));
+  EXPECT_THAT(read_file(folder.path()).error().what.english(), HasSubstr("it is a folder"));
   ASSERT_TRUE(write_file_atomically(folder / "a", "12345").ok());
   EXPECT_TRUE(read_file(folder / "a", 5).ok());
-  EXPECT_THAT(read_file(folder / "a", 4).error().what, HasSubstr("larger than 4 bytes"));
-  EXPECT_THAT(read_file("/dev/zero", 1 << 16).error().what, HasSubstr("larger"));
+  EXPECT_THAT(read_file(folder / "a", 4).error().what.english(), HasSubstr("larger than 4 bytes"));
+  EXPECT_THAT(read_file("/dev/zero", 1 << 16).error().what.english(), HasSubstr("larger"));
 }
 
 TEST(MakeFolder, MakesParentsAndSaysWhatIsInTheWay) {
@@ -191,7 +193,7 @@ TEST(MakeFolder, MakesParentsAndSaysWhatIsInTheWay) {
   EXPECT_TRUE(fs::is_directory(folder / "a/b/c"));
   ASSERT_TRUE(write_file_atomically(folder / "file", "x").ok());
   EXPECT_FALSE(make_folder(folder / "file").ok());
-  EXPECT_THAT(make_folder(folder / "file/inside").error().what, HasSubstr("no folder"));
+  EXPECT_THAT(make_folder(folder / "file/inside").error().what.english(), HasSubstr("no folder"));
 }
 
 }  // namespace

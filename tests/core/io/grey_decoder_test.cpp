@@ -110,7 +110,7 @@ TEST(GreyDecoder, DamageThatTheCodeShowsIsAFault) {
   cv::resize(smooth_colours(), small, {}, 0.5, 0.5);
   const auto other_size = decode(PixelFormat::kMjpeg, jpeg_of(small));
   ASSERT_FALSE(other_size.ok());
-  EXPECT_THAT(other_size.error().what, testing::HasSubstr("48x32"));
+  EXPECT_THAT(other_size.error().what.english(), testing::HasSubstr("48x32"));
 }
 
 }  // namespace

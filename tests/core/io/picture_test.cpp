@@ -56,8 +56,8 @@ class Picture : public testing::Test {
   std::string refusal(const std::string& content) {
     const auto picture = read(content);
     if (picture.ok()) return "accepted";
-    EXPECT_EQ(picture.error().where, (folder_ / "p").string());
-    return picture.error().what;
+    EXPECT_EQ(picture.error().where.english(), (folder_ / "p").string());
+    return picture.error().what.english();
   }
   TemporaryFolder folder_;
 };

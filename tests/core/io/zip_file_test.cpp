@@ -97,10 +97,10 @@ TEST(ZipFile, ReportsAndStopsWithTheOldFileInPlace) {
   ASSERT_TRUE(write_file_atomically(folder / "a.zip", "old").ok());
   Job* running = nullptr;
   double last = -1;
-  Job job([&](double fraction, std::string_view what) {
+  Job job([&](double fraction, const Message& what) {
     EXPECT_GE(fraction, last);
     EXPECT_LE(fraction, 1.0);
-    EXPECT_EQ(what, "packing a.zip");
+    EXPECT_EQ(what.english(), "packing a.zip");
     last = fraction;
     if (fraction > 0.2) running->request_stop();
   });

@@ -7,15 +7,16 @@ namespace {
 
 TEST(PictureFault, NamesABlackASaturatedAndABlankPictureAndNoOther) {
   cv::Mat picture(300, 480, CV_8UC1, cv::Scalar(3));
-  EXPECT_NE(picture_fault(picture).value().find("black"), std::string::npos);
+  EXPECT_NE(picture_fault(picture).value().english().find("black"), std::string::npos);
   picture(cv::Rect(100, 100, 120, 80)).setTo(120);  // a face with nothing around it
   EXPECT_FALSE(picture_fault(picture));
   picture(cv::Rect(0, 0, 480, 90)).setTo(255);  // a third but for a little
   EXPECT_FALSE(picture_fault(picture));
   picture(cv::Rect(0, 0, 480, 120)).setTo(255);
-  EXPECT_NE(picture_fault(picture).value().find("% of it is saturated"), std::string::npos);
+  EXPECT_NE(picture_fault(picture).value().english().find("% of it is saturated"),
+            std::string::npos);
   picture.setTo(120);
-  EXPECT_NE(picture_fault(picture).value().find("blank"), std::string::npos);
+  EXPECT_NE(picture_fault(picture).value().english().find("blank"), std::string::npos);
   cv::randn(picture, 120, 1.0);  // an even field, with the noise of a quiet camera
   EXPECT_FALSE(picture_fault(picture));
 }
@@ -64,9 +65,9 @@ TEST(FaceFaults, TellsEachFaultByItsName) {
   const cv::Rect face(0, 0, 100, 100);
   const auto told = [&](const FlagShares& shares, double q, double brighter) {
     std::string all;
-    for (const std::string& fault :
+    for (const Message& fault :
          face_faults(shares, LightGain(face, {q - 1.0, 0, 0, 0, 0, 0}, 0.9, brighter)))
-      all += fault + "\n";
+      all += fault.english() + "\n";
     return all;
   };
   EXPECT_EQ(told(good, 1.0, 0.05), "");

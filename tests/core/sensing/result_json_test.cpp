@@ -28,7 +28,7 @@ ContactRegion region_at_origin() {
 
 TEST(ResultLine, WhatCouldNotBeHadIsAbsent) {
   FrameResult result = empty_result();
-  result.problems = {"no \"face\" was found"};
+  result.problems = {en::say("no {} was found", std::string("\"face\""))};
   const std::string line = result_line(result, 3, ReferenceMethod::kLocal);
   EXPECT_EQ(line.find('\n'), std::string::npos);
   const Json json = Json::parse(line);
@@ -47,12 +47,12 @@ TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
   result.reference.emplace();
   result.reference->frame = 117;
   result.reference->distance_px = 1.8;
-  result.touch.emplace();
-  result.touch->touched = true;
-  result.touch->offset_px = {12.1, 0.4};
-  result.touch->direction = Eigen::Vector3d(0.999, 0.03, 0.0);
-  result.touch->sd_deg = 1.2;
-  result.touch->face = TouchedFace::kContact;
+  result.push.emplace();
+  result.push->pushed = true;
+  result.push->offset_px = {12.1, 0.4};
+  result.push->direction = Eigen::Vector3d(0.999, 0.03, 0.0);
+  result.push->sd_deg = 1.2;
+  result.push->face = PushedFace::kContact;
   result.depth.emplace();
   result.depth->flags = (cv::Mat_<std::uint8_t>(1, 4) << kMeasured, kSaturated, kOffFace, kOffFace);
   ContactRegion region = region_at_origin();
@@ -101,7 +101,7 @@ TEST(ResultLine, NumbersThatAreNoneAreLeftOut) {
 }
 
 TEST(FailureLine, IsOneObjectWithItsReason) {
-  const Json json = Json::parse(failure_line("a \"b\" \xff", 7, {"broken\nfile"}));
+  const Json json = Json::parse(failure_line("a \"b\" \xff", 7, {Message::typed("broken\nfile")}));
   EXPECT_EQ(json.at("index"), 7);
   EXPECT_EQ(json.at("problems")[0], "broken\nfile");
 }

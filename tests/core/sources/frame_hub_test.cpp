@@ -47,15 +47,15 @@ TEST(FrameHub, FaultsStandWhereTheyHappenedAndDoNotPileUp) {
   const auto queue = hub.subscribe(1);
   hub.publish(frame(0));
   for (int i = 0; i < 1000; ++i) {
-    hub.fault({"first", "", ""});
+    hub.fault({en::say("first"), "", ""});
     hub.publish(frame(1));  // finds the queue full
-    hub.fault({"last", "", ""});
+    hub.fault({en::say("last"), "", ""});
   }
   EXPECT_EQ((**queue->next(0ms))->sequence, 0U);
   const auto fault = queue->next(0ms);
   ASSERT_TRUE(fault.has_value());
   ASSERT_FALSE(fault->ok());
-  EXPECT_EQ(fault->error().what, "last");
+  EXPECT_EQ(fault->error().what.english(), "last");
   EXPECT_FALSE(queue->next(0ms).has_value());
 }
 

@@ -107,7 +107,7 @@ TEST(Source, GoesOnBehindAPictureThatCannotBeRead) {
   EXPECT_TRUE((*source)->next().ok());
   const auto broken = (*source)->next();
   ASSERT_FALSE(broken.ok());
-  EXPECT_THAT(broken.error().where, HasSubstr("b.png"));
+  EXPECT_THAT(broken.error().where.english(), HasSubstr("b.png"));
   const auto last = (*source)->next();
   ASSERT_TRUE(last.ok());
   EXPECT_EQ((*last)->name, "c");

@@ -35,15 +35,15 @@ FingerCalibration some_calibration() {
   done.inputs.operator_name = "Ada <Lovelace>";
   done.inputs.ball_radius_mm = 4;
   done.calibration = made->calibration;
-  done.calibration.remarks = {"something to <know>"};
+  done.calibration.remarks = {en::say("something to <know>")};
   done.residuals = made->residuals;
   done.zones = zone_errors(done.residuals, done.calibration, FaceKind::kFlat);
   done.verdict = verdict({done.calibration.residual_mm, done.calibration.held_out_mm, 0, 4});
   for (const BallFit& ball : done.calibration.balls)
     done.presses.push_back({ball.press, cv::Mat(180, 240, CV_8UC1, cv::Scalar(120)), {}, "", {}});
   done.presses.push_back(
-      {"press_9", cv::Mat(180, 240, CV_8UC1, cv::Scalar(90)), {}, "excluded, glove", {}});
-  done.calibration.left_out = {"press_9: excluded, glove"};
+      {"press_9", cv::Mat(180, 240, CV_8UC1, cv::Scalar(90)), {}, en::say("excluded, glove"), {}});
+  done.calibration.left_out = {en::say("press_9: excluded, glove")};
   return done;
 }
 
@@ -134,7 +134,7 @@ TEST(CalibrationPages, ListTheWorstPressFirst) {
 
 TEST(CalibrationPages, ShowFaultsAndUnknownZones) {
   FingerCalibration done = some_calibration();
-  done.fault_signs = {"the light <flickers>"};
+  done.fault_signs = {en::say("the light <flickers>")};
   done.zones[2].error_mm.reset();
   done.zones[2].presses = 0;
   const std::string html = pages_of(done).html;

@@ -282,9 +282,9 @@ TEST(MarkerTracker, SaysWhyNothingCouldBeFound) {
   std::vector<int> every;
   for (int m = 0; m < 12; ++m) every.push_back(m);
   const cv::Mat bare = finger.with_noise(finger.clean(Bend{}, every), random);
-  std::string problem;
+  Message problem;
   EXPECT_FALSE(tracker(bare, finger.shape(Bend{}), &problem).has_value());
-  EXPECT_NE(problem.find("12 markers"), std::string::npos) << problem;
+  EXPECT_NE(problem.english().find("12 markers"), std::string::npos) << problem.english();
 }
 
 // In no recorded frame all markers are seen.

@@ -199,7 +199,7 @@ class SteppedSource : public Source {
   Result<FramePtr> next() override {
     while (allowed_ <= given_) std::this_thread::yield();
     const int number = given_++;
-    if (number == 5) return Error{"the fifth is broken", "", ""};
+    if (number == 5) return Error{en::say("the fifth is broken"), "", ""};
     if (number == 8) return FramePtr();
     return camera_frame(static_cast<std::uint32_t>(number), false);
   }
@@ -226,7 +226,7 @@ TEST(NewestSource, GivesTheNewestFrameAndCountsTheOthers) {
   allowed = 6;
   const auto broken = newest.next();
   ASSERT_FALSE(broken.ok());
-  EXPECT_EQ(broken.error().what, "the fifth is broken");
+  EXPECT_EQ(broken.error().what.english(), "the fifth is broken");
   allowed = 8;
   while (newest.skipped() < 4) std::this_thread::yield();
   EXPECT_EQ((*newest.next())->sequence, 7U);

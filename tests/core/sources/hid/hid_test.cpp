@@ -34,7 +34,9 @@ class FakeHid {
 
   Result<std::unique_ptr<HidPort>> open() {
     const std::lock_guard lock(mutex_);
-    if (is_gone_) return Error{"there is no such HID device", "fake", "plug it in"};
+    if (is_gone_)
+      return Error{
+          en::say("there is no such HID device"), std::string("fake"), en::say("plug it in")};
     return std::unique_ptr<HidPort>(std::make_unique<Port>(*this));
   }
 
@@ -47,7 +49,9 @@ class FakeHid {
       device_.changed_.wait_for(lock, std::chrono::milliseconds(timeout_ms), [&] {
         return device_.is_gone_ || !device_.said_.empty();
       });
-      if (device_.is_gone_) return Error{"the device was unplugged", "fake", "plug it in again"};
+      if (device_.is_gone_)
+        return Error{
+            en::say("the device was unplugged"), std::string("fake"), en::say("plug it in again")};
       if (device_.said_.empty()) return Report();
       Report report = device_.said_.front();
       device_.said_.pop_front();
@@ -145,14 +149,14 @@ TEST(LearnButton, FindsTheDeviceThatWasPressed) {
   mouse.say({0, 1, 1});
   mouse.say({0, 2, 1});
   std::string asked;
-  const Job job([&](double, std::string_view what) {
+  const Job job([&](double, const Message& what) {
     if (asked.empty()) {
       for (int i = 0; i < 2; ++i) {
         pedal.say({1, 0x10});
         pedal.say({1, 0x00});
       }
     }
-    asked = what;
+    asked = what.english();
   });
   const auto found = learn_button({mouse_port->get(), pedal_port->get()}, 3000, job);
   ASSERT_TRUE(found.ok()) << found.error().sentence();
@@ -166,10 +170,11 @@ TEST(LearnButton, SaysThatNothingCame) {
   const auto port = pedal.open();
   const auto found = learn_button({port->get()}, 100, Job());
   ASSERT_FALSE(found.ok());
-  EXPECT_THAT(found.error().what, HasSubstr("no button was pressed"));
+  EXPECT_THAT(found.error().what.english(), HasSubstr("no button was pressed"));
   Job stopped;
   stopped.request_stop();
-  EXPECT_THAT(learn_button({port->get()}, 1000, stopped).error().what, HasSubstr("stopped"));
+  EXPECT_THAT(learn_button({port->get()}, 1000, stopped).error().what.english(),
+              HasSubstr("stopped"));
 }
 
 template <class Condition>
@@ -238,7 +243,7 @@ TEST(LedDimmer, AnMcp2221aKeepsItsOtherPinsAndTakesItsThirtyTwoSteps) {
     refused[1] = 1;
     return refused;
   };
-  EXPECT_THAT(dimmer->set(0).error().what, HasSubstr("did not answer as it should"));
+  EXPECT_THAT(dimmer->set(0).error().what.english(), HasSubstr("did not answer as it should"));
   EXPECT_DOUBLE_EQ(dimmer->setting().level, 1.0);
 }
 

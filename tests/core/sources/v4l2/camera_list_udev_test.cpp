@@ -94,7 +94,7 @@ TEST(CameraList, ListsCamerasByLastingNamesAndHidesWhatIsNone) {
   EXPECT_EQ(found[1].identity.node, "/dev/video10");
   EXPECT_FALSE(found[0].problem.has_value());
   ASSERT_EQ(found[0].formats.size(), 1U);
-  EXPECT_EQ(found[0].formats[0].text(), "64x48 MJPG at 100 frames per second");
+  EXPECT_EQ(found[0].formats[0].text().english(), "64x48 MJPG at 100 frames per second");
   EXPECT_EQ(found[0].controls.size(), 8U);
 
   const auto node = [&](const std::string& wanted) {
@@ -143,7 +143,7 @@ TEST(CameraList, SaysWhatIsWrongWithThoseThatCannotBeUsed) {
   const auto several = find_camera("SAME", found);
   ASSERT_FALSE(several.ok());
   EXPECT_THAT(
-      several.error().what,
+      several.error().what.english(),
       AllOf(HasSubstr("several cameras"), HasSubstr("/dev/video0"), HasSubstr("/dev/video2")));
 }
 

@@ -1,0 +1,92 @@
+#include "calibration/finger/solve_presses.h"
+
+#include "calibration/report/contact_error.h"
+
+namespace alltact {
+namespace {
+
+/// What a person can see in the figures but a table of residuals does not say.
+void add_remarks(Calibration& calibration) {
+  if (calibration.weakness) calibration.remarks.push_back(calibration.weakness->sentence);
+  if (calibration.radius_sense) calibration.remarks.push_back(calibration.radius_sense->sentence);
+  if (calibration.next_press) calibration.remarks.push_back(calibration.next_press->sentence);
+  for (const BallFit& ball : calibration.balls) {
+    if (calibration.balls.size() > 2 && ball.residual_mm > 3 * calibration.residual_mm) {
+      calibration.remarks.push_back(
+          en::at(Message::typed(ball.press),
+                 en::say("{:.3f} mm, more than three times the others; look at the picture, or "
+                         "leave it out",
+                         ball.residual_mm)));
+    }
+  }
+}
+
+}  // namespace
+
+Status solve_presses(FingerCalibration& done,
+                     const std::vector<std::optional<Reference>>& references,
+                     bool compare,
+                     const Job& job,
+                     const RoundListener& on_round) {
+  std::vector<Press> used;
+  std::vector<Message> left_out;
+  for (const TakenPress& one : done.presses) {
+    if (one.left_out.empty()) {
+      used.push_back(*one.press);
+    } else {
+      left_out.push_back(en::at(Message::typed(one.name), one.left_out));
+    }
+  }
+  const CalibrationInputs& inputs = done.inputs;
+  if (inputs.calibration.method != CalibrationMethod::kJoint &&
+      !(inputs.depths.empty() && inputs.steps.empty()))
+    return Error{en::say("only the joint method uses measured depths and punches with a step"),
+                 "",
+                 en::say("leaving them out, or --method joint")};
+  if (used.empty())
+    return Error{en::clauses({en::say("no press can be used"), en::clauses(left_out)}),
+                 "",
+                 en::say("pictures of this finger with a ball pressed into its face")};
+  job.report(0.5, en::say("solving"));
+  const auto camera = Camera::create(done.finger.camera);
+  if (!camera) return camera.error();
+  auto calibration =
+      calibrate(used, *camera, done.finger.face, done.inputs.calibration, job, on_round);
+  if (!calibration) return calibration.error();
+  done.calibration = std::move(calibration).value();
+  if (job.stop_requested())
+    done.calibration.remarks.push_back(
+        en::say("stopped before the end: this is the best solution until then, without a report; "
+                "calibrating again from what is kept finishes it"));
+  auto& all_left_out = done.calibration.left_out;
+  all_left_out.insert(all_left_out.begin(), left_out.begin(), left_out.end());
+  add_remarks(done.calibration);
+
+  std::vector<const Press*> presses;
+  for (const Press& press : used)
+    if (!press.step_mm) presses.push_back(&press);
+  done.residuals = press_residuals(presses, done.finger.face, done.calibration);
+  done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
+  std::vector<PressSign> signs;
+  for (const TakenPress& press : done.presses)
+    if (press.left_out.empty()) signs.push_back(press.sign);
+  done.fault_signs = fault_signs(signs);
+  std::vector<ComparedPress> compared;
+  for (std::size_t i = 0; i < done.presses.size(); ++i)
+    if (done.presses[i].left_out.empty() && !done.presses[i].press->step_mm)
+      compared.push_back({&*done.presses[i].press, &*references[i]});
+  done.pixel_mm = contact_error_mm(compared, done.residuals, done.calibration.mapping);
+  done.verdict = verdict({done.calibration.residual_mm,
+                          done.calibration.held_out_mm,
+                          done.calibration.spread_mm,
+                          static_cast<int>(done.calibration.balls.size()),
+                          done.pixel_mm});
+  if (compare && done.inputs.calibration.method == CalibrationMethod::kJoint &&
+      !job.stop_requested()) {
+    job.report(0.9, en::say("comparing with other methods"));
+    done.methods = compare_methods(used, *camera, done.finger.face, done.calibration, job);
+  }
+  return {};
+}
+
+}  // namespace alltact

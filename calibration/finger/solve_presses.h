@@ -1,0 +1,22 @@
+// The second part of a calibration: from measured presses to a mapping and what it is worth.
+#pragma once
+
+#include "calibration/finger/calibrate_finger.h"
+#include "core/sensing/reference/reference_library.h"
+
+#include <optional>
+#include <vector>
+
+namespace alltact {
+
+/// Calibrates with the presses of `done` that are not left out, and tells of the result: residuals,
+/// zones, signs of a fault, verdict and remarks. `references`: what each press was compared with.
+/// `compare`: with other methods, too. `on_round`: see calibrate(). Errors: no usable press, those
+/// of calibrate(), a method that cannot use what was said of the presses.
+[[nodiscard]] Status solve_presses(FingerCalibration& done,
+                                   const std::vector<std::optional<Reference>>& references,
+                                   bool compare,
+                                   const Job& job,
+                                   const RoundListener& on_round);
+
+}  // namespace alltact

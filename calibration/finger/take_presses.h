@@ -1,0 +1,36 @@
+// The first part of a calibration: every press is read and measured.
+#pragma once
+
+#include "calibration/finger/calibrate_finger.h"
+#include "calibration/reference/reference_recording.h"
+#include "core/frame.h"
+#include "core/sensing/reference/reference_library.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace alltact {
+
+/// One calibration on its way, first or again.
+struct CalibrationWork {
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> pictures;  ///< what open_source is given
+  bool bursts = false;                          ///< one press each
+  std::optional<UntouchedPicture> untouched;    ///< of a flat sensor: to be installed
+  bool is_repetition = false;                   ///< of `kept`, whose presses these are to be
+  CalibrationInputs kept;                       ///< what is repeated, as it was stored
+  MakeReport make_report;
+  RoundListener on_round;
+  std::vector<FramePtr> frames;                      ///< one a press, as they are to be kept
+  std::vector<std::optional<Reference>> references;  ///< what each was compared with
+};
+
+/// Reads the pictures and runs them through the pipeline: `done` gets its presses and what bursts
+/// were made of, and is told whether the source is continuous; `work` gets frames and references.
+/// `done.finger` and `done.inputs` are those of the calibration. Errors: those of loading, of the
+/// first picture that is unreadable or has another size or is not the one that was kept, two
+/// presses of one name, something said of a press that is not there, the job was stopped.
+[[nodiscard]] Status take_presses(CalibrationWork& work, FingerCalibration& done, const Job& job);
+
+}  // namespace alltact

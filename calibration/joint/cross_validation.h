@@ -1,0 +1,47 @@
+// Cross-validation: fits without one press after the other, what they say of the press left out,
+// and how the scores of two such series compare.
+#pragma once
+
+#include "calibration/joint/starting_curve.h"
+#include "core/job.h"
+
+#include <vector>
+
+namespace alltact {
+
+inline constexpr int kDomainPlaces = 12;  // of the curve, where curves are compared
+// Held-out errors closer than this are the same: the balls, which take up ten times as much of a
+// wrong scale as they leave to be seen, must not be led by noise.
+inline constexpr double kTieMm = 0.001;
+inline constexpr double kSettledMm = 1e-5;  // enough to choose by
+
+/// What leaving presses out, one after the other, shows.
+struct HeldOutPresses {
+  std::vector<double> errors_mm;  ///< in the inner part of the press left out, mean absolute
+  std::vector<MappingCurve> curves;
+};
+
+/// One entry a press, fewer when the job was stopped. Errors are infinite where the others did not
+/// come to an increasing curve: a family that leaving one press out sends astray is not to be
+/// trusted with all of them either. `all`: the fit of all presses, to start from.
+[[nodiscard]] HeldOutPresses hold_out(const ChoiceInput& input,
+                                      const JointFit& all,
+                                      const JointOptions& options,
+                                      const Job& job);
+
+/// Mean absolute error of depth over the domain that the jackknife gives for a curve; 0 for less
+/// than two curves.
+[[nodiscard]] double spread_of(const std::vector<MappingCurve>& curves);
+
+[[nodiscard]] double mean_mm(const std::vector<double>& values);
+
+/// How much worse a is than b on the same presses, and the standard error of that.
+struct Excess {
+  double mean, standard_error;
+};
+[[nodiscard]] Excess excess_of(const std::vector<double>& a, const std::vector<double>& b);
+
+/// True when a family's errors `a` are not worth leaving it for a less simple one with errors `b`.
+[[nodiscard]] bool as_good(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace alltact

@@ -1,0 +1,80 @@
+#include "calibration/joint/thickness_direction.h"
+
+#include "calibration/joint/cross_validation.h"
+#include "calibration/joint/stored_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace alltact {
+namespace {
+
+/// How well presses left out are told if thickness counts `along`; all ways over the same part of
+/// the contacts, or what the rim makes of one would decide.
+std::vector<double> held_out_along(const ChoiceInput& input,
+                                   CurveFamily family,
+                                   MappingAlong along,
+                                   const Job& job) {
+  constexpr double kZone = 0.75;
+  JointOptions options;
+  options.along = along;
+  options.zone = kZone;
+  options.settled_mm = kSettledMm;
+  options.steps = input.steps;
+  const double x_max = domain_of(input, along);
+  if (!(x_max > 0.0)) return {};
+  const JointFit start =
+      fit_jointly(input.presses, straight_start(input, along, x_max), options, job);
+  const JointFit fit = fit_jointly(input.presses, as_family(start, family), options, job);
+  if (!fit.converged || !increases(fit.curve, along)) return {};
+  return hold_out(input, fit, options, job).errors_mm;
+}
+
+double finite_mean_mm(std::vector<double> errors) {
+  std::erase_if(errors, [](double e) { return !std::isfinite(e); });
+  return mean_mm(errors);
+}
+
+/// Whether errors a are larger than b, and not by chance, on the presses of which both tell. How
+/// much larger depends on a press's incline, so that the scatter between presses is no measure of
+/// chance alone.
+bool is_surely_worse(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kPart = 0.25;  // of the better one
+  std::vector<double> a_told, b_told;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::isfinite(a[i]) && std::isfinite(b[i])) a_told.push_back(a[i]), b_told.push_back(b[i]);
+  if (a_told.size() < 2) return false;
+  const Excess excess = excess_of(a_told, b_told);
+  return excess.mean > std::max({kTieMm, kPart * mean_mm(b_told), excess.standard_error});
+}
+
+}  // namespace
+
+MappingAlong choose_along(const ChoiceInput& input,
+                          CurveFamily family,
+                          Message* remark,
+                          const Job& job) {
+  const auto by_normal = held_out_along(input, family, MappingAlong::kNormal, job);
+  MappingAlong chosen = MappingAlong::kNormal;
+  std::vector<double> best = by_normal;
+  for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kProjected}) {
+    const auto other = held_out_along(input, family, along, job);
+    if (job.stop_requested() || other.size() < input.presses.size()) continue;
+    if (!best.empty() && !is_surely_worse(best, other)) continue;
+    chosen = along;
+    best = other;
+  }
+  const Message way = chosen == MappingAlong::kZ ? en::say("along z")
+                                                 : en::say("along z projected onto its normal");
+  if (chosen != MappingAlong::kNormal && !by_normal.empty())
+    *remark = en::say(
+        "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
+        "{:.4f} mm along its normal",
+        way,
+        finite_mean_mm(best),
+        finite_mean_mm(by_normal));
+  return chosen;
+}
+
+}  // namespace alltact

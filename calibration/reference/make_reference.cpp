@@ -1,0 +1,312 @@
+#include "calibration/reference/make_reference.h"
+
+#include "calibration/reference/recording_pass.h"
+#include "calibration/reference/recording_problem.h"
+#include "calibration/reference/recording_study.h"
+#include "calibration/reference/rest_pose.h"
+#include "core/recording/video_file.h"
+#include "core/sensing/markers/layout_search.h"
+#include "core/sensing/reference/reference_library.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kRepeatSigmas = 2.0;    // of marker noise: poses nearer than that are the same
+constexpr std::size_t kFewFrames = 100;  // so few that even repetitions help against noise
+
+MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::size_t>& kept) {
+  MarkerTable table;
+  const auto count = numbered.typical.size();
+  table.typical = numbered.typical;
+  table.layouts.resize(static_cast<Eigen::Index>(kept.size()),
+                       static_cast<Eigen::Index>(2 * count));
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const Markers& markers = *numbered.markers[kept[i]];
+    table.frames.push_back(static_cast<int>(i));
+    table.seen.emplace_back(count, 0);
+    for (std::size_t m = 0; m < count; ++m) {
+      table.layouts.row(static_cast<Eigen::Index>(i)).segment<2>(static_cast<Eigen::Index>(2 * m))
+          << markers[m].u,
+          markers[m].v;
+      table.seen.back()[m] = static_cast<char>(markers[m].seen);
+    }
+  }
+  return table;
+}
+
+// The frames of the video just written that may be kept, by their number in the recording.
+std::vector<std::size_t> numbered_frames(const RecordingPass& pass, MadeReference& made) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < pass.frames.size(); ++i) {
+    if (made.numbered.markers[i])
+      kept.push_back(i);
+    else
+      made.report.rejected.push_back(en::at(en::say("frame {}", i), made.numbered.problems[i]));
+  }
+  return kept;
+}
+
+Error too_few(const ReferenceReport& report, std::size_t kept) {
+  return {en::say("only {} of {} frames can be used ({})",
+                  kept,
+                  report.frames_read,
+                  report.rejected.front()),
+          en::say("recording"),
+          en::say("record again with every marker in view and nothing on the contact face")};
+}
+
+// Depth that a difference in brightness is taken for.
+double mm_per_part(const Finger& finger) {
+  if (finger.mapping)
+    if (const auto mapping = Mapping::create(*finger.mapping)) return mapping->slope_mm(0.0);
+  // Kubelka and Munk's layer over black, with the scattering of ordinary white silicone, 0.6 / mm.
+  return finger.face.layer_mm * (1.0 + 0.6 * finger.face.layer_mm);
+}
+
+// Told by the pair of dots nearest to the tip between which the face is seen in nearly all frames,
+// against the frame that counts as rest.
+void add_motion(const std::vector<const StudiedFrame*>& frames,
+                const StudiedFrame* rest,
+                MotionCoverage& coverage) {
+  constexpr double kNearlyAll = 0.8;
+  const std::size_t pairs = frames.empty() ? 0 : frames.front()->pairs.size();
+  for (std::size_t pair = pairs; pair-- > 0;) {
+    std::vector<TipPlace> places;
+    for (const StudiedFrame* frame : frames)
+      if (pair < frame->pairs.size() && frame->pairs[pair]) places.push_back(*frame->pairs[pair]);
+    if (places.size() < kNearlyAll * static_cast<double>(frames.size()) || places.empty()) continue;
+    const TipPlace& from = rest && pair < rest->pairs.size() && rest->pairs[pair]
+                               ? *rest->pairs[pair]
+                               : places.front();
+    for (const TipPlace& place : places) coverage.add(motion_between(from, place));
+    return;
+  }
+}
+
+// Index of the frame that shows the pose, as nearly as any; nullopt where none shows its dots.
+std::optional<std::size_t> frame_nearest_to(const RestPose& pose,
+                                            const std::vector<const StudiedFrame*>& frames,
+                                            const MotionNeed& need) {
+  std::optional<std::size_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto& pairs = frames[i]->pairs;
+    if (pose.pair >= pairs.size() || !pairs[pose.pair]) continue;
+    const TipMotion off = motion_between(pose.place, *pairs[pose.pair]);
+    const double apart = std::hypot(
+        off.bend_mm / need.bend_mm, off.sway_mm / need.sway_mm, off.twist_deg / need.twist_deg);
+    if (apart < least) least = apart, nearest = i;
+  }
+  return nearest;
+}
+
+// The frame asked for, the one nearest to the pose asked for, or the middle one of those kept.
+Status choose_rest(const ReferenceChoices& choices,
+                   const std::vector<std::size_t>& kept,
+                   const std::vector<const StudiedFrame*>& frames,
+                   MadeReference& made) {
+  std::optional<std::size_t> nearest;
+  if (choices.rest_pose) nearest = frame_nearest_to(*choices.rest_pose, frames, choices.need);
+  if (!nearest)
+    nearest = static_cast<std::size_t>(middle_pose(table_of(made.numbered, kept).layouts));
+  made.rest = kept[*nearest];
+  if (const auto& wanted = choices.rest_frame) {
+    const auto number = static_cast<std::size_t>(*wanted);
+    const auto& markers = made.numbered.markers;
+    const bool is_there = *wanted >= 0 && number < markers.size();
+    if (!is_there || !markers[number]) {
+      const Message why =
+          is_there ? made.numbered.problems[number] : en::say("the recording has no such frame");
+      return Error{en::say("frame {} cannot be the finger's rest: {}", *wanted, why),
+                   en::say("recording"),
+                   en::say("another frame in which the finger rests")};
+    }
+    made.rest = number;
+  }
+  made.report.rest_frame = static_cast<int>(made.rest);
+  return {};
+}
+
+// Compares the frames with each other; takes out those that are dented and says what the rest is
+// worth.
+Status study(const fs::path& video,
+             const RecordingPass& pass,
+             const Camera& camera,
+             const Finger& finger,
+             const Job& job,
+             const ReferenceChoices& choices,
+             std::vector<std::size_t>& kept,
+             MadeReference& made) {
+  MarkerTable table = table_of(made.numbered, kept);
+  for (std::size_t i = 0; i < kept.size(); ++i) table.frames[i] = pass.in_video[kept[i]];
+  auto reader = VideoFile::open(video, job);
+  if (!reader) return reader.error();
+  const FrameOfRecording frame = [&](std::size_t number) -> Result<cv::Mat> {
+    if (!pass.greys[number].empty()) return pass.greys[number];
+    const auto read = reader->frame(number);
+    if (!read) return read.error();
+    return oriented_for(finger.camera, (*read)->grey, en::say("the recording's picture"), "", "");
+  };
+  const auto library = ReferenceLibrary::from_frames(
+      frame, pass.greys.size(), video, table, finger, camera, Job(job, 0.0, 0.4));
+  if (!library) return library.error();
+  std::vector<std::size_t> of_library;  // by the library's index, the number in the recording
+  std::vector<Markers> markers;
+  for (std::size_t i = 0, row = 0; row < library->frame_count(); ++i) {
+    if (table.frames[i] != library->frame_numbers()[row]) continue;
+    of_library.push_back(kept[i]);
+    markers.push_back(*made.numbered.markers[kept[i]]);
+    ++row;
+  }
+  const auto studied = study_recording(
+      *library, markers, frame, reader->frames_per_s(), finger, camera, Job(job, 0.4, 1.0));
+  if (!studied) return studied.error();
+  ReferenceReport& report = made.report;
+  kept.clear();
+  std::vector<const StudiedFrame*> untouched;
+  for (std::size_t row = 0; row < of_library.size(); ++row) {
+    if (const auto& dent = studied->dented[row]) {
+      report.rejected.push_back(
+          en::say("frame {}: something pressed on the contact face, {:.0f} mm from its base "
+                  "({:.0f} % darker than untouched)",
+                  of_library[row],
+                  dent->along_mm,
+                  100.0 * dent->darker));
+      continue;
+    }
+    kept.push_back(of_library[row]);
+    untouched.push_back(&studied->frames[row]);
+  }
+  if (kept.size() < 2) return {};
+  const Status rested = choose_rest(choices, kept, untouched, made);
+  if (!rested) return rested;
+  const auto rest = std::find(kept.begin(), kept.end(), made.rest) - kept.begin();
+  add_motion(untouched,
+             rest < std::ssize(kept) ? untouched[static_cast<std::size_t>(rest)] : nullptr,
+             report.coverage);
+  report.error_median = studied->error_median;
+  report.error_p95 = studied->error_p95;
+  report.nearest_error_median = studied->nearest_error_median;
+  report.by_own_mapping = finger.mapping.has_value();
+  report.error_median_mm = report.error_median * mm_per_part(finger);
+  report.error_p95_mm = report.error_p95 * mm_per_part(finger);
+  return {};
+}
+
+// Of frames in the same pose the first stays: a finger that rests for a while would fill the
+// neighbourhood of that pose with copies of one picture.
+void thin(std::vector<std::size_t>& kept, MadeReference& made) {
+  if (kept.size() <= kFewFrames) return;
+  const MarkerTable all = table_of(made.numbered, kept);
+  const double apart = kRepeatSigmas * made.numbered.marker_noise_px *
+                       std::sqrt(static_cast<double>(all.layouts.cols()));
+  std::vector<std::size_t> spread;
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const bool repeats = std::any_of(rows.begin(), rows.end(), [&](Eigen::Index other) {
+      return (all.layouts.row(other) - all.layouts.row(row)).norm() < apart;
+    });
+    if (repeats && kept.size() - i + spread.size() > kFewFrames) continue;
+    spread.push_back(kept[i]);
+    rows.push_back(row);
+  }
+  made.report.repeated = static_cast<int>(kept.size() - spread.size());
+  kept = std::move(spread);
+}
+
+// Says what the finger lacks.
+void tell_missing(MadeReference& made) {
+  const NumberedRecording& numbered = made.numbered;
+  ReferenceReport& report = made.report;
+  report.by_shape = numbered.places.has_value();
+  report.missing = numbered.missing;
+  if (!numbered.no_markers.empty())
+    report.warnings.push_back(
+        en::say("No markers can be used: {}; poses are told by the shape of the face alone, "
+                "which cannot tell twist; if the finger has dots, light both side faces so that "
+                "they stand out, and focus",
+                numbered.no_markers));
+  if (!numbered.missing.empty())
+    report.remarks.push_back(
+        en::say("Markers {} were not found anywhere; the finger works with the other {}",
+                fmt::format("{}", fmt::join(numbered.missing, ", ")),
+                numbered.typical.size() - numbered.missing.size()));
+}
+
+}  // namespace
+
+Finger with_markers(const Finger& finger, const NumberedRecording& numbered) {
+  Finger described = finger;
+  described.markers.missing = numbered.missing;
+  if (!numbered.places) described.markers.polarity = numbered.polarity;
+  described.reference = ReferenceFiles{kReferenceVideo, kReferenceTable, "", numbered.places};
+  return described;
+}
+
+Status make_reference(Source& source,
+                      const Camera& camera,
+                      const Finger& finger,
+                      const Job& job,
+                      const ReferenceChoices& choices,
+                      const fs::path& video,
+                      MadeReference& made) {
+  const auto pass = read_recording(source, camera, finger, Job(job, 0.0, 0.5), video);
+  if (!pass) return pass.error();
+  made.settings = pass->settings;
+  ReferenceReport& report = made.report;
+  report.frames_read = static_cast<int>(pass->frames.size());
+  if (pass->frames.size() < 2)
+    return Error{en::count("the recording holds {} frames; at least 2 are needed",
+                           "the recording holds {} frame; at least 2 are needed",
+                           pass->frames.size()),
+                 en::say("recording"),
+                 en::say("record the finger while it bends slowly in every direction, untouched")};
+  job.report(0.5, en::say("numbering the markers"));
+  const auto draw = [&](const std::string& sentence) {
+    return recording_problem(*pass, made.numbered, made.rest, finger.name, sentence);
+  };
+  const auto refuse = [&](const Error& error) -> Status {
+    made.problem = draw(error.sentence());
+    return error;
+  };
+  auto result = number_recording(pass->frames, finger.markers);
+  if (!result) return refuse(result.error());
+  made.numbered = std::move(*result);
+  tell_missing(made);
+  std::vector<std::size_t> kept = numbered_frames(*pass, made);
+  if (kept.size() < 2) return refuse(too_few(report, kept.size()));
+  const Status studied = study(video,
+                               *pass,
+                               camera,
+                               with_markers(finger, made.numbered),
+                               Job(job, 0.5, 0.9),
+                               choices,
+                               kept,
+                               made);
+  if (!studied) return studied;
+  if (kept.size() < 2) return refuse(too_few(report, kept.size()));
+  for (const auto* sentences : {&report.warnings, &report.remarks})
+    if (!sentences->empty()) made.problem = draw(sentences->front().english() + ".");
+  thin(kept, made);
+  if (static_cast<int>(kept.size()) < pass->written) {
+    std::vector<char> keep(static_cast<std::size_t>(pass->written), 0);
+    for (const std::size_t i : kept) keep[static_cast<std::size_t>(pass->in_video[i])] = 1;
+    const Status rewritten = keep_frames(video, keep, Job(job, 0.9, 1.0));
+    if (!rewritten) return rewritten;
+  }
+  made.table = table_of(made.numbered, kept);
+  report.frames_kept = static_cast<int>(kept.size());
+  report.median_step_px = LayoutSearch(made.table.layouts).median_step_px();
+  return {};
+}
+
+}  // namespace alltact

@@ -1,0 +1,32 @@
+// A finger on disk gets another reference.
+#pragma once
+
+#include "calibration/reference/reference_recording.h"
+#include "core/finger/finger.h"
+#include "core/job.h"
+#include "core/message.h"
+#include "core/result.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace alltact {
+
+/// Makes a recording a Fin Ray finger's reference (install_reference). What others changed of the
+/// finger meanwhile stays. Errors: those of open_source, install_reference and update_finger;
+/// somebody else is at work on the finger (hold_for_work).
+[[nodiscard]] Result<ReferenceReport> give_reference(
+    const std::filesystem::path& folder,
+    const std::vector<std::filesystem::path>& inputs,
+    const Job& job,
+    const ReferenceChoices& choices = {});
+
+/// The same for a flat sensor's untouched picture (install_flat_reference).
+[[nodiscard]] Result<std::vector<Message>> give_untouched_picture(
+    const std::filesystem::path& folder, const UntouchedPicture& picture);
+
+/// What a reference changes of a finger: the reference, its markers, their rest, and what it was
+/// recorded with.
+void take_reference(const Finger& from, Finger& finger);
+
+}  // namespace alltact

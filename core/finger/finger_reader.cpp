@@ -1,0 +1,207 @@
+// finger.yaml, read.
+#include "core/finger/camera_yaml.h"
+#include "core/finger/finger_yaml.h"
+#include "core/printable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+template <class E>
+E read_word(YamlSection& section, const std::string& key, const FingerWords& words) {
+  return static_cast<E>(section.choice(key, words) + 1);
+}
+
+Face read_face(YamlSection section) {
+  Face face;
+  face.kind = read_word<FaceKind>(section, "kind", kFaceKinds);
+  if (face.kind == FaceKind::kFinRay)
+    face.width_mm = section.number("width_mm", en::say("a length in mm"));
+  face.layer_mm = section.number("layer_mm", en::say("a length in mm"));
+  if (face.kind == FaceKind::kFlat && section.has("plane_z_mm"))
+    face.plane_z_mm = section.number("plane_z_mm", en::say("a distance in mm"));
+  return face;
+}
+
+MarkerRows read_markers(YamlSection section) {
+  MarkerRows markers;
+  markers.per_row = section.whole_number("per_row", 0, 64);
+  if (section.has("polarity"))
+    markers.polarity = read_word<Polarity>(section, "polarity", kPolarities);
+  if (section.has("missing"))
+    for (const double number : section.numbers("missing")) {
+      if (number != std::floor(number) || std::abs(number) > 1000)
+        section.refuse("missing", en::say("must be a list of whole numbers"), en::say("[3, 9]"));
+      markers.missing.push_back(static_cast<int>(number));
+    }
+  return markers;
+}
+
+Eigen::MatrixXd read_covariance(YamlSection& section) {
+  const auto rows = section.rows("covariance");
+  const std::size_t size = rows.size();
+  if (!std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row.size() == size; }))
+    section.refuse(
+        "covariance", en::say("must have as many numbers in each row as there are rows"), "");
+  Eigen::MatrixXd covariance(size, size);
+  for (std::size_t row = 0; row < size; ++row)
+    for (std::size_t column = 0; column < size; ++column)
+      covariance(static_cast<int>(row), static_cast<int>(column)) = rows[row][column];
+  return covariance;
+}
+
+/// `powers` is for people; where it contradicts what counts, someone has edited the wrong line.
+void check_powers(YamlSection& section, const MappingParameters& parameters) {
+  const std::vector<double> stated = section.numbers("powers");
+  const auto mapping = Mapping::create(parameters);
+  if (!mapping) return;  // validate() will say why
+  const std::vector<double> powers = mapping->powers();
+  bool is_same = stated.size() == powers.size();
+  double stated_scale = 0, x = 1;  // of the terms at the end of the domain
+  for (double power : powers) stated_scale += std::abs(power) * x, x *= parameters.x_max;
+  x = 1;
+  for (std::size_t i = 0; is_same && i < powers.size(); ++i, x *= parameters.x_max)
+    is_same = std::abs(stated[i] - powers[i]) * x <= 1e-6 * stated_scale;
+  if (!is_same)
+    section.refuse("powers",
+                   en::say("is not the curve that 'chebyshev' gives"),
+                   en::say("remove this line: it is only for people to read"));
+}
+
+FaceVariation read_variation(YamlSection section) {
+  FaceVariation variation;
+  variation.part = {section.number("along", en::say("a part of the depth")),
+                    section.number("across", en::say("a part of the depth"))};
+  const auto read_pair = [&](const char* key) {
+    const std::vector<double> numbers = section.numbers(key);
+    if (numbers.size() != 2)
+      section.refuse(key, en::say("must be two numbers: mm along and across the face"), "");
+    return Eigen::Vector2d(numbers[0], numbers[1]);
+  };
+  variation.middle_mm = read_pair("middle_mm");
+  variation.half_mm = read_pair("half_mm");
+  return variation;
+}
+
+MappingParameters read_mapping(YamlSection& section) {
+  MappingParameters parameters;
+  parameters.kind = read_word<MappingKind>(section, "kind", kMappingKinds);
+  if (section.has("along")) parameters.along = read_word<MappingAlong>(section, "along", kAlongs);
+  const std::vector<double> domain = section.numbers("domain");
+  if (domain.size() != 2 || domain[0] != 0)
+    section.refuse("domain",
+                   en::say("must be two numbers, the first of them 0"),
+                   en::say("for example [0.0, 0.62]"));
+  parameters.x_max = domain[1];
+  if (section.has("varies")) parameters.variation = read_variation(section.section("varies"));
+  if (section.has("covariance")) parameters.covariance = read_covariance(section);
+  if (parameters.kind == MappingKind::kMoebius) {
+    parameters.a_mm = section.number("a_mm", en::say("a depth in mm"));
+    parameters.b = section.number("b", en::say("without unit"));
+  } else {
+    parameters.chebyshev = section.numbers("chebyshev");
+    if (section.has("powers")) check_powers(section, parameters);
+  }
+  return parameters;
+}
+
+std::optional<MappingRecord> read_record(YamlSection& section) {
+  const std::array keys{
+      "method", "presses", "residual_mm", "held_out_mm", "spread_mm", "pixel_mm", "degree_choice"};
+  if (std::none_of(keys.begin(), keys.end(), [&](const char* key) { return section.has(key); }))
+    return std::nullopt;
+  MappingRecord record;
+  if (section.has("method")) record.method = section.text("method");
+  if (section.has("presses")) record.presses = section.texts("presses");
+  if (section.has("residual_mm"))
+    record.residual_mm = section.number("residual_mm", en::say("in mm"));
+  if (section.has("held_out_mm"))
+    record.held_out_mm = section.number("held_out_mm", en::say("in mm"));
+  if (section.has("spread_mm")) record.spread_mm = section.number("spread_mm", en::say("in mm"));
+  if (section.has("pixel_mm")) record.pixel_mm = section.number("pixel_mm", en::say("in mm"));
+  if (section.has("degree_choice")) record.degree_choice = section.text("degree_choice");
+  return record;
+}
+
+ReferenceFiles read_reference(YamlSection section, FaceKind kind) {
+  ReferenceFiles files;
+  if (section.has("image") || (kind == FaceKind::kFlat && !section.has("video"))) {
+    files.image = section.text("image");
+  } else {
+    files.video = section.text("video");
+    files.markers = section.text("markers");
+    if (section.has("places")) {
+      const std::vector<double> places = section.numbers("places");
+      if (places.size() != 2)
+        section.refuse("places", en::say("must be two numbers: a column in px, a step in mm"), "");
+      files.places = PosePlaces{places[0], places[1]};
+    }
+  }
+  return files;
+}
+
+ContactSettings read_contact(YamlSection section) {
+  ContactSettings contact;
+  contact.threshold_px = section.number("threshold_px", en::say("a sum of offsets in pixels"));
+  for (const std::vector<double>& row : section.rows("rest_markers")) {
+    if (row.size() != 2)
+      section.refuse("rest_markers",
+                     en::say("must hold two numbers for each marker"),
+                     en::say("[[u, v], ...]"));
+    contact.rest_markers.emplace_back(row[0], row[1]);
+  }
+  return contact;
+}
+
+RigidTransform read_gripper(YamlSection section) {
+  RigidTransform pose;
+  const std::vector<double> at = section.numbers("translation_mm");
+  if (at.size() != 3)
+    section.refuse("translation_mm", en::say("must be three numbers: x, y, z in mm"), "");
+  pose.translation_mm = {at[0], at[1], at[2]};
+  const std::vector<double> turn = section.numbers("rotation");
+  if (turn.size() != 4)
+    section.refuse(
+        "rotation", en::say("must be four numbers: w, x, y, z of a unit quaternion"), "");
+  pose.rotation = {turn[0], turn[1], turn[2], turn[3]};
+  return pose;
+}
+
+}  // namespace
+
+Finger read_finger(YamlSection& top) {
+  Finger finger;
+  if (const std::string format = top.text("format"); format != Finger::kFormat)
+    top.refuse("format",
+               en::say("'{}' cannot be read by this version", printable(format)),
+               en::say("a newer version of this program, or '{}'", std::string(Finger::kFormat)));
+  finger.name = top.text("name");
+  YamlSection camera = top.section("camera");
+  finger.camera = read_camera(camera, finger.lens_record);
+  finger.face = read_face(top.section("face"));
+  if (finger.face.kind == FaceKind::kFinRay || top.has("markers"))
+    finger.markers = read_markers(top.section("markers"));
+  if (top.has("mapping")) {
+    YamlSection mapping = top.section("mapping");
+    finger.mapping = read_mapping(mapping);
+    finger.mapping_record = read_record(mapping);
+  }
+  if (top.has("reference"))
+    finger.reference = read_reference(top.section("reference"), finger.face.kind);
+  if (top.has("contact")) finger.contact = read_contact(top.section("contact"));
+  if (top.has("force")) {
+    YamlSection force = top.section("force");
+    finger.force_model = force.text("model");
+    if (finger.force_model.empty())
+      force.refuse("model", en::say("must name a file"), en::say("force.yaml"));
+  }
+  if (top.has("gripper_from_camera"))
+    finger.gripper_from_camera = read_gripper(top.section("gripper_from_camera"));
+  if (top.has("provenance")) finger.provenance = top.section("provenance").all_texts();
+  return finger;
+}
+
+}  // namespace alltact

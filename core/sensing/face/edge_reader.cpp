@@ -1,0 +1,211 @@
+#include "core/sensing/face/edge_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace alltact {
+namespace {
+
+// Rows of a transition on each side of its middle; the levels are read from there to the far ones.
+constexpr int kNear = 3, kFar = 8;
+constexpr int kNearBlurred = 6, kFarBlurred = 11;
+constexpr double kBlurred = 3.2;  // contrast over slope, rows, of a transition that is wider
+// Noise of the crossing's height, of one row's: that of two rows between which it lies, and of
+// half the sum of two lines through kFar - kNear + 1 rows that are continued to the step.
+constexpr double kCrossingNoise = 1.2;
+
+constexpr int kBeside =
+    kNearBlurred + kFarBlurred + 1;                  // rows that a step found takes in on each side
+constexpr int kReach = EdgeReader::kWide + kBeside;  // rows of the band on each side of its middle
+
+using Profile = std::array<float, 2 * kReach + 1>;
+
+/// The part of a profile that a search within `reach` rows of its middle looks at.
+struct Band {
+  int first, last;
+  explicit Band(int reach) : first(kReach - reach - kBeside), last(kReach + reach + kBeside) {}
+};
+
+/// Mean of `columns` columns along the edge's slope, bilinear across it, within the band; false off
+/// the picture.
+bool read_profile(const cv::Mat& grey,
+                  double u,
+                  double v,
+                  double slope,
+                  int columns,
+                  const Band& band,
+                  Profile& profile) {
+  const int first = static_cast<int>(std::lround(u - 0.5 * (columns - 1)));
+  if (first < 0 || first + columns > grey.cols) return false;
+  float* const begin = profile.data() + band.first;
+  const int count = band.last - band.first + 1;
+  std::fill_n(begin, count, 0.0F);
+  for (int k = 0; k < columns; ++k) {
+    const int column = first + k;
+    const double middle = v + slope * (column - u);
+    const int row = static_cast<int>(std::floor(middle)) + band.first - kReach;
+    const auto part = static_cast<float>(middle - std::floor(middle));
+    if (middle < 0 || middle >= grey.rows) return false;
+    if (row >= 0 && row + count < grey.rows) {
+      const std::uint8_t* pixel = grey.ptr<std::uint8_t>(row) + column;
+      auto here = static_cast<float>(*pixel);
+      for (int i = 0; i < count; ++i) {
+        pixel += grey.step[0];
+        const auto next = static_cast<float>(*pixel);
+        begin[i] += here + part * (next - here);
+        here = next;
+      }
+      continue;
+    }
+    // Beyond the picture's border its last row goes on: no step is seen there.
+    const auto clamped = [&](int r) {
+      return static_cast<float>(grey.at<std::uint8_t>(std::clamp(r, 0, grey.rows - 1), column));
+    };
+    for (int i = 0; i < count; ++i)
+      begin[i] += clamped(row + i) + part * (clamped(row + i + 1) - clamped(row + i));
+  }
+  for (int i = 0; i < count; ++i) begin[i] /= static_cast<float>(columns);
+  return true;
+}
+
+/// Row before the step that is the face's edge: of all steps of the right sign that are steep
+/// enough, the innermost. Beside a narrow side face its outer border and the dots on it are as
+/// steep, but further out; dots on it may be steeper than the edge is expected to be.
+std::optional<std::pair<int, float>> innermost_step(
+    const Profile& profile, float sign, bool face_below, int reach, float expected_rise) {
+  constexpr float kSteepEnough = 0.4F;  // of the steepest
+  const int first = kReach - reach, last = kReach + reach - 1;
+  const auto rise = [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    return sign * (profile[k + 2] + profile[k + 1] - profile[k] - profile[k - 1]);
+  };
+  float most = 0;
+  for (int i = first; i <= last; ++i) most = std::max(most, rise(i));
+  if (!(most > 0)) return std::nullopt;
+  most = std::min(most, expected_rise);
+  for (int n = 0; n <= last - first; ++n) {
+    const int i = face_below ? last - n : first + n;
+    if (rise(i) >= kSteepEnough * most && rise(i) >= rise(i - 1) && rise(i) >= rise(i + 1))
+      return std::pair(i, rise(i));
+  }
+  return std::nullopt;
+}
+
+/// Brightness on one side of a step, a line.
+struct Level {
+  float mean, slope, middle;  // slope: of a row; middle: row of the mean
+  [[nodiscard]] float at(int i) const { return mean + slope * (static_cast<float>(i) - middle); }
+};
+
+Level level_of(const Profile& profile, int from, int to) {
+  float sum = 0, moment = 0, square = 0;
+  const float middle = 0.5F * static_cast<float>(from + to);
+  for (int i = from; i <= to; ++i) {
+    const float x = static_cast<float>(i) - middle, y = profile[static_cast<std::size_t>(i)];
+    sum += y, moment += x * y, square += x * x;
+  }
+  return {sum / static_cast<float>(to - from + 1), moment / square, middle};
+}
+
+/// The crossing nearest to half of the row `twice_middle`, half-way between the levels on both
+/// sides of that. Brightness changes along both sides of the step, so that the levels are lines,
+/// continued to it: constants would draw the crossing towards the side that changes more. `beside`:
+/// the level beside the face, where a dot hides it.
+std::optional<EdgeCrossing> crossing_between_levels(const Profile& profile,
+                                                    float sign,
+                                                    bool face_below,
+                                                    int twice_middle,
+                                                    bool blurred,
+                                                    double noise,
+                                                    std::optional<float> beside) {
+  const int near = blurred ? kNearBlurred : kNear, far = blurred ? kFarBlurred : kFar;
+  const int inner = (twice_middle + 2 * near) / 2;  // first row of the far side
+  const int outer = (twice_middle + 2 * far - 1) / 2;
+  Level before = level_of(profile, twice_middle - outer, twice_middle - inner);
+  Level after = level_of(profile, inner, outer);
+  if (beside) (face_below ? before : after) = {*beside, 0.0F, 0.0F};
+  const float contrast = sign * (after.mean - before.mean);
+  if (contrast < std::max(3.0, 8.0 * noise)) return std::nullopt;
+  const auto above = [&](int i) {
+    return sign * (profile[static_cast<std::size_t>(i)] - 0.5F * (before.at(i) + after.at(i)));
+  };
+  const int middle = twice_middle / 2;
+  for (int away = 0; away < near; ++away)
+    for (const int i : {middle - away, middle + away}) {
+      const float a = above(i), b = above(i + 1);
+      if (a > 0.0F || b <= 0.0F) continue;
+      const double slope = static_cast<double>(b - a);
+      // A dot that touches the edge leaves no level beside it to cross from.
+      constexpr int kGap = 2;
+      constexpr float kPartOfContrast = 0.2F;
+      const int gap = face_below ? i - kGap : i + 1 + kGap;
+      if (beside &&
+          std::abs(profile[static_cast<std::size_t>(gap)] - *beside) > kPartOfContrast * contrast)
+        return std::nullopt;
+      return EdgeCrossing{i + static_cast<double>(-a) / slope - kReach,
+                          std::hypot(kCrossingNoise * noise / slope, 0.02),
+                          static_cast<double>(contrast),
+                          static_cast<double>(face_below ? before.mean : after.mean),
+                          slope};
+    }
+  return std::nullopt;
+}
+
+/// sign: +1 when brightness rises with v; face_below: the face lies at larger v.
+std::optional<EdgeCrossing> half_way_crossing(const Profile& profile,
+                                              float sign,
+                                              bool face_below,
+                                              int reach,
+                                              double noise_sd,
+                                              int columns,
+                                              const ExpectedEdge& expected) {
+  const auto step = innermost_step(profile, sign, face_below, reach, expected.rise);
+  if (!step) return std::nullopt;
+  const double noise = noise_sd / std::sqrt(static_cast<double>(columns));
+  std::optional<EdgeCrossing> crossing;
+  int twice_middle = 2 * step->first + 1;  // the step lies between this row and the next
+  // Blur reaches to the rows that the levels are read from. It takes as much from one as it gives
+  // the other only where both are as far from the crossing, so that is looked for again.
+  bool blurred = false;
+  for (int round = 0; round < 2; ++round) {
+    crossing = crossing_between_levels(
+        profile, sign, face_below, twice_middle, blurred, noise, expected.beside);
+    if (!crossing) return std::nullopt;
+    blurred = crossing->contrast > kBlurred * crossing->slope;
+    twice_middle = static_cast<int>(std::lround(2.0 * (crossing->offset + kReach)));
+  }
+  crossing->rise = step->second;
+  return crossing;
+}
+
+/// The steepest whole-pixel step of one column.
+std::optional<EdgeCrossing> integer_step(
+    const cv::Mat& grey, double u, double v, float sign, int reach) {
+  const int column = static_cast<int>(std::lround(u));
+  const int centre = static_cast<int>(std::lround(v));
+  int best_row = -1, best = 0;
+  for (int row = std::max(centre - reach, 1); row <= std::min(centre + reach, grey.rows - 1);
+       ++row) {
+    const int step = static_cast<int>(sign) *
+                     (grey.at<std::uint8_t>(row, column) - grey.at<std::uint8_t>(row - 1, column));
+    if (step > best) best = step, best_row = row;
+  }
+  if (best_row < 0 || best < 3) return std::nullopt;
+  return EdgeCrossing{best_row - v, 0.29, static_cast<double>(best)};
+}
+
+}  // namespace
+
+std::optional<EdgeCrossing> EdgeReader::at(
+    double u, double v, double slope, int reach, const ExpectedEdge& expected) const {
+  if (options_.method == EdgeMethod::kInteger) return integer_step(grey_, u, v, sign_, reach);
+  Profile profile;
+  if (!read_profile(grey_, u, v, slope, options_.columns, Band(reach), profile))
+    return std::nullopt;
+  return half_way_crossing(
+      profile, sign_, face_below_, reach, noise_sd_, options_.columns, expected);
+}
+
+}  // namespace alltact

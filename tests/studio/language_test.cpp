@@ -1,0 +1,184 @@
+// What the libraries say, in German, in Chinese and in English.
+#include "widgets/language.h"
+
+#include "app/studio/dresser.h"
+#include "calibration/joint/verdict.h"
+#include "calibration/report/press_residuals.h"
+#include "core/result.h"
+#include "tests/support/ts_file.h"
+#include "tests/support/words_left.h"
+
+#include <QLocale>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class InLanguage : public testing::Test {
+ protected:
+  ~InLanguage() override { speak("en"); }
+  void speak(const char* language) {
+    dresser_.wear({Theme::kLight, QString::fromLatin1(language)});
+  }
+  static std::string said(const Message& message) {
+    return in_window_language(message).toStdString();
+  }
+  static std::vector<TsMessage> all_said(const char* language) {
+    std::vector<TsMessage> messages = messages_of(ts_file(language));
+    std::erase_if(messages, [](const TsMessage& message) {
+      return message.context != QLatin1String(kSaidContext);
+    });
+    EXPECT_GT(messages.size(), 700U);
+    return messages;
+  }
+  Dresser dresser_;
+};
+
+TEST_F(InLanguage, EnglishIsAsTheSourcesSayIt) {
+  speak("en");
+  const Message verdict = en::say("good");
+  EXPECT_EQ(said(verdict), "good");
+  EXPECT_EQ(window_sentence(en::say("the disk is full")).toStdString(), "The disk is full.");
+  EXPECT_EQ(window_sentence(en::say("The disk is full.")).toStdString(), "The disk is full.");
+  EXPECT_EQ(window_sentence(en::say("is it there?")).toStdString(), "Is it there?");
+  EXPECT_EQ(window_sentence(en::say("there it is!")).toStdString(), "There it is!");
+  EXPECT_EQ(window_sentence({}).toStdString(), "");
+  EXPECT_EQ(window_sentence(Message::typed("...")).toStdString(), "");
+}
+
+TEST_F(InLanguage, ASentenceEndsAsItsLanguageEndsSentences) {
+  speak("de");
+  EXPECT_EQ(window_sentence(en::say("the contact covers too few pixels")).toStdString(),
+            "Der Kontakt bedeckt zu wenige Pixel.");
+  speak("zh_CN");
+  EXPECT_EQ(window_sentence(en::say("the contact covers too few pixels")).toStdString(),
+            "接触覆盖的像素太少。");
+  const Message at_end = en::say("{}.", en::say("the contact covers too few pixels"));
+  EXPECT_EQ(window_sentence(at_end).toStdString(), "接触覆盖的像素太少。");
+}
+
+TEST_F(InLanguage, WhatSomebodyTypedStaysAsItIs) {
+  for (const char* language : {"de", "zh_CN"}) {
+    SCOPED_TRACE(language);
+    speak(language);
+    EXPECT_NE(said(en::say("left")), "left");
+    const std::string press = "left";
+    const Message no_face = en::say("no face was found");
+    EXPECT_EQ(said(en::at(Message::typed(press), no_face)).rfind("left: ", 0), 0U);
+    const std::filesystem::path folder = "no face was found";
+    const Error error{no_face, folder, en::say("another frame")};
+    EXPECT_EQ(said(error.message()).rfind("no face was found: ", 0), 0U);
+    EXPECT_THAT(said(error.message()), Not(HasSubstr("another frame")));
+    const Message twice = en::say("two presses are called '{}'", press);
+    EXPECT_THAT(said(twice), HasSubstr("left"));
+    EXPECT_THAT(said(twice), Not(HasSubstr(said(en::say("left")))));
+  }
+}
+
+TEST_F(InLanguage, NoTemplateIsTranslatedWhereItWasTyped) {
+  for (const char* language : {"de", "zh_CN"}) {
+    SCOPED_TRACE(language);
+    speak(language);
+    for (const TsMessage& message : all_said(language)) {
+      const std::string words = message.source.toStdString();
+      EXPECT_EQ(said(Message::typed(words)), words);
+      EXPECT_EQ(said(en::say("{}: {}", words, en::say("stopped"))).rfind(words + ":", 0), 0U)
+          << words;
+    }
+  }
+}
+
+TEST_F(InLanguage, EveryTemplateIsSaidAsItsTranslation) {
+  const std::vector<Message> parts{Message::typed("<0>"),
+                                   Message::typed("<1>"),
+                                   Message::typed("<2>"),
+                                   Message::typed("<3>"),
+                                   Message::typed("<4>"),
+                                   Message::typed("<5>"),
+                                   Message::typed("<6>"),
+                                   Message::typed("<7>")};
+  for (const char* language : {"de", "zh_CN"}) {
+    SCOPED_TRACE(language);
+    speak(language);
+    for (const TsMessage& message : all_said(language)) {
+      const std::string words = message.source.toStdString();
+      const std::string comment = message.comment.toStdString();
+      const auto filled = [&](const QString& form) {
+        return Message::put_together(Message::Kind::kSaid, form.toStdString(), {}, -1, parts)
+            .english();
+      };
+      if (!message.is_counted) {
+        const Message whole =
+            Message::put_together(Message::Kind::kSaid, words, comment, -1, parts);
+        EXPECT_EQ(said(whole), filled(message.translations.first()));
+        continue;
+      }
+      for (const int count : {0, 1, 2}) {
+        const bool is_one = count == 1 && language == std::string("de");
+        const Message whole =
+            Message::put_together(Message::Kind::kCounted, words, comment, count, parts);
+        EXPECT_EQ(said(whole),
+                  filled(is_one ? message.translations.first() : message.translations.last()));
+      }
+    }
+  }
+}
+
+TEST_F(InLanguage, NoEnglishIsLeftInWhatIsPutTogether) {
+  const std::vector<ZoneError> zones{
+      {en::say("base"), 3, 0.012}, {en::say("middle"), 1, 0.01}, {en::say("tip"), 0, std::nullopt}};
+  for (const char* language : {"de", "zh_CN"}) {
+    SCOPED_TRACE(language);
+    speak(language);
+    for (const Message& message : {verdict({0.01, 0.02, 0.01, 4, 0.03}).sentence,
+                                   verdict({0.01, 0.09, 0.01, 4}).sentence,
+                                   verdict({0.01, 0, 0, 1}).sentence,
+                                   verdict({0.01, 0, 0, 3}).sentence,
+                                   verdict({1, 1, 1, 4}).sentence,
+                                   zone_sentence(zones)}) {
+      const QString text = in_window_language(message);
+      EXPECT_TRUE(words_left(text).isEmpty()) << text.toStdString() << "\n"
+                                              << words_left(text).join("; ").toStdString();
+      EXPECT_NE(text.toStdString(), message.english());
+    }
+  }
+}
+
+TEST_F(InLanguage, CountsAreSaidOfNoneOneAndMore) {
+  const auto frames = [](int count) { return said(en::count("{} frames", "{} frame", count)); };
+  speak("en");
+  EXPECT_EQ(frames(0), "0 frames");
+  EXPECT_EQ(frames(1), "1 frame");
+  EXPECT_EQ(frames(2), "2 frames");
+  speak("de");
+  EXPECT_EQ(frames(0), "0 Bilder");
+  EXPECT_EQ(frames(1), "1 Bild");
+  EXPECT_EQ(frames(2), "2 Bilder");
+  speak("zh_CN");
+  EXPECT_EQ(frames(0), "0 帧");
+  EXPECT_EQ(frames(1), "1 帧");
+  EXPECT_EQ(frames(2), "2 帧");
+}
+
+TEST_F(InLanguage, EveryCountIsRightInEnglishWithoutATranslation) {
+  speak("en");
+  for (const TsMessage& message : all_said("de")) {
+    if (!message.is_counted) continue;
+    for (const int count : {0, 1, 2}) {
+      const Message whole = Message::put_together(Message::Kind::kCounted,
+                                                  message.source.toStdString(),
+                                                  message.comment.toStdString(),
+                                                  count,
+                                                  {Message::typed("N"), Message::typed("A")});
+      EXPECT_EQ(said(whole), whole.english());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace alltact::test

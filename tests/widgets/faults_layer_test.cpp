@@ -1,0 +1,135 @@
+// The stripes of the live picture lie where the measurement says that it cannot measure.
+#include "core/grey_range.h"
+#include "tests/support/flat_sensor.h"
+#include "widgets/live/finger_watcher.h"
+
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+using test::FlatSensor;
+using Stripe = cv::Vec4b;
+
+constexpr int kPeriod_px = 6;  // along a row, half of it painted
+const cv::Rect kDarkReference(30, 40, 60, 48), kBrightReference(200, 30, 48, 60),
+    kBrightLive(120, 150, 54, 42), kDarkLive(230, 150, 48, 48);
+
+Finger striped_finger(bool is_calibrated) {
+  Finger finger;
+  finger.name = "flat";
+  finger.camera.model = CameraModel::kOrthographic;
+  finger.camera.width_px = FlatSensor::kWidth, finger.camera.height_px = FlatSensor::kHeight;
+  finger.camera.cx_px = 159.5, finger.camera.cy_px = 119.5;
+  finger.camera.mm_per_px = FlatSensor::kMmPerPx;
+  finger.face.kind = FaceKind::kFlat;
+  finger.face.layer_mm = FlatSensor::kLayerMm;
+  finger.face.plane_z_mm = 20;
+  if (!is_calibrated) return finger;
+  finger.mapping.emplace();
+  finger.mapping->kind = MappingKind::kMoebius;
+  finger.mapping->x_max = 0.5;
+  finger.mapping->a_mm = FlatSensor::kA, finger.mapping->b = FlatSensor::kB;
+  return finger;
+}
+
+/// Patches of all levels between measurable and not, in the reference and in the live picture.
+FrameResult measured(bool is_calibrated) {
+  cv::Mat reference = test::untouched_picture(1), live = test::untouched_picture(2);
+  const auto fill = [](cv::Mat& picture, const cv::Rect& patch, int first) {
+    for (int u = 0; u < patch.width; ++u)
+      picture(cv::Rect(patch.x + u, patch.y, 1, patch.height)).setTo(first + u / kPeriod_px);
+  };
+  fill(reference, kDarkReference, 3);      // 3 to 12
+  fill(reference, kBrightReference, 246);  // 246 to 253
+  fill(live, kBrightLive, 246);
+  fill(live, kDarkLive, 0);  // 0 to 7: as dark as it likes
+  auto pipeline = Pipeline::create(striped_finger(is_calibrated),
+                                   ReferenceLibrary::single(reference).value(),
+                                   PipelineSettings{});
+  EXPECT_TRUE(pipeline.ok());
+  auto frame = std::make_shared<Frame>();
+  frame->grey = live;
+  frame->name = "frame";
+  auto result = (*pipeline)(frame);
+  EXPECT_TRUE(result.ok());
+  return std::move(result).value();
+}
+
+const Stripe kNothing(0, 0, 0, 0);
+
+/// The only colour within a patch of the layer but nothing; nothing where there are none or more.
+Stripe colour_in(const cv::Mat& layer, const cv::Rect& patch) {
+  Stripe found = kNothing;
+  for (int v = patch.y; v < patch.br().y; ++v)
+    for (int u = patch.x; u < patch.br().x; ++u) {
+      const Stripe here = layer.at<Stripe>(v, u);
+      if (here == kNothing) continue;
+      if (found != kNothing && found != here) return kNothing;
+      found = here;
+    }
+  return found;
+}
+
+class FaultsLayer : public testing::TestWithParam<bool> {};
+
+TEST_P(FaultsLayer, ShowsExactlyWhatTheMeasurementFlags) {
+  const FrameResult result = measured(GetParam());
+  ASSERT_EQ(result.depth.has_value(), GetParam());
+  const cv::Mat& flags = result.depth ? result.depth->flags : result.difference->flags;
+  const cv::Mat layer = faults_layer(result.grey, result);
+  const Stripe dark = colour_in(layer, kDarkReference), bright = colour_in(layer, kBrightLive);
+  ASSERT_NE(dark, kNothing);
+  ASSERT_NE(bright, kNothing);
+  ASSERT_NE(dark, bright);
+  EXPECT_EQ(colour_in(layer, kBrightReference), bright);
+  int dark_flags = 0, bright_flags = 0, dark_painted = 0, bright_painted = 0;
+  for (int v = 0; v < layer.rows; ++v)
+    for (int u = 0; u < layer.cols; ++u) {
+      const auto flag = flags.at<std::uint8_t>(v, u);
+      const Stripe here = layer.at<Stripe>(v, u);
+      dark_flags += flag == kTooDark, bright_flags += flag == kSaturated;
+      dark_painted += here == dark, bright_painted += here == bright;
+      ASSERT_TRUE(here == kNothing || here == (flag == kTooDark     ? dark
+                                               : flag == kSaturated ? bright
+                                                                    : kNothing))
+          << u << ", " << v;
+      // Every flagged stretch of half a period along a row has a painted pixel.
+      if (u + kPeriod_px / 2 >= layer.cols || (flag != kTooDark && flag != kSaturated)) continue;
+      bool is_even = true, is_painted = false;
+      for (int k = 0; k <= kPeriod_px / 2; ++k) {
+        is_even = is_even && flags.at<std::uint8_t>(v, u + k) == flag;
+        is_painted = is_painted || layer.at<Stripe>(v, u + k) != kNothing;
+      }
+      ASSERT_TRUE(!is_even || is_painted) << u << ", " << v;
+    }
+  EXPECT_GT(dark_flags, 1000);
+  EXPECT_GT(bright_flags, 1000);
+  EXPECT_NEAR(dark_painted, 0.5 * dark_flags, 0.1 * dark_flags);
+  EXPECT_NEAR(bright_painted, 0.5 * bright_flags, 0.1 * bright_flags);
+}
+
+INSTANTIATE_TEST_SUITE_P(Calibrated, FaultsLayer, testing::Bool());
+
+TEST(LiveFaults, ADarkLivePictureIsNoFaultWhereItsReferenceIsBright) {
+  const FrameResult result = measured(true);
+  const cv::Mat layer = faults_layer(result.grey, result);
+  EXPECT_EQ(cv::countNonZero(layer(kDarkLive).clone().reshape(1) != 0), 0);
+}
+
+TEST(LiveFaults, FollowsTheOneDefinitionWhereNothingIsMeasured) {
+  cv::Mat grey(256, kPeriod_px, CV_8UC1);
+  for (int v = 0; v < grey.rows; ++v) grey.row(v).setTo(v);
+  const cv::Mat layer = faults_layer(grey, FrameResult{});
+  const Stripe dark = colour_in(layer, cv::Rect(0, 0, kPeriod_px, kTooDarkBelow)),
+               bright = colour_in(layer, cv::Rect(0, kClippedFrom, kPeriod_px, 256 - kClippedFrom));
+  ASSERT_NE(dark, kNothing);
+  ASSERT_NE(bright, kNothing);
+  for (int v = 0; v < grey.rows; ++v) {
+    const Stripe row = colour_in(layer, cv::Rect(0, v, kPeriod_px, 1));
+    EXPECT_EQ(row, v < kTooDarkBelow ? dark : v >= kClippedFrom ? bright : kNothing) << v;
+  }
+}
+
+}  // namespace
+}  // namespace alltact

@@ -1,0 +1,38 @@
+#include "widgets/language.h"
+
+#include <QCoreApplication>
+
+namespace alltact {
+namespace {
+
+constexpr const char* kContext = "alltact::en";  // where lupdate puts what is said
+
+std::string in_language(const Message& message) {
+  const bool is_counted = message.kind() == Message::Kind::kCounted;
+  const char* const words = message.words().c_str();
+  const char* const of = message.context().empty() ? nullptr : message.context().c_str();
+  const int count = is_counted ? static_cast<int>(message.count()) : -1;
+  const std::string said = QCoreApplication::translate(kContext, words, of, count).toStdString();
+  // Where nobody translated it, Qt gives the words back, which are for many.
+  return is_counted && count == 1 && said == words ? message.context() : said;
+}
+
+}  // namespace
+
+QString in_window_language(const Message& message) {
+  return QString::fromStdString(message.in(in_language));
+}
+
+QString window_sentence(const Message& message) {
+  constexpr QChar kFullStop{0x3002};
+  QString line = in_window_language(message);
+  while (line.endsWith(QLatin1Char('.')) || line.endsWith(kFullStop)) line.chop(1);
+  if (line.isEmpty()) return {};
+  line[0] = line[0].toUpper();
+  constexpr QChar kAsks{0xff1f}, kCalls{0xff01};
+  for (const QChar close : {QChar(u'?'), QChar(u'!'), kAsks, kCalls})
+    if (line.endsWith(close)) return line;
+  return in_window_language(en::say("{}.", Message::typed(line.toStdString())));
+}
+
+}  // namespace alltact

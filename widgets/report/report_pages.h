@@ -1,0 +1,101 @@
+// The pages of a calibration's report, as they are put together.
+#pragma once
+
+#include "calibration/finger/calibration_report.h"
+#include "widgets/plots/plot.h"
+#include "widgets/report/calibration_figures.h"
+#include "widgets/report/document.h"
+#include "widgets/report/fault_pages.h"
+#include "widgets/report/report_words.h"
+#include "widgets/theme.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace alltact {
+
+/// Writes one report from top to bottom.
+class ReportPages {
+ public:
+  ReportPages(const FingerCalibration& done, const std::filesystem::path& folder)
+      : done_(done),
+        folder_(folder),
+        light_(theme_palette(Theme::kLight)),
+        document_(text("Calibration of finger %1").arg(as_text(done.finger.name))) {}
+
+  /// Empty when the job was stopped.
+  std::optional<Document> write(const Job& job) {
+    for (const auto part : {&ReportPages::add_verdict,
+                            &ReportPages::add_facts,
+                            &ReportPages::add_presses,
+                            &ReportPages::add_mapping,
+                            &ReportPages::add_errors,
+                            &ReportPages::add_maps,
+                            &ReportPages::add_spread,
+                            &ReportPages::add_methods,
+                            &ReportPages::add_light,
+                            &ReportPages::add_remarks,
+                            &ReportPages::add_history,
+                            &ReportPages::add_repetition}) {
+      if (job.stop_requested()) return std::nullopt;
+      (this->*part)();
+    }
+    if (!add_typical_faults(document_, light_, plot_font(), job)) return std::nullopt;
+    return std::move(document_);
+  }
+
+ private:
+  static constexpr int kFigureWidth = 600;   // px at 96 to the inch: the width of a printed page
+  static constexpr double kSharpness = 2.0;  // pixels to each of these, for paper, dense screens
+
+  void add_verdict();
+  void add_zones();
+  void add_facts();
+  [[nodiscard]] QString press_words(const BallFit& ball) const;
+  static QString punch_words(const StepFit& step);
+  void add_presses();
+  void add_left_out();
+  void add_mapping();
+  void add_errors();
+  void add_maps();
+  void add_map(FaceQuantity quantity, const QString& caption);
+  void add_spread();
+  static QString method_words(CalibrationMethod method);
+  void add_methods();
+  void add_light();
+  void add_remarks();
+  void add_history();
+  void add_repetition();
+
+  void add_plot(Plot& plot, int height, const QString& caption) {
+    document_.figure(plot.picture({kFigureWidth, height}, kSharpness), kFigureWidth, caption);
+  }
+  static QFont plot_font() {
+    QFont font("DejaVu Sans");
+    font.setPixelSize(12);
+    return font;
+  }
+  void dress(Plot& plot) const {
+    plot.setFont(plot_font());
+    plot.setPalette(light_);
+  }
+  [[nodiscard]] std::vector<Eigen::Vector2d> touched_by(const BallFit& ball) const {
+    std::vector<Eigen::Vector2d> pixels;
+    for (const PressResiduals& press : done_.residuals)
+      if (press.press == ball.press)
+        for (const ResidualSample& sample : press.samples) pixels.push_back(sample.pixel);
+    return pixels;
+  }
+  [[nodiscard]] QString noted(const char* key) const {
+    const auto found = done_.finger.provenance.find(key);
+    return found == done_.finger.provenance.end() ? QString() : as_text(found->second);
+  }
+
+  const FingerCalibration& done_;
+  const std::filesystem::path& folder_;
+  const QPalette light_;
+  Document document_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,137 @@
+// Of each press its picture and its figures, and the light it was taken in.
+#include "widgets/plots/press_light_plot.h"
+#include "widgets/report/press_picture.h"
+#include "widgets/report/report_pages.h"
+
+#include <algorithm>
+#include <map>
+
+namespace alltact {
+namespace {
+
+constexpr int kPictureWidth = 132;  // of a press
+
+}  // namespace
+
+QString ReportPages::press_words(const BallFit& ball) const {
+  QString words = as_text(ball.press);
+  if (!done_.inputs.other_balls.empty()) words += "\n" + text("ball %1 mm").arg(ball.radius_mm);
+  if (ball.cut_by_edge) words += "\n" + text("cut by the edge");
+  if (ball.told_depth)
+    words += "\n" +
+             text("measured %1 ± %2 mm deep, the solution has %3 mm")
+                 .arg(mm(ball.told_depth->mm), mm(ball.told_depth->sd_mm), mm(ball.pressed_in_mm));
+  return words;
+}
+
+QString ReportPages::punch_words(const StepFit& step) {
+  return as_text(step.press) + "\n" +
+         text("a punch with a step of %1 mm, which reads %2 ± %3 mm")
+             .arg(mm(step.step_mm), mm(step.reads_mm), mm(step.sd_mm));
+}
+
+void ReportPages::add_presses() {
+  document_.new_page();
+  document_.heading(text("The presses, worst first"));
+  std::map<std::string, const TakenPress*> taken;
+  for (const TakenPress& press : done_.presses) taken[press.name] = &press;
+  std::vector<const BallFit*> balls;
+  for (const BallFit& ball : done_.calibration.balls) balls.push_back(&ball);
+  const auto worst = [](const BallFit* ball) {
+    return std::max(ball->residual_mm, ball->held_out_mm);
+  };
+  std::stable_sort(balls.begin(), balls.end(), [&](const BallFit* a, const BallFit* b) {
+    return worst(a) > worst(b);
+  });
+  const auto camera = Camera::create(done_.finger.camera);
+  const QSize size = QSize(kPictureWidth, kPictureWidth * 3 / 4) * kSharpness;
+  std::vector<Document::Row> rows;
+  for (const BallFit* ball : balls) {
+    const auto press = taken.find(ball->press);
+    QImage picture;
+    if (camera && press != taken.end())
+      picture = press_picture(press->second->grey, *camera, *ball, touched_by(*ball), size);
+    rows.push_back(
+        {{QString(), picture, kPictureWidth},
+         {press_words(*ball), {}, 0},
+         {mm(ball->depth_mm), {}, 0},
+         {mm(ball->residual_mm), {}, 0},
+         {ball->held_out_mm > 0 ? mm(ball->held_out_mm) : text("none"), {}, 0},
+         {mm(ball->centre_sd_mm.z()), {}, 0},
+         {press == taken.end() ? QString() : percent(press->second->sign.light_change), {}, 0}});
+  }
+  for (const StepFit& step : done_.calibration.steps) {
+    const auto press = taken.find(step.press);
+    if (press == taken.end()) continue;
+    rows.push_back({{QString(), whole_picture(press->second->grey, size), kPictureWidth},
+                    {punch_words(step), {}, 0},
+                    {text("none"), {}, 0},
+                    {text("none"), {}, 0},
+                    {text("none"), {}, 0},
+                    {text("none"), {}, 0},
+                    {percent(press->second->sign.light_change), {}, 0}});
+  }
+  document_.pictured_table({text("Picture"),
+                            text("Press"),
+                            text("Depth (mm)"),
+                            text("Residual (mm)"),
+                            text("Left out (mm)"),
+                            text("Ball's distance, sd (mm)"),
+                            text("Light (%)")},
+                           rows,
+                           {false, false, true, true, true, true, true});
+  document_.paragraph(text(
+      "Orange: the outline of the ball as it was found, with its middle. Dashed: what the ball "
+      "touches; the dark contact must lie in there, or something else was taken for the ball. "
+      "Depth: the deepest point. Residual: mean error inside the contact with the final mapping. "
+      "Left out: the same with a mapping made from the other presses; this is the figure that "
+      "counts. Ball's distance, sd: how well the ball's distance from the camera is known. Light: "
+      "how much brighter the untouched face is than in the reference; it should be 0 within 1 %."));
+  add_left_out();
+}
+
+void ReportPages::add_left_out() {
+  std::vector<Document::Row> rows;
+  for (const TakenPress& press : done_.presses) {
+    if (press.left_out.empty()) continue;
+    rows.push_back(
+        {{QString(),
+          whole_picture(press.grey, QSize(kPictureWidth, kPictureWidth * 9 / 16) * kSharpness),
+          kPictureWidth},
+         {as_text(press.name), {}, 0},
+         {sentence(press.left_out), {}, 0}});
+  }
+  QStringList reasons;
+  for (const Message& reason : done_.calibration.left_out) {
+    const bool shown =
+        std::any_of(done_.presses.begin(), done_.presses.end(), [&](const auto& one) {
+          return !one.left_out.empty() && reason.english().rfind(one.name + ": ", 0) == 0;
+        });
+    if (!shown) reasons << sentence(reason);
+  }
+  if (rows.empty() && reasons.isEmpty()) return;
+  document_.new_page();
+  document_.heading(text("Presses that were left out"));
+  if (!rows.empty())
+    document_.pictured_table({text("Picture"), text("Press"), text("Why")}, rows, {});
+  if (!reasons.isEmpty()) document_.list(reasons);
+}
+
+void ReportPages::add_light() {
+  std::vector<PressLight> light;
+  for (const TakenPress& press : done_.presses)
+    if (press.left_out.empty()) light.push_back({press.name, 100 * press.sign.light_change});
+  document_.heading(text("Light"));
+  PressLightPlot plot;
+  dress(plot);
+  plot.set_data(std::move(light), 100 * kOtherLight);
+  add_plot(
+      plot,
+      190,
+      text("How much brighter the untouched face is than in its reference, in the order in which "
+           "the presses were given. Good: all near zero. All alike beyond a dashed line: other "
+           "light than when the reference was taken. Up and down: automatic exposure, or light "
+           "that gets in."));
+}
+
+}  // namespace alltact
