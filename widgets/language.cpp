@@ -17,6 +17,8 @@ std::string in_language(const Message& message) {
   return is_counted && count == 1 && said == words ? message.context() : said;
 }
 
+thread_local int in_english = 0;  // how many say so
+
 }  // namespace
 
 QString in_window_language(const Message& message) {
@@ -33,6 +35,23 @@ QString window_sentence(const Message& message) {
   for (const QChar close : {QChar(u'?'), QChar(u'!'), kAsks, kCalls})
     if (line.endsWith(close)) return line;
   return in_window_language(en::say("{}.", Message::typed(line.toStdString())));
+}
+
+QString WindowTranslator::translate(const char* context,
+                                    const char* source,
+                                    const char* of,
+                                    int count) const {
+  return in_english > 0 ? QString() : QTranslator::translate(context, source, of, count);
+}
+
+InEnglish::InEnglish() {
+  ++in_english;
+  QLocale::setDefault(QLocale::c());
+}
+
+InEnglish::~InEnglish() {
+  --in_english;
+  QLocale::setDefault(before_);
 }
 
 }  // namespace alltact

@@ -3,7 +3,9 @@
 
 #include "core/message.h"
 
+#include <QLocale>
 #include <QString>
+#include <QTranslator>
 
 namespace alltact {
 
@@ -12,5 +14,27 @@ namespace alltact {
 
 /// The same, as one to begin a line with: a capital first and a full stop last.
 [[nodiscard]] QString window_sentence(const Message& message);
+
+/// Translates unless somebody is InEnglish.
+class WindowTranslator : public QTranslator {
+ public:
+  QString translate(const char* context,
+                    const char* source,
+                    const char* of,
+                    int count) const override;
+};
+
+/// While it lives texts and numbers are those of a program without translations, whatever the
+/// window speaks: for what is written for others. GUI thread only, and not across its event loop.
+class InEnglish {
+ public:
+  InEnglish();
+  ~InEnglish();
+  InEnglish(const InEnglish&) = delete;
+  InEnglish& operator=(const InEnglish&) = delete;
+
+ private:
+  QLocale before_;
+};
 
 }  // namespace alltact

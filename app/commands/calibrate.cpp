@@ -1,13 +1,12 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/press_flags.h"
 #include "app/pictures/pictures.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
 #include "core/program.h"
 #include "core/utc_time.h"
-
-#include <functional>
 
 #include <fmt/format.h>
 
@@ -71,55 +70,6 @@ void tell(const FingerCalibration& done, Console& console) {
   if (!done.methods.empty()) tell_methods(done.methods, console);
 }
 
-/// What is wrong with a text that says something of a press; empty: nothing.
-template <class T>
-std::function<std::string(const std::string&)> form(Result<T> (*from)(const std::string&)) {
-  return [from](const std::string& text) {
-    const auto said = from(text);
-    return said ? std::string() : said.error().what.english();
-  };
-}
-
-constexpr std::string_view kFind = "=find", kNone = "=none";
-
-/// With --again what was said of a press can be taken back.
-std::function<std::string(const std::string&)> or_taken_back(
-    const std::function<std::string(const std::string&)>& wrong) {
-  return [wrong](const std::string& text) {
-    return text.ends_with(kNone) ? std::string() : wrong(text);
-  };
-}
-
-/// What was said of a press anew; NAME=none, or another such word, takes it back.
-template <class T>
-Status say_again(const std::vector<std::string>& texts,
-                 Result<T> (*from)(const std::string&),
-                 std::string_view take_back,
-                 std::vector<T>* list) {
-  for (const std::string& text : texts) {
-    if (text.ends_with(take_back)) {
-      unsay(*list, text.substr(0, text.size() - take_back.size()));
-      continue;
-    }
-    auto said = from(text);
-    if (!said) return said.error();
-    say(*list, std::move(said).value());
-  }
-  return {};
-}
-
-/// What was said of single presses on the command line.
-Status say_of_presses(const CalibrateOptions& options, SaidOfPresses* said) {
-  for (const std::string& text : options.excluded) say(said->excluded, excluded_press_from(text));
-  for (const Status& status :
-       {say_again(options.other_balls, other_ball_from, kNone, &said->other_balls),
-        say_again(options.depths, press_depth_from, kNone, &said->depths),
-        say_again(options.steps, press_step_from, kNone, &said->steps),
-        say_again(options.balls, placed_ball_from, kFind, &said->balls)})
-    if (!status) return status;
-  return {};
-}
-
 /// What a repetition starts from, changed by what was said on the command line.
 Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console& console) {
   std::vector<Message> warnings;
@@ -128,14 +78,17 @@ Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console&
   for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
   CalibrationInputs inputs = std::move(kept).value();
   if (options.change) options.change(inputs.calibration, inputs.pipeline);
-  if (options.ball_radius_mm > 0) inputs.ball_radius_mm = options.ball_radius_mm;
-  if (!options.operator_name.empty()) inputs.operator_name = options.operator_name;
+  PressSet& said = inputs.said;
+  if (options.ball_radius_mm > 0) said.ball_radius_mm = options.ball_radius_mm;
+  if (!options.operator_name.empty()) said.operator_name = options.operator_name;
   for (const std::string& name : options.included) {
-    const auto removed = unsay(inputs.excluded, name);
-    if (removed == 0)
+    PressNote note = said.of(name);
+    if (!note.excluded)
       return Error{en::say("'{}' is not excluded", name), options.finger.string(), ""};
+    note.excluded.reset();
+    said.say(name, std::move(note));
   }
-  if (const Status status = say_of_presses(options, &inputs); !status) return status.error();
+  if (options.say_of_presses) options.say_of_presses(said);
   return inputs;
 }
 
@@ -158,15 +111,14 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   FingerCalibrationInput input;
   input.folder = options.finger;
   input.presses = options.presses;
-  input.bursts = options.bursts;
-  input.ball_radius_mm = options.ball_radius_mm;
+  input.said.ball_radius_mm = options.ball_radius_mm;
+  input.said.operator_name = options.operator_name;
   input.reference = options.reference;
   input.calibration = options.calibration;
   input.pipeline = options.pipeline;
-  if (const Status status = say_of_presses(options, &input); !status) return status.error();
+  if (options.say_of_presses) options.say_of_presses(input.said);
   input.date = options.date;
   input.program_version = program_version();
-  input.operator_name = options.operator_name;
   input.make_report = report_maker(options);
   return calibrate_finger(input, console.job());
 }
@@ -200,46 +152,21 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<CalibrateOptions>();
   CLI::App* command = add_command(program, "calibrate");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
-  CLI::Option* presses = command->add_option(
-      "PRESS", options->presses, "Pictures of the pressed ball, a folder of them, or a video");
+  CLI::Option* presses =
+      command->add_option("PRESS",
+                          options->presses.files,
+                          "Pictures of the pressed ball, a folder of them, or a video");
   CLI::Option* bursts = command->add_flag(
       "--bursts",
-      options->bursts,
+      options->presses.bursts,
       "Every PRESS is a short video, or a folder, of one press held still: its frames are averaged "
       "and named after it");
   CLI::Option* radius =
       command->add_option("--ball-radius-mm", options->ball_radius_mm, "Radius of the ball, mm")
           ->type_name("R")
           ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--other-ball",
-                   options->other_balls,
-                   "A press made with a ball of another radius, by its picture's name without the "
-                   "ending; may be given again for another. With --again NAME=none takes this and "
-                   "what follows back")
-      ->type_name("NAME=R")
-      ->allow_extra_args(false)
-      ->take_all()
-      ->check(or_taken_back(form(other_ball_from)));
-  command
-      ->add_option("--depth",
-                   options->depths,
-                   "How deep a press' ball was pushed in, normal to the face from where it first "
-                   "touches, as a stage or a feeler gauge tells it, and how well that is known "
-                   "(0.02 where it is not said); may be given again for another press")
-      ->type_name("NAME=MM+-SD")
-      ->allow_extra_args(false)
-      ->take_all()
-      ->check(or_taken_back(form(press_depth_from)));
-  command
-      ->add_option("--step",
-                   options->steps,
-                   "A press made with a flat punch that has a step of this height, not with a "
-                   "ball; may be given again for another")
-      ->type_name("NAME=MM")
-      ->allow_extra_args(false)
-      ->take_all()
-      ->check(or_taken_back(form(press_step_from)));
+  PressFlags said;
+  said.add_to(*command);
   CLI::Option* reference =
       command
           ->add_option("--reference",
@@ -248,23 +175,6 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
           ->type_name("IMAGE");
   command->add_option("--operator", options->operator_name, "Who calibrates, for the record")
       ->type_name("NAME");
-  command
-      ->add_option("--exclude",
-                   options->excluded,
-                   "A press to keep but not to use, by its picture's name without the ending; "
-                   "may be given again for another, and may say why")
-      ->type_name("NAME[=WHY]")
-      ->allow_extra_args(false)
-      ->take_all();
-  command
-      ->add_option("--ball",
-                   options->balls,
-                   "A press' ball put by hand where the fit is to begin, in mm before the camera; "
-                   "may be given again for another press. With --again NAME=find looks for it "
-                   "after all")
-      ->type_name("NAME=X,Y,Z")
-      ->allow_extra_args(false)
-      ->take_all();
   CLI::Option* date =
       command
           ->add_option("--date",
@@ -310,6 +220,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
     options->pipeline = {};
     change(options->calibration, options->pipeline);
     options->change = change;
+    options->say_of_presses = [=](PressSet& presses) { said.say(presses); };
     chosen = [=](Console& console) { return run_calibrate(*options, console); };
   });
 }

@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
+#include "app/console/press_flags.h"
 #include "calibration/checks/check_history.h"
 #include "calibration/checks/finger_check.h"
 #include "calibration/checks/untouched_check.h"
@@ -87,19 +88,22 @@ void tell(const PressCheck& check, Console& console) {
 
 }  // namespace
 
-Status run_check_presses(const PressCheckInput& input, Console& console) {
-  const auto finger = load_finger(input.folder, console);
-  if (!finger) return finger.error();
-  const auto check = check_with_presses(input, *finger, console.job());
+Status run_check_presses(const Path& folder,
+                         const PressInput& presses,
+                         const PressSet& said,
+                         Console& console) {
+  const auto snapshot = open_finger(folder, console);
+  if (!snapshot) return snapshot.error();
+  const Finger& finger = (*snapshot)->finger;
+  const auto check = check_with_presses(**snapshot, presses, said, console.job());
   if (!check) return check.error();
   tell(*check, console);
-  console.answer()["finger"] = finger->name;
-  const Status kept =
-      append_check(input.folder, entry_of(*check, *finger, utc_now(), program_version()));
+  console.answer()["finger"] = finger.name;
+  const Status kept = append_check(folder, entry_of(*check, finger, utc_now(), program_version()));
   if (!kept) return kept.error();
   if (check->verdict == CheckVerdict::kRecalibrate)
     return Error{en::say("the finger must be calibrated again; the reason is above"),
-                 input.folder.string(),
+                 folder,
                  en::say("alltact calibrate with new presses")};
   return {};
 }
@@ -107,14 +111,14 @@ Status run_check_presses(const PressCheckInput& input, Console& console) {
 Status run_check_untouched(const Path& folder,
                            const std::vector<Path>& pictures,
                            Console& console) {
-  const auto finger = load_finger(folder, console);
+  const auto finger = open_finger(folder, console);
   if (!finger) return finger.error();
-  const auto check = check_untouched(folder, *finger, pictures, console.job());
+  const auto check = check_untouched(**finger, pictures, console.job());
   if (!check) return check.error();
   for (const Message& reason : check->left_out) console.warn(fmt::format("Left out: {}", reason));
   console.say(fmt::format("Verdict: {}.", check->sentence));
   Console::Json& answer = console.answer();
-  answer["finger"] = finger->name;
+  answer["finger"] = (*finger)->finger.name;
   answer["verdict"] = to_string(check->verdict);
   answer["sentence"] = check->sentence.english();
   answer["light_percent"] = 100 * check->light_change;
@@ -132,9 +136,9 @@ Status run_check_untouched(const Path& folder,
 }
 
 Status run_check(const Path& folder, Console& console) {
-  const auto finger = load_finger(folder, console);
+  const auto finger = open_finger(folder, console);
   if (!finger) return finger.error();
-  const FingerCheck check = check_finger(folder, *finger, console.job());
+  const FingerCheck check = check_finger(**finger, console.job());
   Console::Json items = Console::Json::array();
   for (const CheckItem& item : check.items) {
     console.say(fmt::format("{:<12} {:<8} {}", item.what, to_string(item.state), item.sentence));
@@ -142,13 +146,13 @@ Status run_check(const Path& folder, Console& console) {
                      {"state", to_string(item.state)},
                      {"sentence", item.sentence.english()}});
   }
-  console.answer()["finger"] = finger->name;
+  console.answer()["finger"] = (*finger)->finger.name;
   console.answer()["fit"] = check.fit;
   console.answer()["items"] = std::move(items);
   if (const Status told = tell_history(folder, console); !told) return told;
   if (!check.fit)
     return Error{en::say("not fit to use; what is missing stands above"), folder.string(), ""};
-  console.say(fmt::format("{} is fit to use.", finger->name));
+  console.say(fmt::format("{} is fit to use.", (*finger)->finger.name));
   return {};
 }
 
@@ -204,7 +208,8 @@ Status run_check_numerics(Console& console) {
 void add_check(CLI::App& program, Chosen& chosen) {
   auto folder = std::make_shared<Path>();
   auto numerics = std::make_shared<bool>(false);
-  auto presses = std::make_shared<PressCheckInput>();
+  auto presses = std::make_shared<PressInput>();
+  auto said = std::make_shared<PressSet>();
   auto untouched = std::make_shared<std::vector<Path>>();
   CLI::App* command = add_command(program, "check");
   CLI::Option* finger = command->add_option("FINGER", *folder, "The finger's folder");
@@ -212,32 +217,20 @@ void add_check(CLI::App& program, Chosen& chosen) {
       command
           ->add_option(
               "--presses",
-              presses->presses,
+              presses->files,
               "Checks the calibration with new pictures of the pressed ball, three or more: "
               "pass, drifting or recalibrate; kept in checks.csv")
           ->type_name("PICTURE...")
           ->needs(finger);
   command
       ->add_option("--ball-radius-mm",
-                   presses->ball_radius_mm,
+                   said->ball_radius_mm,
                    "Radius of the ball that was pressed, mm (default: that of the calibration)")
       ->type_name("R")
       ->check(CLI::PositiveNumber)
       ->needs(pictures);
-  auto steps = std::make_shared<std::vector<std::string>>();
-  command
-      ->add_option("--step",
-                   *steps,
-                   "A press made with a flat punch that has a step of this height, not with a "
-                   "ball; may be given again for another")
-      ->type_name("NAME=MM")
-      ->allow_extra_args(false)
-      ->take_all()
-      ->check([](const std::string& text) {
-        const auto step = press_step_from(text);
-        return step ? std::string() : step.error().what.english();
-      })
-      ->needs(pictures);
+  PressFlags steps;
+  steps.add_to(*command, "step");
   command
       ->add_option("--untouched",
                    *untouched,
@@ -257,10 +250,9 @@ void add_check(CLI::App& program, Chosen& chosen) {
     if (!*numerics && finger->count() == 0) throw CLI::RequiredError("FINGER");
     chosen = [=](Console& console) {
       if (!untouched->empty()) return run_check_untouched(*folder, *untouched, console);
-      if (!presses->presses.empty()) {
-        presses->folder = *folder;
-        for (const std::string& text : *steps) say(presses->steps, press_step_from(text).value());
-        return run_check_presses(*presses, console);
+      if (!presses->files.empty()) {
+        steps.say(*said);
+        return run_check_presses(*folder, *presses, *said, console);
       }
       return *numerics ? run_check_numerics(console) : run_check(*folder, console);
     };

@@ -10,7 +10,7 @@
 #include "calibration/reference/motion_coverage.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/camera/flat_port.h"
-#include "core/finger/finger.h"
+#include "core/finger/finger_store.h"
 #include "core/finger/new_finger.h"
 #include "core/recording/recorder.h"
 #include "core/result.h"
@@ -69,19 +69,15 @@ Status run_reference(const ReferenceOptions& options, Console& console);
 
 struct CalibrateOptions {
   Path finger;
-  std::vector<Path> presses;
-  bool bursts = false;        ///< each of the presses is one, held still
+  PressInput presses;
   double ball_radius_mm = 0;  ///< with `again` 0 for the same
   std::optional<Path> reference;
-  std::string operator_name;             ///< kept with the calibration; empty: not told
-  std::vector<std::string> other_balls;  ///< NAME=R
-  std::vector<std::string> depths;       ///< NAME=MM+-SD
-  std::vector<std::string> steps;        ///< NAME=MM
-  std::vector<std::string> excluded;     ///< NAME or NAME=WHY
+  std::string operator_name;  ///< kept with the calibration; empty: not told
+  /// Says what was said of single presses; may be empty.
+  std::function<void(PressSet&)> say_of_presses;
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   bool again = false;                 ///< from what the finger keeps, and with it:
-  std::vector<std::string> balls;     ///< NAME=X,Y,Z, or NAME=find
   std::string date;                   ///< empty: now
   std::vector<std::string> included;  ///< names that are excluded no longer
   /// Applies the settings that were given to those that are kept; may be empty.
@@ -133,7 +129,10 @@ Status run_record(const RecordOptions& options, Console& console);
 /// Says what a finger is fit for, and its last checks. Error: it is not fit to use.
 Status run_check(const Path& finger, Console& console);
 /// Holds new presses against the calibration and keeps the outcome. Error: calibrate again.
-Status run_check_presses(const PressCheckInput& input, Console& console);
+Status run_check_presses(const Path& folder,
+                         const PressInput& presses,
+                         const PressSet& said,
+                         Console& console);
 /// Holds pictures of the untouched finger against its reference. Error: record that again.
 Status run_check_untouched(const Path& finger, const std::vector<Path>& pictures, Console& console);
 /// Shows what this computer makes of hard calculations (hard_cases.h). Error: one is out of bounds.
@@ -177,7 +176,7 @@ void add_export(CLI::App& program, Chosen& chosen);
 void add_demo(CLI::App& program, Chosen& chosen);
 void add_devices(CLI::App& program, Chosen& chosen);
 
-/// Warns of what Finger::load found strange.
-[[nodiscard]] Result<Finger> load_finger(const Path& folder, Console& console);
+/// Warns of what is strange in finger.yaml.
+[[nodiscard]] Result<FingerPtr> open_finger(const Path& folder, Console& console);
 
 }  // namespace alltact

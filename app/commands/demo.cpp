@@ -108,7 +108,7 @@ class Demo {
     if (!text) return text.error();
     const auto truth = Console::Json::parse(*text);
     CalibrateOptions calibration;
-    calibration.presses = {folder("presses")};
+    calibration.presses.files = {folder("presses")};
     calibration.ball_radius_mm = truth.at("frames").at(0).at("ball").at("radius_mm");
     for (const Contender& contender : contenders_) {
       headline(fmt::format("Calibration with the ball presses, method {}", contender.name));

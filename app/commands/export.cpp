@@ -16,11 +16,11 @@ std::string words_with(std::string_view divider, std::string (*word)(const Expor
 }  // namespace
 
 Status run_export(const ExportOptions& options, Console& console) {
-  const auto finger = load_finger(options.finger, console);
+  const auto finger = open_finger(options.finger, console);
   if (!finger) return finger.error();
   std::vector<Path> written;
-  const Status status = export_finger(
-      *finger, options.finger, options.forms, options.folder, console.job(), &written);
+  const Status status =
+      export_finger(**finger, options.forms, options.folder, console.job(), &written);
   for (const Path& file : written) {
     console.say(file.string());
     console.answer()["files"].push_back(file.string());

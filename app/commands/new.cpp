@@ -5,10 +5,11 @@
 
 namespace alltact {
 
-Result<Finger> load_finger(const Path& folder, Console& console) {
-  std::vector<Message> warnings;
-  auto finger = Finger::load(folder, &warnings);
-  for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
+Result<FingerPtr> open_finger(const Path& folder, Console& console) {
+  auto finger = open_finger(folder);
+  if (finger)
+    for (const Message& warning : (*finger)->warnings)
+      console.warn(fmt::format("Warning: {}", warning));
   return finger;
 }
 

@@ -227,9 +227,9 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
                  "",
                  en::say("without --json")};
   cv::setNumThreads(options.threads);
-  const auto finger = load_finger(options.finger, console);
+  const auto finger = open_finger(options.finger, console);
   if (!finger) return finger.error();
-  if (!finger->mapping) {
+  if (!(*finger)->mapping) {
     return Error{en::say("the finger is not calibrated yet"),
                  (options.finger / Finger::kFileName).string(),
                  en::say("alltact calibrate with ball presses")};
@@ -239,7 +239,7 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   how.job = &console.job();
   auto source = open_source(options.inputs, how);
   if (!source) return source.error();
-  auto pipeline = Pipeline::create(options.finger, *finger, options.pipeline, console.job());
+  auto pipeline = Pipeline::create(**finger, options.pipeline, console.job());
   if (!pipeline) return pipeline.error();
   if (options.live) return reconstruct_live(std::move(*source), *pipeline, options, console);
   if (const Status status = make_folder(options.folder); !status) return status;

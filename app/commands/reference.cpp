@@ -88,9 +88,9 @@ void tell(const ReferenceReport& report, Console& console) {
 }  // namespace
 
 Status run_reference(const ReferenceOptions& options, Console& console) {
-  const auto finger = load_finger(options.finger, console);
+  const auto finger = open_finger(options.finger, console);
   if (!finger) return finger.error();
-  if (finger->face.kind == FaceKind::kFlat) return run_flat(options, console);
+  if ((*finger)->finger.face.kind == FaceKind::kFlat) return run_flat(options, console);
   const auto report =
       give_reference(options.finger, options.inputs, console.job(), options.choices);
   if (!report) return report.error();

@@ -1,9 +1,8 @@
 // Puts theme and language on the whole program.
 #pragma once
 
+#include "widgets/language.h"
 #include "widgets/shell/settings_dialog.h"
-
-#include <QTranslator>
 
 namespace alltact {
 
@@ -18,7 +17,7 @@ class Dresser {
 
   Appearance appearance_;
   QString spoken_;  // nothing at first: English has plurals to load, too
-  QTranslator ours_, qt_;
+  WindowTranslator ours_, qt_;
 };
 
 }  // namespace alltact

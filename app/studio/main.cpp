@@ -43,16 +43,6 @@ std::optional<int> read_arguments(int argc, char** argv, Wanted& wanted) {
   return std::nullopt;
 }
 
-/// The command line that belongs to this program: beside it, or in the folder above while
-/// developing. Empty: it is in neither.
-std::filesystem::path find_command_line() {
-  std::error_code failed;
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe", failed).parent_path();
-  for (const auto& program : {folder / "alltact", folder.parent_path() / "alltact"})
-    if (std::filesystem::is_regular_file(program, failed)) return program;
-  return {};
-}
-
 bool has_display() {
   if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) return true;
   return !qgetenv("DISPLAY").isEmpty() || !qgetenv("WAYLAND_DISPLAY").isEmpty();
@@ -86,7 +76,6 @@ int main(int argc, char** argv) {
                   settings.value(QStringLiteral("appearance/language")).toString()});
   }
   StudioOptions options;
-  options.command_line = find_command_line();
   options.finger = wanted.finger;
   if (!wanted.source.empty()) options.source = {wanted.source};
   options.session_folder =

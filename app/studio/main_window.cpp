@@ -59,9 +59,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
       start_(new StartPanel),
       live_(new LivePlace(session_, undo_)),
       calibrate_(new CalibratePlace(
-          session_,
-          undo_,
-          {measure, options.session_folder, options.command_line, program_version()})),
+          session_, undo_, {measure, options.session_folder, program_version()})),
       record_(new RecordPlace(session_, install)),
       inspect_(new InspectPlace(session_, undo_)),
       delivered_(new QLabel),

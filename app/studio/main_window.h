@@ -30,8 +30,6 @@ struct StudioOptions {
   SourceOpener opener = &alltact::open_source;
   CameraFinder::Lister lister;  ///< empty: the system's cameras
   PedalPorts pedal;
-  /// The program of the command line, which writes reports; empty where it is not installed.
-  std::filesystem::path command_line;
 };
 
 class MainWindow : public Translated<QMainWindow> {

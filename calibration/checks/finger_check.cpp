@@ -3,7 +3,6 @@
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/calibration_report.h"
 #include "calibration/joint/verdict.h"
-#include "core/camera/camera.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <algorithm>
@@ -21,10 +20,8 @@ std::string value_or_empty(const Finger& finger, const char* key) {
   return found == finger.provenance.end() ? std::string() : found->second;
 }
 
-CheckItem check_reference(const fs::path& folder,
-                          const Finger& finger,
-                          const Camera& camera,
-                          const Job& job) {
+CheckItem check_reference(const FingerSnapshot& snapshot, const Job& job) {
+  const Finger& finger = snapshot.finger;
   const bool flat = finger.face.kind == FaceKind::kFlat;
   if (!finger.reference) {
     return {"reference",
@@ -32,7 +29,7 @@ CheckItem check_reference(const fs::path& folder,
             flat ? en::say("no untouched picture; give one to calibrate with --reference")
                  : en::say("no recording of the bending, untouched finger; run alltact reference")};
   }
-  const auto library = ReferenceLibrary::load(folder, finger, camera, job);
+  const auto library = ReferenceLibrary::load(snapshot, job);
   if (!library)
     return {"reference", CheckState::kMissing, en::say("{}.", library.error().message())};
   if (flat) return {"reference", CheckState::kFine, en::say("one untouched picture")};
@@ -144,25 +141,20 @@ std::string_view to_string(CheckState state) {
   return "";
 }
 
-FingerCheck check_finger(const fs::path& folder, const Finger& finger, const Job& job) {
+FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job) {
+  const Finger& finger = snapshot.finger;
   FingerCheck check;
-  const auto camera = Camera::create(finger.camera);
-  if (!camera) {
-    check.items.push_back(
-        {"camera", CheckState::kMissing, en::say("{}.", camera.error().message())});
-    return check;
-  }
   check.items.push_back({"camera",
                          CheckState::kFine,
                          en::say("{}, {} x {} px",
                                  std::string(to_string(finger.camera.model)),
                                  finger.camera.width_px,
                                  finger.camera.height_px)});
-  check.items.push_back(check_reference(folder, finger, *camera, job));
+  check.items.push_back(check_reference(snapshot, job));
   if (finger.face.kind == FaceKind::kFinRay) check.items.push_back(check_markers(finger));
   check.items.push_back(check_mapping(finger));
   if (finger.mapping) check.items.push_back(check_age(finger));
-  if (finger.mapping_record) check.items.push_back(check_inputs(folder, finger));
+  if (finger.mapping_record) check.items.push_back(check_inputs(snapshot.folder, finger));
   check.fit = std::none_of(check.items.begin(), check.items.end(), [](const CheckItem& item) {
     return item.state == CheckState::kMissing;
   });

@@ -1,11 +1,10 @@
 // Is a finger fit to use: what is missing, stale or weak.
 #pragma once
 
-#include "core/finger/finger.h"
+#include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/message.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,8 +30,6 @@ struct FingerCheck {
 };
 
 /// Looks at everything a finger needs to measure, and reads the reference recording.
-[[nodiscard]] FingerCheck check_finger(const std::filesystem::path& folder,
-                                       const Finger& finger,
-                                       const Job& job);
+[[nodiscard]] FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job);
 
 }  // namespace alltact

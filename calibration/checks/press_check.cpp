@@ -7,7 +7,6 @@
 #include "calibration/presses/press_samples.h"
 #include "calibration/report/press_residuals.h"
 #include "core/sensing/pipeline.h"
-#include "core/sources/open/open_source.h"
 
 #include <algorithm>
 #include <charconv>
@@ -157,12 +156,12 @@ Message in_a_row(const std::vector<Message>& sentences) {
   return all;
 }
 
-Result<Measured> measure_all(const std::vector<fs::path>& pictures,
+Result<Measured> measure_all(const PressInput& presses,
                              Pipeline& pipeline,
                              const Mapping& mapping,
-                             const SaidOfPresses& said,
+                             const PressSet& said,
                              const Job& job) {
-  auto source = open_source(pictures);
+  auto source = open_presses(presses);
   if (!source) return source.error();
   Measured all;
   while (true) {
@@ -187,7 +186,7 @@ Result<Measured> measure_all(const std::vector<fs::path>& pictures,
                 std::move(*result->shape),
                 said.radius_of((*frame)->name)};
     const Face& face = pipeline.finger().face;
-    if (const PressStep* punch = said_of(said.steps, press.name)) press.step_mm = punch->step_mm;
+    press.step_mm = said.of(press.name).step_mm;
     auto measured = press.step_mm ? measure_step(press, light, face, mapping)
                                   : measure(press, light, face, mapping, job);
     if (measured) {
@@ -222,15 +221,15 @@ std::vector<CheckedPress> own_presses(const fs::path& folder,
                                       const Job& job) {
   const auto inputs = CalibrationInputs::load(folder);
   if (!inputs) return {};
-  std::vector<fs::path> pictures;
+  PressInput presses;
   std::error_code failed;
   for (const KeptPress& press : inputs->presses) {
-    const fs::path file = folder / "presses" / (press.name + ".png");
-    if (said_of(inputs->excluded, press.name) != nullptr || !fs::exists(file, failed)) continue;
-    pictures.push_back(file);
+    const fs::path file = folder / kPressFolder / (press.name + ".png");
+    if (inputs->said.of(press.name).excluded || !fs::exists(file, failed)) continue;
+    presses.files.push_back(file);
   }
-  if (pictures.empty()) return {};
-  auto measured = measure_all(pictures, pipeline, mapping, *inputs, job);
+  if (presses.files.empty()) return {};
+  auto measured = measure_all(presses, pipeline, mapping, inputs->said, job);
   return measured ? std::move(measured->presses) : std::vector<CheckedPress>{};
 }
 
@@ -318,36 +317,35 @@ std::string_view to_string(CheckVerdict verdict) {
   return "recalibrate";
 }
 
-Result<PressCheck> check_with_presses(const PressCheckInput& input,
-                                      const Finger& finger,
+Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
+                                      const PressInput& presses,
+                                      const PressSet& of_presses,
                                       const Job& job) {
-  if (!finger.mapping || !finger.mapping_record)
+  const Finger& finger = snapshot.finger;
+  if (!snapshot.mapping || !finger.mapping_record)
     return Error{en::say("the finger is not calibrated, so there is nothing to check"),
-                 input.folder.string(),
+                 snapshot.folder,
                  en::say("alltact calibrate")};
-  const auto mapping = Mapping::create(*finger.mapping);
-  if (!mapping) return mapping.error();
-  PressCheck check;
-  check.ball_radius_mm = input.ball_radius_mm > 0 ? input.ball_radius_mm : known_radius_mm(finger);
-  if (!(check.ball_radius_mm > 0))
+  PressSet said = of_presses;
+  if (!(said.ball_radius_mm > 0)) said.ball_radius_mm = known_radius_mm(finger);
+  if (!(said.ball_radius_mm > 0))
     return Error{en::say("the finger does not tell the ball it was calibrated with"),
-                 input.folder.string(),
+                 snapshot.folder,
                  en::say("--ball-radius-mm with the radius of the ball that was pressed")};
-  Finger blank = finger;  // up to the brightness difference
-  blank.mapping.reset();
-  auto pipeline = Pipeline::create(input.folder, blank, measuring_settings(input.folder), job);
+  PressCheck check;
+  check.ball_radius_mm = said.ball_radius_mm;
+  // Up to the brightness difference.
+  auto pipeline =
+      Pipeline::create(snapshot.without_mapping(), measuring_settings(snapshot.folder), job);
   if (!pipeline) return pipeline.error();
   job.report(0.3, en::say("measuring the presses"));
-  SaidOfPresses said;
-  said.ball_radius_mm = check.ball_radius_mm;
-  said.steps = input.steps;
-  auto measured = measure_all(input.presses, *pipeline, *mapping, said, job);
+  auto measured = measure_all(presses, *pipeline, *snapshot.mapping, said, job);
   if (!measured) return measured.error();
   check.presses = std::move(measured->presses);
   check.left_out = std::move(measured->left_out);
-  for (const PressStep& step : input.steps)
-    if (!measured->names.contains(step.name))
-      return Error{en::say("no press is called '{}'", step.name),
+  for (const auto& [name, note] : said.notes)
+    if (!measured->names.contains(name))
+      return Error{en::say("no press is called '{}'", name),
                    "",
                    en::say("one of {}", fmt::format("{}", fmt::join(measured->names, ", ")))};
   if (check.presses.empty()) {
@@ -359,7 +357,7 @@ Result<PressCheck> check_with_presses(const PressCheckInput& input,
         en::say("pictures of this finger with the ball pressed 0.3 mm or more into its face")};
   }
   job.report(0.6, en::say("measuring the presses of the calibration"));
-  const auto own = own_presses(input.folder, *pipeline, *mapping, job);
+  const auto own = own_presses(snapshot.folder, *pipeline, *snapshot.mapping, job);
   if (job.stop_requested()) return stopped();
   judge(own, finger.mapping_record->held_out_mm, check);
   check.sentence = sentence_of(check);

@@ -21,12 +21,11 @@
 #pragma once
 
 #include "calibration/joint/verdict.h"
-#include "calibration/presses/said_of_presses.h"
-#include "core/finger/finger.h"
+#include "calibration/presses/press_input.h"
+#include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/result.h"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,17 +57,13 @@ struct PressCheck {
   Message sentence;                   ///< verdict, figures and what to do
 };
 
-struct PressCheckInput {
-  std::filesystem::path folder;                ///< the finger's; nothing is written to it
-  std::vector<std::filesystem::path> presses;  ///< see open_source
-  double ball_radius_mm = 0;                   ///< 0: that of the calibration
-  std::vector<PressStep> steps;                ///< presses of a punch with a step instead of a ball
-};
-
-/// The same for any order of the presses. Errors: the finger has no mapping, or no radius is known;
-/// those of its reference and of pictures that cannot be used; no ball in any press; stopped.
-[[nodiscard]] Result<PressCheck> check_with_presses(const PressCheckInput& input,
-                                                    const Finger& finger,
+/// The same for any order of the presses; nothing is written.
+///   said: of the presses: steps, and the ball where it is not that of the calibration
+/// Errors: the finger has no mapping, or no radius is known; those of its reference and of pictures
+/// that cannot be used; no ball in any press; stopped.
+[[nodiscard]] Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
+                                                    const PressInput& presses,
+                                                    const PressSet& said,
                                                     const Job& job);
 
 /// What checks go by: light beyond the first is drifting, beyond the second no light to measure in;

@@ -56,17 +56,16 @@ Message sentence_of(const UntouchedCheck& check) {
 
 }  // namespace
 
-Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
-                                       const Finger& finger,
+Result<UntouchedCheck> check_untouched(const FingerSnapshot& snapshot,
                                        const std::vector<std::filesystem::path>& pictures,
                                        const Job& job) {
-  if (!finger.mapping)
+  const std::filesystem::path& folder = snapshot.folder;
+  if (!snapshot.mapping)
     return Error{en::say("the finger is not calibrated yet"),
                  folder.string(),
                  en::say("calibrate with ball presses")};
-  const auto mapping = Mapping::create(*finger.mapping);
-  if (!mapping) return mapping.error();
-  auto pipeline = Pipeline::create(folder, finger, measuring_settings(folder), Job(job, 0.0, 0.6));
+  const Mapping& mapping = *snapshot.mapping;
+  auto pipeline = Pipeline::create(snapshot, measuring_settings(folder), Job(job, 0.0, 0.6));
   if (!pipeline) return pipeline.error();
   auto source = open_source(pictures);
   if (!source) return source.error();
@@ -92,7 +91,7 @@ Result<UntouchedCheck> check_untouched(const std::filesystem::path& folder,
     as_it_is.smoothing = smoothing_of(pipeline->settings().smoothing_px);
     as_it_is.noise_sd = result->edges ? result->edges->noise_sd : as_it_is.noise_sd;
     const DepthMap uncorrected =
-        depth_map(result->grey, *result->reference, *result->shape, as_it_is, *mapping);
+        depth_map(result->grey, *result->reference, *result->shape, as_it_is, mapping);
     ++check.pictures;
     check.light_change += result->depth->light.change();
     check.false_depth_mm += worst_patch_mm(*result->depth);

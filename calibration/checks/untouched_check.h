@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calibration/checks/press_check.h"
-#include "core/finger/finger.h"
+#include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/result.h"
 
@@ -30,8 +30,7 @@ struct UntouchedCheck {
 /// pictures: see open_source; nothing may touch the face in them. Errors: the finger has no
 /// mapping; those of its reference; no picture that can be compared; stopped.
 [[nodiscard]] Result<UntouchedCheck> check_untouched(
-    const std::filesystem::path& folder,
-    const Finger& finger,
+    const FingerSnapshot& snapshot,
     const std::vector<std::filesystem::path>& pictures,
     const Job& job);
 

@@ -142,12 +142,13 @@ std::string export_command(const fs::path& finger_folder,
                      shell_quoted(folder.string()));
 }
 
-Status export_finger(const Finger& finger,
-                     const fs::path& finger_folder,
+Status export_finger(const FingerSnapshot& snapshot,
                      const std::vector<ExportForm>& forms,
                      const fs::path& folder,
                      const Job& job,
                      std::vector<fs::path>* written) {
+  const Finger& finger = snapshot.finger;
+  const fs::path& finger_folder = snapshot.folder;
   const auto parts = texts(finger, finger_folder, forms);
   if (!parts) return parts.error();
   std::optional<std::vector<ZipEntry>> entries;

@@ -1,7 +1,7 @@
 // A finger's calibration for other programs: the same files from the window and the command line.
 #pragma once
 
-#include "core/finger/finger.h"
+#include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/result.h"
 
@@ -43,8 +43,7 @@ struct ExportFormInfo {
 /// one behind a window has no camera matrix), or a zip would lie in the finger's folder. Other
 /// errors: a disk that cannot be read or written, stopped by `job`; what was written before stays.
 /// `written`: may be null; what is there, also when an error is returned.
-[[nodiscard]] Status export_finger(const Finger& finger,
-                                   const std::filesystem::path& finger_folder,
+[[nodiscard]] Status export_finger(const FingerSnapshot& snapshot,
                                    const std::vector<ExportForm>& forms,
                                    const std::filesystem::path& folder,
                                    const Job& job,

@@ -6,7 +6,7 @@
 #include "calibration/finger/take_presses.h"
 #include "calibration/reference/new_reference.h"
 #include "calibration/reference/settings_record.h"
-#include "core/finger/finger_update.h"
+#include "core/finger/finger_store.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/utc_time.h"
@@ -40,8 +40,8 @@ void record(FingerCalibration& done) {
   finger.provenance["calibration_date"] = inputs.date;
   finger.provenance["calibration_inputs"] = CalibrationInputs::kFileName;
   finger.provenance["calibration_version"] = inputs.program_version;
-  if (!inputs.operator_name.empty()) finger.provenance["operator"] = inputs.operator_name;
-  finger.provenance["ball_radius_mm"] = fmt::format("{}", inputs.ball_radius_mm);
+  if (!inputs.said.operator_name.empty()) finger.provenance["operator"] = inputs.said.operator_name;
+  finger.provenance["ball_radius_mm"] = fmt::format("{}", inputs.said.ball_radius_mm);
 }
 
 /// What all was taken with, and which reference it was.
@@ -58,7 +58,7 @@ Status settle_finger(const CalibrationWork& work, FingerCalibration& done) {
     done.about_settings = record_settings(settings, RecordingKind::kReference, done.finger);
     done.inputs.reference_checksum = picture_checksum(work.untouched->grey);
   } else {
-    auto checksum = reference_checksum(work.folder, done.finger);
+    auto checksum = reference_checksum(work.store->folder(), done.finger);
     if (!checksum) return checksum.error();
     done.inputs.reference_checksum = *checksum;
   }
@@ -97,7 +97,7 @@ void sign_inputs(const CalibrationWork& work, FingerCalibration& done) {
 
 Status write_presses(const CalibrationWork& work) {
   if (work.is_repetition) return {};
-  const fs::path kept = work.folder / kPressFolder;
+  const fs::path kept = work.store->folder() / kPressFolder;
   if (const Status status = make_folder(kept); !status) return status;
   for (const FramePtr& frame : work.frames) {
     const Status status = write_picture(kept / (frame->name + ".png"),
@@ -125,41 +125,43 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
     if (has_pages) files.insert(files.end(), reports->begin(), reports->end());
   }
   if (work.untouched) {
-    const auto known = install_flat_reference(*work.untouched, work.folder, done.finger);
+    const auto known = install_flat_reference(*work.untouched, work.store->folder(), done.finger);
     if (!known) return known.error();
   }
   if (const Status status = write_presses(work); !status) return status;
   for (const ReportFile& file : files) {
-    const Status status = write_file_atomically(work.folder / file.name, file.content);
+    const Status status = write_file_atomically(work.store->folder() / file.name, file.content);
     if (!status) return status;
   }
   if (!has_pages) {  // nor those about another solution
     std::error_code absent;
-    for (const char* page : kReportPages) fs::remove(work.folder / page, absent);
+    for (const char* page : kReportPages) fs::remove(work.store->folder() / page, absent);
   }
-  auto saved = update_finger(work.folder, [&](Finger& now) -> Status {
+  if (const Status kept = work.store->keep_presses(done.inputs.said); !kept) return kept;
+  auto saved = work.store->update([&](Finger& now) -> Status {
     if (finger_checksum(now) != done.inputs.finger_checksum)
       return Error{en::say("its camera, face or markers were changed while it was calibrated"),
-                   work.folder / Finger::kFileName,
+                   work.store->folder() / Finger::kFileName,
                    en::say("calibrating again")};
     take_calibration(done.finger, now);
     if (work.untouched) take_reference(done.finger, now);
     return {};
   });
   if (!saved) return saved.error();
-  done.finger = std::move(saved).value();
+  done.finger = (*saved)->finger;
   return {};
 }
 
 Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, const Job& job) {
   FingerCalibration done;
   done.inputs = std::move(inputs);
-  if (const auto there = Finger::load(work.folder); !there) return there.error();
-  const auto alone = hold_for_work(work.folder, "calibrating");
+  if (const auto there = work.store->snapshot(); !there) return there.error();
+  const auto alone = work.store->hold_for_work("calibrating");
   if (!alone) return alone.error();
-  auto finger = Finger::load(work.folder, &done.warnings);
+  const auto finger = work.store->snapshot();
   if (!finger) return finger.error();
-  done.finger = std::move(finger).value();
+  done.finger = (*finger)->finger;
+  done.warnings = (*finger)->warnings;
   if (work.untouched && done.finger.face.kind != FaceKind::kFlat) {
     return Error{
         en::say("only a flat sensor has one untouched picture"),
@@ -168,18 +170,19 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
   }
   if (const Status status = take_presses(work, done, job); !status) return status.error();
   if (const Status status =
-          solve_presses(done, work.references, work.make_report != nullptr, job, work.on_round);
+          solve_presses(done, work.references, work.compare_methods, job, work.on_round);
       !status) {
     if (job.stop_requested()) return status.error();
     Error refused = status.error();
-    const fs::path picture = leave_press_problem(work.folder, done, refused.what.english());
+    const fs::path picture =
+        leave_press_problem(work.store->folder(), done, refused.what.english());
     if (!picture.empty())
       refused.advice = en::clauses({refused.advice, en::say("{} shows what was found", picture)});
     return refused;
   }
   work.references.clear();
   if (const Status status = write(work, done, job); !status) return status.error();
-  done.problem_picture = leave_press_problem(work.folder, done, "");
+  done.problem_picture = leave_press_problem(work.store->folder(), done, "");
   job.report(1.0, en::say("done"));
   return done;
 }
@@ -200,20 +203,19 @@ void take_calibration(const Finger& from, Finger& finger) {
 
 Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, const Job& job) {
   CalibrationWork work;
-  work.folder = input.folder;
-  work.pictures = input.presses;
-  work.bursts = input.bursts;
+  work.store = FingerStore::of(input.folder);
+  work.presses = input.presses;
   if (input.reference) {
     auto untouched = read_untouched_picture(*input.reference);
     if (!untouched) return untouched.error();
     work.untouched = std::move(untouched).value();
   }
   work.make_report = input.make_report;
+  work.compare_methods = input.compare_methods || input.make_report;
   work.on_round = input.on_round;
   CalibrationInputs inputs;
   inputs.program_version = input.program_version;
-  inputs.operator_name = input.operator_name;
-  static_cast<SaidOfPresses&>(inputs) = input;
+  inputs.said = input.said;
   inputs.calibration = input.calibration;
   inputs.pipeline = input.pipeline;
   inputs.date = input.date;
@@ -228,11 +230,12 @@ Result<FingerCalibration> calibrate_finger_again(const fs::path& folder,
   auto kept = CalibrationInputs::load(folder);
   if (!kept) return kept.error();
   CalibrationWork work;
-  work.folder = folder;
+  work.store = FingerStore::of(folder);
   work.is_repetition = true;
   work.make_report = make_report;
+  work.compare_methods = make_report != nullptr;
   for (const KeptPress& press : kept->presses)
-    work.pictures.push_back(folder / kPressFolder / (press.name + ".png"));
+    work.presses.files.push_back(folder / kPressFolder / (press.name + ".png"));
   work.kept = std::move(kept).value();
   inputs.program_version = program_version;
   return run(std::move(work), std::move(inputs), job);

@@ -5,6 +5,7 @@
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/joint/calibrate.h"
 #include "calibration/joint/verdict.h"
+#include "calibration/presses/press_input.h"
 #include "calibration/report/fault_signs.h"
 #include "calibration/report/method_table.h"
 #include "calibration/report/press_residuals.h"
@@ -58,18 +59,19 @@ struct ReportFile {
 using MakeReport =
     std::function<Result<std::vector<ReportFile>>(const FingerCalibration&, const Job&)>;
 
-struct FingerCalibrationInput : SaidOfPresses {
-  std::filesystem::path folder;                ///< the finger's
-  std::vector<std::filesystem::path> presses;  ///< pictures, folders or a video; see open_source
-  bool bursts = false;  ///< each of `presses` is one press held still; see BurstSource
+struct FingerCalibrationInput {
+  std::filesystem::path folder;  ///< the finger's
+  PressInput presses;
+  PressSet said;                                   ///< of the presses, by their names
   std::optional<std::filesystem::path> reference;  ///< flat sensors: the untouched picture
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   std::string date;             ///< for the record, as utc_now() writes it; empty: now
   std::string program_version;  ///< for the record
-  std::string operator_name;    ///< for the record; empty: not told
   MakeReport make_report;       ///< empty: calibration_report.json alone
-  RoundListener on_round;       ///< of the calibration itself, see calibrate(); may be empty
+  /// Compares with other methods, which make_report does in any case.
+  bool compare_methods = false;
+  RoundListener on_round;  ///< of the calibration itself, see calibrate(); may be empty
 };
 
 /// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the

@@ -1,9 +1,9 @@
 #include "calibration/finger/calibration_inputs.h"
 
-#include "calibration/presses/press_yaml.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/printable.h"
+#include "core/sources/files/picture_source.h"
 
 #include <algorithm>
 #include <cctype>
@@ -106,8 +106,10 @@ void read_presses(YamlSection& top, CalibrationInputs& inputs) {
 
 /// Something may only be said of presses that are there.
 void refuse_unknown(const YamlSection& top, const CalibrationInputs& inputs) {
-  for (const std::string& name : inputs.names())
-    if (said_of(inputs.presses, name) == nullptr)
+  for (const auto& [name, note] : inputs.said.notes)
+    if (std::none_of(inputs.presses.begin(),
+                     inputs.presses.end(),
+                     [&name = name](const KeptPress& press) { return press.name == name; }))
       top.refuse(
           "presses",
           en::say("'{}' is not among the presses, and something is said of it", printable(name)),
@@ -124,15 +126,13 @@ CalibrationInputs read_inputs(YamlSection& top) {
                        std::string(CalibrationInputs::kFormat)));
   inputs.date = top.text("date");
   inputs.program_version = top.text("program_version");
-  if (top.has("operator")) inputs.operator_name = top.text("operator");
-  inputs.ball_radius_mm = read_ball_radius_mm(top);
+  inputs.said = read_press_set(top, true);
   inputs.calibration = read_settings(top.section("calibration"), calibration_settings());
   inputs.pipeline = read_settings(top.section("pipeline"), pipeline_settings());
   inputs.is_continuous = top.choice("continuous", {"false", "true"}) == 1;
   inputs.finger_checksum = read_checksum(top, "finger");
   inputs.reference_checksum = read_checksum(top, "reference");
   read_presses(top, inputs);
-  static_cast<SaidOfPresses&>(inputs) = read_said_of_presses(top);
   refuse_unknown(top, inputs);
   return inputs;
 }
@@ -178,8 +178,7 @@ std::string CalibrationInputs::to_yaml() const {
   head.add("format", kFormat);
   head.add("date", yaml_text(date));
   head.add("program_version", yaml_text(program_version));
-  if (!operator_name.empty()) head.add("operator", yaml_text(operator_name));
-  head.add("ball_radius_mm", yaml_number(ball_radius_mm));
+  add_all_presses(said, head);
   std::string text = head.on_many_lines();
   text += settings_text("calibration", calibration, calibration_settings(), unknown);
   text += settings_text("pipeline", pipeline, pipeline_settings(), unknown);
@@ -188,7 +187,7 @@ std::string CalibrationInputs::to_yaml() const {
   rest.add("continuous", is_continuous ? "true" : "false");
   rest.add("finger", '"' + finger_checksum + '"');
   rest.add("reference", '"' + reference_checksum + '"');
-  add_said_of_presses(*this, rest);
+  add_single_presses(said, rest);
   std::vector<std::string> names, checksums;
   for (const KeptPress& press : presses) {
     names.push_back(yaml_text(press.name));
@@ -200,6 +199,14 @@ std::string CalibrationInputs::to_yaml() const {
   YamlBlock last("");
   last.add("presses", yaml_list(names));
   return text + last.on_many_lines();
+}
+
+Result<std::vector<fs::path>> kept_presses(const fs::path& finger_folder) {
+  const fs::path folder = finger_folder / kPressFolder;
+  std::error_code failed;
+  if (!fs::is_directory(folder, failed) || fs::is_empty(folder, failed))
+    return std::vector<fs::path>();
+  return pictures_in(folder);
 }
 
 bool same_but_for_date(const CalibrationInputs& a, const CalibrationInputs& b) {

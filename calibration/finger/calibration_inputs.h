@@ -5,31 +5,24 @@
 //   format: alltact-calibration/1
 //   date: "2026-01-31T12:00:00Z"      # of the calibration, not of its repetition
 //   program_version: 0.1.0
-//   operator: Ada                     # absent: not told
+//   operator: Ada                     # this, the radius and what was said of single presses
+//                                     # then: as in press_notes.yaml (press_set.h)
 //   ball_radius_mm: 4.0
-//   other_balls: [press_5]            # presses made with a ball of another radius,
-//   other_balls_mm: [6.0]             # and which
-//   depths: [press_2]                 # presses whose depth a stage or a gauge told,
-//   depths_mm: [[1.2, 0.01]]          # normal to the face, with its standard deviation
-//   steps: [press_7]                  # presses made with a flat punch that has a step,
-//   steps_mm: [0.5]                   # and its height
 //   calibration: {method: joint, ...} # the settings, by their names
 //   pipeline: {edge-method: crossing, ...}
 //   continuous: false                 # markers were followed from press to press
 //   finger: 0123456789abcdef          # checksums: camera, face and markers; the reference's files
 //   reference: 0123456789abcdef
-//   excluded: [press_3]               # by name, and why
+//   excluded: [press_3]
 //   excluded_because: [glove in the picture]
-//   balls: [press_4]                  # presses whose ball was put by hand, and where, mm
-//   balls_mm: [[1.5, -2.0, 48.0]]
 //   checksums: [0123456789abcdef, ...]  # of every press' pixels
 //   presses: [press_0, ...]           # presses/NAME.png, in this order; last, in brackets, so
 //                                     # that a file that was cut off is no YAML
 #pragma once
 
 #include "calibration/joint/calibrate.h"
-#include "calibration/presses/said_of_presses.h"
 #include "core/finger/finger.h"
+#include "core/finger/press_set.h"
 #include "core/message.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
@@ -53,13 +46,13 @@ struct KeptPress {
   std::string checksum;  ///< of its pixels, see picture_checksum
 };
 
-struct CalibrationInputs : SaidOfPresses {  ///< what is said names one of the presses
+struct CalibrationInputs {
   static constexpr const char* kFormat = "alltact-calibration/1";
   static constexpr const char* kFileName = "calibration_inputs.yaml";
 
   std::string date;             ///< UTC, as utc_now() writes it
   std::string program_version;  ///< that solved
-  std::string operator_name;    ///< empty: not told
+  PressSet said;                ///< of the presses, then; names none but these
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   bool is_continuous = false;
@@ -79,6 +72,11 @@ struct CalibrationInputs : SaidOfPresses {  ///< what is said names one of the p
   struct Unknown;
   std::shared_ptr<const Unknown> unknown_;
 };
+
+/// The pictures in presses/ of a finger's folder, in name order; none where there is no such
+/// folder.
+[[nodiscard]] Result<std::vector<std::filesystem::path>> kept_presses(
+    const std::filesystem::path& finger_folder);
 
 /// True when the same calibration comes out: everything but the date is equal.
 [[nodiscard]] bool same_but_for_date(const CalibrationInputs& a, const CalibrationInputs& b);

@@ -1,5 +1,7 @@
 #include "calibration/finger/calibration_report.h"
 
+#include "calibration/presses/press_sayings.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -77,7 +79,7 @@ std::string calibration_report_json(const FingerCalibration& done) {
   Json report;
   report["format"] = "alltact-calibration-report/1";
   report["program_version"] = done.inputs.program_version;
-  report["ball_radius_mm"] = done.inputs.ball_radius_mm;
+  report["ball_radius_mm"] = done.inputs.said.ball_radius_mm;
   report["verdict"] = done.verdict.sentence.english();
   report["residual_mm"] = calibration.residual_mm;
   if (calibration.held_out_mm > 0) report["held_out_mm"] = calibration.held_out_mm;
@@ -105,8 +107,8 @@ std::string calibration_report_json(const FingerCalibration& done) {
                      {"sd_mm", step.sd_mm}});
   if (!steps.empty()) report["steps"] = std::move(steps);
   Json excluded = Json::array();
-  for (const ExcludedPress& press : done.inputs.excluded)
-    excluded.push_back({{"press", press.name}, {"because", press.because}});
+  for (const auto& [name, note] : done.inputs.said.notes)
+    if (note.excluded) excluded.push_back({{"press", name}, {"because", *note.excluded}});
   report["excluded"] = std::move(excluded);
   report["left_out"] = english(calibration.left_out);
   report["fault_signs"] = english(done.fault_signs);
@@ -130,24 +132,20 @@ std::string calibrate_command(const FingerCalibrationInput& input) {
     return shell_quoted((failed ? path : whole).string());
   };
   std::string command = "alltact calibrate " + absolute(input.folder);
-  for (const auto& press : input.presses) command += ' ' + absolute(press);
+  for (const auto& press : input.presses.files) command += ' ' + absolute(press);
   const auto add = [&](const char* flag, const std::string& value) {
     command += fmt::format(" --{} {}", flag, shell_quoted(value));
   };
-  if (input.bursts) command += " --bursts";
-  add("ball-radius-mm", fmt::format("{}", input.ball_radius_mm));
-  for (const OtherBall& ball : input.other_balls) add("other-ball", to_text(ball));
-  for (const PressDepth& depth : input.depths) add("depth", to_text(depth));
-  for (const PressStep& step : input.steps) add("step", to_text(step));
+  if (input.presses.bursts) command += " --bursts";
+  add("ball-radius-mm", fmt::format("{}", input.said.ball_radius_mm));
+  for (const auto& [flag, text] : said_of_presses(input.said)) add(flag.c_str(), text);
   if (input.reference) command += " --reference " + absolute(*input.reference);
   add_settings(input.calibration, CalibrationSettings{}, calibration_settings(), &command);
   // Each method has settings of its own to start from.
   const PipelineSettings usual =
       input.calibration.method == CalibrationMethod::kPaper ? paper_settings() : PipelineSettings{};
   add_settings(input.pipeline, usual, pipeline_settings(), &command);
-  for (const ExcludedPress& press : input.excluded) add("exclude", to_text(press));
-  for (const PlacedBall& ball : input.balls) add("ball", to_text(ball));
-  if (!input.operator_name.empty()) add("operator", input.operator_name);
+  if (!input.said.operator_name.empty()) add("operator", input.said.operator_name);
   if (!input.date.empty()) add("date", input.date);
   return command;
 }

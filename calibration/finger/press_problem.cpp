@@ -14,7 +14,7 @@ constexpr double kDarker = 0.02;  // of the untouched brightness: fainter, noise
 
 /// Why a press is not used; empty: it is, or somebody excluded it.
 std::string reason_of(const TakenPress& press, const FingerCalibration& done) {
-  if (said_of(done.inputs.excluded, press.name) != nullptr) return {};
+  if (done.inputs.said.of(press.name).excluded) return {};
   if (!press.left_out.empty()) return press.name + ": " + press.left_out.english();
   for (const Message& message : done.calibration.left_out)
     if (std::string sentence = message.english(); sentence.starts_with(press.name + ':'))

@@ -2,6 +2,8 @@
 
 #include "calibration/report/contact_error.h"
 
+#include <algorithm>
+
 namespace alltact {
 namespace {
 
@@ -38,8 +40,11 @@ Status solve_presses(FingerCalibration& done,
     }
   }
   const CalibrationInputs& inputs = done.inputs;
+  const auto& notes = inputs.said.notes;
   if (inputs.calibration.method != CalibrationMethod::kJoint &&
-      !(inputs.depths.empty() && inputs.steps.empty()))
+      std::any_of(notes.begin(), notes.end(), [](const auto& entry) {
+        return entry.second.depth || entry.second.step_mm;
+      }))
     return Error{en::say("only the joint method uses measured depths and punches with a step"),
                  "",
                  en::say("leaving them out, or --method joint")};

@@ -1,9 +1,7 @@
 #include "calibration/finger/take_presses.h"
 
-#include "calibration/presses/held_frames.h"
 #include "core/io/picture.h"
 #include "core/sensing/pipeline.h"
-#include "core/sources/open/open_source.h"
 
 #include <algorithm>
 #include <set>
@@ -20,11 +18,12 @@ Error stopped() {
 Result<Pipeline> make_pipeline(const CalibrationWork& work,
                                const FingerCalibration& done,
                                const Job& job) {
-  Finger blank = done.finger;  // the old mapping must not matter
-  blank.mapping.reset();
-  if (!work.untouched) return Pipeline::create(work.folder, blank, done.inputs.pipeline, job);
+  auto whole = FingerSnapshot::of(work.store->folder(), done.finger);
+  if (!whole) return whole.error();
+  const FingerSnapshot blank = whole->without_mapping();  // the old one must not matter
+  if (!work.untouched) return Pipeline::create(blank, done.inputs.pipeline, job);
   const auto grey =
-      oriented_for(blank.camera,
+      oriented_for(done.finger.camera,
                    work.untouched->grey,
                    en::say("the reference picture"),
                    work.untouched->origin,
@@ -32,7 +31,7 @@ Result<Pipeline> make_pipeline(const CalibrationWork& work,
   if (!grey) return grey.error();
   auto library = ReferenceLibrary::single(*grey);
   if (!library) return library.error();
-  return Pipeline::create(blank, std::move(library).value(), done.inputs.pipeline);
+  return Pipeline::over(std::move(library).value(), blank, done.inputs.pipeline);
 }
 
 /// The picture that was kept must be the one that was calibrated with.
@@ -41,17 +40,12 @@ Status check_kept(const CalibrationWork& work, const Frame& frame, std::size_t i
   const KeptPress& kept = work.kept.presses[index];
   if (frame.name == kept.name && picture_checksum(frame.grey) == kept.checksum) return {};
   return Error{en::say("this is not the picture that the finger was calibrated with"),
-               work.pictures[index].string(),
+               work.presses.files[index].string(),
                en::say("calibrating anew with the pictures that are there")};
 }
 
-void say_of(Press& press, const SaidOfPresses& said) {
-  if (const auto* ball = said_of(said.balls, press.name)) press.ball_mm = ball->centre_mm;
-  if (const auto* told = said_of(said.depths, press.name)) press.told_depth = told->depth;
-  if (const auto* punch = said_of(said.steps, press.name)) press.step_mm = punch->step_mm;
-}
-
-TakenPress press_of(const Frame& frame, FrameResult& result, const CalibrationInputs& inputs) {
+TakenPress press_of(const Frame& frame, FrameResult& result, const PressSet& said) {
+  const PressNote& note = said.of(frame.name);
   TakenPress press{frame.name, result.grey, std::nullopt, "", {}};
   if (result.difference) press.sign.light_change = result.difference->light.change();
   if (result.reference) press.sign.known_pose = result.reference->known_pose;
@@ -60,32 +54,24 @@ TakenPress press_of(const Frame& frame, FrameResult& result, const CalibrationIn
     press.press = Press{frame.name,
                         std::move(*result.difference),
                         std::move(*result.shape),
-                        inputs.radius_of(frame.name)};
-    say_of(*press.press, inputs);
+                        said.radius_of(frame.name),
+                        note.ball_mm,
+                        note.depth,
+                        note.step_mm};
   } else {
     press.left_out =
         result.problems.empty() ? en::say("no face was found") : result.problems.front();
   }
-  if (const ExcludedPress* excluded = said_of(inputs.excluded, frame.name))
-    press.left_out = en::list({en::say("excluded"), Message::typed(excluded->because)});
+  if (note.excluded)
+    press.left_out = en::list({en::say("excluded"), Message::typed(*note.excluded)});
   return press;
-}
-
-Result<std::unique_ptr<Source>> open_presses(const CalibrationWork& work) {
-  if (work.bursts) return std::unique_ptr<Source>(std::make_unique<BurstSource>(work.pictures));
-  auto source = open_source(work.pictures);
-  if (source || std::none_of(work.pictures.begin(), work.pictures.end(), is_video)) return source;
-  Error several = source.error();
-  several.advice = en::list(
-      {several.advice, en::say("or --bursts where each video shows one press held still")});
-  return several;
 }
 
 Status measure_presses(CalibrationWork& work,
                        Pipeline& pipeline,
                        FingerCalibration& done,
                        const Job& job) {
-  auto source = open_presses(work);
+  auto source = open_presses(work.presses);
   if (!source) return source.error();
   if (!work.is_repetition) done.inputs.is_continuous = (*source)->is_continuous();
   const double count = static_cast<double>((*source)->count().value_or(0));
@@ -108,12 +94,11 @@ Status measure_presses(CalibrationWork& work,
     if (!done.inputs.is_continuous) pipeline.forget();
     auto result = pipeline(frame);
     if (!result) return result.error();
-    done.presses.push_back(press_of(*frame, *result, done.inputs));
+    done.presses.push_back(press_of(*frame, *result, done.inputs.said));
     work.references.push_back(std::move(result->reference));
     work.frames.push_back(frame);
   }
-  if (const auto* bursts = dynamic_cast<const BurstSource*>(source->get()))
-    done.made_of = bursts->made_of();
+  done.made_of = made_of(**source);
   return {};
 }
 
@@ -121,7 +106,7 @@ Status measure_presses(CalibrationWork& work,
 Status check_names(const FingerCalibration& done) {
   std::set<std::string> names;
   for (const TakenPress& press : done.presses) names.insert(press.name);
-  for (const std::string& name : done.inputs.names())
+  for (const auto& [name, note] : done.inputs.said.notes)
     if (!names.contains(name))
       return Error{en::say("no press is called '{}'", name),
                    "",

@@ -14,13 +14,13 @@ namespace alltact {
 
 /// One calibration on its way, first or again.
 struct CalibrationWork {
-  std::filesystem::path folder;
-  std::vector<std::filesystem::path> pictures;  ///< what open_source is given
-  bool bursts = false;                          ///< one press each
-  std::optional<UntouchedPicture> untouched;    ///< of a flat sensor: to be installed
-  bool is_repetition = false;                   ///< of `kept`, whose presses these are to be
-  CalibrationInputs kept;                       ///< what is repeated, as it was stored
+  std::shared_ptr<FingerStore> store;
+  PressInput presses;
+  std::optional<UntouchedPicture> untouched;  ///< of a flat sensor: to be installed
+  bool is_repetition = false;                 ///< of `kept`, whose presses these are to be
+  CalibrationInputs kept;                     ///< what is repeated, as it was stored
   MakeReport make_report;
+  bool compare_methods = false;
   RoundListener on_round;
   std::vector<FramePtr> frames;                      ///< one a press, as they are to be kept
   std::vector<std::optional<Reference>> references;  ///< what each was compared with

@@ -2,32 +2,16 @@
 
 #include "core/geometry/ball.h"
 #include "core/geometry/circle_fit.h"
-#include "core/printable.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
 
 namespace alltact {
 namespace {
 
 constexpr int kRimPoints = 72;
-
-std::optional<Eigen::Vector3d> three_numbers(std::string_view text) {
-  Eigen::Vector3d numbers;
-  for (int i = 0; i < 3; ++i) {
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), numbers[i]);
-    if (failed != std::errc() || !(std::abs(numbers[i]) <= 1e4)) return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    if (i == 2) break;
-    if (text.empty() || text.front() != ',') return std::nullopt;
-    text.remove_prefix(1);
-  }
-  return text.empty() ? std::optional(numbers) : std::nullopt;
-}
 
 /// A rim that is off the face in more than a few places is cut by its edge.
 bool is_cut(const Press& press, const std::vector<Eigen::Vector2d>& rim) {
@@ -40,24 +24,6 @@ bool is_cut(const Press& press, const std::vector<Eigen::Vector2d>& rim) {
 }
 
 }  // namespace
-
-Result<PlacedBall> placed_ball_from(const std::string& text) {
-  const std::size_t sign = text.rfind('=');
-  const auto centre = sign == std::string::npos || sign == 0
-                          ? std::nullopt
-                          : three_numbers(std::string_view(text).substr(sign + 1));
-  if (!centre || !(centre->z() > 0))
-    return Error{
-        en::say("'{}' does not say where a ball is", printable(text)),
-        "",
-        en::say("NAME=X,Y,Z with the ball's centre in mm before the camera, as press_3=1.5,-2,48")};
-  return PlacedBall{text.substr(0, sign), *centre};
-}
-
-std::string to_text(const PlacedBall& ball) {
-  return fmt::format(
-      "{}={},{},{}", ball.name, ball.centre_mm.x(), ball.centre_mm.y(), ball.centre_mm.z());
-}
 
 std::optional<BallOnFace> ball_on_face(const FaceShape& shape,
                                        const Face& face,

@@ -10,18 +10,6 @@
 
 namespace alltact {
 
-/// Where somebody put the ball of a press: the fit begins there instead of looking for it.
-struct PlacedBall {
-  std::string name;           ///< of the press
-  Eigen::Vector3d centre_mm;  ///< camera frame
-  bool operator==(const PlacedBall&) const = default;
-};
-
-/// "NAME=X,Y,Z" as the command line writes it, mm. Error: not of this form, not before the camera.
-[[nodiscard]] Result<PlacedBall> placed_ball_from(const std::string& text);
-/// The same back, with all digits.
-[[nodiscard]] std::string to_text(const PlacedBall& ball);
-
 /// A ball over the face where it is nearest, taking the face for a plane there.
 struct BallOnFace {
   double depth_mm = 0;   ///< how far it is pressed in, along the normal; <= 0: it does not touch

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/finger/finger.h"
+#include "core/finger/press_set.h"
 #include "core/result.h"
 #include "core/sensing/depth/local_depth.h"
 #include "core/sensing/face/face_shape.h"
@@ -14,14 +15,6 @@
 #include <opencv2/core.hpp>
 
 namespace alltact {
-
-/// How deep a ball was pressed in where that was measured: normal to the untouched face, from where
-/// the ball first touches it to its deepest point.
-struct ToldDepth {
-  double mm = 0;
-  double sd_mm = 0;  ///< standard deviation of the measurement
-  bool operator==(const ToldDepth&) const = default;
-};
 
 /// What calibration needs of a press: the brightness difference on the face, and the face.
 struct Press {

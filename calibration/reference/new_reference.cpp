@@ -1,7 +1,7 @@
 #include "calibration/reference/new_reference.h"
 
 #include "calibration/reference/settings_record.h"
-#include "core/finger/finger_update.h"
+#include "core/finger/finger_store.h"
 #include "core/sources/open/open_source.h"
 #include "core/utc_time.h"
 
@@ -11,9 +11,9 @@ namespace {
 constexpr const char* kWork = "making the reference";
 constexpr const char* kDate = "reference_date";
 
-Status save_reference(const std::filesystem::path& folder, Finger& with_reference) {
+Status save_reference(FingerStore& store, Finger& with_reference) {
   with_reference.provenance[kDate] = utc_now();
-  const auto saved = update_finger(folder, [&](Finger& finger) {
+  const auto saved = store.update([&](Finger& finger) {
     take_reference(with_reference, finger);
     return Status();
   });
@@ -33,27 +33,31 @@ Result<ReferenceReport> give_reference(const std::filesystem::path& folder,
                                        const std::vector<std::filesystem::path>& inputs,
                                        const Job& job,
                                        const ReferenceChoices& choices) {
-  auto finger = Finger::load(folder);
-  if (!finger) return finger.error();
-  const auto alone = hold_for_work(folder, kWork);
+  const auto store = FingerStore::of(folder);
+  const auto before = store->snapshot();
+  if (!before) return before.error();
+  const auto alone = store->hold_for_work(kWork);
   if (!alone) return alone.error();
+  Finger finger = (*before)->finger;
   auto source = open_source(inputs);
   if (!source) return source.error();
-  auto report = install_reference(**source, folder, *finger, job, choices);
+  auto report = install_reference(**source, folder, finger, job, choices);
   if (!report) return report.error();
-  if (const Status saved = save_reference(folder, *finger); !saved) return saved.error();
+  if (const Status saved = save_reference(*store, finger); !saved) return saved.error();
   return report;
 }
 
 Result<std::vector<Message>> give_untouched_picture(const std::filesystem::path& folder,
                                                     const UntouchedPicture& picture) {
-  auto finger = Finger::load(folder);
-  if (!finger) return finger.error();
-  const auto alone = hold_for_work(folder, kWork);
+  const auto store = FingerStore::of(folder);
+  const auto before = store->snapshot();
+  if (!before) return before.error();
+  const auto alone = store->hold_for_work(kWork);
   if (!alone) return alone.error();
-  auto warnings = install_flat_reference(picture, folder, *finger);
+  Finger finger = (*before)->finger;
+  auto warnings = install_flat_reference(picture, folder, finger);
   if (!warnings) return warnings.error();
-  if (const Status saved = save_reference(folder, *finger); !saved) return saved.error();
+  if (const Status saved = save_reference(*store, finger); !saved) return saved.error();
   return warnings;
 }
 

@@ -13,8 +13,8 @@
 namespace alltact {
 
 /// Makes a recording a Fin Ray finger's reference (install_reference). What others changed of the
-/// finger meanwhile stays. Errors: those of open_source, install_reference and update_finger;
-/// somebody else is at work on the finger (hold_for_work).
+/// finger meanwhile stays. Errors: those of open_source, install_reference and FingerStore::update;
+/// somebody else is at work on the finger (FingerStore::hold_for_work).
 [[nodiscard]] Result<ReferenceReport> give_reference(
     const std::filesystem::path& folder,
     const std::vector<std::filesystem::path>& inputs,

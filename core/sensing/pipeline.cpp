@@ -208,39 +208,30 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   watch.lap(result.times_ms.contact);
 }
 
-Result<Pipeline> Pipeline::create(const std::filesystem::path& finger_folder,
-                                  const Finger& finger,
+Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
                                   const PipelineSettings& settings,
                                   const Job& job) {
-  const auto camera = Camera::create(finger.camera);
-  if (!camera) return camera.error();
-  auto library = ReferenceLibrary::load(finger_folder, finger, *camera, job);
+  auto library = ReferenceLibrary::load(finger, job);
   if (!library) return library.error();
-  return create(finger, std::move(library).value(), settings);
+  return over(std::move(library).value(), finger, settings);
 }
 
-Result<Pipeline> Pipeline::create(const Finger& finger,
-                                  ReferenceLibrary library,
-                                  const PipelineSettings& settings) {
-  const auto camera = Camera::create(finger.camera);
-  if (!camera) return camera.error();
-  std::optional<Mapping> mapping;
-  if (finger.mapping) {
-    auto made = Mapping::create(*finger.mapping);
-    if (!made) return made.error();
-    mapping = std::move(made).value();
-  }
+Pipeline Pipeline::over(ReferenceLibrary library,
+                        const FingerSnapshot& snapshot,
+                        const PipelineSettings& settings) {
+  const Finger& finger = snapshot.finger;
+  const Camera& camera = snapshot.camera;
   auto state = std::make_unique<State>(State{
       finger,
       settings,
-      *camera,
+      camera,
       std::move(library),
-      std::move(mapping),
+      snapshot.mapping,
       FaceEdgeFinder(
-          {settings.edge_method, settings.edge_columns, FaceView{*camera, finger.face.width_mm}}),
+          {settings.edge_method, settings.edge_columns, FaceView{camera, finger.face.width_mm}}),
       std::nullopt,
       std::nullopt});
-  if (finger.face.kind == FaceKind::kFlat) state->plane = FaceShape::plane(*camera, finger.face);
+  if (finger.face.kind == FaceKind::kFlat) state->plane = FaceShape::plane(camera, finger.face);
   const bool by_shape = finger.reference && finger.reference->places;
   if (const MarkerModel* model = state->library.marker_model(); model && !by_shape)
     state->tracker.emplace(finger.markers, *model);

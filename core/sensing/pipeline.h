@@ -1,7 +1,7 @@
 // One frame from picture to millimetres.
 #pragma once
 
-#include "core/finger/finger.h"
+#include "core/finger/finger_store.h"
 #include "core/frame.h"
 #include "core/job.h"
 #include "core/message.h"
@@ -15,7 +15,6 @@
 #include "core/sensing/pipeline_settings.h"
 #include "core/sensing/reference/reference_library.h"
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -51,16 +50,15 @@ struct FrameResult {
 class Pipeline {
  public:
   /// Reads the finger's reference recording. A finger without a mapping works up to `difference`.
-  /// Errors: those of Camera::create, Mapping::create and ReferenceLibrary::load.
-  static Result<Pipeline> create(const std::filesystem::path& finger_folder,
-                                 const Finger& finger,
+  /// Errors: those of ReferenceLibrary::load.
+  static Result<Pipeline> create(const FingerSnapshot& finger,
                                  const PipelineSettings& settings,
                                  const Job& job);
 
   /// A pipeline over a library that is already in memory.
-  static Result<Pipeline> create(const Finger& finger,
-                                 ReferenceLibrary library,
-                                 const PipelineSettings& settings);
+  static Pipeline over(ReferenceLibrary library,
+                       const FingerSnapshot& finger,
+                       const PipelineSettings& settings);
 
   /// Error: the frame's size is not the finger's. Anything else that fails is a problem in the
   /// result.

@@ -95,7 +95,8 @@ void whole_frame(benchmark::State& state, ReferenceMethod method) {
   const Rig rig(scale);
   PipelineSettings settings;
   settings.reference = method;
-  auto pipeline = Pipeline::create(rig.folder, rig.finger, settings, Job());
+  auto pipeline =
+      Pipeline::create(FingerSnapshot::of(rig.folder, rig.finger).value(), settings, Job());
   if (!pipeline) {
     state.SkipWithError(pipeline.error().sentence().c_str());
     return;

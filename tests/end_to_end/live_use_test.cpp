@@ -172,7 +172,8 @@ TEST(LiveUse, MemoryStaysFlat) {
   ASSERT_TRUE(opened.ok());
   const std::shared_ptr<V4l2Camera> camera = std::move(*opened);
   ASSERT_TRUE(camera->lock().ok());
-  auto pipeline = Pipeline::create(bench.folder.path(), bench.finger, PipelineSettings(), Job());
+  auto pipeline = Pipeline::create(
+      FingerSnapshot::of(bench.folder.path(), bench.finger).value(), PipelineSettings(), Job());
   ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
   std::atomic<bool> is_over{false};
   std::size_t measured = 0, touched = 0;

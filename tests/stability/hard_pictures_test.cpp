@@ -74,11 +74,9 @@ class HardPictures : public testing::Test {
     return fmt::format("{}", fmt::join(result.problems, "; "));
   }
 
-  Pipeline pipeline_ =
-      Pipeline::create(flat_finger(),
-                       ReferenceLibrary::single(test::untouched_picture(1)).value(),
-                       PipelineSettings{})
-          .value();
+  Pipeline pipeline_ = Pipeline::over(ReferenceLibrary::single(test::untouched_picture(1)).value(),
+                                      FingerSnapshot::of({}, flat_finger()).value(),
+                                      PipelineSettings{});
 };
 
 double part_measured(const DepthMap& map) {

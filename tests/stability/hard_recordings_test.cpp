@@ -45,7 +45,8 @@ struct Installed {
     report = install_reference(source, folder, finger, Job{});
   }
   [[nodiscard]] Pipeline pipeline() const {
-    return Pipeline::create(folder, finger, PipelineSettings{}, Job{}).value();
+    return Pipeline::create(FingerSnapshot::of(folder, finger).value(), PipelineSettings{}, Job{})
+        .value();
   }
 };
 
@@ -274,7 +275,8 @@ TEST(SlowRecordings, AMillionFramesAreFollowedWithoutASlip) {
   ASSERT_TRUE(installed.report->ok()) << installed.report->error().sentence();
   const Camera camera = Camera::create(installed.finger.camera).value();
   const auto library =
-      ReferenceLibrary::load(installed.folder, installed.finger, camera, Job{}).value();
+      ReferenceLibrary::load(FingerSnapshot::of(installed.folder, installed.finger).value(), Job{})
+          .value();
   MarkerTracker tracker(installed.finger.markers, *library.marker_model());
   // One round of bending, over and over: neighbours in time are neighbours in pose.
   const MarkedFinger& drawn = installed.drawn;

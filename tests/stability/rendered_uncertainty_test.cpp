@@ -158,14 +158,14 @@ Run rendered(const Kind& kind, int number) {
     settings.light = LightChange::kIgnored;
     settings.smoothing_px = 0;
   }
-  auto pipeline = Pipeline::create(
-      run.finger, ReferenceLibrary::single(untouched.render(0, 2)).value(), settings);
-  EXPECT_TRUE(pipeline) << (pipeline ? "" : pipeline.error().sentence());
+  Pipeline pipeline = Pipeline::over(ReferenceLibrary::single(untouched.render(0, 2)).value(),
+                                     FingerSnapshot::of({}, run.finger).value(),
+                                     settings);
   for (int i = 0; i < pressed.frame_count(); ++i) {
     auto frame = std::make_shared<Frame>();
     frame->grey = pressed.render(i, 2);
     frame->sequence = static_cast<std::uint64_t>(i);
-    auto seen = (*pipeline)(frame);
+    auto seen = pipeline(frame);
     EXPECT_TRUE(seen && seen->difference && seen->shape);
     if (!seen || !seen->difference || !seen->shape) continue;
     run.presses.push_back({fmt::format("p{}", i),

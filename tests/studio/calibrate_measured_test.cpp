@@ -100,8 +100,8 @@ TEST(CalibrateHeld, APressTakenWhileTheFingerMovesIsTheFrame) {
 /// The step Presses of a window with some presses of a ball, and the last one of a punch.
 class CalibrateMeasured : public testing::Test {
  protected:
-  void open(const std::filesystem::path& command_line = {}) {
-    rig_.open(command_line);
+  void open() {
+    rig_.open();
     rig_.go_to_step("Presses");
     rig_.type_radius("4");
     ASSERT_TRUE(rig_.wait_until_looked_at(kPresses));
@@ -139,10 +139,10 @@ TEST_F(CalibrateMeasured, DepthAndStepAreSaidUndoneAndKept) {
   EXPECT_EQ(field(kDepth)->text().toStdString(), "not measured");
   EXPECT_FALSE(field(kSd)->isEnabled());
   type(kDepth, "0.67");
-  EXPECT_EQ(rig_.desk().measured("press_01")->depth, (ToldDepth{0.67, kUsualDepthSdMm}));
+  EXPECT_EQ(rig_.desk().said().of("press_01").depth, (ToldDepth{0.67, kUsualDepthSdMm}));
   EXPECT_FALSE(field(kStep)->isEnabled()) << "a depth is of a ball";
   type(kSd, "0.005");
-  EXPECT_EQ(rig_.desk().measured("press_01")->depth, (ToldDepth{0.67, 0.005}));
+  EXPECT_EQ(rig_.desk().said().of("press_01").depth, (ToldDepth{0.67, 0.005}));
   EXPECT_EQ(undo().undoText(), "change the measured depth of press_01");
   show(6);
   EXPECT_EQ(field(kStep)->text().toStdString(), "a ball");
@@ -155,17 +155,17 @@ TEST_F(CalibrateMeasured, DepthAndStepAreSaidUndoneAndKept) {
   EXPECT_FALSE(rig_.desk().find("press_07")->looked.found_mm);
   EXPECT_EQ(rig_.desk().usable_count(), kPresses);
   undo().undo();
-  EXPECT_EQ(rig_.desk().punch("press_07"), nullptr);
+  EXPECT_FALSE(rig_.desk().said().of("press_07").step_mm);
   undo().undo();
-  EXPECT_EQ(rig_.desk().measured("press_01")->depth.sd_mm, kUsualDepthSdMm);
+  EXPECT_EQ(rig_.desk().said().of("press_01").depth->sd_mm, kUsualDepthSdMm);
   undo().undo();
-  EXPECT_EQ(rig_.desk().measured("press_01"), nullptr);
+  EXPECT_FALSE(rig_.desk().said().of("press_01").depth);
   while (undo().canRedo()) undo().redo();
   rig_.desk().disk()->wait();
   rig_.close();
   open();
-  EXPECT_EQ(rig_.desk().measured("press_01")->depth, (ToldDepth{0.67, 0.005}));
-  EXPECT_EQ(rig_.desk().punch("press_07")->step_mm, 0.5);
+  EXPECT_EQ(rig_.desk().said().of("press_01").depth, (ToldDepth{0.67, 0.005}));
+  EXPECT_EQ(rig_.desk().said().of("press_07").step_mm, 0.5);
   show(6);
   EXPECT_EQ(field(kStep)->value(), 0.5);
 }
@@ -180,7 +180,7 @@ TEST_F(CalibrateMeasured, PunchesAloneAreNotEnough) {
 }
 
 TEST_F(CalibrateMeasured, GiveTheSameBytesAsTheCommandThatIsCopied) {
-  open(ALLTACT_PROGRAM);
+  open();
   show(0);
   type(kDepth, "0.67");
   show(6);

@@ -89,12 +89,11 @@ CalibratePlace& CalibrateStudio::place() {
   return *place;
 }
 
-void CalibrateStudio::open(const std::filesystem::path& command_line) {
+void CalibrateStudio::open() {
   StudioOptions options;
   options.finger = finger();
   options.source = {folder_ / "pressing.yaml"};
   options.session_folder = folder_ / "session";
-  options.command_line = command_line;
   studio_ = std::make_unique<Studio>(options);
   ASSERT_TRUE(studio_->wait_for_picture());
   ASSERT_TRUE(wait_until([&] { return studio_->session().status().finger.has_reference; }, 30000));
@@ -160,7 +159,7 @@ std::string CalibrateStudio::calibrate_and_compare_with_the_command() {
   studio_->click("Next: Mapping");
   studio_->click("Calibrate now");
   EXPECT_TRUE(wait_until([&] { return run().result() != nullptr; }, 60000)) << studio_->problems();
-  EXPECT_TRUE(wait_for_report()) << run().report_problem().toStdString();
+  EXPECT_TRUE(wait_for_report()) << run().report_problem()->sentence();
   studio_->click("Next: Verdict");
   studio_->click("Copy as command line");
   std::string command = QGuiApplication::clipboard()->text().toStdString();

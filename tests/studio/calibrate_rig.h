@@ -44,7 +44,7 @@ class CalibrateStudio {
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
 
   /// The window, at the place. With the program of the command line it writes reports.
-  void open(const std::filesystem::path& command_line = {});
+  void open();
   void close() { studio_.reset(); }
   void go_to_step(const QString& title);  ///< or its number, in any language
   void type_radius(const QString& text);

@@ -72,10 +72,10 @@ TEST(Calibrate, AKillInTheMiddleOfPressesLosesNothingButTheLastSecond) {
     const std::string name = fmt::format("press_{:02}", i);
     ASSERT_NE(rig.desk().find(name), nullptr) << name;
     EXPECT_FALSE(rig.desk().find(name)->looked.grey.empty()) << name;
-    ASSERT_NE(rig.desk().placed(name), nullptr) << name;
-    EXPECT_EQ(rig.desk().placed(name)->centre_mm.x(), 0.5 * i);
+    ASSERT_TRUE(rig.desk().said().of(name).ball_mm) << name;
+    EXPECT_EQ(rig.desk().said().of(name).ball_mm->x(), 0.5 * i);
   }
-  EXPECT_EQ(rig.desk().notes().ball_radius_mm, 4);
+  EXPECT_EQ(rig.desk().said().ball_radius_mm, 4);
 }
 
 /// Somebody who has only the window: every click and every line typed counts.

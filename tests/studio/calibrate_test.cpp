@@ -76,7 +76,7 @@ TEST(Calibrate, TakesPressesFromTheLivePictureAndKeepsThemAtOnce) {
   rig.close();
   rig.open();
   ASSERT_TRUE(rig.wait_until_looked_at(2));
-  EXPECT_EQ(rig.desk().notes().ball_radius_mm, 4);
+  EXPECT_EQ(rig.desk().said().ball_radius_mm, 4);
   EXPECT_EQ(rig.desk().usable_count(), 2);
 }
 
@@ -119,18 +119,18 @@ TEST(Calibrate, TheOutlineIsTheBallsAndAHandMovesIt) {
   const auto after = outline_place(*editor->ball()).value();
   EXPECT_NEAR(after.centre.x() - before.centre.x(), 12 / editor->transform().scale, 1e-6);
   EXPECT_EQ(rig.studio().window().undo_stack().undoText(), "move the outline of press_01");
-  ASSERT_NE(rig.desk().placed("press_01"), nullptr);
+  ASSERT_TRUE(rig.desk().said().of("press_01").ball_mm);
   // It is on the disk within a second.
   EXPECT_TRUE(wait_until(
       [&] {
-        const auto notes = PressNotes::load(rig.finger());
-        return notes && notes->balls.size() == 1 &&
-               notes->balls[0].centre_mm == editor->ball()->centre_mm;
+        const auto said = PressSet::load(rig.finger());
+        return said && said->notes.size() == 1 &&
+               said->of("press_01").ball_mm == editor->ball()->centre_mm;
       },
       1000));
   QTest::keyClick(editor, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(editor->ball()->centre_mm, found);
-  EXPECT_EQ(rig.desk().placed("press_01"), nullptr);
+  EXPECT_FALSE(rig.desk().said().of("press_01").ball_mm);
   QTest::keyClick(editor, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(editor->ball()->is_by_hand);
   rig.studio().click("Find the ball again");
@@ -148,10 +148,10 @@ TEST(Calibrate, AnotherRadiusLooksAgainAndTakesOutlinesAlong) {
   rig.desk().place_ball("press_01", found, 1);
   rig.type_radius("4.2");
   ASSERT_TRUE(rig.wait_until_looked_at(1));
-  EXPECT_NEAR((rig.desk().placed("press_01")->centre_mm - 1.05 * found).norm(), 0, 1e-9);
+  EXPECT_NEAR((*rig.desk().said().of("press_01").ball_mm - 1.05 * found).norm(), 0, 1e-9);
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(rig.desk().notes().ball_radius_mm, 4);
-  EXPECT_EQ(rig.desk().placed("press_01")->centre_mm, found);
+  EXPECT_EQ(rig.desk().said().ball_radius_mm, 4);
+  EXPECT_EQ(rig.desk().said().of("press_01").ball_mm, found);
 }
 
 TEST(Calibrate, OnePressMayHaveABallOfItsOwn) {
@@ -169,11 +169,11 @@ TEST(Calibrate, OnePressMayHaveABallOfItsOwn) {
   QTest::keyClicks(own, "5");
   QTest::keyClick(own, Qt::Key_Return);
   ASSERT_TRUE(rig.wait_until_looked_at(2));
-  EXPECT_EQ(rig.desk().notes().radius_of("press_01"), 4);
-  EXPECT_EQ(rig.desk().notes().radius_of("press_02"), 5);
+  EXPECT_EQ(rig.desk().said().radius_of("press_01"), 4);
+  EXPECT_EQ(rig.desk().said().radius_of("press_02"), 5);
   EXPECT_THAT(rig.run().command_line().toStdString(), HasSubstr("--other-ball press_02=5"));
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(rig.desk().notes().radius_of("press_02"), 4);
+  EXPECT_EQ(rig.desk().said().radius_of("press_02"), 4);
 }
 
 TEST(Calibrate, PressesAddedFromFilesKeepTheirNames) {
@@ -202,7 +202,7 @@ TEST(Calibrate, PressesAddedFromFilesKeepTheirNames) {
 
 TEST(Calibrate, GivesTheSameBytesAsTheCommandThatItCopies) {
   CalibrateStudio rig(6);
-  rig.open(ALLTACT_PROGRAM);
+  rig.open();
   rig.go_to_step("Presses");
   rig.type_radius("4");
   auto* person = rig.studio().find<QLineEdit>("Operator");

@@ -17,7 +17,7 @@ namespace {
 FrameResult measured_frame() {
   const auto& folder = MadeFingers::get().calibrated();
   const Finger finger = Finger::load(folder).value();
-  auto pipeline = Pipeline::create(folder, finger, {}, Job()).value();
+  auto pipeline = Pipeline::create(FingerSnapshot::of(folder, finger).value(), {}, Job()).value();
   return pipeline(open_source({MadeFingers::get().touched()}).value()->next().value()).value();
 }
 

@@ -133,7 +133,7 @@ TEST_P(Screens, CalibratePresses) {
 
 TEST_P(Screens, CalibrateMappingAndVerdict) {
   CalibrateStudio rig(6);
-  rig.open(ALLTACT_PROGRAM);
+  rig.open();
   rig.go_to_step("Presses");
   rig.type_radius("4");
   ASSERT_TRUE(rig.wait_until_looked_at(6));

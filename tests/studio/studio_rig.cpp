@@ -1,7 +1,7 @@
 #include "tests/studio/studio_rig.h"
 
 #include "calibration/reference/new_reference.h"
-#include "core/finger/finger_update.h"
+#include "core/finger/finger_store.h"
 #include "core/finger/new_finger.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
@@ -92,7 +92,7 @@ MadeFingers::MadeFingers() {
     mapping.a_mm = 3.425;
     mapping.b = 1.012;
     mapping.x_max = 0.507;
-    const auto mapped = update_finger(folder, [&](Finger& now) {
+    const auto mapped = FingerStore::of(folder)->update([&](Finger& now) {
       now.mapping = mapping;
       return Status();
     });

@@ -44,14 +44,13 @@ FrameResult measured(bool is_calibrated) {
   fill(reference, kBrightReference, 246);  // 246 to 253
   fill(live, kBrightLive, 246);
   fill(live, kDarkLive, 0);  // 0 to 7: as dark as it likes
-  auto pipeline = Pipeline::create(striped_finger(is_calibrated),
-                                   ReferenceLibrary::single(reference).value(),
-                                   PipelineSettings{});
-  EXPECT_TRUE(pipeline.ok());
+  Pipeline pipeline = Pipeline::over(ReferenceLibrary::single(reference).value(),
+                                     FingerSnapshot::of({}, striped_finger(is_calibrated)).value(),
+                                     PipelineSettings{});
   auto frame = std::make_shared<Frame>();
   frame->grey = live;
   frame->name = "frame";
-  auto result = (*pipeline)(frame);
+  auto result = pipeline(frame);
   EXPECT_TRUE(result.ok());
   return std::move(result).value();
 }

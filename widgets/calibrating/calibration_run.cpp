@@ -3,6 +3,7 @@
 #include "calibration/finger/calibration_report.h"
 #include "core/io/atomic_file.h"
 #include "core/utc_time.h"
+#include "widgets/report/calibration_pages.h"
 
 #include <QUndoCommand>
 #include <algorithm>
@@ -14,13 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPage = "calibration_report.html";
-/// All that a calibration writes beside the presses, what tells of the finger last.
-constexpr const char* kWritten[] = {CalibrationInputs::kFileName,
-                                    "calibration_report.json",
-                                    kPage,
-                                    "calibration_report.pdf",
-                                    Finger::kFileName};
+/// All that a calibration writes beside the presses and finger.yaml.
+constexpr const char* kWritten[] = {
+    CalibrationInputs::kFileName, "calibration_report.json", kReportPage, kReportPaper};
 
 std::map<std::string, std::optional<std::string>> read_written(const fs::path& folder) {
   std::map<std::string, std::optional<std::string>> files;
@@ -46,10 +43,6 @@ Status write_written(const fs::path& folder,
   return {};
 }
 
-bool say_the_same(const PressNotes& a, const PressNotes& b) {
-  return a.operator_name == b.operator_name && a.by_name() == b.by_name();
-}
-
 }  // namespace
 
 /// Told on one thread, shown on another.
@@ -71,14 +64,14 @@ class CalibrationRun::Undo : public QUndoCommand {
 
   void undo() override {
     if (run_.desk_.folder() != folder_) return;
-    run_.end_report();
+    run_.report_.stop();
     run_.desk_.disk()->wait();
     after_ = read_written(folder_);
     run_.restore(before_, made_before_);
   }
   void redo() override {
     if (after_.empty() || run_.desk_.folder() != folder_) return;  // the first time it is done
-    run_.end_report();
+    run_.report_.stop();
     run_.restore(after_, made_after_);
   }
 
@@ -92,37 +85,23 @@ class CalibrationRun::Undo : public QUndoCommand {
 CalibrationRun::CalibrationRun(PressDesk& desk,
                                QUndoStack& undo,
                                std::string program_version,
-                               fs::path program,
                                QObject* parent)
-    : QObject(parent),
-      desk_(desk),
-      undo_(undo),
-      version_(std::move(program_version)),
-      program_(std::move(program)) {
+    : QObject(parent), desk_(desk), undo_(undo), version_(std::move(program_version)) {
   connect(&work_, &BackgroundWork::progressed, this, &CalibrationRun::changed);
   connect(&work_, &BackgroundWork::finished, this, &CalibrationRun::changed);
   connect(&writing_, &BackgroundWork::finished, this, [this] {
     if (told_ != restored_) tell_when_written();
   });
-  connect(&process_, &QProcess::finished, this, [this](int status) {
-    has_report_ = status == 0;
-    if (!has_report_) report_errors_ = QString::fromUtf8(process_.readAllStandardError().trimmed());
+  connect(&report_, &ReportWriter::finished, this, [this] {
+    has_report_ = !report_.problem();
     Q_EMIT changed();
   });
-  connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart) start_problem_ = process_.errorString();
-    Q_EMIT changed();
-  });
-}
-
-CalibrationRun::~CalibrationRun() {
-  end_report();
 }
 
 void CalibrationRun::reload() {
   const fs::path folder = desk_.folder();
   if (folder != looked_at_) {
-    end_report();
+    report_.stop();
     result_.reset();
     from_.reset();
     finger_.reset();
@@ -132,13 +111,14 @@ void CalibrationRun::reload() {
   if (folder.empty()) return void(Q_EMIT changed());
   loading_.start([this, folder](const Job&) {
     auto inputs = std::make_shared<Result<CalibrationInputs>>(CalibrationInputs::load(folder));
-    auto finger = std::make_shared<Result<Finger>>(Finger::load(folder));
+    const auto finger = open_finger(folder);
+    const FingerPtr opened = finger ? *finger : nullptr;
     std::error_code failed;
-    const bool has_report = fs::exists(folder / kPage, failed);
-    return std::function<void()>([this, folder, inputs, finger, has_report] {
+    const bool has_report = fs::exists(folder / kReportPage, failed);
+    return std::function<void()>([this, folder, inputs, opened, has_report] {
       if (folder != desk_.folder()) return reload();
       if (*inputs) from_ = **inputs;
-      if (*finger) finger_ = std::make_shared<const Finger>(**finger);
+      if (opened) finger_ = opened;
       if (!is_writing_report()) has_report_ = has_report;
       Q_EMIT changed();
     });
@@ -154,31 +134,29 @@ CalibrationState CalibrationRun::state() const {
       from_->presses.begin(),
       from_->presses.end(),
       [](const DeskPress& press, const KeptPress& kept) { return press.name == kept.name; });
-  return same_presses && say_the_same(desk_.notes(), PressNotes::of(*from_))
-             ? CalibrationState::kCurrent
-             : CalibrationState::kStale;
+  return same_presses && desk_.said() == from_->said ? CalibrationState::kCurrent
+                                                     : CalibrationState::kStale;
 }
 
-FingerCalibrationInput CalibrationRun::input_for(const PressNotes& notes) const {
+FingerCalibrationInput CalibrationRun::input_for(const PressSet& said) const {
   FingerCalibrationInput input;
   input.folder = desk_.folder();
-  input.presses = {desk_.folder() / kPressFolder};
+  input.presses.files = {desk_.folder() / kPressFolder};
   if (from_) {  // as this finger was calibrated last
     input.calibration = from_->calibration;
     input.pipeline = from_->pipeline;
   }
   std::set<std::string> presses;
   for (const DeskPress& press : desk_.presses()) presses.insert(press.name);
-  static_cast<SaidOfPresses&>(input) = notes.only(presses);
-  input.operator_name = notes.operator_name;
+  input.said = said.only(presses);
   input.program_version = version_;
   return input;
 }
 
 QString CalibrationRun::command_line() const {
-  FingerCalibrationInput input = input_for(desk_.notes());
+  FingerCalibrationInput input = input_for(desk_.said());
   if (state() == CalibrationState::kCurrent) {
-    input = input_for(PressNotes::of(*from_));
+    input = input_for(from_->said);
     input.date = from_->date;
   }
   return QString::fromStdString(calibrate_command(input));
@@ -193,11 +171,14 @@ void CalibrationRun::take(const Made& made) {
 
 void CalibrationRun::start() {
   if (is_running()) return;
-  end_report();
-  start_problem_.clear();
-  report_errors_.clear();
-  FingerCalibrationInput input = input_for(desk_.notes());
+  report_.stop();
+  FingerCalibrationInput input = input_for(desk_.said());
   input.date = utc_now();
+  input.compare_methods = true;
+  // Pictures that were not looked at yet are read from where they are kept.
+  const auto& presses = desk_.presses();
+  if (std::all_of(presses.begin(), presses.end(), [](const DeskPress& one) { return one.frame; }))
+    for (const DeskPress& press : presses) input.presses.frames.push_back(press.frame);
   rounds_ = std::make_shared<HeardRounds>();
   input.on_round = [heard = rounds_](const Round& round) {
     const std::lock_guard lock(heard->mutex);
@@ -205,26 +186,29 @@ void CalibrationRun::start() {
   };
   struct Done {
     Files before;
+    FingerPtr finger_before, finger;
     std::optional<Result<FingerCalibration>> result;
   };
   work_.start([this, input, disk = desk_.disk()](const Job& job) {
     auto done = std::make_shared<Done>();
     disk->wait();
     done->before = read_written(input.folder);
+    if (const auto finger = open_finger(input.folder)) done->finger_before = *finger;
     done->result.emplace(calibrate_finger(input, job));
+    if (const auto finger = open_finger(input.folder)) done->finger = *finger;
     return std::function<void()>([this, done, folder = input.folder] {
       if (folder != desk_.folder()) return;
       if (!*done->result) {
         problem_ = done->result->error();
         return;
       }
-      const Made before{result_, from_, finger_};
+      const Made before{result_, from_, done->finger_before};
       auto result = std::make_shared<const FingerCalibration>(std::move(**done->result));
-      const Made after{result, result->inputs, std::make_shared<const Finger>(result->finger)};
+      const Made after{result, result->inputs, done->finger};
       take(after);
       has_report_ = false;
       undo_.push(new Undo(*this, std::move(done->before), before, after));
-      write_report();
+      report_.start(result, folder);
       Q_EMIT finger_changed();
     });
   });
@@ -241,33 +225,18 @@ std::vector<Round> CalibrationRun::rounds() const {
   return rounds_->rounds;
 }
 
-QString CalibrationRun::report_problem() const {
-  if (is_program_missing_)
-    return tr("The command line, alltact, is not installed beside this program.");
-  return report_errors_.isEmpty() ? start_problem_ : report_errors_;
-}
-
-void CalibrationRun::write_report() {
-  is_program_missing_ = program_.empty();
-  if (is_program_missing_) return;
-  process_.start(QString::fromStdString(program_.string()),
-                 {QStringLiteral("calibrate"),
-                  QString::fromStdString(desk_.folder().string()),
-                  QStringLiteral("--again")});
-}
-
-void CalibrationRun::end_report() {
-  if (!is_writing_report()) return;
-  const QSignalBlocker quiet(process_);
-  process_.kill();
-  process_.waitForFinished(500);
-}
-
 void CalibrationRun::restore(const Files& files, const Made& made) {
   take(made);
-  has_report_ = files.at(kPage).has_value();
+  has_report_ = files.at(kReportPage).has_value();
   ++restored_;
-  desk_.disk()->add([folder = desk_.folder(), files] { return write_written(folder, files); });
+  desk_.disk()->add([folder = desk_.folder(), files, finger = made.finger]() -> Status {
+    if (const Status written = write_written(folder, files); !written || !finger) return written;
+    const auto changed = FingerStore::of(folder)->update([&](Finger& now) {
+      take_calibration(finger->finger, now);
+      return Status();
+    });
+    return changed ? Status() : changed.error();
+  });
   tell_when_written();
   Q_EMIT changed();
 }
@@ -284,7 +253,7 @@ void CalibrationRun::tell_when_written() {
 }
 
 fs::path CalibrationRun::report() const {
-  return has_report_ && !is_writing_report() ? desk_.folder() / kPage : fs::path();
+  return has_report_ && !is_writing_report() ? desk_.folder() / kReportPage : fs::path();
 }
 
 }  // namespace alltact

@@ -4,8 +4,8 @@
 
 #include "calibration/finger/calibrate_finger.h"
 #include "widgets/calibrating/press_desk.h"
+#include "widgets/report/report_writer.h"
 
-#include <QProcess>
 #include <map>
 
 namespace alltact {
@@ -20,14 +20,10 @@ enum class CalibrationState {
 class CalibrationRun : public QObject {
   Q_OBJECT
  public:
-  /// program: the command line, which writes the report's pages, so that they are its own bytes
-  /// whatever fonts, language and scale this window has; empty where it is not there.
   CalibrationRun(PressDesk& desk,
                  QUndoStack& undo,
                  std::string program_version,
-                 std::filesystem::path program,
                  QObject* parent = nullptr);
-  ~CalibrationRun() override;
 
   /// Looks what the desk's finger was calibrated from. To be called when that changed.
   void reload();
@@ -43,17 +39,18 @@ class CalibrationRun : public QObject {
   [[nodiscard]] CalibrationState state() const;
   /// With all its figures; null where it was not made since the finger was opened.
   [[nodiscard]] const std::shared_ptr<const FingerCalibration>& result() const { return result_; }
-  /// What the finger's folder says of its calibration; null where there is none.
-  [[nodiscard]] const std::shared_ptr<const Finger>& finger() const { return finger_; }
+  /// As it stands in its folder; null where there is none.
+  [[nodiscard]] const FingerPtr& finger() const { return finger_; }
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
   /// Does the same in a terminal: as the stored calibration was made where it is current, else as
   /// the next one will be.
   [[nodiscard]] QString command_line() const;
 
-  [[nodiscard]] bool is_writing_report() const { return process_.state() != QProcess::NotRunning; }
+  [[nodiscard]] bool is_writing_report() const { return report_.is_running(); }
   /// The page to open; empty while there is none of this calibration.
   [[nodiscard]] std::filesystem::path report() const;
-  [[nodiscard]] QString report_problem() const;
+  /// Why there is none.
+  [[nodiscard]] const std::optional<Error>& report_problem() const { return report_.problem(); }
 
  Q_SIGNALS:
   void changed();
@@ -67,29 +64,23 @@ class CalibrationRun : public QObject {
   struct Made {
     std::shared_ptr<const FingerCalibration> result;
     std::optional<CalibrationInputs> from;
-    std::shared_ptr<const Finger> finger;
+    FingerPtr finger;
   };
-  [[nodiscard]] FingerCalibrationInput input_for(const PressNotes& notes) const;
+  [[nodiscard]] FingerCalibrationInput input_for(const PressSet& said) const;
   void take(const Made& made);
-  void write_report();
-  void end_report();
   void restore(const Files& files, const Made& made);
   void tell_when_written();
 
   PressDesk& desk_;
   QUndoStack& undo_;
   std::string version_;
-  std::filesystem::path program_;
   std::shared_ptr<const FingerCalibration> result_;
   std::optional<CalibrationInputs> from_;
-  std::shared_ptr<const Finger> finger_;
+  FingerPtr finger_;
   std::optional<Error> problem_;
   std::filesystem::path looked_at_;
   bool has_report_ = false;
-  bool is_program_missing_ = false;
-  QString start_problem_;  ///< in the system's words
-  QString report_errors_;  ///< what the command line said that wrote it
-  QProcess process_;
+  ReportWriter report_;
   int restored_ = 0, told_ = 0;          // counts
   std::shared_ptr<HeardRounds> rounds_;  ///< the calibrating thread has a part in it
   BackgroundWork work_, loading_, writing_;

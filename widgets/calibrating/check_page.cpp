@@ -1,7 +1,6 @@
 #include "widgets/calibrating/check_page.h"
 
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
 #include "core/utc_time.h"
 #include "widgets/language.h"
 #include "widgets/report/report_words.h"
@@ -12,7 +11,6 @@
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QTemporaryDir>
 #include <QVBoxLayout>
 
 namespace alltact {
@@ -61,22 +59,14 @@ Checked check_frames(const fs::path& folder,
     checked.problem = error;
     return checked;
   };
-  const QTemporaryDir pictures;
-  PressCheckInput input;
-  input.folder = folder;
-  for (const FramePtr& frame : frames) {
-    const fs::path file = fs::path(pictures.path().toStdString()) / (frame->name + ".png");
-    const Status written =
-        write_picture(file, frame->grey, frame->controls ? *frame->controls : std::string());
-    if (!written) return fail(written.error());
-    input.presses.push_back(file);
-  }
-  const auto finger = Finger::load(folder);
+  const auto finger = open_finger(folder);
   if (!finger) return fail(finger.error());
-  const auto check = check_with_presses(input, *finger, job);
+  PressInput presses;
+  presses.frames = frames;
+  const auto check = check_with_presses(**finger, presses, {}, job);
   if (!check) return fail(check.error());
   checked.before = content_of(folder / kCheckFile);
-  const Status kept = append_check(folder, entry_of(*check, *finger, utc_now(), version));
+  const Status kept = append_check(folder, entry_of(*check, (*finger)->finger, utc_now(), version));
   if (!kept) return fail(kept.error());
   checked.after = content_of(folder / kCheckFile);
   checked.check = *check;

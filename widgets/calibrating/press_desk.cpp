@@ -1,5 +1,6 @@
 #include "widgets/calibrating/press_desk.h"
 
+#include "calibration/finger/calibration_inputs.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/sources/open/open_source.h"
@@ -46,14 +47,14 @@ QString text_of(const std::string& text) {
 }
 
 /// Of the ball that a press is searched for; 0: not told, or there is none.
-double sought_mm(const PressNotes& notes, const std::string& press) {
-  return said_of(notes.steps, press) != nullptr ? 0.0 : notes.radius_of(press);
+double sought_mm(const PressSet& said, const std::string& press) {
+  return said.of(press).step_mm ? 0.0 : said.radius_of(press);
 }
 
 /// Everything that is in the folder, as a background thread found it.
 struct Found {
   std::vector<fs::path> files;
-  PressNotes notes;
+  PressSet said;
   std::shared_ptr<PressLooker> looker;
   std::optional<Error> problem;
 };
@@ -65,11 +66,11 @@ Found find_presses(const fs::path& folder, const Job& job) {
     found.files = std::move(*files);
   else
     found.problem = files.error();
-  auto notes = PressNotes::load(folder);
-  if (notes)
-    found.notes = std::move(*notes);
-  else
-    found.problem = notes.error();
+  const auto finger = open_finger(folder);
+  if (finger) {
+    found.said = (*finger)->presses;
+    if ((*finger)->presses_problem) found.problem = (*finger)->presses_problem;
+  }
   auto looker = PressLooker::create(folder, job);
   if (looker)
     found.looker = std::move(*looker);
@@ -80,10 +81,10 @@ Found find_presses(const fs::path& folder, const Job& job) {
 
 }  // namespace
 
-/// Of notes that change quickly only the latest are written.
+/// Of what changes quickly only the latest is written.
 struct PressDesk::Waiting {
   std::mutex mutex;
-  std::optional<PressNotes> notes;
+  std::optional<PressSet> said;
 };
 
 class PressDesk::AddOrRemove : public QUndoCommand {
@@ -128,8 +129,8 @@ void PressDesk::open(const fs::path& folder) {
   problem_.reset();
   looker_.reset();
   presses_.clear();
-  notes_ = {};
-  waiting_notes_ = std::make_shared<Waiting>();
+  said_ = {};
+  waiting_ = std::make_shared<Waiting>();
   loading_.stop();
   load();
   Q_EMIT changed();
@@ -149,7 +150,7 @@ void PressDesk::load() {
       is_ready_ = true;
       problem_ = found->problem;
       looker_ = found->looker;
-      notes_ = found->notes;
+      said_ = found->said;
       for (const fs::path& file : found->files)
         presses_.push_back({file.stem().string(), nullptr, {}, false});
       std::sort(presses_.begin(), presses_.end(), before);
@@ -170,7 +171,7 @@ void PressDesk::look_at_next() {
                   given = next->frame,
                   file = file_of(folder_, next->name),
                   looker = looker_,
-                  radius = sought_mm(notes_, next->name)](const Job&) {
+                  radius = sought_mm(said_, next->name)](const Job&) {
     FramePtr frame = given;
     LookedAt looked;
     if (!frame) {
@@ -188,7 +189,7 @@ void PressDesk::look_at_next() {
       if (press == presses_.end()) return;
       press->frame = frame;
       press->looked = looked;
-      press->is_looked_at = radius == sought_mm(notes_, name);
+      press->is_looked_at = radius == sought_mm(said_, name);
     });
   });
 }
@@ -199,30 +200,16 @@ const DeskPress* PressDesk::find(const std::string& name) const {
   return nullptr;
 }
 
-const PlacedBall* PressDesk::placed(const std::string& name) const {
-  return said_of(notes_.balls, name);
-}
-
-const ExcludedPress* PressDesk::exclusion(const std::string& name) const {
-  return said_of(notes_.excluded, name);
-}
-
-const PressDepth* PressDesk::measured(const std::string& name) const {
-  return said_of(notes_.depths, name);
-}
-
-const PressStep* PressDesk::punch(const std::string& name) const {
-  return said_of(notes_.steps, name);
-}
-
 bool PressDesk::has_ball(const DeskPress& press) const {
-  return punch(press.name) == nullptr && (press.looked.found_mm || placed(press.name) != nullptr);
+  const PressNote& note = said_.of(press.name);
+  return !note.step_mm && (press.looked.found_mm || note.ball_mm);
 }
 
 bool PressDesk::is_usable(const DeskPress& press) const {
-  if (exclusion(press.name) != nullptr) return false;
+  const PressNote& note = said_.of(press.name);
+  if (note.excluded) return false;
   const bool has_face = !press.is_looked_at || !press.looked.problem;
-  return has_ball(press) || (punch(press.name) != nullptr && has_face);
+  return has_ball(press) || (note.step_mm && has_face);
 }
 
 int PressDesk::usable_count() const {
@@ -230,24 +217,24 @@ int PressDesk::usable_count() const {
       presses_.begin(), presses_.end(), [&](const DeskPress& press) { return is_usable(press); }));
 }
 
-void PressDesk::set_notes(const PressNotes& notes) {
+void PressDesk::set_said(const PressSet& said) {
   for (DeskPress& press : presses_)
-    if (sought_mm(notes, press.name) != sought_mm(notes_, press.name)) press.is_looked_at = false;
-  notes_ = notes;
+    if (sought_mm(said, press.name) != sought_mm(said_, press.name)) press.is_looked_at = false;
+  said_ = said;
   bool is_waiting = false;
   {
-    const std::lock_guard lock(waiting_notes_->mutex);
-    is_waiting = waiting_notes_->notes.has_value();
-    waiting_notes_->notes = notes_;
+    const std::lock_guard lock(waiting_->mutex);
+    is_waiting = waiting_->said.has_value();
+    waiting_->said = said_;
   }
   if (!is_waiting)
-    disk_->add([waiting = waiting_notes_, folder = folder_] {
-      std::optional<PressNotes> latest;
+    disk_->add([waiting = waiting_, folder = folder_] {
+      std::optional<PressSet> latest;
       {
         const std::lock_guard lock(waiting->mutex);
-        latest.swap(waiting->notes);
+        latest.swap(waiting->said);
       }
-      return latest ? latest->save(folder) : Status();
+      return latest ? FingerStore::of(folder)->keep_presses(*latest) : Status();
     });
   look_at_next();
 }

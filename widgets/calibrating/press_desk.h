@@ -2,7 +2,7 @@
 // they are there, looked at beside the window, every change undoable.
 #pragma once
 
-#include "calibration/finger/press_notes.h"
+#include "core/finger/finger_store.h"
 #include "widgets/background_work.h"
 #include "widgets/calibrating/press_looker.h"
 #include "widgets/disk_queue.h"
@@ -11,6 +11,7 @@
 #include <QObject>
 #include <QUndoStack>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,13 +45,9 @@ class PressDesk : public QObject {
 
   /// In the order of their names.
   [[nodiscard]] const std::vector<DeskPress>& presses() const { return presses_; }
-  [[nodiscard]] const PressNotes& notes() const { return notes_; }
+  [[nodiscard]] const PressSet& said() const { return said_; }
   /// nullptr where there is none.
   [[nodiscard]] const DeskPress* find(const std::string& name) const;
-  [[nodiscard]] const PlacedBall* placed(const std::string& name) const;
-  [[nodiscard]] const ExcludedPress* exclusion(const std::string& name) const;
-  [[nodiscard]] const PressDepth* measured(const std::string& name) const;
-  [[nodiscard]] const PressStep* punch(const std::string& name) const;
   /// Found, or put there by hand; a punch is none.
   [[nodiscard]] bool has_ball(const DeskPress& press) const;
   /// Not taken out, and with a ball or a punch.
@@ -93,9 +90,14 @@ class PressDesk : public QObject {
   struct Waiting;
   void load();
   void look_at_next();
-  void change(const QString& text, PressNotes notes, int merge_id = -1);
-  void change_radii(const QString& text, PressNotes notes, int merge_id);
-  void set_notes(const PressNotes& notes);
+  void change(const QString& text, PressSet said, int merge_id = -1);
+  void change_radii(const QString& text, PressSet said, int merge_id);
+  /// What `change` makes of a press' note.
+  void change_note(const QString& text,
+                   const std::string& name,
+                   const std::function<void(PressNote&)>& change,
+                   int merge_id = -1);
+  void set_said(const PressSet& said);
   void insert(const std::vector<FramePtr>& frames);
   void erase(const std::vector<FramePtr>& frames);
 
@@ -107,8 +109,8 @@ class PressDesk : public QObject {
   std::optional<Error> problem_;
   std::shared_ptr<PressLooker> looker_;
   std::vector<DeskPress> presses_;
-  PressNotes notes_;
-  std::shared_ptr<Waiting> waiting_notes_;
+  PressSet said_;
+  std::shared_ptr<Waiting> waiting_;
   BackgroundWork loading_, looking_, adding_;
 };
 

@@ -14,84 +14,95 @@ QString text_of(const std::string& text) {
 
 }  // namespace
 
-void PressDesk::change(const QString& text, PressNotes notes, int merge_id) {
-  if (notes == notes_ || folder_.empty()) return;
-  undo_.push(new ValueChange<PressNotes>(
+void PressDesk::change(const QString& text, PressSet said, int merge_id) {
+  if (said == said_ || folder_.empty()) return;
+  undo_.push(new ValueChange<PressSet>(
       text,
-      notes_,
-      std::move(notes),
-      [this, folder = folder_](const PressNotes& value) {
-        if (folder == folder_) set_notes(value);
+      said_,
+      std::move(said),
+      [this, folder = folder_](const PressSet& value) {
+        if (folder == folder_) set_said(value);
       },
       merge_id));
 }
 
-void PressDesk::change_radii(const QString& text, PressNotes notes, int merge_id) {
+void PressDesk::change_radii(const QString& text, PressSet said, int merge_id) {
   // Outlines drawn by hand stay where they are: the same cone, another ball.
   if (looker_ && looker_->is_perspective())
-    for (PlacedBall& ball : notes.balls)
-      if (const double before = notes_.radius_of(ball.name); before > 0)
-        ball.centre_mm *= notes.radius_of(ball.name) / before;
-  change(text, std::move(notes), merge_id);
+    for (auto& [name, note] : said.notes)
+      if (const double before = said_.radius_of(name); note.ball_mm && before > 0)
+        *note.ball_mm *= said.radius_of(name) / before;
+  change(text, std::move(said), merge_id);
+}
+
+void PressDesk::change_note(const QString& text,
+                            const std::string& name,
+                            const std::function<void(PressNote&)>& change_it,
+                            int merge_id) {
+  PressSet said = said_;
+  PressNote note = said.of(name);
+  change_it(note);
+  said.say(name, std::move(note));
+  change(text, std::move(said), merge_id);
 }
 
 void PressDesk::set_radius(double radius_mm) {
   if (!(radius_mm > 0)) return;
-  PressNotes notes = notes_;
-  notes.ball_radius_mm = radius_mm;
-  change_radii(tr("change the ball's radius"), std::move(notes), kRadius);
+  PressSet said = said_;
+  said.ball_radius_mm = radius_mm;
+  change_radii(tr("change the ball's radius"), std::move(said), kRadius);
 }
 
 void PressDesk::set_radius_of(const std::string& name, double radius_mm) {
-  PressNotes notes = notes_;
-  unsay(notes.other_balls, name);
-  if (radius_mm > 0 && radius_mm != notes.ball_radius_mm)
-    notes.other_balls.push_back({name, radius_mm});
-  change_radii(tr("change the ball's radius of %1").arg(text_of(name)), std::move(notes), -1);
+  PressSet said = said_;
+  PressNote note = said.of(name);
+  note.ball_radius_mm.reset();
+  if (radius_mm > 0 && radius_mm != said.ball_radius_mm) note.ball_radius_mm = radius_mm;
+  said.say(name, std::move(note));
+  change_radii(tr("change the ball's radius of %1").arg(text_of(name)), std::move(said), -1);
 }
 
 void PressDesk::set_depth_of(const std::string& name, const ToldDepth& depth) {
-  PressNotes notes = notes_;
-  unsay(notes.depths, name);
-  if (depth.mm > 0) notes.depths.push_back({name, depth});
-  change(tr("change the measured depth of %1").arg(text_of(name)), std::move(notes));
+  change_note(tr("change the measured depth of %1").arg(text_of(name)), name, [&](PressNote& note) {
+    note.depth = depth.mm > 0 ? std::optional(depth) : std::nullopt;
+  });
 }
 
 void PressDesk::set_step_of(const std::string& name, double step_mm) {
-  PressNotes notes = notes_;
-  unsay(notes.steps, name);
-  if (step_mm > 0) notes.steps.push_back({name, step_mm});
-  change(tr("change the step of %1").arg(text_of(name)), std::move(notes));
+  change_note(tr("change the step of %1").arg(text_of(name)), name, [&](PressNote& note) {
+    note.step_mm = step_mm > 0 ? std::optional(step_mm) : std::nullopt;
+  });
 }
 
 void PressDesk::set_operator(const std::string& name) {
-  PressNotes notes = notes_;
-  notes.operator_name = name;
-  change(tr("change the operator"), std::move(notes), kOperator);
+  PressSet said = said_;
+  said.operator_name = name;
+  change(tr("change the operator"), std::move(said), kOperator);
 }
 
 void PressDesk::place_ball(const std::string& name, const Eigen::Vector3d& centre_mm, int grip) {
-  PressNotes notes = notes_;
-  say(notes.balls, PlacedBall{name, centre_mm});
-  change(tr("move the outline of %1").arg(text_of(name)), std::move(notes), kGrips + grip);
+  change_note(
+      tr("move the outline of %1").arg(text_of(name)),
+      name,
+      [&](PressNote& note) { note.ball_mm = centre_mm; },
+      kGrips + grip);
 }
 
 void PressDesk::find_again(const std::string& name) {
-  PressNotes notes = notes_;
-  unsay(notes.balls, name);
-  change(tr("find the ball of %1").arg(text_of(name)), std::move(notes));
+  change_note(tr("find the ball of %1").arg(text_of(name)), name, [](PressNote& note) {
+    note.ball_mm.reset();
+  });
 }
 
 void PressDesk::take_out(const std::string& name, const std::string& because) {
-  PressNotes notes = notes_;
-  say(notes.excluded, ExcludedPress{name, because});
-  change(tr("take out %1").arg(text_of(name)), std::move(notes));
+  change_note(tr("take out %1").arg(text_of(name)), name, [&](PressNote& note) {
+    note.excluded = because;
+  });
 }
 
 void PressDesk::put_back(const std::string& name) {
-  PressNotes notes = notes_;
-  unsay(notes.excluded, name);
-  change(tr("put back %1").arg(text_of(name)), std::move(notes));
+  change_note(
+      tr("put back %1").arg(text_of(name)), name, [](PressNote& note) { note.excluded.reset(); });
 }
 
 }  // namespace alltact

@@ -46,12 +46,12 @@ PressForm::PressForm(PressDesk& desk, QWidget* parent)
     desk_.set_radius_of(shown_, value);
   });
   connect(depth_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    const PressDepth* before = desk_.measured(shown_);
-    desk_.set_depth_of(shown_, {value, before != nullptr ? before->depth.sd_mm : kUsualDepthSdMm});
+    const auto before = desk_.said().of(shown_).depth;
+    desk_.set_depth_of(shown_, {value, before ? before->sd_mm : kUsualDepthSdMm});
   });
   connect(depth_sd_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    if (const PressDepth* before = desk_.measured(shown_))
-      desk_.set_depth_of(shown_, {before->depth.mm, value});
+    if (const auto before = desk_.said().of(shown_).depth)
+      desk_.set_depth_of(shown_, {before->mm, value});
   });
   connect(step_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     desk_.set_step_of(shown_, value);
@@ -83,21 +83,20 @@ void PressForm::name_parts() {
 
 void PressForm::show_press(const std::string& name) {
   shown_ = name;
-  const PressDepth* told = desk_.measured(name);
-  const PressStep* punch = desk_.punch(name);
-  const bool is_ball = punch == nullptr;
-  show_value(radius_, desk_.notes().radius_of(name));
-  show_value(depth_, told != nullptr ? told->depth.mm : 0.0);
-  show_value(depth_sd_, told != nullptr ? told->depth.sd_mm : kUsualDepthSdMm);
-  show_value(step_, is_ball ? 0.0 : punch->step_mm);
+  const PressNote& note = desk_.said().of(name);
+  const bool is_ball = !note.step_mm;
+  show_value(radius_, desk_.said().radius_of(name));
+  show_value(depth_, note.depth ? note.depth->mm : 0.0);
+  show_value(depth_sd_, note.depth ? note.depth->sd_mm : kUsualDepthSdMm);
+  show_value(step_, note.step_mm.value_or(0.0));
   const auto enable = [](QLabel* label, QDoubleSpinBox* field, bool is_enabled) {
     label->setEnabled(is_enabled);
     field->setEnabled(is_enabled);
   };
   enable(radius_label_, radius_, is_ball);
   enable(depth_label_, depth_, is_ball);
-  enable(depth_sd_label_, depth_sd_, is_ball && told != nullptr);
-  enable(step_label_, step_, !is_ball || told == nullptr);
+  enable(depth_sd_label_, depth_sd_, is_ball && note.depth);
+  enable(step_label_, step_, !is_ball || !note.depth);
 }
 
 }  // namespace alltact

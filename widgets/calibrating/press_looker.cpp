@@ -19,10 +19,10 @@ QImage thumbnail_of(const cv::Mat& grey) {
 
 Result<std::shared_ptr<PressLooker>> PressLooker::create(const std::filesystem::path& folder,
                                                          const Job& job) {
-  auto finger = Finger::load(folder);
+  const auto finger = open_finger(folder);
   if (!finger) return finger.error();
-  finger->mapping.reset();  // with one there would be depth instead of a difference
-  auto pipeline = Pipeline::create(folder, *finger, {}, job);
+  // With a mapping there would be depth instead of a difference.
+  auto pipeline = Pipeline::create((*finger)->without_mapping(), {}, job);
   if (!pipeline) return pipeline.error();
   return std::shared_ptr<PressLooker>(new PressLooker(std::move(*pipeline)));
 }

@@ -23,7 +23,7 @@ struct LookedAt {
 /// Used by one thread at a time.
 class PressLooker {
  public:
-  /// Reads the finger's reference. Errors: those of Finger::load and Pipeline::create.
+  /// Reads the finger's reference. Errors: those of open_finger and Pipeline::create.
   static Result<std::shared_ptr<PressLooker>> create(const std::filesystem::path& folder,
                                                      const Job& job);
 

@@ -18,13 +18,13 @@ QString text_of(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-QString punch_state_text(const PressStep& punch, const DeskPress& press, const StepFit* fit) {
-  if (fit != nullptr && fit->step_mm == punch.step_mm)
+QString punch_state_text(double step_mm, const DeskPress& press, const StepFit* fit) {
+  if (fit != nullptr && fit->step_mm == step_mm)
     return PressModel::tr("a step of %1 mm reads %2 mm")
         .arg(mm(fit->step_mm, 3), mm(fit->reads_mm, 3));
   if (press.is_looked_at && press.looked.problem)
     return in_window_language(press.looked.problem->what);
-  return PressModel::tr("a punch with a step of %1 mm").arg(mm(punch.step_mm, 3));
+  return PressModel::tr("a punch with a step of %1 mm").arg(mm(step_mm, 3));
 }
 
 QString ball_state_text(const BallFit& ball) {
@@ -54,13 +54,13 @@ const StepFit* fitted_step(const CalibrationRun& run, const std::string& press) 
 }
 
 QString press_state_text(const DeskPress& press, const PressDesk& desk, const CalibrationRun& run) {
-  if (const ExcludedPress* out = desk.exclusion(press.name))
-    return out->because.empty() ? PressModel::tr("taken out")
-                                : PressModel::tr("taken out: %1").arg(text_of(out->because));
-  if (const PressStep* punch = desk.punch(press.name))
-    return punch_state_text(*punch, press, fitted_step(run, press.name));
+  const PressNote& note = desk.said().of(press.name);
+  if (note.excluded)
+    return note.excluded->empty() ? PressModel::tr("taken out")
+                                  : PressModel::tr("taken out: %1").arg(text_of(*note.excluded));
+  if (note.step_mm) return punch_state_text(*note.step_mm, press, fitted_step(run, press.name));
   if (const BallFit* ball = fitted_ball(run, press.name)) return ball_state_text(*ball);
-  if (desk.placed(press.name) != nullptr) return PressModel::tr("ball put by hand");
+  if (note.ball_mm) return PressModel::tr("ball put by hand");
   if (!press.is_looked_at) return PressModel::tr("being looked at");
   if (press.looked.found_mm) return PressModel::tr("ball found");
   if (press.looked.problem) return in_window_language(press.looked.problem->what);
@@ -78,7 +78,7 @@ void PressModel::follow() {
   std::vector<std::string> names;
   for (const DeskPress& press : desk_.presses()) names.push_back(press.name);
   const auto error = [this](const std::string& name) {
-    const BallFit* ball = desk_.exclusion(name) ? nullptr : fitted_ball(run_, name);
+    const BallFit* ball = desk_.said().of(name).excluded ? nullptr : fitted_ball(run_, name);
     return ball == nullptr ? 0.0 : std::max(ball->held_out_mm, ball->residual_mm);
   };
   std::stable_sort(names.begin(), names.end(), [&](const auto& a, const auto& b) {
@@ -123,7 +123,7 @@ QVariant PressModel::data(const QModelIndex& index, int role) const {
                                               : QPixmap::fromImage(press->looked.thumbnail);
     case Qt::FontRole: {
       QFont font;
-      font.setStrikeOut(desk_.exclusion(press->name) != nullptr);
+      font.setStrikeOut(desk_.said().of(press->name).excluded.has_value());
       return font;
     }
     case kName:

@@ -221,7 +221,7 @@ StepState PressesPage::state() const {
 
 QString PressesPage::missing() const {
   if (!desk_.is_ready()) return tr("The presses are being read.");
-  if (!(desk_.notes().ball_radius_mm > 0)) return tr("The ball's radius is missing.");
+  if (!(desk_.said().ball_radius_mm > 0)) return tr("The ball's radius is missing.");
   if (desk_.presses().empty()) return tr("Take a press first; six at different places are good.");
   const auto has_ball = [this](const DeskPress& press) {
     return desk_.is_usable(press) && desk_.has_ball(press);
@@ -309,7 +309,7 @@ void PressesPage::choose_files() {
 }
 
 void PressesPage::take_out_or_put_back() {
-  if (desk_.exclusion(shown_) != nullptr)
+  if (desk_.said().of(shown_).excluded)
     desk_.put_back(shown_);
   else
     desk_.take_out(shown_, {});
@@ -350,12 +350,12 @@ void PressesPage::show_status() {
   if (held_for_ != desk_.folder()) forget_held();
   held_for_ = desk_.folder();
   if (const auto problem = desk_.problem()) problems_->set_problems({Problem::of(*problem)});
-  const PressNotes& notes = desk_.notes();
-  if (!radius_->hasFocus() || radius_->value() != notes.ball_radius_mm) {
+  const PressSet& said = desk_.said();
+  if (!radius_->hasFocus() || radius_->value() != said.ball_radius_mm) {
     const QSignalBlocker quiet(radius_);
-    radius_->setValue(notes.ball_radius_mm);
+    radius_->setValue(said.ball_radius_mm);
   }
-  if (!operator_->hasFocus()) operator_->setText(text_of(notes.operator_name));
+  if (!operator_->hasFocus()) operator_->setText(text_of(said.operator_name));
   const int count = static_cast<int>(desk_.presses().size());
   const int usable = desk_.usable_count();
   count_->setText(count == 0

@@ -37,8 +37,8 @@ Overlay contact_overlay(const std::vector<Eigen::Vector2d>& rim) {
 }  // namespace
 
 std::optional<ShownBall> PressesPage::ball_of(const DeskPress& press) const {
-  const double radius = desk_.notes().radius_of(press.name);
-  if (desk_.looker() == nullptr || !(radius > 0) || desk_.punch(press.name) != nullptr)
+  const double radius = desk_.said().radius_of(press.name);
+  if (desk_.looker() == nullptr || !(radius > 0) || desk_.said().of(press.name).step_mm)
     return std::nullopt;
   const Camera& camera = desk_.looker()->camera();
   const Face& face = desk_.looker()->finger().face;
@@ -49,7 +49,7 @@ std::optional<ShownBall> PressesPage::ball_of(const DeskPress& press) const {
     if (contact) ball.normal = contact->normal;
     return ball;
   };
-  if (const PlacedBall* placed = desk_.placed(press.name)) return shown(placed->centre_mm, true);
+  if (const auto& placed = desk_.said().of(press.name).ball_mm) return shown(*placed, true);
   const bool is_current = run_.state() == CalibrationState::kCurrent;
   if (const BallFit* fitted = is_current ? fitted_ball(run_, press.name) : nullptr)
     return shown(fitted->centre_mm, false);
@@ -80,9 +80,9 @@ QString PressesPage::advice_for(const DeskPress& press) const {
       !press.looked.problem->advice.empty())
     lines << tr("Try: %1.").arg(in_window_language(press.looked.problem->advice));
   const auto ball = ball_of(press);
-  if (press.is_looked_at && !press.looked.found_mm && desk_.placed(press.name) == nullptr && ball)
+  if (press.is_looked_at && !press.looked.found_mm && !desk_.said().of(press.name).ball_mm && ball)
     lines << tr("Or drag the outline onto the ball.");
-  if (ball && desk_.placed(press.name) != nullptr && press.looked.shape) {
+  if (ball && desk_.said().of(press.name).ball_mm && press.looked.shape) {
     const auto contact = ball_on_face(
         *press.looked.shape, desk_.looker()->finger().face, ball->centre_mm, ball->radius_mm);
     lines << (contact && contact->depth_mm > 0
@@ -103,15 +103,15 @@ void PressesPage::show_shown() {
   press_group_->setVisible(press != nullptr);
   out_->setEnabled(press != nullptr);
   remove_->setEnabled(press != nullptr && press->frame);
-  out_->setText(press != nullptr && desk_.exclusion(press->name) != nullptr ? tr("&Put back")
-                                                                            : tr("Take &out"));
+  out_->setText(press != nullptr && desk_.said().of(press->name).excluded ? tr("&Put back")
+                                                                          : tr("Take &out"));
   out_->setToolTip(tr("A press that is taken out stays with the finger and is not used"));
   if (press == nullptr) {
     editor_->set_ball(std::nullopt);
     return;
   }
-  const bool is_ball = desk_.punch(press->name) == nullptr;
-  find_->setEnabled(is_ball && desk_.placed(press->name) != nullptr);
+  const bool is_ball = !desk_.said().of(press->name).step_mm;
+  find_->setEnabled(is_ball && desk_.said().of(press->name).ball_mm.has_value());
   legend_->setVisible(is_ball);
   form_->show_press(press->name);
   press_text_->setText(advice_for(*press));

@@ -46,8 +46,8 @@ QString symbol_name(Meaning meaning) {
 /// Of the stored figures where the whole calibration is not in memory.
 std::optional<Verdict> verdict_of(const CalibrationRun& run) {
   if (run.result()) return run.result()->verdict;
-  if (!run.finger() || !run.finger()->mapping_record) return std::nullopt;
-  const MappingRecord& record = *run.finger()->mapping_record;
+  if (!run.finger() || !run.finger()->finger.mapping_record) return std::nullopt;
+  const MappingRecord& record = *run.finger()->finger.mapping_record;
   return verdict({record.residual_mm,
                   record.held_out_mm,
                   record.spread_mm,
@@ -152,7 +152,8 @@ void VerdictPage::show_status() {
   command_->setVisible(run_.state() != CalibrationState::kNone);
   command_->setText(run_.command_line());
   report_state_->setText(run_.is_writing_report() ? tr("The report is being written.")
-                                                  : run_.report_problem());
+                         : run_.report_problem() ? window_sentence(run_.report_problem()->message())
+                                                 : QString());
   if (run_.result() != shown_ || !shown_) {
     shown_ = run_.result();
     zones_->setVisible(shown_ != nullptr);
@@ -177,7 +178,7 @@ void VerdictPage::show_next_press() {
   } else {
     next_->setText(window_sentence(advice->sentence));
     if (!advice->enough) {
-      const double r = shown_->inputs.ball_radius_mm, d = std::min(advice->depth_mm, r);
+      const double r = shown_->inputs.said.ball_radius_mm, d = std::min(advice->depth_mm, r);
       data.contacts.push_back({advice->along_mm,
                                advice->across_mm,
                                std::sqrt(d * (2 * r - d)),

@@ -1,6 +1,6 @@
 #include "widgets/inspect/finger_pair.h"
 
-#include "core/finger/finger_update.h"
+#include "core/finger/finger_store.h"
 
 namespace alltact {
 namespace {
@@ -82,11 +82,11 @@ void FingerPair::read_places() {
     auto problem = std::make_shared<std::optional<Error>>();
     for (const fs::path& folder : folders) {
       if (folder.empty()) continue;
-      const auto finger = Finger::load(folder);
-      if (finger)
-        (*places)[folder] = {finger->name, finger->gripper_from_camera};
+      const auto opened = open_finger(folder);
+      if (opened)
+        (*places)[folder] = {(*opened)->finger.name, (*opened)->finger.gripper_from_camera};
       else
-        *problem = finger.error();
+        *problem = opened.error();
     }
     return std::function<void()>([this, places, problem] {
       places_ = *places;
@@ -150,7 +150,7 @@ std::optional<Error> FingerPair::problem() const {
 
 void FingerPair::set_place(const fs::path& folder, const std::optional<RigidTransform>& place) {
   disk_->add([folder, place]() -> Status {
-    const auto changed = update_finger(folder, [&](Finger& finger) {
+    const auto changed = FingerStore::of(folder)->update([&](Finger& finger) {
       finger.gripper_from_camera = place;
       return Status();
     });

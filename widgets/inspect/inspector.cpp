@@ -28,18 +28,18 @@ Status Inspector::load_finger(const std::filesystem::path& folder, const Job& jo
     return Error{en::say("no finger is open, so the recording cannot be measured"),
                  "",
                  en::say("opening a finger")};
-  auto finger = Finger::load(folder);
+  auto finger = open_finger(folder);
   if (!finger) return finger.error();
-  auto pipeline = Pipeline::create(folder, *finger, measuring_settings(folder), job);
+  auto pipeline = Pipeline::create(**finger, measuring_settings(folder), job);
   if (!pipeline) return pipeline.error();
-  finger_ = std::move(*finger);
+  finger_ = *finger;
   first_ = std::move(*pipeline);
   return {};
 }
 
 Status Inspector::load_other(const Job& job) {
   if (other_) return {};
-  auto pipeline = Pipeline::create(folder_, *finger_, paper_settings(), job);
+  auto pipeline = Pipeline::create(*finger_, paper_settings(), job);
   if (!pipeline) return pipeline.error();
   other_ = std::move(*pipeline);
   return {};
@@ -102,13 +102,13 @@ Result<std::shared_ptr<InspectedFrame>> Inspector::measure(const InspectWish& wi
   auto frame = std::make_shared<InspectedFrame>();
   frame->number = number;
   frame->result = std::move(*result);
-  frame->face = finger_->face;
+  frame->face = finger_->finger.face;
   frame->camera = first_->camera();
   if (wish.other == OtherMethod::kPaper) {
     if (const Status status = load_other(job); !status) return status.error();
     compare(*frame, is_next);
   }
-  finish(*frame, finger_->mapping);
+  finish(*frame, finger_->finger.mapping);
   return frame;
 }
 

@@ -40,7 +40,7 @@ class Inspector {
   void finish(InspectedFrame& frame, const std::optional<MappingParameters>& mapping);
 
   std::filesystem::path folder_, input_;
-  std::optional<Finger> finger_;
+  FingerPtr finger_;
   std::optional<Pipeline> first_, other_;
   std::optional<RecordedFrames> frames_;
   std::shared_ptr<const FrameTimes> times_ns_;

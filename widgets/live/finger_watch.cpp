@@ -48,7 +48,9 @@ Result<FingerWatch> FingerWatch::create(const std::filesystem::path& folder,
       {settings.edge_method, settings.edge_columns, FaceView{*camera, finger.face.width_mm}});
   watch.rows_.emplace(finger.markers);
   if (folder.empty() || !finger.reference) return watch;
-  auto pipeline = Pipeline::create(folder, finger, settings, job);
+  auto snapshot = FingerSnapshot::of(folder, finger);
+  if (!snapshot) return snapshot.error();
+  auto pipeline = Pipeline::create(*snapshot, settings, job);
   if (!pipeline) return pipeline.error();
   watch.pipeline_ = std::move(*pipeline);
   return watch;

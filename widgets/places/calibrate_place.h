@@ -19,7 +19,6 @@ namespace alltact {
 struct CalibrateTools {
   LensMeasurer measure_lens;
   std::filesystem::path work_folder;  ///< for files that nobody named
-  std::filesystem::path program;      ///< the command line; see CalibrationRun
   std::string version;                ///< of the program, for the record
 };
 

@@ -21,6 +21,10 @@ QString grade_word(Grade grade) {
   return text("Not fit to measure with");
 }
 
+Error stopped() {
+  return {en::say("stopped before the report was written"), "", ""};
+}
+
 Meaning meaning_of(Grade grade) {
   if (grade == Grade::kGood) return Meaning::kGood;
   return grade == Grade::kUnfit ? Meaning::kBad : Meaning::kDoubtful;
@@ -74,10 +78,10 @@ void ReportPages::add_facts() {
   };
   add(text("Date"), when(as_text(inputs.date)));
   add(text("Operator"),
-      inputs.operator_name.empty() ? text("not told") : as_text(inputs.operator_name));
+      inputs.said.operator_name.empty() ? text("not told") : as_text(inputs.said.operator_name));
   add(text("Ball"),
-      text("radius %1 mm").arg(inputs.ball_radius_mm) +
-          (inputs.other_balls.empty() ? "" : text("; other balls stand beside their presses")));
+      text("radius %1 mm").arg(inputs.said.ball_radius_mm) +
+          (inputs.said.has_other_balls() ? text("; other balls stand beside their presses") : ""));
   add(text("Presses"),
       text("%1 used of %2 given")
           .arg(done_.calibration.balls.size() + done_.calibration.steps.size())
@@ -200,18 +204,27 @@ void ReportPages::add_repetition() {
       text("Add --exclude NAME to leave a press out, --include NAME to take it back."));
 }
 
+Result<std::vector<ReportFile>> files_of(const Document& report,
+                                         const std::string& date,
+                                         const Job& job) {
+  std::string html = report.html();
+  if (job.stop_requested()) return stopped();
+  auto pdf = report.pdf(date);
+  if (!pdf) return pdf.error();
+  return std::vector<ReportFile>{{kReportPage, std::move(html)},
+                                 {kReportPaper, std::move(pdf).value()}};
+}
+
 Result<std::vector<ReportFile>> make_calibration_pages(const FingerCalibration& done,
                                                        const std::filesystem::path& folder,
                                                        const Job& job) {
-  const Error stopped{en::say("stopped before the report was written"), "", ""};
-  const auto document = ReportPages(done, folder).write(job);
-  if (!document) return stopped;
-  std::string html = document->html();
-  if (job.stop_requested()) return stopped;
-  auto pdf = document->pdf(done.inputs.date);
-  if (!pdf) return pdf.error();
-  return std::vector<ReportFile>{{"calibration_report.html", std::move(html)},
-                                 {"calibration_report.pdf", std::move(pdf).value()}};
+  auto faults = simulate_typical_faults(job);
+  if (!faults) return faults.error();
+  const std::shared_ptr<const FingerCalibration> lent(std::shared_ptr<void>(), &done);
+  ReportPages pages(lent, folder, std::move(*faults));
+  while (pages.write_next())
+    if (job.stop_requested()) return stopped();
+  return files_of(pages.document(), done.inputs.date, job);
 }
 
 }  // namespace alltact

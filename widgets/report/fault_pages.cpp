@@ -1,9 +1,10 @@
 #include "widgets/report/fault_pages.h"
 
-#include "calibration/report/typical_faults.h"
 #include "widgets/plots/press_light_plot.h"
 #include "widgets/report/calibration_figures.h"
 #include "widgets/report/report_words.h"
+
+#include <cassert>
 
 namespace alltact {
 namespace {
@@ -88,24 +89,32 @@ QImage picture_of(const Entry& entry,
 
 }  // namespace
 
-Status add_typical_faults(Document& document,
-                          const QPalette& palette,
-                          const QFont& font,
-                          const Job& job) {
+Result<std::vector<SimulatedCalibration>> simulate_typical_faults(const Job& job) {
+  std::vector<SimulatedCalibration> all;
+  for (const Entry& entry : catalogue()) {
+    auto made = simulate_calibration(entry.fault, kSeed, true, job);
+    if (!made) return made.error();
+    all.push_back(std::move(*made));
+  }
+  return all;
+}
+
+void add_typical_faults(Document& document,
+                        const std::vector<SimulatedCalibration>& faults,
+                        const QPalette& palette,
+                        const QFont& font) {
   document.new_page();
   document.heading(text("Typical faults, and what they look like"));
   document.paragraph(text(
       "Each picture is a calibration with four presses on a small flat sensor that this program "
       "has just simulated, with this fault and nothing else. Compare them with your own."));
   std::vector<Document::Row> rows;
-  for (const Entry& entry : catalogue()) {
-    const auto made = simulate_calibration(entry.fault, kSeed, true, job);
-    if (!made) return made.error();
-    rows.push_back({{QString(), picture_of(entry, *made, palette, font), kWidth},
-                    {entry.name + ".\n" + entry.text, {}, 0}});
-  }
+  const std::vector<Entry> entries = catalogue();
+  assert(entries.size() == faults.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    rows.push_back({{QString(), picture_of(entries[i], faults[i], palette, font), kWidth},
+                    {entries[i].name + ".\n" + entries[i].text, {}, 0}});
   document.table({}, rows, {});
-  return {};
 }
 
 }  // namespace alltact

@@ -9,8 +9,9 @@
 #include "widgets/report/report_words.h"
 #include "widgets/theme.h"
 
+#include <array>
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace alltact {
@@ -18,32 +19,35 @@ namespace alltact {
 /// Writes one report from top to bottom.
 class ReportPages {
  public:
-  ReportPages(const FingerCalibration& done, const std::filesystem::path& folder)
-      : done_(done),
-        folder_(folder),
+  ReportPages(std::shared_ptr<const FingerCalibration> done,
+              std::filesystem::path folder,
+              std::vector<SimulatedCalibration> faults)
+      : whole_(std::move(done)),
+        folder_(std::move(folder)),
+        faults_(std::move(faults)),
         light_(theme_palette(Theme::kLight)),
-        document_(text("Calibration of finger %1").arg(as_text(done.finger.name))) {}
+        document_(text("Calibration of finger %1").arg(as_text(whole_->finger.name))) {}
 
-  /// Empty when the job was stopped.
-  std::optional<Document> write(const Job& job) {
-    for (const auto part : {&ReportPages::add_verdict,
-                            &ReportPages::add_facts,
-                            &ReportPages::add_presses,
-                            &ReportPages::add_mapping,
-                            &ReportPages::add_errors,
-                            &ReportPages::add_maps,
-                            &ReportPages::add_spread,
-                            &ReportPages::add_methods,
-                            &ReportPages::add_light,
-                            &ReportPages::add_remarks,
-                            &ReportPages::add_history,
-                            &ReportPages::add_repetition}) {
-      if (job.stop_requested()) return std::nullopt;
-      (this->*part)();
-    }
-    if (!add_typical_faults(document_, light_, plot_font(), job)) return std::nullopt;
-    return std::move(document_);
+  /// One part after the other, each a fraction of a second. False: there is none left.
+  bool write_next() {
+    constexpr std::array kParts{&ReportPages::add_verdict,
+                                &ReportPages::add_facts,
+                                &ReportPages::add_presses,
+                                &ReportPages::add_mapping,
+                                &ReportPages::add_errors,
+                                &ReportPages::add_maps,
+                                &ReportPages::add_spread,
+                                &ReportPages::add_methods,
+                                &ReportPages::add_light,
+                                &ReportPages::add_remarks,
+                                &ReportPages::add_history,
+                                &ReportPages::add_repetition,
+                                &ReportPages::add_faults};
+    if (next_ == kParts.size()) return false;
+    (this->*kParts[next_++])();
+    return true;
   }
+  [[nodiscard]] const Document& document() const { return document_; }
 
  private:
   static constexpr int kFigureWidth = 600;   // px at 96 to the inch: the width of a printed page
@@ -67,6 +71,7 @@ class ReportPages {
   void add_remarks();
   void add_history();
   void add_repetition();
+  void add_faults() { add_typical_faults(document_, faults_, light_, plot_font()); }
 
   void add_plot(Plot& plot, int height, const QString& caption) {
     document_.figure(plot.picture({kFigureWidth, height}, kSharpness), kFigureWidth, caption);
@@ -92,8 +97,11 @@ class ReportPages {
     return found == done_.finger.provenance.end() ? QString() : as_text(found->second);
   }
 
-  const FingerCalibration& done_;
-  const std::filesystem::path& folder_;
+  const std::shared_ptr<const FingerCalibration> whole_;
+  const FingerCalibration& done_ = *whole_;
+  const std::filesystem::path folder_;
+  const std::vector<SimulatedCalibration> faults_;
+  std::size_t next_ = 0;
   const QPalette light_;
   Document document_;
 };

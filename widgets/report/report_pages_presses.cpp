@@ -15,7 +15,7 @@ constexpr int kPictureWidth = 132;  // of a press
 
 QString ReportPages::press_words(const BallFit& ball) const {
   QString words = as_text(ball.press);
-  if (!done_.inputs.other_balls.empty()) words += "\n" + text("ball %1 mm").arg(ball.radius_mm);
+  if (done_.inputs.said.has_other_balls()) words += "\n" + text("ball %1 mm").arg(ball.radius_mm);
   if (ball.cut_by_edge) words += "\n" + text("cut by the edge");
   if (ball.told_depth)
     words += "\n" +

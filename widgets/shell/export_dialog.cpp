@@ -207,8 +207,8 @@ void ExportDialog::write() {
   work_.start([this, finger_folder = finger_, wanted = forms(), folder](const Job& job) {
     std::vector<fs::path> written;
     Status status;
-    if (const auto finger = Finger::load(finger_folder))
-      status = export_finger(*finger, finger_folder, wanted, folder, job, &written);
+    if (const auto finger = open_finger(finger_folder))
+      status = export_finger(**finger, wanted, folder, job, &written);
     else
       status = finger.error();
     return std::function<void()>([this, status, written] {

@@ -174,11 +174,11 @@ std::optional<std::string> made_from(const std::filesystem::path& video,
 
 }  // namespace
 
-Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& finger_folder,
-                                                const Finger& finger,
-                                                const Camera& camera,
+Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
                                                 const Job& job,
                                                 std::size_t memory_limit_bytes) {
+  const std::filesystem::path& finger_folder = snapshot.folder;
+  const Finger& finger = snapshot.finger;
   if (finger.face.kind == FaceKind::kFlat) {
     const auto grey = flat_picture(finger_folder, finger);
     if (!grey) return grey.error();
@@ -193,7 +193,8 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const std::filesystem::path& fin
   const auto read = [&]() -> Result<std::shared_ptr<const Content>> {
     const auto table = MarkerTable::load(table_file, finger.marker_count());
     if (!table) return table.error();
-    auto library = from_recording(video_file, *table, finger, camera, job, memory_limit_bytes);
+    auto library =
+        from_recording(video_file, *table, finger, snapshot.camera, job, memory_limit_bytes);
     if (!library) return library.error();
     return std::move(library->content_);
   };

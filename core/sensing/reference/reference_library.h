@@ -1,7 +1,7 @@
 // Untouched pictures of the finger in all its poses, and the one that fits the pose now.
 #pragma once
 
-#include "core/finger/finger.h"
+#include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/result.h"
 #include "core/sensing/face/face_shape.h"
@@ -56,9 +56,7 @@ class ReferenceLibrary {
   /// (farthest-point sampling in marker space). While somebody holds what was read from the same
   /// files for the same camera and face, that is shared, not read again. Errors: files missing or
   /// unreadable, table and video disagree.
-  static Result<ReferenceLibrary> load(const std::filesystem::path& finger_folder,
-                                       const Finger& finger,
-                                       const Camera& camera,
+  static Result<ReferenceLibrary> load(const FingerSnapshot& finger,
                                        const Job& job,
                                        std::size_t memory_limit_bytes = std::size_t{512} << 20);
 

@@ -103,4 +103,14 @@ Result<FramePtr> PictureSource::next() {
   return FramePtr(std::move(frame));
 }
 
+FrameSource::FrameSource(std::vector<FramePtr> frames) : frames_(std::move(frames)) {
+  std::vector<fs::path> names;
+  for (const FramePtr& frame : frames_) names.emplace_back(frame->name + ".png");
+  is_continuous_ = is_sequence(names);
+}
+
+Result<FramePtr> FrameSource::next() {
+  return position_ == frames_.size() ? FramePtr() : frames_[position_++];
+}
+
 }  // namespace alltact

@@ -30,4 +30,19 @@ class PictureSource : public Source {
   std::size_t position_ = 0;
 };
 
+/// Frames that are at hand. Continuous when their names are numbered as pictures' would have to be.
+class FrameSource : public Source {
+ public:
+  explicit FrameSource(std::vector<FramePtr> frames);
+
+  [[nodiscard]] Result<FramePtr> next() override;
+  [[nodiscard]] std::optional<std::size_t> count() const override { return frames_.size(); }
+  [[nodiscard]] bool is_continuous() const override { return is_continuous_; }
+
+ private:
+  std::vector<FramePtr> frames_;
+  bool is_continuous_;
+  std::size_t position_ = 0;
+};
+
 }  // namespace alltact

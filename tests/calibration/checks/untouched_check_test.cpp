@@ -47,7 +47,8 @@ class AgedSensor : public testing::Test {
       files.push_back(folder_ / ("now_" + std::to_string(i) + ".png"));
       EXPECT_TRUE(write_picture(files.back(), picture).ok());
     }
-    const auto result = check_untouched(folder_.path(), finger_, files, Job());
+    const auto result =
+        check_untouched(FingerSnapshot::of(folder_.path(), finger_).value(), files, Job());
     EXPECT_TRUE(result.ok()) << result.error().sentence();
     return result.value();
   }
@@ -87,8 +88,13 @@ TEST_F(AgedSensor, MuchMoreOrAStainWantsANewReference) {
 TEST_F(AgedSensor, WhatCannotBeCheckedIsSaid) {
   Finger bare = finger_;
   bare.mapping.reset();
-  EXPECT_FALSE(check_untouched(folder_.path(), bare, {folder_ / "ref.png"}, Job()).ok());
-  EXPECT_FALSE(check_untouched(folder_.path(), finger_, {folder_ / "absent.png"}, Job()).ok());
+  EXPECT_FALSE(check_untouched(
+                   FingerSnapshot::of(folder_.path(), bare).value(), {folder_ / "ref.png"}, Job())
+                   .ok());
+  EXPECT_FALSE(check_untouched(FingerSnapshot::of(folder_.path(), finger_).value(),
+                               {folder_ / "absent.png"},
+                               Job())
+                   .ok());
 }
 
 }  // namespace

@@ -165,7 +165,8 @@ TEST(ExportFinger, TheZipHoldsEveryFileOfTheFinger) {
   const Finger finger = whole_finger();
   const fs::path from = saved(folder, finger);
   std::vector<fs::path> written;
-  const Status status = export_finger(finger, from, kAll, folder / "out", Job(), &written);
+  const Status status = export_finger(
+      FingerSnapshot::of(from, finger).value(), kAll, folder / "out", Job(), &written);
   ASSERT_TRUE(status.ok()) << status.error().sentence();
   EXPECT_EQ(written.size(), 5U);
   const test::ProgramRun run = test::run_shell(std::string(test::kPython) + " -m zipfile -e '" +
@@ -184,7 +185,8 @@ TEST(ExportFinger, WhatAZipCannotHoldIsRefusedBeforeAnythingIsWritten) {
   const fs::path from = saved(folder, finger);
   const auto refused = [&](const fs::path& to, const char* why) {
     std::vector<fs::path> written;
-    const Status status = export_finger(finger, from, kAll, to, Job(), &written);
+    const Status status =
+        export_finger(FingerSnapshot::of(from, finger).value(), kAll, to, Job(), &written);
     ASSERT_FALSE(status.ok());
     EXPECT_THAT(status.error().sentence(), HasSubstr(why));
     EXPECT_TRUE(written.empty());
@@ -199,7 +201,10 @@ TEST(ExportFinger, WhatAZipCannotHoldIsRefusedBeforeAnythingIsWritten) {
   fs::create_symlink("/dev/null", from / "device");
   refused(folder / "out", "neither a file nor a folder");
   fs::remove(from / "device");
-  EXPECT_TRUE(export_finger(finger, from, kAll, folder / "finger-out", Job(), nullptr).ok());
+  EXPECT_TRUE(
+      export_finger(
+          FingerSnapshot::of(from, finger).value(), kAll, folder / "finger-out", Job(), nullptr)
+          .ok());
 }
 
 TEST(ExportFinger, StoppedItTellsWhatIsThere) {
@@ -210,7 +215,8 @@ TEST(ExportFinger, StoppedItTellsWhatIsThere) {
   Job job([&](double, const Message&) { running->request_stop(); });
   running = &job;
   std::vector<fs::path> written;
-  const Status status = export_finger(finger, from, kAll, folder / "out", job, &written);
+  const Status status =
+      export_finger(FingerSnapshot::of(from, finger).value(), kAll, folder / "out", job, &written);
   ASSERT_FALSE(status.ok());
   EXPECT_THAT(status.error().sentence(), HasSubstr("stopped"));
   EXPECT_EQ(written.size(), 4U);

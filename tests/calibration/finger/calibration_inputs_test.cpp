@@ -1,7 +1,9 @@
 #include "calibration/finger/calibration_inputs.h"
 
 #include "calibration/finger/calibration_report.h"
+#include "core/io/atomic_file.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,8 +18,8 @@ CalibrationInputs some_inputs() {
   CalibrationInputs inputs;
   inputs.date = "2026-01-31T12:00:00Z";
   inputs.program_version = "0.1.0";
-  inputs.operator_name = "Ada \"the first\": Lovelace";
-  inputs.ball_radius_mm = 3.975;
+  inputs.said.operator_name = "Ada \"the first\": Lovelace";
+  inputs.said.ball_radius_mm = 3.975;
   inputs.calibration.degree = 3;
   inputs.calibration.along = AlongChoice::kNormal;
   inputs.pipeline.smoothing_px = 1.25;
@@ -27,11 +29,14 @@ CalibrationInputs some_inputs() {
   inputs.presses = {{"press_0", "0000000000000001"},
                     {"12", "1111111111111111"},
                     {"it's, a [press]", "abcdefabcdefabcd"}};
-  inputs.other_balls = {{"press_0", 6.25}};
-  inputs.depths = {{"12", {1.25, 0.0125}}, {"press_0", {0.5, 0.02}}};
-  inputs.steps = {{"it's, a [press]", 0.5}};
-  inputs.excluded = {{"12", "glove in view"}, {"it's, a [press]", ""}};
-  inputs.balls = {{"press_0", {1.5, -2.25, 48.0625}}};
+  auto& notes = inputs.said.notes;
+  notes["press_0"].ball_radius_mm = 6.25;
+  notes["press_0"].depth = ToldDepth{0.5, 0.02};
+  notes["press_0"].ball_mm = {1.5, -2.25, 48.0625};
+  notes["12"].depth = ToldDepth{1.25, 0.0125};
+  notes["12"].excluded = "glove in view";
+  notes["it's, a [press]"].step_mm = 0.5;
+  notes["it's, a [press]"].excluded = "";
   return inputs;
 }
 
@@ -42,10 +47,7 @@ TEST(CalibrationInputs, ComeBackAsTheyWereWritten) {
   ASSERT_TRUE(back.ok()) << back.error().sentence();
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(back->to_yaml(), inputs.to_yaml());
-  EXPECT_EQ(back->operator_name, inputs.operator_name);
-  EXPECT_EQ(back->ball_radius_mm, 3.975);
-  EXPECT_EQ(back->radius_of("press_0"), 6.25);
-  EXPECT_EQ(back->radius_of("12"), 3.975);
+  EXPECT_EQ(back->said, inputs.said);
   EXPECT_EQ(back->calibration.degree, 3);
   EXPECT_EQ(back->calibration.along, AlongChoice::kNormal);
   EXPECT_EQ(back->pipeline.smoothing_px, 1.25);
@@ -54,13 +56,6 @@ TEST(CalibrationInputs, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(back->presses[1].name, "12");
   EXPECT_EQ(back->presses[2].name, "it's, a [press]");
   EXPECT_EQ(back->presses[2].checksum, "abcdefabcdefabcd");
-  ASSERT_NE(said_of(back->excluded, "12"), nullptr);
-  EXPECT_EQ(said_of(back->excluded, "12")->because, "glove in view");
-  EXPECT_EQ(said_of(back->excluded, "press_0"), nullptr);
-  EXPECT_EQ(back->balls, inputs.balls);
-  EXPECT_EQ(back->depths, inputs.depths);
-  EXPECT_EQ(back->steps, inputs.steps);
-  EXPECT_EQ(said_of(back->balls, "12"), nullptr);
 }
 
 TEST(CalibrationInputs, EveryTruncationIsToldInASentence) {
@@ -120,7 +115,7 @@ TEST(CalibrationInputs, TheSameIsTheSameWhateverItsDate) {
   CalibrationInputs a = some_inputs(), b = some_inputs();
   b.date = "2027-01-01T00:00:00Z";
   EXPECT_TRUE(same_but_for_date(a, b));
-  b.excluded.pop_back();
+  b.said.notes["12"].excluded.reset();
   EXPECT_FALSE(same_but_for_date(a, b));
 }
 
@@ -129,14 +124,25 @@ RC_GTEST_PROP(CalibrationInputs, AnyNamesAndReasonsComeBack, ()) {
   const auto word = rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~'));
   std::string name = *word;
   std::erase(name, '/');
-  inputs.operator_name = *word;
+  inputs.said.operator_name = *word;
   inputs.presses.push_back({"=" + name, "0123456789abcdef"});
-  inputs.excluded.push_back({"=" + name, *word});
+  inputs.said.notes["=" + name].excluded = *word;
   const auto back = CalibrationInputs::parse(inputs.to_yaml(), "f");
   RC_ASSERT(back.ok());
-  RC_ASSERT(back->operator_name == inputs.operator_name);
+  RC_ASSERT(back->said == inputs.said);
   RC_ASSERT(back->presses.back().name == inputs.presses.back().name);
-  RC_ASSERT(back->excluded.back().because == inputs.excluded.back().because);
+}
+
+TEST(KeptPresses, AreThePicturesInTheirFolder) {
+  const test::TemporaryFolder folder;
+  EXPECT_TRUE(kept_presses(folder.path()).value().empty());
+  std::filesystem::create_directories(folder.path() / kPressFolder);
+  EXPECT_TRUE(kept_presses(folder.path()).value().empty());
+  for (const char* name : {"b.png", "a.png", "notes.txt"})
+    ASSERT_TRUE(write_file_atomically(folder.path() / kPressFolder / name, "x").ok());
+  const auto files = kept_presses(folder.path()).value();
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_EQ(files[0].filename(), "a.png");
 }
 
 TEST(PictureChecksum, SeesOnePixelAndTheShape) {
@@ -165,20 +171,21 @@ TEST(RepeatCommand, NamesTheFolderAsAShellReadsIt) {
 TEST(CalibrateCommand, SaysAllThatIsNotAsUsual) {
   FingerCalibrationInput input;
   input.folder = "/data/left 07";
-  input.presses = {"/data/left 07/presses"};
-  input.ball_radius_mm = 3.975;
+  input.presses.files = {"/data/left 07/presses"};
+  input.said.ball_radius_mm = 3.975;
   EXPECT_EQ(calibrate_command(input),
             "alltact calibrate '/data/left 07' '/data/left 07/presses' --ball-radius-mm 3.975");
   input.calibration.degree = 3;
   input.pipeline.smoothing_px = 1.5;
-  input.excluded = {{"press_2", "glove in view"}, {"press_3", ""}};
-  input.balls = {{"press_4", {1.5, -2, 48.25}}};
-  input.operator_name = "Ada";
+  input.said.notes["press_2"].excluded = "glove in view";
+  input.said.notes["press_3"].excluded = "";
+  input.said.notes["press_4"].ball_mm = {1.5, -2, 48.25};
+  input.said.operator_name = "Ada";
   input.date = "2026-01-31T12:00:00Z";
   EXPECT_EQ(calibrate_command(input),
             "alltact calibrate '/data/left 07' '/data/left 07/presses' --ball-radius-mm 3.975 "
-            "--degree 3 --smoothing-px 1.5 --exclude 'press_2=glove in view' --exclude press_3 "
-            "--ball 'press_4=1.5,-2,48.25' --operator Ada --date 2026-01-31T12:00:00Z");
+            "--ball 'press_4=1.5,-2,48.25' --exclude 'press_2=glove in view' --exclude press_3 "
+            "--degree 3 --smoothing-px 1.5 --operator Ada --date 2026-01-31T12:00:00Z");
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ struct Stopped {
 Stopped calibrate_until(const FlatFinger& flat, int count) {
   FingerCalibrationInput input;
   input.folder = flat.finger();
-  input.presses.assign(flat.presses.begin(), flat.presses.end());
-  input.ball_radius_mm = 4;
+  input.presses.files.assign(flat.presses.begin(), flat.presses.end());
+  input.said.ball_radius_mm = 4;
   input.reference = flat.file("ref.png");
   input.program_version = "0.1.0";
   input.make_report = one_page;

@@ -2,7 +2,7 @@
 #include "calibration/joint/calibrate.h"
 #include "calibration/joint/joint_costs.h"
 #include "calibration/joint/step_press.h"
-#include "calibration/presses/said_of_presses.h"
+#include "calibration/presses/press_sayings.h"
 #include "tests/support/made_press.h"
 
 #include <cstdio>
@@ -257,42 +257,6 @@ TEST(MeasuredCosts, HaveTheDerivativesThatDifferencesShow) {
       }
     }
   }
-}
-
-TEST(SaidOfPresses, IsReadAsTheCommandLineWritesIt) {
-  const auto depth = press_depth_from("a=b=1.25+-0.01");
-  ASSERT_TRUE(depth.ok());
-  EXPECT_EQ(depth->name, "a=b");
-  EXPECT_EQ(depth->depth.mm, 1.25);
-  EXPECT_EQ(depth->depth.sd_mm, 0.01);
-  EXPECT_EQ(press_depth_from("p=1.25±0.03")->depth.sd_mm, 0.03);
-  EXPECT_EQ(press_depth_from("p=1.25")->depth.sd_mm, kUsualDepthSdMm);
-  EXPECT_EQ(press_depth_from(to_text(*depth)).value(), *depth);
-  EXPECT_EQ(press_step_from("p=0.5").value(), (PressStep{"p", 0.5}));
-  EXPECT_EQ(other_ball_from("p=5").value(), (OtherBall{"p", 5.0}));
-  for (const char* wrong : {"", "p", "=1", "p=", "p=x", "p=-1", "p=0", "p=nan", "p=inf", "p=1e9"}) {
-    EXPECT_FALSE(press_depth_from(wrong).ok()) << wrong;
-    EXPECT_FALSE(press_step_from(wrong).ok()) << wrong;
-    EXPECT_FALSE(other_ball_from(wrong).ok()) << wrong;
-  }
-  for (const char* wrong : {"p=1+-", "p=1+-0", "p=1+--1", "p=+-0.1", "p=1+-nan"})
-    EXPECT_FALSE(press_depth_from(wrong).ok()) << wrong;
-}
-
-TEST(SaidOfPresses, IsKeptOfThePressesThatAreThere) {
-  SaidOfPresses said;
-  said.ball_radius_mm = 4.0;
-  say(said.depths, PressDepth{"b", {1.0, 0.01}});
-  say(said.depths, PressDepth{"a", {1.1, 0.01}});
-  say(said.depths, PressDepth{"b", {1.2, 0.01}});
-  say(said.steps, PressStep{"c", 0.5});
-  EXPECT_THAT(said.names(), ElementsAre("a", "b", "c"));
-  EXPECT_EQ(said_of(said.depths, "b")->depth.mm, 1.2);
-  EXPECT_EQ(said_of(said.depths, "c"), nullptr);
-  EXPECT_THAT(said.only({"b"}).names(), ElementsAre("b"));
-  EXPECT_EQ(said.by_name().depths.front().name, "a");
-  EXPECT_EQ(unsay(said.depths, "b"), 1U);
-  EXPECT_EQ(unsay(said.depths, "b"), 0U);
 }
 
 }  // namespace

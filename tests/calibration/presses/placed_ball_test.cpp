@@ -101,29 +101,5 @@ TEST(PlacedBall, LiesOnTheFaceAsItWasPressedIn) {
   }
 }
 
-RC_GTEST_PROP(PlacedBall, ReadsBackWhatItWrites, ()) {
-  const auto number = [] { return static_cast<double>(*rc::gen::inRange(-99999, 99999)) / 777; };
-  const PlacedBall ball{*rc::gen::element<std::string>("press_3", "a=b", "it's, 1"),
-                        {number(), number(), std::abs(number()) + 1e-3}};
-  const auto back = placed_ball_from(to_text(ball));
-  RC_ASSERT(back.ok());
-  RC_ASSERT(*back == ball);
-}
-
-TEST(PlacedBall, OtherTextsAreRefused) {
-  for (const char* text : {"",
-                           "p",
-                           "p=",
-                           "p=1,2",
-                           "p=1,2,3,4",
-                           "=1,2,3",
-                           "p=1,2,-3",
-                           "p=1,2,nan",
-                           "p=1,2,inf",
-                           "p=1 2 3",
-                           "p=1,2,3x"})
-    EXPECT_FALSE(placed_ball_from(text).ok()) << text;
-}
-
 }  // namespace
 }  // namespace alltact

@@ -105,7 +105,7 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
   EXPECT_EQ(cv::norm(first, source.pictures[0], cv::NORM_INF), 0.0);
 
   const Camera camera = Camera::create(finger.camera).value();
-  const auto library = ReferenceLibrary::load(folder, finger, camera, Job{});
+  const auto library = ReferenceLibrary::load(FingerSnapshot::of(folder, finger).value(), Job{});
   ASSERT_TRUE(library.ok()) << library.error().sentence();
   EXPECT_EQ(static_cast<int>(library->frame_count()), report->frames_kept);
 
@@ -149,7 +149,8 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
 
   // Half the memory: a covering subset, within the limit.
   const std::size_t limit = library->memory_bytes() / 2;
-  const auto thinned = ReferenceLibrary::load(folder, finger, camera, Job{}, limit);
+  const auto thinned =
+      ReferenceLibrary::load(FingerSnapshot::of(folder, finger).value(), Job{}, limit);
   ASSERT_TRUE(thinned.ok());
   EXPECT_LE(thinned->memory_bytes(), limit);
   EXPECT_GE(thinned->frame_count(), library->frame_count() / 3);
@@ -246,7 +247,8 @@ TEST(InstallReference, AMarkerThatWasNeverEngravedIsSaidToBeMissingAndTheOthersW
   const Finger again = read_again(finger);
   EXPECT_EQ(again.markers.missing, report->missing);
   EXPECT_EQ(again.contact->rest_markers.size(), 12U);
-  auto pipeline = Pipeline::create(folder, again, PipelineSettings{}, Job{});
+  auto pipeline =
+      Pipeline::create(FingerSnapshot::of(folder, again).value(), PipelineSettings{}, Job{});
   ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
   for (int i = 0; i < kFrames; i += 5) {
     const Bend bend = pose(i, kFrames);
@@ -284,7 +286,8 @@ TEST(InstallReference, WithoutMarkersTheShapeOfTheFaceTellsThePose) {
     EXPECT_EQ(report->warnings.size(), per_row == 0 ? 0U : 1U);
     const Finger again = read_again(finger);
     ASSERT_TRUE(again.reference && again.reference->places);
-    auto pipeline = Pipeline::create(folder, again, PipelineSettings{}, Job{});
+    auto pipeline =
+        Pipeline::create(FingerSnapshot::of(folder, again).value(), PipelineSettings{}, Job{});
     ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
     double steps = 0;
     int looked = 0;
@@ -312,9 +315,10 @@ TEST(InstallReference, AFrameWhoseMarkersAreHiddenIsMeasuredByTheShapeOfItsFace)
   const fs::path folder = scratch_folder("hidden_markers");
   ASSERT_TRUE(install_reference(source, folder, finger, Job{}).ok());
   const Finger again = read_again(finger);
-  auto pipeline = Pipeline::create(folder, again, PipelineSettings{}, Job{});
+  auto pipeline =
+      Pipeline::create(FingerSnapshot::of(folder, again).value(), PipelineSettings{}, Job{});
   ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
-  const auto library = ReferenceLibrary::load(folder, again, pipeline->camera(), Job{});
+  const auto library = ReferenceLibrary::load(FingerSnapshot::of(folder, again).value(), Job{});
   ASSERT_TRUE(library.ok());
   const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   for (double at = 2.5; at < kFrames; at += 9) {

@@ -32,8 +32,8 @@ FingerCalibration some_calibration() {
   done.finger.provenance["press_settings"] = "Camera=usb-1; Gain=3";
   done.inputs.date = "2026-01-31T12:34:56Z";
   done.inputs.program_version = "0.1.0";
-  done.inputs.operator_name = "Ada <Lovelace>";
-  done.inputs.ball_radius_mm = 4;
+  done.inputs.said.operator_name = "Ada <Lovelace>";
+  done.inputs.said.ball_radius_mm = 4;
   done.calibration = made->calibration;
   done.calibration.remarks = {en::say("something to <know>")};
   done.residuals = made->residuals;

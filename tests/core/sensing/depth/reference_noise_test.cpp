@@ -124,10 +124,10 @@ TEST_P(FlatNoise, IsMeasuredByThePipelineAndMovesNoDepth) {
       frame->grey = noisy_picture(sigma, true, random);
       frame->name = "press";
       const auto result_of = [&](bool is_calibrated) {
-        auto pipeline = Pipeline::create(flat_finger_of_noise(is_calibrated),
-                                         ReferenceLibrary::single(untouched).value(),
-                                         settings);
-        return (*pipeline)(frame).value();
+        return Pipeline::over(ReferenceLibrary::single(untouched).value(),
+                              FingerSnapshot::of({}, flat_finger_of_noise(is_calibrated)).value(),
+                              settings)(frame)
+            .value();
       };
       const FrameResult bare = result_of(false), measured = result_of(true);
       ASSERT_TRUE(bare.difference && measured.depth);

@@ -1,11 +1,12 @@
 // Two programs on one finger: nothing that one of them was told is written gets lost, whoever is
 // killed when.
-#include "core/finger/finger_update.h"
+#include "core/finger/finger_store.h"
 
 #include "core/io/atomic_file.h"
 #include "tests/core/finger/finger_files.h"
 #include "tests/support/temporary_folder.h"
 
+#include <atomic>
 #include <chrono>
 #include <random>
 #include <set>
@@ -46,7 +47,8 @@ pid_t start_writer(const std::filesystem::path& folder, int writer, int count, i
   if (child != 0) return child;
   for (int i = 0; i < count; ++i) {
     const std::string key = fmt::format("w{}_{}", writer, i);
-    const auto done = update_finger(folder, [&](Finger& finger) { return add_key(finger, key); });
+    const auto done =
+        FingerStore::of(folder)->update([&](Finger& finger) { return add_key(finger, key); });
     if (!done) _exit(1);
     const std::string line = key + '\n';
     if (write(told_to, line.data(), line.size()) < 0) _exit(2);
@@ -66,7 +68,7 @@ std::set<std::string> lines_from(int descriptor) {
   return lines;
 }
 
-TEST(FingerUpdate, LosesNothingThroughTwoHundredInterleavingsAndKills) {
+TEST(FingerStore, LosesNothingThroughTwoHundredInterleavingsAndKills) {
   constexpr int kWorlds = 200, kWriters = 3, kUpdates = 4;
   std::mt19937 random(20261123);
   int kills_that_hit = 0;
@@ -98,20 +100,20 @@ TEST(FingerUpdate, LosesNothingThroughTwoHundredInterleavingsAndKills) {
       EXPECT_TRUE(finger->provenance.contains(key)) << "world " << world << " lost " << key;
     // Nobody is left out afterwards by what a dead one left behind.
     const auto after =
-        update_finger(folder.path(), [](Finger& last) { return add_key(last, "after"); });
+        FingerStore::of(folder.path())->update([](Finger& last) { return add_key(last, "after"); });
     EXPECT_TRUE(after) << after.error().sentence();
   }
   EXPECT_GT(kills_that_hit, kWorlds / 10);
 }
 
-TEST(FingerUpdate, ThreadsOfOneProgramTakeTurns) {
+TEST(FingerStore, ThreadsOfOneProgramTakeTurns) {
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
   std::vector<std::thread> threads;
   for (int thread = 0; thread < 4; ++thread)
     threads.emplace_back([&, thread] {
       for (int i = 0; i < 20; ++i)
-        EXPECT_TRUE(update_finger(folder.path(), [&](Finger& finger) {
+        EXPECT_TRUE(FingerStore::of(folder.path())->update([&](Finger& finger) {
           return add_key(finger, fmt::format("t{}_{}", thread, i));
         }));
     });
@@ -121,17 +123,17 @@ TEST(FingerUpdate, ThreadsOfOneProgramTakeTurns) {
   EXPECT_EQ(finger->provenance.size(), 81U);
 }
 
-TEST(FingerUpdate, ARefusedChangeChangesNothing) {
+TEST(FingerStore, ARefusedChangeChangesNothing) {
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
   const auto before = read_file(folder / Finger::kFileName);
-  const auto refused = update_finger(folder.path(), [](Finger& finger) -> Status {
+  const auto refused = FingerStore::of(folder.path())->update([](Finger& finger) -> Status {
     finger.name = "half done";
     return Error{en::say("no"), "", ""};
   });
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().what.english(), "no");
-  const auto invalid = update_finger(folder.path(), [](Finger& finger) -> Status {
+  const auto invalid = FingerStore::of(folder.path())->update([](Finger& finger) -> Status {
     finger.face.width_mm = -1;
     return {};
   });
@@ -139,34 +141,36 @@ TEST(FingerUpdate, ARefusedChangeChangesNothing) {
   EXPECT_EQ(*read_file(folder / Finger::kFileName), *before);
 }
 
-TEST(FingerUpdate, LeavesNothingBeside) {
+TEST(FingerStore, LeavesNothingBeside) {
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
-  ASSERT_TRUE(update_finger(folder.path(), [](Finger& finger) { return add_key(finger, "k"); }));
-  { ASSERT_TRUE(hold_for_work(folder.path(), "calibrating")); }
+  ASSERT_TRUE(
+      FingerStore::of(folder.path())->update([](Finger& finger) { return add_key(finger, "k"); }));
+  { ASSERT_TRUE(FingerStore::of(folder.path())->hold_for_work("calibrating")); }
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
     names.push_back(entry.path().filename().string());
   EXPECT_THAT(names, testing::ElementsAre(Finger::kFileName));
 }
 
-TEST(FingerUpdate, TheSecondIsToldWhoIsAtWork) {
+TEST(FingerStore, TheSecondIsToldWhoIsAtWork) {
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
-  auto first = hold_for_work(folder.path(), "calibrating");
+  auto first = FingerStore::of(folder.path())->hold_for_work("calibrating");
   ASSERT_TRUE(first) << first.error().sentence();
-  const auto second = hold_for_work(folder.path(), "recording the reference");
+  const auto second = FingerStore::of(folder.path())->hold_for_work("recording the reference");
   ASSERT_FALSE(second);
   EXPECT_THAT(second.error().what.english(),
               testing::AllOf(testing::HasSubstr("calibrating"),
                              testing::HasSubstr(fmt::format("process {} on", getpid()))));
   // Small changes go on beside long work.
-  EXPECT_TRUE(update_finger(folder.path(), [](Finger& finger) { return add_key(finger, "k"); }));
+  EXPECT_TRUE(
+      FingerStore::of(folder.path())->update([](Finger& finger) { return add_key(finger, "k"); }));
   { const HeldFile ended = std::move(*first); }
-  EXPECT_TRUE(hold_for_work(folder.path(), "recording the reference"));
+  EXPECT_TRUE(FingerStore::of(folder.path())->hold_for_work("recording the reference"));
 }
 
-TEST(FingerUpdate, WhoMayNotWriteIsToldSo) {
+TEST(FingerStore, WhoMayNotWriteIsToldSo) {
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
@@ -175,13 +179,114 @@ TEST(FingerUpdate, WhoMayNotWriteIsToldSo) {
   if (me == 0) {  // the superuser may write everywhere
     ASSERT_EQ(seteuid(kNobody), 0);
   }
-  const auto changed = update_finger(folder.path(), [](Finger&) { return Status(); });
+  const auto changed = FingerStore::of(folder.path())->update([](Finger&) { return Status(); });
   if (me == 0) {
     ASSERT_EQ(seteuid(me), 0);
   }
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
   ASSERT_FALSE(changed);
   EXPECT_THAT(changed.error().sentence(), testing::HasSubstr("not allowed"));
+}
+
+TEST(FingerStore, GivesTheSameSnapshotUntilSomethingChanges) {
+  const TemporaryFolder folder;
+  ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
+  const auto store = FingerStore::of(folder.path());
+  EXPECT_EQ(store, FingerStore::of(folder.path() / "." / "")) << "one, however it is called";
+  const FingerPtr first = store->snapshot().value();
+  EXPECT_EQ(first, store->snapshot().value());
+  EXPECT_EQ(first->finger.name, "left-07");
+  EXPECT_EQ(first->camera.size(), cv::Size(960, 540));
+  ASSERT_TRUE(first->mapping);
+  EXPECT_FALSE(first->without_mapping().mapping || first->without_mapping().finger.mapping);
+
+  const FingerPtr renamed = store
+                                ->update([](Finger& finger) {
+                                  finger.name = "right-07";
+                                  return Status();
+                                })
+                                .value();
+  EXPECT_EQ(renamed->finger.name, "right-07");
+  EXPECT_GT(renamed->revision, first->revision);
+  EXPECT_EQ(first->finger.name, "left-07") << "what somebody holds stays as it was";
+
+  // What another program writes is seen, what is said of presses changes no revision.
+  Finger other = renamed->finger;
+  other.name = "other-07";
+  ASSERT_TRUE(other.save(folder.path()));
+  const FingerPtr seen = store->snapshot().value();
+  EXPECT_EQ(seen->finger.name, "other-07");
+  PressSet said;
+  said.ball_radius_mm = 4;
+  ASSERT_TRUE(store->keep_presses(said));
+  const FingerPtr pressed = store->snapshot().value();
+  EXPECT_EQ(pressed->presses, said);
+  EXPECT_EQ(pressed->revision, seen->revision);
+  EXPECT_NE(pressed, seen);
+}
+
+TEST(FingerStore, TellsOfEveryChangeUntilNobodyListens) {
+  const TemporaryFolder folder;
+  ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
+  const auto store = FingerStore::of(folder.path());
+  std::vector<FingerPtr> told;
+  auto listening = store->listen([&](const FingerPtr& finger) { told.push_back(finger); });
+  ASSERT_TRUE(store->snapshot());
+  EXPECT_TRUE(told.empty()) << "nothing has changed yet";
+  ASSERT_TRUE(store->update([](Finger& finger) { return add_key(finger, "a"); }));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(told[0]->finger.provenance.contains("a"));
+  EXPECT_FALSE(store->update([](Finger&) { return Status(Error{en::say("no"), "", ""}); }));
+  EXPECT_EQ(told.size(), 1U);
+  Finger other = told[0]->finger;
+  other.provenance["b"] = "of another program";
+  ASSERT_TRUE(other.save(folder.path()));
+  ASSERT_TRUE(store->snapshot());
+  EXPECT_EQ(told.size(), 2U);
+  listening.reset();
+  ASSERT_TRUE(store->update([](Finger& finger) { return add_key(finger, "c"); }));
+  EXPECT_EQ(told.size(), 2U);
+}
+
+TEST(FingerStore, AListenerMayEndItselfAndIsNotCalledOnceItHasEnded) {
+  const TemporaryFolder folder;
+  ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
+  const auto store = FingerStore::of(folder.path());
+  int calls = 0;
+  std::shared_ptr<void> itself;
+  itself = store->listen([&](const FingerPtr&) {
+    ++calls;
+    itself.reset();
+  });
+  std::atomic<bool> has_ended{false}, was_called_late{false}, is_over{false};
+  auto other = store->listen([&](const FingerPtr&) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (has_ended) was_called_late = true;
+  });
+  std::thread writer([&] {
+    for (int i = 0; !is_over; ++i)
+      EXPECT_TRUE(store->update(
+          [&](Finger& finger) { return add_key(finger, fmt::format("k{}", i % 7)); }));
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  other.reset();
+  has_ended = true;
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  is_over = true;
+  writer.join();
+  EXPECT_EQ(calls, 1);
+  EXPECT_FALSE(was_called_late);
+}
+
+TEST(FingerStore, PressesThatCannotBeReadLeaveTheFingerUsable) {
+  const TemporaryFolder folder;
+  ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
+  ASSERT_TRUE(write_file_atomically(folder / PressSet::kFileName, "format: ["));
+  const auto finger = open_finger(folder.path());
+  ASSERT_TRUE(finger);
+  ASSERT_TRUE((*finger)->presses_problem);
+  EXPECT_THAT((*finger)->presses_problem->sentence(), testing::HasSubstr(PressSet::kFileName));
+  EXPECT_EQ((*finger)->presses, PressSet());
 }
 
 }  // namespace

@@ -1,0 +1,174 @@
+#include "core/finger/finger_store.h"
+
+#include <map>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto kPatience = std::chrono::seconds(10);
+constexpr const char* kChanging = ".finger.changing";
+constexpr const char* kWorking = ".finger.working";
+
+/// Differs whenever the file was written anew, by whomever; empty: it is not there.
+std::string written(const fs::path& file) {
+  struct stat of {};
+  if (stat(file.c_str(), &of) != 0) return {};
+  return fmt::format(
+      "{} {} {}.{:09}", of.st_ino, of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
+}
+
+/// Of whatever PressSet::load may read.
+std::string presses_written(const fs::path& folder) {
+  const std::string own = written(folder / PressSet::kFileName);
+  return own.empty() ? written(folder / "calibration_inputs.yaml") : own;
+}
+
+/// All but the presses.
+Result<FingerSnapshot> load(const fs::path& folder, std::uint64_t revision) {
+  std::vector<Message> warnings;
+  auto finger = Finger::load(folder, &warnings);
+  if (!finger) return finger.error();
+  auto all = FingerSnapshot::of(folder, std::move(*finger));
+  if (!all) return all.error();
+  all->revision = revision;
+  all->warnings = std::move(warnings);
+  return all;
+}
+
+}  // namespace
+
+struct FingerStore::Listening {
+  std::recursive_mutex mutex;  // a listener may end its own listening
+  Listener listener;
+};
+
+Result<FingerSnapshot> FingerSnapshot::of(const fs::path& folder, Finger finger) {
+  const auto camera = Camera::create(finger.camera);
+  if (!camera) return camera.error();
+  std::optional<Mapping> mapping;
+  if (finger.mapping) {
+    auto made = Mapping::create(*finger.mapping);
+    if (!made) return made.error();
+    mapping = std::move(*made);
+  }
+  return FingerSnapshot{folder, 0, std::move(finger), *camera, std::move(mapping), {}, {}, {}};
+}
+
+FingerSnapshot FingerSnapshot::without_mapping() const {
+  FingerSnapshot blank = *this;
+  blank.finger.mapping.reset();
+  blank.mapping.reset();
+  return blank;
+}
+
+std::shared_ptr<FingerStore> FingerStore::of(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::map<fs::path, std::weak_ptr<FingerStore>> stores;
+  std::error_code failed;
+  fs::path whole = fs::weakly_canonical(folder, failed);
+  if (failed) whole = folder;
+  if (!whole.has_filename()) whole = whole.parent_path();  // it ended in a slash
+  const std::lock_guard lock(mutex);
+  std::erase_if(stores, [](const auto& entry) { return entry.second.expired(); });
+  auto store = stores[whole].lock();
+  if (!store) stores[whole] = store = std::make_shared<FingerStore>(folder);
+  return store;
+}
+
+Result<FingerPtr> FingerStore::read() {
+  const std::string finger_now = written(folder_ / Finger::kFileName);
+  const std::string presses_now = presses_written(folder_);
+  const bool is_same_finger = last_ && finger_now == finger_written_;
+  if (is_same_finger && presses_now == presses_written_) return last_;
+  auto next = is_same_finger ? Result(*last_) : load(folder_, last_ ? last_->revision + 1 : 1);
+  if (!next) return next.error();
+  auto presses = PressSet::load(folder_);
+  next->presses_problem = presses ? std::nullopt : std::optional(presses.error());
+  next->presses = presses ? std::move(*presses) : PressSet();
+  last_ = std::make_shared<const FingerSnapshot>(std::move(*next));
+  finger_written_ = finger_now;
+  presses_written_ = presses_now;
+  return last_;
+}
+
+Result<FingerPtr> FingerStore::snapshot() {
+  FingerPtr before;
+  auto now = [&] {
+    const std::lock_guard lock(mutex_);
+    before = last_;
+    return read();
+  }();
+  if (now && before && before != *now) tell(*now);
+  return now;
+}
+
+Result<FingerPtr> FingerStore::update(const std::function<Status(Finger&)>& change) {
+  // Whoever may not write here is told what is wrong with the finger before that.
+  if (const auto there = snapshot(); !there) return there.error();
+  auto changed = [&]() -> Result<FingerPtr> {
+    const auto held = HeldFile::hold(folder_ / kChanging, this_process("changing"), kPatience);
+    if (!held) return held.error();
+    auto finger = Finger::load(folder_);
+    if (!finger) return finger.error();
+    if (Status status = change(*finger); !status) return status.error();
+    if (Status status = finger->save(folder_); !status) return status.error();
+    const std::lock_guard lock(mutex_);
+    return read();
+  }();
+  if (changed) tell(*changed);
+  return changed;
+}
+
+Status FingerStore::keep_presses(const PressSet& presses) {
+  if (Status saved = presses.save(folder_); !saved) return saved;
+  const auto now = snapshot();
+  return now ? Status() : Status(now.error());
+}
+
+Result<HeldFile> FingerStore::hold_for_work(const std::string& doing) {
+  return HeldFile::hold(folder_ / kWorking, this_process(doing), std::chrono::milliseconds(0));
+}
+
+std::shared_ptr<void> FingerStore::listen(Listener listener) {
+  auto listening = std::make_shared<Listening>();
+  listening->listener = std::move(listener);
+  const std::lock_guard lock(mutex_);
+  listening_.push_back(listening);
+  return std::shared_ptr<void>(listening.get(), [listening](void*) {
+    const std::lock_guard ending(listening->mutex);
+    listening->listener = nullptr;
+  });
+}
+
+void FingerStore::tell(const FingerPtr& snapshot) {
+  std::vector<std::shared_ptr<Listening>> all;
+  {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(listening_, [](const auto& one) { return one.expired(); });
+    for (const auto& one : listening_)
+      if (auto listening = one.lock()) all.push_back(std::move(listening));
+  }
+  for (const auto& one : all) {
+    const std::lock_guard calling(one->mutex);
+    if (one->listener) one->listener(snapshot);
+  }
+}
+
+Result<FingerPtr> open_finger(const fs::path& folder) {
+  return FingerStore::of(folder)->snapshot();
+}
+
+void take_provenance(const Finger& from, const std::string& key, Finger& finger) {
+  const auto entry = from.provenance.find(key);
+  if (entry == from.provenance.end())
+    finger.provenance.erase(key);
+  else
+    finger.provenance[key] = entry->second;
+}
+
+}  // namespace alltact

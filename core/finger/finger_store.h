@@ -1,0 +1,98 @@
+// The one owner of a finger's folder: gives what stands in it, and is the only way to change that.
+#pragma once
+
+#include "core/camera/camera.h"
+#include "core/finger/finger.h"
+#include "core/finger/mapping.h"
+#include "core/finger/press_set.h"
+#include "core/io/held_file.h"
+#include "core/message.h"
+#include "core/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+/// What a folder held at one moment. The reference recording, which is large, is read when it is
+/// needed and shared by all who need it: ReferenceLibrary::load.
+struct FingerSnapshot {
+  std::filesystem::path folder;
+  std::uint64_t revision = 0;  ///< grows with every change of finger.yaml that the store has seen
+  Finger finger;
+  Camera camera;
+  std::optional<Mapping> mapping;  ///< of a finger that is calibrated
+  PressSet presses;
+  std::optional<Error> presses_problem;  ///< why `presses` is empty though something is kept
+  std::vector<Message> warnings;         ///< what is strange in finger.yaml
+
+  /// Of a finger that is at hand, whatever stands in its folder. Errors: those of Camera::create
+  /// and Mapping::create.
+  [[nodiscard]] static Result<FingerSnapshot> of(const std::filesystem::path& folder,
+                                                 Finger finger);
+  /// The same, not calibrated.
+  [[nodiscard]] FingerSnapshot without_mapping() const;
+};
+using FingerPtr = std::shared_ptr<const FingerSnapshot>;
+
+/// Any thread may call any function. Programs exclude each other as threads do.
+class FingerStore {
+ public:
+  /// The store of a folder: one in a program, however many ask for it.
+  [[nodiscard]] static std::shared_ptr<FingerStore> of(const std::filesystem::path& folder);
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+  /// What stands there now: read again only where another program has changed it. Errors: those of
+  /// Finger::load, Camera::create and Mapping::create.
+  [[nodiscard]] Result<FingerPtr> snapshot();
+
+  /// Reads finger.yaml as it is now, lets `change` change it, and writes it whole: one after
+  /// another among threads and programs, so that nothing that another wrote in between is lost.
+  /// Gives what stands there then. `change` should take what has been worked out already: others
+  /// wait for it, up to ten seconds. Errors: those of snapshot(), `change` and Finger::save, and
+  /// then the file is as it was; another program holds the finger longer than that.
+  [[nodiscard]] Result<FingerPtr> update(const std::function<Status(Finger&)>& change);
+
+  /// Keeps what is said of the presses, whole or not at all.
+  [[nodiscard]] Status keep_presses(const PressSet& presses);
+
+  /// For work of minutes on a finger (calibrating, recording its reference) that two must not do at
+  /// once; update() goes on beside it. Error: another is at it, who is named.
+  ///   doing: what is done, for those who come second ("calibrating")
+  [[nodiscard]] Result<HeldFile> hold_for_work(const std::string& doing);
+
+  /// Told of every change, with what stands there since, on the thread that made or found it.
+  using Listener = std::function<void(const FingerPtr&)>;
+  /// Ends when it is destroyed: the listener is not called, and not being called, from then on.
+  [[nodiscard]] std::shared_ptr<void> listen(Listener listener);
+
+  explicit FingerStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  FingerStore(const FingerStore&) = delete;
+  FingerStore& operator=(const FingerStore&) = delete;
+
+ private:
+  struct Listening;
+  [[nodiscard]] Result<FingerPtr> read();
+  void tell(const FingerPtr& snapshot);
+
+  std::filesystem::path folder_;
+  std::mutex mutex_;
+  FingerPtr last_;
+  std::string finger_written_, presses_written_;  ///< which files `last_` was read from
+  std::list<std::weak_ptr<Listening>> listening_;
+};
+
+/// The store's snapshot of a folder.
+[[nodiscard]] Result<FingerPtr> open_finger(const std::filesystem::path& folder);
+
+/// Sets an entry of the provenance to what it is in `from`, or removes it where that has none.
+void take_provenance(const Finger& from, const std::string& key, Finger& finger);
+
+}  // namespace alltact
