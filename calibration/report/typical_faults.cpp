@@ -80,13 +80,13 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault,
   if (!untouched) return untouched.error();
   const auto pressed = plan_of(fault, true, seed);
   if (!pressed) return pressed.error();
-  const Finger& finger = pressed->finger();
+  const auto finger = FingerSnapshot::of({}, pressed->finger());
+  if (!finger) return finger.error();
   auto library = ReferenceLibrary::single(untouched->render(0));
   if (!library) return library.error();
   PipelineSettings settings;
   settings.light = correct_light ? LightChange::kCorrected : LightChange::kIgnored;
-  auto pipeline = Pipeline::create(finger, std::move(library).value(), settings);
-  if (!pipeline) return pipeline.error();
+  Pipeline pipeline = Pipeline::over(std::move(*library), *finger, settings);
 
   const double radius_mm = kBallRadiusMm * (fault == Fault::kBallRadius ? kRadiusError : 1.0);
   SimulatedCalibration made;
@@ -96,7 +96,7 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault,
     auto frame = std::make_shared<Frame>();
     frame->grey = with_fault(pressed->render(i), fault, i);
     frame->name = fmt::format("press_{}", i);
-    auto result = (*pipeline)(frame);
+    auto result = pipeline(frame);
     if (!result) return result.error();
     if (!result->difference || !result->shape) continue;
     made.signs.push_back({result->difference->light.change(), true});
@@ -106,12 +106,12 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault,
   CalibrationSettings simple;  // the faults are seen with any curve
   simple.family = FamilyChoice::kMoebius;
   simple.along = AlongChoice::kZ;
-  auto calibration = calibrate(presses, pipeline->camera(), finger.face, simple, job);
+  auto calibration = calibrate(presses, finger->camera, finger->finger.face, simple, job);
   if (!calibration) return calibration.error();
   made.calibration = std::move(calibration).value();
   std::vector<const Press*> all;
   for (const Press& press : presses) all.push_back(&press);
-  made.residuals = press_residuals(all, finger.face, made.calibration);
+  made.residuals = press_residuals(all, finger->finger.face, made.calibration);
   return made;
 }
 
