@@ -38,6 +38,26 @@
         <source>&amp;Next: %1</source>
         <translation>&amp;Weiter: %1</translation>
     </message>
+    <message>
+        <source>This finger is not calibrated yet, so that no depth is shown.</source>
+        <translation>Dieser Finger ist noch nicht kalibriert, darum wird keine Tiefe gezeigt.</translation>
+    </message>
+    <message>
+        <source>Calibrate it with ball presses.</source>
+        <translation>Kalibrieren Sie ihn mit Kugeleindrücken.</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Calibrate</source>
+        <translation>&amp;Zu Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>&amp;Kalibrieren</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CalibrationRun</name>
@@ -286,6 +306,29 @@
     </message>
 </context>
 <context>
+    <name>alltact::EditMenu</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ExportDialog</name>
     <message>
         <source>Export finger</source>
@@ -412,6 +455,33 @@
     <message>
         <source>Face in 3D</source>
         <translation>Fläche in 3D</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerMenu</name>
+    <message>
+        <source>&amp;Recent fingers</source>
+        <translation>&amp;Zuletzt geöffnete Finger</translation>
+    </message>
+    <message>
+        <source>&amp;Open finger…</source>
+        <translation>Finger ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;New finger…</source>
+        <translation>&amp;Neuer Finger…</translation>
+    </message>
+    <message>
+        <source>E&amp;xport finger…</source>
+        <translation>Finger e&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Close finger</source>
+        <translation>Finger s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Open a finger&apos;s folder</source>
+        <translation>Ordner eines Fingers öffnen</translation>
     </message>
 </context>
 <context>
@@ -612,6 +682,77 @@
     <message>
         <source>Takes the place out of the finger&apos;s file.</source>
         <translation>Nimmt den Ort aus der Datei des Fingers heraus.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::HeaderBar</name>
+    <message>
+        <source>Finger:</source>
+        <translation>Finger:</translation>
+    </message>
+    <message>
+        <source>Source:</source>
+        <translation>Quelle:</translation>
+    </message>
+    <message>
+        <source>Finger: %1</source>
+        <translation>Finger: %1</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Quelle: %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>finger</comment>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>%1 (loading)</source>
+        <translation>%1 (wird geladen)</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1 (simuliert)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::HelpMenu</name>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this place</source>
+        <translation>&amp;Hilfe zu diesem Ort</translation>
+    </message>
+    <message>
+        <source>&amp;About AllTact Studio</source>
+        <translation>&amp;Über AllTact Studio</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>About AllTact Studio</source>
+        <translation>Über AllTact Studio</translation>
+    </message>
+    <message>
+        <source>## AllTact Studio %1
+
+Turns a clear silicone finger with a camera inside into a measuring instrument.
+
+Its own source is under the BSD-3-Clause licence; with the libraries it uses, the program as a whole is under the GPL, version 3.</source>
+        <translation>## AllTact Studio %1
+
+Macht aus einem klaren Silikonfinger mit einer Kamera darin ein Messgerät.
+
+Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bibliotheken steht das Programm als Ganzes unter der GPL, Version 3.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
     </message>
 </context>
 <context>
@@ -849,6 +990,14 @@
     <message>
         <source>close the second finger</source>
         <translation>den zweiten Finger schließen</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>&amp;Prüfen</translation>
     </message>
 </context>
 <context>
@@ -1387,20 +1536,24 @@
         <source>All together</source>
         <translation>Alles zusammen</translation>
     </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>&amp;Live</source>
+        <translation>&amp;Live</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MainWindow</name>
     <message>
-        <source>&amp;Open finger…</source>
-        <translation>Finger ö&amp;ffnen…</translation>
+        <source>AllTact Studio</source>
+        <translation>AllTact Studio</translation>
     </message>
     <message>
-        <source>&amp;New finger…</source>
-        <translation>&amp;Neuer Finger…</translation>
-    </message>
-    <message>
-        <source>&amp;Close finger</source>
-        <translation>Finger s&amp;chließen</translation>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>S&amp;ettings…</source>
@@ -1411,88 +1564,16 @@
         <translation>&amp;Beenden</translation>
     </message>
     <message>
-        <source>&amp;Live</source>
-        <translation>&amp;Live</translation>
-    </message>
-    <message>
-        <source>&amp;Record</source>
-        <translation>&amp;Aufnehmen</translation>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
-        <source>&amp;Help on this place</source>
-        <translation>&amp;Hilfe zu diesem Ort</translation>
-    </message>
-    <message>
-        <source>&amp;About AllTact Studio</source>
-        <translation>&amp;Über AllTact Studio</translation>
-    </message>
-    <message>
-        <source>AllTact Studio</source>
-        <translation>AllTact Studio</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>&amp;Recent fingers</source>
-        <translation>&amp;Zuletzt geöffnete Finger</translation>
-    </message>
-    <message>
-        <source>&amp;Source</source>
-        <translation>&amp;Quelle</translation>
-    </message>
-    <message>
-        <source>Live</source>
-        <translation>Live</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufnahme</translation>
-    </message>
-    <message>
-        <source>Live (Ctrl+1)</source>
-        <translation>Live (Strg+1)</translation>
-    </message>
-    <message>
-        <source>Finger:</source>
-        <translation>Finger:</translation>
-    </message>
-    <message>
-        <source>Source:</source>
-        <translation>Quelle:</translation>
-    </message>
-    <message>
-        <source>Frames delivered</source>
-        <translation>Gelieferte Bilder</translation>
-    </message>
-    <message>
-        <source>Frames lost</source>
-        <translation>Verlorene Bilder</translation>
-    </message>
-    <message>
-        <source>Age of the picture</source>
-        <translation>Alter des Bildes</translation>
-    </message>
-    <message>
-        <source>Time of a frame</source>
-        <translation>Zeit für ein Bild</translation>
+        <source>go on with the last session</source>
+        <translation>mit der letzten Sitzung weitermachen</translation>
     </message>
     <message>
         <source>finger %1</source>
@@ -1503,245 +1584,8 @@
         <translation>Quelle %1</translation>
     </message>
     <message>
-        <source>&amp;Close</source>
-        <translation>S&amp;chließen</translation>
-    </message>
-    <message>
-        <source>Camera %1</source>
-        <translation>Kamera %1</translation>
-    </message>
-    <message>
-        <source>No camera is plugged in</source>
-        <translation>Keine Kamera angeschlossen</translation>
-    </message>
-    <message>
-        <source>&amp;Simulated finger</source>
-        <translation>&amp;Simulierter Finger</translation>
-    </message>
-    <message>
-        <source>&amp;Video file…</source>
-        <translation>&amp;Videodatei…</translation>
-    </message>
-    <message>
-        <source>Folder of &amp;pictures…</source>
-        <translation>Ordner mit &amp;Bildern…</translation>
-    </message>
-    <message>
-        <source>Scene &amp;file…</source>
-        <translation>S&amp;zenendatei…</translation>
-    </message>
-    <message>
-        <source>&amp;Close the source</source>
-        <translation>Quelle s&amp;chließen</translation>
-    </message>
-    <message>
-        <source>Open a finger&apos;s folder</source>
-        <translation>Ordner eines Fingers öffnen</translation>
-    </message>
-    <message>
-        <source>Open a video</source>
-        <translation>Video öffnen</translation>
-    </message>
-    <message>
-        <source>Videos (*.mkv *.avi *.mp4)</source>
-        <translation>Videos (*.mkv *.avi *.mp4)</translation>
-    </message>
-    <message>
-        <source>Open a folder of pictures</source>
-        <translation>Ordner mit Bildern öffnen</translation>
-    </message>
-    <message>
-        <source>Open a scene</source>
-        <translation>Szene öffnen</translation>
-    </message>
-    <message>
-        <source>Scenes (*.yaml *.yml)</source>
-        <translation>Szenen (*.yaml *.yml)</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
-    </message>
-    <message>
-        <source>About AllTact Studio</source>
-        <translation>Über AllTact Studio</translation>
-    </message>
-    <message>
-        <source>## AllTact Studio %1
-
-Turns a clear silicone finger with a camera inside into a measuring instrument.
-
-Its own source is under the BSD-3-Clause licence; with the libraries it uses, the program as a whole is under the GPL, version 3.</source>
-        <translation>## AllTact Studio %1
-
-Macht aus einem klaren Silikonfinger mit einer Kamera darin ein Messgerät.
-
-Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bibliotheken steht das Programm als Ganzes unter der GPL, Version 3.</translation>
-    </message>
-    <message>
-        <source>%1 (loading)</source>
-        <translation>%1 (wird geladen)</translation>
-    </message>
-    <message>
-        <source>%1 (simulated)</source>
-        <translation>%1 (simuliert)</translation>
-    </message>
-    <message>
-        <source>Finger: %1</source>
-        <translation>Finger: %1</translation>
-    </message>
-    <message>
-        <source>Source: %1</source>
-        <translation>Quelle: %1</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 delivered, %3 shown a second</source>
-        <translation>%1 Bilder/s, %2 geliefert, %3 je Sekunde gezeigt</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n frame(s) lost</source>
-        <translation>
-            <numerusform>%n Bild verloren</numerusform>
-            <numerusform>%n Bilder verloren</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>picture %1 ms old</source>
-        <translation>Bild %1 ms alt</translation>
-    </message>
-    <message>
-        <source>pictures without times</source>
-        <translation>Bilder ohne Zeitangabe</translation>
-    </message>
-    <message>
-        <source>%1 ms a frame</source>
-        <translation>%1 ms je Bild</translation>
-    </message>
-    <message>
-        <source>The program ended unexpectedly last time.</source>
-        <translation>Das Programm endete das letzte Mal unerwartet.</translation>
-    </message>
-    <message>
-        <source>What was worked on is kept.</source>
-        <translation>Woran gearbeitet wurde, ist erhalten.</translation>
-    </message>
-    <message>
-        <source>&amp;Go on with it</source>
-        <translation>Damit &amp;weitermachen</translation>
-    </message>
-    <message>
-        <source>The source has ended; its last picture is shown.</source>
-        <translation>Die Quelle ist zu Ende; ihr letztes Bild wird gezeigt.</translation>
-    </message>
-    <message>
-        <source>&amp;Play it again</source>
-        <translation>Noch einmal a&amp;bspielen</translation>
-    </message>
-    <message>
-        <source>This finger has no reference recording yet.</source>
-        <translation>Dieser Finger hat noch keine Referenzaufnahme.</translation>
-    </message>
-    <message>
-        <source>Record it bending, with nothing on its contact face.</source>
-        <translation>Nehmen Sie ihn beim Biegen auf, ohne etwas auf der Kontaktfläche.</translation>
-    </message>
-    <message>
-        <source>This finger is not calibrated yet, so that no depth is shown.</source>
-        <translation>Dieser Finger ist noch nicht kalibriert, darum wird keine Tiefe gezeigt.</translation>
-    </message>
-    <message>
-        <source>&amp;Undo: %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo: %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <comment>source</comment>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>close the finger</source>
-        <translation>Finger schließen</translation>
-    </message>
-    <message>
-        <source>open finger %1</source>
-        <translation>Finger %1 öffnen</translation>
-    </message>
-    <message>
-        <source>close the source</source>
-        <translation>Quelle schließen</translation>
-    </message>
-    <message>
-        <source>open source %1</source>
-        <translation>Quelle %1 öffnen</translation>
-    </message>
-    <message>
-        <source>go on with the last session</source>
-        <translation>mit der letzten Sitzung weitermachen</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <comment>finger</comment>
-        <translation>keiner</translation>
-    </message>
-    <message>
-        <source>&amp;Calibrate</source>
-        <translation>&amp;Kalibrieren</translation>
-    </message>
-    <message>
-        <source>Calibrate</source>
-        <translation>Kalibrieren</translation>
-    </message>
-    <message>
-        <source>Calibrate (Ctrl+2)</source>
-        <translation>Kalibrieren (Strg+2)</translation>
-    </message>
-    <message>
-        <source>Record (Ctrl+3)</source>
-        <translation>Aufnehmen (Strg+3)</translation>
-    </message>
-    <message>
-        <source>Calibrate it with ball presses.</source>
-        <translation>Kalibrieren Sie ihn mit Kugeleindrücken.</translation>
-    </message>
-    <message>
-        <source>&amp;Go to Calibrate</source>
-        <translation>&amp;Zu Kalibrieren</translation>
-    </message>
-    <message>
-        <source>&amp;Inspect</source>
-        <translation>&amp;Prüfen</translation>
-    </message>
-    <message>
-        <source>Inspect</source>
-        <translation>Prüfen</translation>
-    </message>
-    <message>
-        <source>Inspect (Ctrl+4)</source>
-        <translation>Prüfen (Strg+4)</translation>
-    </message>
-    <message>
-        <source>E&amp;xport finger…</source>
-        <translation>Finger e&amp;xportieren …</translation>
-    </message>
-    <message>
         <source>recording %1</source>
         <translation>Aufnahme %1</translation>
-    </message>
-    <message>
-        <source>The foot pedal is not heard now.</source>
-        <translation>Das Fußpedal ist gerade nicht zu hören.</translation>
     </message>
 </context>
 <context>
@@ -2550,6 +2394,33 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::ProblemBar</name>
+    <message>
+        <source>The program ended unexpectedly last time.</source>
+        <translation>Das Programm endete das letzte Mal unerwartet.</translation>
+    </message>
+    <message>
+        <source>What was worked on is kept.</source>
+        <translation>Woran gearbeitet wurde, ist erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with it</source>
+        <translation>Damit &amp;weitermachen</translation>
+    </message>
+    <message>
+        <source>The foot pedal is not heard now.</source>
+        <translation>Das Fußpedal ist gerade nicht zu hören.</translation>
+    </message>
+    <message>
+        <source>The source has ended; its last picture is shown.</source>
+        <translation>Die Quelle ist zu Ende; ihr letztes Bild wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>&amp;Play it again</source>
+        <translation>Noch einmal a&amp;bspielen</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ProblemList</name>
     <message>
         <source>Try: %1</source>
@@ -2570,6 +2441,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Good</source>
         <translation>Gut</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::Rail</name>
+    <message>
+        <source>%1 (Ctrl+%2)</source>
+        <translation>%1 (Strg+%2)</translation>
     </message>
 </context>
 <context>
@@ -2891,6 +2769,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Begin with nothing on the contact face.</source>
         <translation>Beginnen Sie mit freier Kontaktfläche.</translation>
     </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Aufnehmen</translation>
+    </message>
+    <message>
+        <source>This finger has no reference recording yet.</source>
+        <translation>Dieser Finger hat noch keine Referenzaufnahme.</translation>
+    </message>
+    <message>
+        <source>Record it bending, with nothing on its contact face.</source>
+        <translation>Nehmen Sie ihn beim Biegen auf, ohne etwas auf der Kontaktfläche.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SaveBar</name>
@@ -3117,6 +3011,61 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::SourceMenu</name>
+    <message>
+        <source>&amp;Source</source>
+        <translation>&amp;Quelle</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>No camera is plugged in</source>
+        <translation>Keine Kamera angeschlossen</translation>
+    </message>
+    <message>
+        <source>&amp;Simulated finger</source>
+        <translation>&amp;Simulierter Finger</translation>
+    </message>
+    <message>
+        <source>&amp;Video file…</source>
+        <translation>&amp;Videodatei…</translation>
+    </message>
+    <message>
+        <source>Folder of &amp;pictures…</source>
+        <translation>Ordner mit &amp;Bildern…</translation>
+    </message>
+    <message>
+        <source>Scene &amp;file…</source>
+        <translation>S&amp;zenendatei…</translation>
+    </message>
+    <message>
+        <source>&amp;Close the source</source>
+        <translation>Quelle s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>Video öffnen</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.avi *.mp4)</source>
+        <translation>Videos (*.mkv *.avi *.mp4)</translation>
+    </message>
+    <message>
+        <source>Open a folder of pictures</source>
+        <translation>Ordner mit Bildern öffnen</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Scenes (*.yaml *.yml)</source>
+        <translation>Szenen (*.yaml *.yml)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::StartPanel</name>
     <message>
         <source>What shall be shown?</source>
@@ -3165,6 +3114,48 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Camera %1</source>
         <translation>Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::StatusLine</name>
+    <message>
+        <source>Frames delivered</source>
+        <translation>Gelieferte Bilder</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>Verlorene Bilder</translation>
+    </message>
+    <message>
+        <source>Age of the picture</source>
+        <translation>Alter des Bildes</translation>
+    </message>
+    <message>
+        <source>Time of a frame</source>
+        <translation>Zeit für ein Bild</translation>
+    </message>
+    <message>
+        <source>picture %1 ms old</source>
+        <translation>Bild %1 ms alt</translation>
+    </message>
+    <message>
+        <source>pictures without times</source>
+        <translation>Bilder ohne Zeitangabe</translation>
+    </message>
+    <message>
+        <source>%1 ms a frame</source>
+        <translation>%1 ms je Bild</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 delivered, %3 shown a second</source>
+        <translation>%1 Bilder/s, %2 geliefert, %3 je Sekunde gezeigt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) lost</source>
+        <translation>
+            <numerusform>%n Bild verloren</numerusform>
+            <numerusform>%n Bilder verloren</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3286,6 +3277,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Verdict</source>
         <translation>Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::Workspace</name>
+    <message>
+        <source>close the finger</source>
+        <translation>Finger schließen</translation>
+    </message>
+    <message>
+        <source>open finger %1</source>
+        <translation>Finger %1 öffnen</translation>
+    </message>
+    <message>
+        <source>close the source</source>
+        <translation>Quelle schließen</translation>
+    </message>
+    <message>
+        <source>open source %1</source>
+        <translation>Quelle %1 öffnen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>source</comment>
+        <translation>keine</translation>
     </message>
 </context>
 <context>

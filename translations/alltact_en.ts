@@ -22,16 +22,6 @@
     </message>
 </context>
 <context>
-    <name>alltact::MainWindow</name>
-    <message numerus="yes">
-        <source>%n frame(s) lost</source>
-        <translation>
-            <numerusform>%n frame lost</numerusform>
-            <numerusform>%n frames lost</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>alltact::MappingPage</name>
     <message numerus="yes">
         <source>(about %n second(s) left)</source>
@@ -155,6 +145,16 @@
         <translation>
             <numerusform>%n frame showed a pose that others show as well.</numerusform>
             <numerusform>%n frames showed a pose that others show as well.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::StatusLine</name>
+    <message numerus="yes">
+        <source>%n frame(s) lost</source>
+        <translation>
+            <numerusform>%n frame lost</numerusform>
+            <numerusform>%n frames lost</numerusform>
         </translation>
     </message>
 </context>

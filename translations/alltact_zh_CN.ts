@@ -38,6 +38,26 @@
         <source>&amp;Next: %1</source>
         <translation>下一步:%1(&amp;N)</translation>
     </message>
+    <message>
+        <source>This finger is not calibrated yet, so that no depth is shown.</source>
+        <translation>此手指尚未标定,因此不显示深度。</translation>
+    </message>
+    <message>
+        <source>Calibrate it with ball presses.</source>
+        <translation>请用钢球按压进行标定。</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Calibrate</source>
+        <translation>转到标定(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>标定(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CalibrationRun</name>
@@ -285,6 +305,29 @@
     </message>
 </context>
 <context>
+    <name>alltact::EditMenu</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>撤销:%1(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>重做:%1(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ExportDialog</name>
     <message>
         <source>Export finger</source>
@@ -411,6 +454,33 @@
     <message>
         <source>Face in 3D</source>
         <translation>接触面三维视图</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerMenu</name>
+    <message>
+        <source>&amp;Recent fingers</source>
+        <translation>最近的手指(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Open finger…</source>
+        <translation>打开手指(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;New finger…</source>
+        <translation>新建手指(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>E&amp;xport finger…</source>
+        <translation>导出手指(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close finger</source>
+        <translation>关闭手指(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Open a finger&apos;s folder</source>
+        <translation>打开手指文件夹</translation>
     </message>
 </context>
 <context>
@@ -610,6 +680,77 @@
     <message>
         <source>Takes the place out of the finger&apos;s file.</source>
         <translation>从手指文件中删除该位置。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::HeaderBar</name>
+    <message>
+        <source>Finger:</source>
+        <translation>手指:</translation>
+    </message>
+    <message>
+        <source>Source:</source>
+        <translation>来源:</translation>
+    </message>
+    <message>
+        <source>Finger: %1</source>
+        <translation>手指:%1</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>来源:%1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>finger</comment>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1 (loading)</source>
+        <translation>%1(正在加载)</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1(仿真)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::HelpMenu</name>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this place</source>
+        <translation>本页帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;About AllTact Studio</source>
+        <translation>关于 AllTact Studio(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>About AllTact Studio</source>
+        <translation>关于 AllTact Studio</translation>
+    </message>
+    <message>
+        <source>## AllTact Studio %1
+
+Turns a clear silicone finger with a camera inside into a measuring instrument.
+
+Its own source is under the BSD-3-Clause licence; with the libraries it uses, the program as a whole is under the GPL, version 3.</source>
+        <translation>## AllTact Studio %1
+
+把内置相机的透明硅胶手指变成测量仪器。
+
+自有源代码采用 BSD-3-Clause 许可;连同所用的库,整个程序采用 GPL 第 3 版许可。</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -847,6 +988,14 @@
     <message>
         <source>close the second finger</source>
         <translation>关闭第二个手指</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>检视</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>检视(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -1385,20 +1534,24 @@
         <source>All together</source>
         <translation>合计</translation>
     </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>&amp;Live</source>
+        <translation>实时(&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MainWindow</name>
     <message>
-        <source>&amp;Open finger…</source>
-        <translation>打开手指(&amp;O)…</translation>
+        <source>AllTact Studio</source>
+        <translation>AllTact Studio</translation>
     </message>
     <message>
-        <source>&amp;New finger…</source>
-        <translation>新建手指(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>&amp;Close finger</source>
-        <translation>关闭手指(&amp;C)</translation>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
     </message>
     <message>
         <source>S&amp;ettings…</source>
@@ -1409,88 +1562,16 @@
         <translation>退出(&amp;Q)</translation>
     </message>
     <message>
-        <source>&amp;Live</source>
-        <translation>实时(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Record</source>
-        <translation>录制(&amp;R)</translation>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
         <translation>全屏(&amp;F)</translation>
     </message>
     <message>
-        <source>&amp;Help on this place</source>
-        <translation>本页帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;About AllTact Studio</source>
-        <translation>关于 AllTact Studio(&amp;A)</translation>
-    </message>
-    <message>
-        <source>AllTact Studio</source>
-        <translation>AllTact Studio</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>编辑(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Recent fingers</source>
-        <translation>最近的手指(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Source</source>
-        <translation>来源(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Live</source>
-        <translation>实时</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>录制</translation>
-    </message>
-    <message>
-        <source>Live (Ctrl+1)</source>
-        <translation>实时 (Ctrl+1)</translation>
-    </message>
-    <message>
-        <source>Finger:</source>
-        <translation>手指:</translation>
-    </message>
-    <message>
-        <source>Source:</source>
-        <translation>来源:</translation>
-    </message>
-    <message>
-        <source>Frames delivered</source>
-        <translation>收到的帧</translation>
-    </message>
-    <message>
-        <source>Frames lost</source>
-        <translation>丢失的帧</translation>
-    </message>
-    <message>
-        <source>Age of the picture</source>
-        <translation>图像延迟</translation>
-    </message>
-    <message>
-        <source>Time of a frame</source>
-        <translation>每帧用时</translation>
+        <source>go on with the last session</source>
+        <translation>继续上次的会话</translation>
     </message>
     <message>
         <source>finger %1</source>
@@ -1501,244 +1582,8 @@
         <translation>来源 %1</translation>
     </message>
     <message>
-        <source>&amp;Close</source>
-        <translation>关闭(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Camera %1</source>
-        <translation>相机 %1</translation>
-    </message>
-    <message>
-        <source>No camera is plugged in</source>
-        <translation>未连接相机</translation>
-    </message>
-    <message>
-        <source>&amp;Simulated finger</source>
-        <translation>仿真手指(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Video file…</source>
-        <translation>视频文件(&amp;V)…</translation>
-    </message>
-    <message>
-        <source>Folder of &amp;pictures…</source>
-        <translation>图片文件夹(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>Scene &amp;file…</source>
-        <translation>场景文件(&amp;F)…</translation>
-    </message>
-    <message>
-        <source>&amp;Close the source</source>
-        <translation>关闭来源(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Open a finger&apos;s folder</source>
-        <translation>打开手指文件夹</translation>
-    </message>
-    <message>
-        <source>Open a video</source>
-        <translation>打开视频</translation>
-    </message>
-    <message>
-        <source>Videos (*.mkv *.avi *.mp4)</source>
-        <translation>视频 (*.mkv *.avi *.mp4)</translation>
-    </message>
-    <message>
-        <source>Open a folder of pictures</source>
-        <translation>打开图片文件夹</translation>
-    </message>
-    <message>
-        <source>Open a scene</source>
-        <translation>打开场景</translation>
-    </message>
-    <message>
-        <source>Scenes (*.yaml *.yml)</source>
-        <translation>场景 (*.yaml *.yml)</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>帮助</translation>
-    </message>
-    <message>
-        <source>About AllTact Studio</source>
-        <translation>关于 AllTact Studio</translation>
-    </message>
-    <message>
-        <source>## AllTact Studio %1
-
-Turns a clear silicone finger with a camera inside into a measuring instrument.
-
-Its own source is under the BSD-3-Clause licence; with the libraries it uses, the program as a whole is under the GPL, version 3.</source>
-        <translation>## AllTact Studio %1
-
-把内置相机的透明硅胶手指变成测量仪器。
-
-自有源代码采用 BSD-3-Clause 许可;连同所用的库,整个程序采用 GPL 第 3 版许可。</translation>
-    </message>
-    <message>
-        <source>%1 (loading)</source>
-        <translation>%1(正在加载)</translation>
-    </message>
-    <message>
-        <source>%1 (simulated)</source>
-        <translation>%1(仿真)</translation>
-    </message>
-    <message>
-        <source>Finger: %1</source>
-        <translation>手指:%1</translation>
-    </message>
-    <message>
-        <source>Source: %1</source>
-        <translation>来源:%1</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 delivered, %3 shown a second</source>
-        <translation>%1 帧/秒,已收到 %2 帧,每秒显示 %3 帧</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n frame(s) lost</source>
-        <translation>
-            <numerusform>丢失 %n 帧</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>picture %1 ms old</source>
-        <translation>图像延迟 %1 ms</translation>
-    </message>
-    <message>
-        <source>pictures without times</source>
-        <translation>图像没有时间</translation>
-    </message>
-    <message>
-        <source>%1 ms a frame</source>
-        <translation>每帧 %1 ms</translation>
-    </message>
-    <message>
-        <source>The program ended unexpectedly last time.</source>
-        <translation>程序上次意外退出。</translation>
-    </message>
-    <message>
-        <source>What was worked on is kept.</source>
-        <translation>之前的工作已保留。</translation>
-    </message>
-    <message>
-        <source>&amp;Go on with it</source>
-        <translation>继续上次的工作(&amp;G)</translation>
-    </message>
-    <message>
-        <source>The source has ended; its last picture is shown.</source>
-        <translation>来源已结束;显示的是最后一帧。</translation>
-    </message>
-    <message>
-        <source>&amp;Play it again</source>
-        <translation>重新播放(&amp;P)</translation>
-    </message>
-    <message>
-        <source>This finger has no reference recording yet.</source>
-        <translation>此手指还没有参考录像。</translation>
-    </message>
-    <message>
-        <source>Record it bending, with nothing on its contact face.</source>
-        <translation>请录制它弯曲的过程,接触面上不要有任何东西。</translation>
-    </message>
-    <message>
-        <source>This finger is not calibrated yet, so that no depth is shown.</source>
-        <translation>此手指尚未标定,因此不显示深度。</translation>
-    </message>
-    <message>
-        <source>&amp;Undo: %1</source>
-        <translation>撤销:%1(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>撤销(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo: %1</source>
-        <translation>重做:%1(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>重做(&amp;R)</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <comment>source</comment>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>close the finger</source>
-        <translation>关闭手指</translation>
-    </message>
-    <message>
-        <source>open finger %1</source>
-        <translation>打开手指 %1</translation>
-    </message>
-    <message>
-        <source>close the source</source>
-        <translation>关闭来源</translation>
-    </message>
-    <message>
-        <source>open source %1</source>
-        <translation>打开来源 %1</translation>
-    </message>
-    <message>
-        <source>go on with the last session</source>
-        <translation>继续上次的会话</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <comment>finger</comment>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>&amp;Calibrate</source>
-        <translation>标定(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Calibrate</source>
-        <translation>标定</translation>
-    </message>
-    <message>
-        <source>Calibrate (Ctrl+2)</source>
-        <translation>标定 (Ctrl+2)</translation>
-    </message>
-    <message>
-        <source>Record (Ctrl+3)</source>
-        <translation>录制 (Ctrl+3)</translation>
-    </message>
-    <message>
-        <source>Calibrate it with ball presses.</source>
-        <translation>请用钢球按压进行标定。</translation>
-    </message>
-    <message>
-        <source>&amp;Go to Calibrate</source>
-        <translation>转到标定(&amp;G)</translation>
-    </message>
-    <message>
-        <source>&amp;Inspect</source>
-        <translation>检视(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Inspect</source>
-        <translation>检视</translation>
-    </message>
-    <message>
-        <source>Inspect (Ctrl+4)</source>
-        <translation>检视 (Ctrl+4)</translation>
-    </message>
-    <message>
-        <source>E&amp;xport finger…</source>
-        <translation>导出手指(&amp;X)…</translation>
-    </message>
-    <message>
         <source>recording %1</source>
         <translation>录像 %1</translation>
-    </message>
-    <message>
-        <source>The foot pedal is not heard now.</source>
-        <translation>现在收不到脚踏开关的信号。</translation>
     </message>
 </context>
 <context>
@@ -2541,6 +2386,33 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::ProblemBar</name>
+    <message>
+        <source>The program ended unexpectedly last time.</source>
+        <translation>程序上次意外退出。</translation>
+    </message>
+    <message>
+        <source>What was worked on is kept.</source>
+        <translation>之前的工作已保留。</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with it</source>
+        <translation>继续上次的工作(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The foot pedal is not heard now.</source>
+        <translation>现在收不到脚踏开关的信号。</translation>
+    </message>
+    <message>
+        <source>The source has ended; its last picture is shown.</source>
+        <translation>来源已结束;显示的是最后一帧。</translation>
+    </message>
+    <message>
+        <source>&amp;Play it again</source>
+        <translation>重新播放(&amp;P)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ProblemList</name>
     <message>
         <source>Try: %1</source>
@@ -2561,6 +2433,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Good</source>
         <translation>良好</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::Rail</name>
+    <message>
+        <source>%1 (Ctrl+%2)</source>
+        <translation>%1 (Ctrl+%2)</translation>
     </message>
 </context>
 <context>
@@ -2872,6 +2751,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Begin with nothing on the contact face.</source>
         <translation>请在接触面没有任何东西时开始。</translation>
     </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>录制(&amp;R)</translation>
+    </message>
+    <message>
+        <source>This finger has no reference recording yet.</source>
+        <translation>此手指还没有参考录像。</translation>
+    </message>
+    <message>
+        <source>Record it bending, with nothing on its contact face.</source>
+        <translation>请录制它弯曲的过程,接触面上不要有任何东西。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SaveBar</name>
@@ -3098,6 +2993,61 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::SourceMenu</name>
+    <message>
+        <source>&amp;Source</source>
+        <translation>来源(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>No camera is plugged in</source>
+        <translation>未连接相机</translation>
+    </message>
+    <message>
+        <source>&amp;Simulated finger</source>
+        <translation>仿真手指(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Video file…</source>
+        <translation>视频文件(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Folder of &amp;pictures…</source>
+        <translation>图片文件夹(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Scene &amp;file…</source>
+        <translation>场景文件(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close the source</source>
+        <translation>关闭来源(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>打开视频</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.avi *.mp4)</source>
+        <translation>视频 (*.mkv *.avi *.mp4)</translation>
+    </message>
+    <message>
+        <source>Open a folder of pictures</source>
+        <translation>打开图片文件夹</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>打开场景</translation>
+    </message>
+    <message>
+        <source>Scenes (*.yaml *.yml)</source>
+        <translation>场景 (*.yaml *.yml)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::StartPanel</name>
     <message>
         <source>What shall be shown?</source>
@@ -3146,6 +3096,47 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Camera %1</source>
         <translation>相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::StatusLine</name>
+    <message>
+        <source>Frames delivered</source>
+        <translation>收到的帧</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>丢失的帧</translation>
+    </message>
+    <message>
+        <source>Age of the picture</source>
+        <translation>图像延迟</translation>
+    </message>
+    <message>
+        <source>Time of a frame</source>
+        <translation>每帧用时</translation>
+    </message>
+    <message>
+        <source>picture %1 ms old</source>
+        <translation>图像延迟 %1 ms</translation>
+    </message>
+    <message>
+        <source>pictures without times</source>
+        <translation>图像没有时间</translation>
+    </message>
+    <message>
+        <source>%1 ms a frame</source>
+        <translation>每帧 %1 ms</translation>
+    </message>
+    <message>
+        <source>%1 frames/s, %2 delivered, %3 shown a second</source>
+        <translation>%1 帧/秒,已收到 %2 帧,每秒显示 %3 帧</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) lost</source>
+        <translation>
+            <numerusform>丢失 %n 帧</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3267,6 +3258,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Verdict</source>
         <translation>结论</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::Workspace</name>
+    <message>
+        <source>close the finger</source>
+        <translation>关闭手指</translation>
+    </message>
+    <message>
+        <source>open finger %1</source>
+        <translation>打开手指 %1</translation>
+    </message>
+    <message>
+        <source>close the source</source>
+        <translation>关闭来源</translation>
+    </message>
+    <message>
+        <source>open source %1</source>
+        <translation>打开来源 %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>source</comment>
+        <translation>无</translation>
     </message>
 </context>
 <context>

@@ -1,27 +1,27 @@
-// The Studio's window: places in the rail, finger and source always in view, problems in words.
+// The Studio's window: puts together the places, the rail that leads to them, the finger and the
+// source that are worked on, what is wrong with them, and the menus.
 #pragma once
 
 #include "app/studio/dresser.h"
 #include "app/studio/session_keeper.h"
+#include "app/studio/workspace.h"
 #include "core/sources/open/open_source.h"
 #include "widgets/live/camera_finder.h"
 #include "widgets/live/pedal.h"
-#include "widgets/places/calibrate_place.h"
-#include "widgets/places/inspect_place.h"
-#include "widgets/places/live_place.h"
-#include "widgets/places/record_place.h"
-#include "widgets/shell/problem_list.h"
-#include "widgets/shell/start_panel.h"
 
-#include <QButtonGroup>
-#include <QLabel>
 #include <QMainWindow>
-#include <QMenu>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QUndoStack>
 
 namespace alltact {
+
+class FingerMenu;
+class InspectPlace;
+class LivePlace;
+class Place;
+class ProblemBar;
+class Rail;
+class SourceMenu;
 
 struct StudioOptions {
   std::filesystem::path finger;               ///< to open at once; empty for none
@@ -42,86 +42,45 @@ class MainWindow : public Translated<QMainWindow> {
   [[nodiscard]] QUndoStack& undo_stack() { return undo_; }
   [[nodiscard]] Pedal& pedal() { return pedal_; }
   /// Both can be undone. An empty one closes; what is open already is opened afresh.
-  void open_finger(const std::filesystem::path& folder);
-  void open_source(const std::vector<std::filesystem::path>& inputs);
+  void open_finger(const std::filesystem::path& folder) { work_.open_finger(folder); }
+  void open_source(const std::vector<std::filesystem::path>& inputs) { work_.open_source(inputs); }
+  /// By its name; to the first place where none has it.
   void go_to(const std::string& place);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
-  struct Words {
-    QAction* action;
-    std::function<QString()> text;
-  };
-  QAction* add(QMenu& menu, std::function<QString()> text, const QKeySequence& key = {});
-  void make_menus();
-  void make_source_entries(QMenu& menu);
-  void make_undo_entries();
-  void make_view_menu();
-  void make_help_menu();
-  [[nodiscard]] QWidget* make_rail();
-  void connect_calibrating();
+  void make_places(const StudioOptions& options);
+  void connect_place(Place& place);
+  void connect_live();
   void connect_pedal();
-  [[nodiscard]] QWidget* make_header();
-  void make_status_line();
-  void name_parts();
-  void set_icons();
-
-  void show_undo();
-  void fill_source_menu();
-  void fill_recent_menu();
-  void choose_finger();
-  void new_finger(const NewFinger& known = {});
-  void export_open_finger();
-  void choose_video();
-  void choose_folder();
-  void choose_scene();
-  void open_simulated();
-  void go_on_with_last();
+  void make_menus();
+  void make_file_menu();
+  void make_view_menu();
+  void put_together();
   void show_settings();
-  void show_help();
-  void show_about();
-
-  void follow();
-  void show_header(const LiveStatus& status);
-  void show_line(const LiveStatus& status);
-  [[nodiscard]] std::vector<Problem> problems_of(const LiveStatus& status);
-  void add_source_problems(const LiveStatus& status, std::vector<Problem>& problems) const;
-  void add_finger_problems(const LiveStatus& status, std::vector<Problem>& problems) const;
+  [[nodiscard]] Place& shown_place() const;
   void keep();
   void restore(const SessionState& state);
+  void go_on_with_last();
   void name_last();
-  void set_finger(const std::filesystem::path& folder);
-  void set_source(const std::vector<std::filesystem::path>& inputs);
-  [[nodiscard]] bool would_end_recording(const QUndoCommand* step) const;
-  [[nodiscard]] QString source_name() const;
 
   Dresser& dresser_;
   SessionKeeper keeper_;
-  SessionState state_;
-  bool is_crash_told_ = false;
   LiveSession session_;
+  QUndoStack undo_;
+  Workspace work_;
   CameraFinder finder_;
   Pedal pedal_;
-  QUndoStack undo_;
-  std::vector<Words> words_;
-  QMenu *file_menu_, *source_menu_, *recent_menu_, *edit_menu_, *view_menu_, *help_menu_;
-  QAction *undo_action_, *redo_action_, *export_action_;
-  QButtonGroup* rail_;
-  QToolButton *live_button_, *calibrate_button_, *record_button_, *inspect_button_, *finger_button_,
-      *source_button_;
-  QLabel *finger_label_, *source_label_;
-  ProblemList* problems_;
-  QStackedWidget* places_;
-  QStackedWidget* live_or_start_;
-  StartPanel* start_;
+  std::vector<Place*> places_;  // in the order of the rail
   LivePlace* live_;
-  CalibratePlace* calibrate_;
-  RecordPlace* record_;
   InspectPlace* inspect_;
-  QLabel *delivered_, *lost_, *age_, *time_;
+  FingerMenu* finger_menu_;
+  SourceMenu* source_menu_;
+  Rail* rail_;
+  ProblemBar* problems_;
+  QStackedWidget* stack_;
 };
 
 }  // namespace alltact

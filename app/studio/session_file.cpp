@@ -82,8 +82,6 @@ Result<SessionState> session_from_json(const std::string& text, const std::strin
   state.finger = value_or(json, "finger", std::string());
   state.source = paths_of(json, "source");
   state.place = value_or(json, "place", state.place);
-  if (state.place != "calibrate" && state.place != "record" && state.place != "inspect")
-    state.place = "live";
   state.view = view_of(value_or(json, "view", Json::object()));
   state.inspect = inspect_from_json(value_or(json, "inspect", Json::object()));
   state.is_locked = value_or(json, "locked", true);

@@ -16,7 +16,7 @@ namespace alltact {
 struct SessionState {
   std::filesystem::path finger;               ///< folder; empty for none
   std::vector<std::filesystem::path> source;  ///< what opens it; empty for none
-  std::string place = "live";                 ///< live | calibrate | record | inspect
+  std::string place = "live";                 ///< its name, also one of a later version
   ViewOptions view;
   InspectState inspect;
   bool is_locked = true;

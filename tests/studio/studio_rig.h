@@ -4,6 +4,9 @@
 #include "app/studio/main_window.h"
 #include "tests/rigs/fake_camera.h"
 #include "tests/support/program.h"
+#include "widgets/places/inspect_place.h"
+#include "widgets/places/live_place.h"
+#include "widgets/places/record_place.h"
 
 #include <QAbstractButton>
 #include <QTest>

@@ -4,11 +4,12 @@
 #include <QVBoxLayout>
 
 namespace alltact {
+
 CalibratePlace::CalibratePlace(LiveSession& session,
                                QUndoStack& undo,
                                const CalibrateTools& tools,
                                QWidget* parent)
-    : Translated(parent),
+    : Place("calibrate", parent),
       session_(session),
       desk_(undo),
       run_(desk_, undo, tools.version),
@@ -40,7 +41,7 @@ CalibratePlace::CalibratePlace(LiveSession& session,
   connect(next_, &QPushButton::clicked, this, [this] { go_to(step_ + 1); });
   connect(finger_, &FingerPage::new_finger_wanted, this, &CalibratePlace::new_finger_wanted);
   connect(finger_, &FingerPage::open_finger_wanted, this, &CalibratePlace::open_finger_wanted);
-  connect(finger_, &FingerPage::record_wanted, this, &CalibratePlace::record_wanted);
+  connect(finger_, &FingerPage::record_wanted, this, [this] { Q_EMIT place_wanted("record"); });
   connect(finger_, &FingerPage::finger_changed, this, &CalibratePlace::finger_changed);
   connect(&run_, &CalibrationRun::finger_changed, this, &CalibratePlace::finger_changed);
   connect(&session_, &LiveSession::status_ready, this, &CalibratePlace::follow);
@@ -60,6 +61,18 @@ void CalibratePlace::follow() {
   lens_->show_status();
   finger_->show_status();
   show_steps();
+}
+
+void CalibratePlace::add_problems(std::vector<Problem>& problems) {
+  const FingerStatus& finger = session_.status().finger;
+  if (finger.state != FingerState::kReady || finger.folder.empty()) return;
+  const bool is_recorded = finger.finger->face.kind != FaceKind::kFinRay || finger.has_reference;
+  if (!is_recorded || finger.finger->mapping) return;
+  problems.push_back({Meaning::kDoubtful,
+                      tr("This finger is not calibrated yet, so that no depth is shown."),
+                      tr("Calibrate it with ball presses."),
+                      isVisible() ? QString() : tr("&Go to Calibrate"),
+                      [this] { Q_EMIT place_wanted(name()); }});
 }
 
 void CalibratePlace::reload() {

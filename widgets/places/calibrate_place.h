@@ -9,6 +9,7 @@
 #include "widgets/calibrating/mapping_page.h"
 #include "widgets/calibrating/presses_page.h"
 #include "widgets/calibrating/verdict_page.h"
+#include "widgets/places/place.h"
 
 #include <QStackedWidget>
 #include <array>
@@ -22,7 +23,7 @@ struct CalibrateTools {
   std::string version;                ///< of the program, for the record
 };
 
-class CalibratePlace : public Translated<QWidget> {
+class CalibratePlace : public Place {
   Q_OBJECT
  public:
   CalibratePlace(LiveSession& session,
@@ -30,21 +31,18 @@ class CalibratePlace : public Translated<QWidget> {
                  const CalibrateTools& tools,
                  QWidget* parent = nullptr);
 
-  /// The finger's folder has changed under the same name: another reference.
-  void reload();
+  [[nodiscard]] QString title() const override { return tr("Calibrate"); }
+  [[nodiscard]] QString menu_text() const override { return tr("&Calibrate"); }
+  /// Takes a press where one can be taken.
+  void press_pedal() override { pages_[step_]->press_pedal(); }
+  void add_problems(std::vector<Problem>& problems) override;
+  /// There is another reference.
+  void reload() override;
+
   [[nodiscard]] PressDesk& desk() { return desk_; }
   [[nodiscard]] CalibrationRun& run() { return run_; }
   /// The step that waits: the first that is not done.
   void go_to_next_to_do();
-  /// A foot pedal was pressed: takes a press where one can be taken.
-  void press_pedal() { pages_[step_]->press_pedal(); }
-
- Q_SIGNALS:
-  void new_finger_wanted(const alltact::NewFinger& known);
-  void open_finger_wanted();
-  void record_wanted();
-  /// finger.yaml was written anew.
-  void finger_changed();
 
  private:
   static constexpr std::size_t kSteps = 6;

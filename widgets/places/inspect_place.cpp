@@ -23,7 +23,7 @@ QString text_of(const std::filesystem::path& path) {
 }  // namespace
 
 InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
-    : Translated(parent),
+    : Place("inspect", parent),
       session_(session),
       undo_(undo),
       pair_(inspection_),

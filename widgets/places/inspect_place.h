@@ -10,8 +10,7 @@
 #include "widgets/inspect/save_bar.h"
 #include "widgets/inspect/time_line.h"
 #include "widgets/live/live_session.h"
-#include "widgets/shell/problem_list.h"
-#include "widgets/translated.h"
+#include "widgets/places/place.h"
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -22,11 +21,14 @@
 
 namespace alltact {
 
-class InspectPlace : public Translated<QWidget> {
+class InspectPlace : public Place {
   Q_OBJECT
  public:
   /// Changes go through `undo`.
   InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString title() const override { return tr("Inspect"); }
+  [[nodiscard]] QString menu_text() const override { return tr("&Inspect"); }
 
   /// A video or a folder of pictures. What is open already is opened afresh.
   void open(const std::filesystem::path& recording);
@@ -36,16 +38,13 @@ class InspectPlace : public Translated<QWidget> {
   void open_second(const std::optional<SecondFinger>& second);
   /// What was shown in another session, from this frame on.
   void restore(const InspectOptions& options, std::size_t frame);
+  /// What changed() tells of, though not of every frame while it plays.
   [[nodiscard]] const InspectOptions& options() const { return options_; }
   /// Of the recording that is shown.
   [[nodiscard]] std::size_t frame_number() const;
   [[nodiscard]] const FingerPair& pair() const { return pair_; }
   [[nodiscard]] const Inspection& inspection() const { return inspection_; }
   [[nodiscard]] bool is_saving() const { return saving_.is_running(); }
-
- Q_SIGNALS:
-  /// What options() or frame_number() say; not of every frame while it plays.
-  void changed();
 
  protected:
   void showEvent(QShowEvent* event) override;

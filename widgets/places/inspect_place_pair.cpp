@@ -35,17 +35,17 @@ void InspectPlace::choose_place(bool is_second) {
   const FingerPlace* known = pair_.place(is_second);
   if (known == nullptr) return;
   const std::filesystem::path folder = pair_.folder(is_second);
-  using Place = std::optional<RigidTransform>;
-  const Place now = known->gripper_from_camera;
+  using Pose = std::optional<RigidTransform>;
+  const Pose now = known->gripper_from_camera;
   auto* dialog = new GripperDialog(pair_.name(is_second), now, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &GripperDialog::chosen, this, [this, folder, now](const Place& place) {
+  connect(dialog, &GripperDialog::chosen, this, [this, folder, now](const Pose& place) {
     if (place == now) return;
-    undo_.push(new ValueChange<Place>(
+    undo_.push(new ValueChange<Pose>(
         tr("place %1 in the gripper").arg(text_of(folder.filename())),
         now,
         place,
-        [this, folder](const Place& wanted) { pair_.set_place(folder, wanted); }));
+        [this, folder](const Pose& wanted) { pair_.set_place(folder, wanted); }));
   });
   dialog->show();
 }

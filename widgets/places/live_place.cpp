@@ -16,9 +16,11 @@ enum MergeId { kDepthTop = 1, kControls = 1000 };
 }  // namespace
 
 LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
-    : Translated(parent),
+    : Place("live", parent),
       session_(session),
       undo_(undo),
+      pages_(new QStackedLayout(this)),
+      start_(new StartPanel),
       panel_(new PicturePanel(session)),
       over_(new QGroupBox),
       camera_(new QGroupBox),
@@ -34,10 +36,33 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
       contact_(new QLabel),
       times_(new QLabel),
       controls_(new ControlPanel) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(panel_, 1);
-  layout->addWidget(make_side());
+  pages_->addWidget(start_);
+  pages_->addWidget(make_picture());
+  connect_choices();
+  connect(controls_, &ControlPanel::control_changed, this, &LivePlace::change_control);
+  connect(controls_, &ControlPanel::lock_changed, this, &LivePlace::change_lock);
+  connect(&session_, &LiveSession::status_ready, this, &LivePlace::show_status);
+  connect(&session_, &LiveSession::view_ready, this, [this] { show_start(false); });
+  connect(start_, &StartPanel::finger_wanted, this, &LivePlace::open_finger_wanted);
+  connect(start_, &StartPanel::new_finger_wanted, this, [this] { Q_EMIT new_finger_wanted({}); });
+  say([this] { name_parts(); });
+  set_options(options_);
+}
+
+void LivePlace::show_start(bool is_wanted) {
+  pages_->setCurrentIndex(is_wanted ? 0 : 1);
+}
+
+QWidget* LivePlace::make_picture() {
+  auto* page = new QWidget;
+  auto* row = new QHBoxLayout(page);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(panel_, 1);
+  row->addWidget(make_side());
+  return page;
+}
+
+void LivePlace::connect_choices() {
   for (const Choice& choice : choices_)
     connect(choice.box, &QCheckBox::clicked, this, [this, choice](bool is_on) {
       ViewOptions next = options_;
@@ -51,31 +76,28 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
     next.depth_top_mm = value;
     change_options(next, tr("change the depth colours"), kDepthTop);
   });
-  connect(controls_, &ControlPanel::control_changed, this, &LivePlace::change_control);
-  connect(controls_, &ControlPanel::lock_changed, this, &LivePlace::change_lock);
-  connect(&session_, &LiveSession::status_ready, this, &LivePlace::show_status);
-  say([this] {
-    over_->setTitle(tr("Over the picture"));
-    const std::array<QString, 5> names{tr("&Edges of the face"),
-                                       tr("&Markers with numbers"),
-                                       tr("Direction of &contact"),
-                                       tr("&Depth in colours"),
-                                       tr("&Too dark or too bright")};
-    for (std::size_t i = 0; i < names.size(); ++i) choices_[i].box->setText(names[i]);
-    choices_[1].box->setToolTip(
-        tr("A ring: the marker is seen. A dashed diamond: its place is an estimate."));
-    choices_[4].box->setToolTip(
-        tr("Stripes falling to the right: too bright to measure. "
-           "Stripes falling to the left: too dark."));
-    top_label_->setText(tr("Colours &end at"));
-    top_->setSuffix(tr(" mm"));
-    top_->setAccessibleName(tr("Depth at which the colours end"));
-    camera_->setTitle(tr("Camera"));
-    contact_group_->setTitle(tr("Contact"));
-    times_group_->setTitle(tr("Time of a frame"));
-    show_status();
-  });
-  set_options(options_);
+}
+
+void LivePlace::name_parts() {
+  over_->setTitle(tr("Over the picture"));
+  const std::array<QString, 5> names{tr("&Edges of the face"),
+                                     tr("&Markers with numbers"),
+                                     tr("Direction of &contact"),
+                                     tr("&Depth in colours"),
+                                     tr("&Too dark or too bright")};
+  for (std::size_t i = 0; i < names.size(); ++i) choices_[i].box->setText(names[i]);
+  choices_[1].box->setToolTip(
+      tr("A ring: the marker is seen. A dashed diamond: its place is an estimate."));
+  choices_[4].box->setToolTip(
+      tr("Stripes falling to the right: too bright to measure. "
+         "Stripes falling to the left: too dark."));
+  top_label_->setText(tr("Colours &end at"));
+  top_->setSuffix(tr(" mm"));
+  top_->setAccessibleName(tr("Depth at which the colours end"));
+  camera_->setTitle(tr("Camera"));
+  contact_group_->setTitle(tr("Contact"));
+  times_group_->setTitle(tr("Time of a frame"));
+  show_status();
 }
 
 QWidget* LivePlace::make_side() {
@@ -118,7 +140,7 @@ void LivePlace::set_options(const ViewOptions& options) {
   session_.set_layers({options.depth, options.faults});
   session_.set_depth_top_mm(options.depth_top_mm);
   panel_->set_options(options);
-  Q_EMIT options_changed();
+  Q_EMIT changed();
 }
 
 void LivePlace::change_options(const ViewOptions& options, const QString& what, int merge_id) {

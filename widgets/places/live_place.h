@@ -1,30 +1,40 @@
-// The place Live: the picture at full rate, what is drawn over it, the camera's controls.
+// The place Live: the picture at full rate, what is drawn over it, the camera's controls; ways to
+// begin where there is no source yet.
 #pragma once
 
 #include "widgets/controls/control_panel.h"
 #include "widgets/panels/picture_panel.h"
-#include "widgets/translated.h"
+#include "widgets/places/place.h"
+#include "widgets/shell/start_panel.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
+#include <QStackedLayout>
 #include <QUndoStack>
 #include <array>
 
 namespace alltact {
 
-class LivePlace : public Translated<QWidget> {
+class LivePlace : public Place {
   Q_OBJECT
  public:
   /// Changes go through `undo`.
   LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent = nullptr);
 
+  [[nodiscard]] QString title() const override { return tr("Live"); }
+  [[nodiscard]] QString menu_text() const override { return tr("&Live"); }
+
+  /// Shown in place of the picture, which comes by itself with the first view.
+  [[nodiscard]] StartPanel& start() { return *start_; }
+  void show_start(bool is_wanted);
+
+  /// What changed() tells of.
   [[nodiscard]] const ViewOptions& options() const { return options_; }
   /// Not undoable: what a kept session begins with.
   void set_options(const ViewOptions& options);
 
  Q_SIGNALS:
-  void options_changed();
   void control_set(const alltact::ControlValue& control);
   void lock_set(bool is_locked);
 
@@ -33,7 +43,10 @@ class LivePlace : public Translated<QWidget> {
     QCheckBox* box;
     bool ViewOptions::*member;
   };
+  [[nodiscard]] QWidget* make_picture();
   [[nodiscard]] QWidget* make_side();
+  void connect_choices();
+  void name_parts();
   void change_options(const ViewOptions& options, const QString& what, int merge_id);
   void change_control(std::uint32_t id, std::int64_t before, std::int64_t value);
   void change_lock(bool is_locked);
@@ -42,6 +55,8 @@ class LivePlace : public Translated<QWidget> {
   LiveSession& session_;
   QUndoStack& undo_;
   ViewOptions options_;
+  QStackedLayout* pages_;
+  StartPanel* start_;
   PicturePanel* panel_;
   QGroupBox *over_, *camera_, *contact_group_, *times_group_;
   std::array<Choice, 5> choices_;

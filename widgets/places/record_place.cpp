@@ -36,7 +36,7 @@ std::filesystem::path path_of(const QString& text) {
 }  // namespace
 
 RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWidget* parent)
-    : Translated(parent),
+    : Place("record", parent),
       session_(session),
       installer_(std::move(installer)),
       panel_(new PicturePanel(session)),
@@ -254,7 +254,7 @@ void RecordPlace::install() {
       report_ = *report;
       problem_picture_ = picture;
       list_rejected();
-      if (*report) Q_EMIT installed();
+      if (*report) Q_EMIT finger_changed();
     });
   });
   show_status();

@@ -4,10 +4,9 @@
 #include "calibration/reference/reference_recording.h"
 #include "widgets/background_work.h"
 #include "widgets/panels/picture_panel.h"
+#include "widgets/places/place.h"
 #include "widgets/recording/bend_coverage.h"
 #include "widgets/recording/coverage_view.h"
-#include "widgets/shell/problem_list.h"
-#include "widgets/translated.h"
 
 #include <QGroupBox>
 #include <QImage>
@@ -25,21 +24,21 @@ using ReferenceInstaller =
                                           const ReferenceChoices& choices,
                                           const Job& job)>;
 
-class RecordPlace : public Translated<QWidget> {
+class RecordPlace : public Place {
   Q_OBJECT
  public:
   RecordPlace(LiveSession& session, ReferenceInstaller installer, QWidget* parent = nullptr);
 
-  void set_file(const QString& file) { file_->setText(file); }
-  [[nodiscard]] bool is_busy() const;
-  /// A foot pedal was pressed: starts recording, or stops it.
-  void press_pedal() {
+  [[nodiscard]] QString title() const override { return tr("Record"); }
+  [[nodiscard]] QString menu_text() const override { return tr("&Record"); }
+  /// Starts recording, or stops it.
+  void press_pedal() override {
     if (record_->isEnabled()) start_or_stop();
   }
+  void add_problems(std::vector<Problem>& problems) override;
 
- Q_SIGNALS:
-  /// A new reference lies in the finger's folder.
-  void installed();
+  void set_file(const QString& file) { file_->setText(file); }
+  [[nodiscard]] bool is_busy() const;
 
  protected:
   void changeEvent(QEvent* event) override;

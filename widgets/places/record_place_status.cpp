@@ -143,6 +143,17 @@ void RecordPlace::show_installing() {
   outcome_->setVisible(true);
 }
 
+void RecordPlace::add_problems(std::vector<Problem>& problems) {
+  const FingerStatus& finger = session_.status().finger;
+  if (finger.state != FingerState::kReady || finger.folder.empty()) return;
+  if (finger.finger->face.kind == FaceKind::kFinRay && !finger.has_reference)
+    problems.push_back({Meaning::kDoubtful,
+                        tr("This finger has no reference recording yet."),
+                        tr("Record it bending, with nothing on its contact face."),
+                        {},
+                        {}});
+}
+
 void RecordPlace::show_problems(const LiveStatus& status) {
   std::vector<Problem> problems;
   if (status.recording.problem) problems.push_back(Problem::of(*status.recording.problem));

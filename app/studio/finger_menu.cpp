@@ -1,0 +1,86 @@
+#include "app/studio/finger_menu.h"
+
+#include "widgets/shell/export_dialog.h"
+#include "widgets/shell/new_finger_dialog.h"
+
+#include <QFileDialog>
+
+namespace alltact {
+namespace {
+
+Status make_described(const NewFinger& wanted) {
+  const auto made = make_finger(wanted);
+  return made ? Status() : Status(made.error());
+}
+
+}  // namespace
+
+FingerMenu::FingerMenu(Workspace& work, QWidget* window)
+    : TranslatedMenu(window), work_(work), recent_(new QMenu(this)) {
+  connect(&work_, &Workspace::finger_changed, this, &FingerMenu::fill);
+  say([this] {
+    recent_->setTitle(tr("&Recent fingers"));
+    fill();
+  });
+}
+
+void FingerMenu::add_to(TranslatedMenu& file) {
+  file.add(
+      {QKeySequence::Open}, [] { return tr("&Open finger…"); }, [this] { choose(); });
+  file.add(
+      {QKeySequence::New}, [] { return tr("&New finger…"); }, [this] { make(); });
+  file.addMenu(recent_);
+  QAction* exports = file.add(
+      {Qt::CTRL | Qt::Key_E}, [] { return tr("E&xport finger…"); }, [this] { export_finger(); });
+  const auto follow = [this, exports] { exports->setEnabled(!work_.state().finger.empty()); };
+  connect(&work_, &Workspace::finger_changed, exports, follow);
+  follow();
+  file.add(
+      {}, [] { return tr("&Close finger"); }, [this] { work_.open_finger({}); });
+}
+
+void FingerMenu::fill() {
+  clear();
+  recent_->clear();
+  const auto& folders = work_.state().recent_fingers;
+  for (const std::filesystem::path& folder : folders)
+    for (QMenu* menu : {recent_, static_cast<QMenu*>(this)})
+      connect(menu->addAction(QString::fromStdString(folder.string())),
+              &QAction::triggered,
+              this,
+              [this, folder] { work_.open_finger(folder); });
+  recent_->setEnabled(!folders.empty());
+  if (!folders.empty()) addSeparator();
+  connect(addAction(tr("&Open finger…")), &QAction::triggered, this, &FingerMenu::choose);
+  connect(addAction(tr("&New finger…")), &QAction::triggered, this, [this] { make(); });
+  connect(
+      addAction(tr("&Close finger")), &QAction::triggered, this, [this] { work_.open_finger({}); });
+}
+
+void FingerMenu::choose() {
+  auto* dialog = new QFileDialog(parentWidget(), tr("Open a finger's folder"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    work_.open_finger(folder.toStdString());
+  });
+  dialog->show();
+}
+
+void FingerMenu::make(const NewFinger& known) {
+  auto* dialog = new NewFingerDialog(make_described, parentWidget());
+  dialog->set_description(known);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &NewFingerDialog::made, this, [this](const QString& folder) {
+    work_.open_finger(folder.toStdString());
+  });
+  dialog->show();
+}
+
+void FingerMenu::export_finger() {
+  auto* dialog = new ExportDialog(work_.state().finger, parentWidget());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
+}
+
+}  // namespace alltact

@@ -1,0 +1,88 @@
+#include "app/studio/problem_bar.h"
+
+#include "calibration/reference/settings_record.h"
+#include "widgets/language.h"
+
+namespace alltact {
+namespace {
+
+/// A warning or a remark: a sentence alone.
+Problem note_of(const Message& sentence) {
+  return Problem::of(Error{sentence, "", ""}, Meaning::kDoubtful);
+}
+
+}  // namespace
+
+ProblemBar::ProblemBar(const LiveSession& session,
+                       const SessionKeeper& keeper,
+                       const Pedal& pedal,
+                       Workspace& work,
+                       const std::vector<Place*>& places)
+    : session_(session), keeper_(keeper), pedal_(pedal), work_(work), places_(places) {
+  connect(&session_, &LiveSession::status_ready, this, &ProblemBar::follow);
+  connect(&pedal_, &Pedal::changed, this, &ProblemBar::follow);
+  say([this] { follow(); });
+}
+
+void ProblemBar::follow() {
+  Problems problems;
+  add_session_problems(problems);
+  add_pedal_problems(problems);
+  add_source_problems(problems);
+  add_finger_problems(problems);
+  for (Place* place : places_) place->add_problems(problems);
+  set_problems(std::move(problems));
+}
+
+void ProblemBar::forget_crash() {
+  is_crash_told_ = true;
+  follow();
+}
+
+void ProblemBar::add_session_problems(Problems& problems) {
+  if (keeper_.has_crashed() && !is_crash_told_)
+    problems.push_back({Meaning::kDoubtful,
+                        tr("The program ended unexpectedly last time."),
+                        tr("What was worked on is kept."),
+                        tr("&Go on with it"),
+                        [this] { Q_EMIT go_on_wanted(); }});
+  if (const auto unkept = keeper_.problem())
+    problems.push_back(Problem::of(*unkept, Meaning::kDoubtful));
+}
+
+void ProblemBar::add_pedal_problems(Problems& problems) const {
+  if (const auto& away = pedal_.problem())
+    problems.push_back({Meaning::kDoubtful,
+                        tr("The foot pedal is not heard now."),
+                        window_sentence(away->message()),
+                        {},
+                        {}});
+}
+
+void ProblemBar::add_source_problems(Problems& problems) {
+  const LiveStatus& status = session_.status();
+  if (status.source.problem) problems.push_back(Problem::of(*status.source.problem));
+  if (status.source.state == SourceState::kEnded)
+    problems.push_back({Meaning::kDoubtful,
+                        tr("The source has ended; its last picture is shown."),
+                        {},
+                        tr("&Play it again"),
+                        [this, inputs = work_.state().source] { work_.open_source(inputs); }});
+  if (status.desk.problem) problems.push_back(Problem::of(*status.desk.problem));
+  if (!status.remark.empty()) problems.push_back(note_of(status.remark));
+}
+
+void ProblemBar::add_finger_problems(Problems& problems) const {
+  const FingerStatus& finger = session_.status().finger;
+  if (finger.problem) problems.push_back(Problem::of(*finger.problem));
+  for (const Message& warning : finger.warnings) problems.push_back(note_of(warning));
+  const auto& view = session_.view();
+  if (!view) return;
+  if (view->watched.problem) problems.push_back(Problem::of(*view->watched.problem));
+  const FramePtr& frame = view->watched.result.frame;
+  if (!finger.finger || !finger.has_reference || !frame) return;
+  const Message other = other_settings_than_stored(*frame, *finger.finger);
+  if (!other.empty()) problems.push_back(note_of(other));
+}
+
+}  // namespace alltact

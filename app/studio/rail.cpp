@@ -1,0 +1,74 @@
+#include "app/studio/rail.h"
+
+#include "widgets/shell/icons.h"
+
+#include <QRegularExpression>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace alltact {
+namespace {
+
+constexpr int kRailIcon = 28;
+
+/// "&Live" and "实时(&L)" without the letter that chooses it.
+QString without_letter(QString menu_text) {
+  static const QRegularExpression behind(QStringLiteral("\\(&.\\)"));
+  return menu_text.remove(behind).remove(QLatin1Char('&'));
+}
+
+}  // namespace
+
+Rail::Rail(const std::vector<Place*>& places, QWidget* parent)
+    : Translated(parent), places_(places), buttons_(new QButtonGroup(this)) {
+  setObjectName(QStringLiteral("rail"));
+  setAutoFillBackground(true);
+  setBackgroundRole(QPalette::AlternateBase);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 8, 6, 8);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    QAbstractButton* button = make_button();
+    buttons_->addButton(button, static_cast<int>(i));
+    column->addWidget(button);
+  }
+  column->addStretch();
+  mark(0);
+  connect(buttons_, &QButtonGroup::idClicked, this, [this](int id) {
+    Q_EMIT chosen(places_[static_cast<std::size_t>(id)]->name());
+  });
+  say([this] { name_buttons(); });
+  set_icons();
+}
+
+QAbstractButton* Rail::make_button() {
+  auto* button = new QToolButton;
+  button->setCheckable(true);
+  button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  button->setIconSize({kRailIcon, kRailIcon});
+  button->setMinimumSize(76, 64);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setAutoRaise(true);
+  return button;
+}
+
+void Rail::name_buttons() {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    QAbstractButton* button = buttons_->button(static_cast<int>(i));
+    button->setText(places_[i]->title());
+    button->setToolTip(tr("%1 (Ctrl+%2)").arg(without_letter(places_[i]->menu_text())).arg(i + 1));
+  }
+}
+
+void Rail::set_icons() {
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    buttons_->button(static_cast<int>(i))
+        ->setIcon(icon(QString::fromStdString(places_[i]->name()), palette()));
+}
+
+void Rail::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) set_icons();
+}
+
+}  // namespace alltact

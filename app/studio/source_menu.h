@@ -1,0 +1,37 @@
+// Ways to a source of pictures: the menu of cameras and other kinds, and the dialogs behind it. No
+// dialog stops what runs.
+#pragma once
+
+#include "app/studio/workspace.h"
+#include "widgets/live/camera_finder.h"
+#include "widgets/translated.h"
+
+#include <QFileDialog>
+#include <QMenu>
+
+namespace alltact {
+
+class SourceMenu : public Translated<QMenu> {
+  Q_OBJECT
+ public:
+  /// `window` has the dialogs.
+  SourceMenu(Workspace& work, const CameraFinder& finder, QWidget* window);
+
+  void open_simulated();
+  void choose_video();
+  void choose_folder();
+
+ Q_SIGNALS:
+  /// Nothing was opened.
+  void failed(const alltact::Error& why);
+
+ private:
+  void fill();
+  void choose_scene();
+  void choose(const QString& title, QFileDialog::FileMode mode, const QString& filter = {});
+
+  Workspace& work_;
+  const CameraFinder& finder_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,25 @@
+// The line below every place: how the pictures of the open source come.
+#pragma once
+
+#include "widgets/live/live_session.h"
+#include "widgets/translated.h"
+
+#include <QLabel>
+#include <QStatusBar>
+
+namespace alltact {
+
+class StatusLine : public Translated<QStatusBar> {
+  Q_OBJECT
+ public:
+  explicit StatusLine(const LiveSession& session);
+
+ private:
+  void follow();
+  void show_source(const SourceStatus& source, double shown_per_s);
+
+  const LiveSession& session_;
+  QLabel *delivered_, *lost_, *age_, *time_;
+};
+
+}  // namespace alltact

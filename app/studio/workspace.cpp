@@ -1,0 +1,108 @@
+#include "app/studio/workspace.h"
+
+#include "widgets/value_change.h"
+
+namespace alltact {
+namespace {
+
+constexpr std::size_t kMostRecent = 10;
+using InputsChange = ValueChange<Workspace::Inputs>;
+
+std::filesystem::path whole_path(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  return folder.empty() ? folder : std::filesystem::absolute(folder, ignored);
+}
+
+}  // namespace
+
+QString short_name(const std::filesystem::path& path) {
+  const auto name = path.has_filename() ? path.filename() : path.parent_path().filename();
+  return QString::fromStdString(name.string());
+}
+
+Workspace::Workspace(LiveSession& session,
+                     QUndoStack& undo,
+                     const std::optional<SessionState>& last)
+    : session_(session), undo_(undo) {
+  if (!last) return;
+  state_.recent_fingers = last->recent_fingers;
+  state_.controls = last->controls;
+}
+
+void Workspace::open_finger(const std::filesystem::path& folder) {
+  const auto wanted = whole_path(folder);
+  if (wanted == state_.finger) return set_finger(wanted);
+  undo_.push(new ValueChange<std::filesystem::path>(
+      wanted.empty() ? tr("close the finger") : tr("open finger %1").arg(short_name(wanted)),
+      state_.finger,
+      wanted,
+      [this](const std::filesystem::path& finger) { set_finger(finger); }));
+}
+
+void Workspace::open_source(const Inputs& inputs) {
+  if (inputs == state_.source) return set_source(inputs);
+  undo_.push(new InputsChange(inputs.empty() ? tr("close the source")
+                                             : tr("open source %1").arg(short_name(inputs.front())),
+                              state_.source,
+                              inputs,
+                              [this](const Inputs& wanted) { set_source(wanted); }));
+}
+
+void Workspace::begin_with(const std::filesystem::path& finger, const Inputs& source) {
+  if (!finger.empty()) set_finger(whole_path(finger));
+  if (!source.empty()) set_source(source);
+}
+
+void Workspace::set_finger(const std::filesystem::path& folder) {
+  state_.finger = folder;
+  session_.open_finger(folder);
+  if (!folder.empty()) {
+    auto& recent = state_.recent_fingers;
+    std::erase(recent, folder);
+    recent.insert(recent.begin(), folder);
+    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+  }
+  Q_EMIT finger_changed();
+  Q_EMIT changed();
+}
+
+void Workspace::set_source(const Inputs& inputs) {
+  state_.source = inputs;
+  if (inputs.empty()) {
+    session_.close_source();
+  } else {
+    session_.set_lock(state_.is_locked);
+    session_.open_source(inputs, kept_controls());
+  }
+  Q_EMIT source_changed();
+  Q_EMIT changed();
+}
+
+void Workspace::keep_control(const ControlValue& control) {
+  auto& kept = kept_controls();
+  std::erase_if(kept, [&](const ControlValue& old) { return old.id == control.id; });
+  kept.push_back(control);
+  Q_EMIT changed();
+}
+
+void Workspace::keep_lock(bool is_locked) {
+  state_.is_locked = is_locked;
+  Q_EMIT changed();
+}
+
+std::vector<ControlValue>& Workspace::kept_controls() {
+  return state_.controls[source_name().toStdString()];
+}
+
+QString Workspace::source_name() const {
+  return state_.source.empty() ? tr("none", "source") : short_name(state_.source.front());
+}
+
+bool Workspace::changes_source(const QUndoCommand& step) {
+  if (dynamic_cast<const InputsChange*>(&step) != nullptr) return true;
+  for (int i = 0; i < step.childCount(); ++i)
+    if (changes_source(*step.child(i))) return true;
+  return false;
+}
+
+}  // namespace alltact
