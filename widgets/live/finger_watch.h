@@ -2,7 +2,7 @@
 // markers and edges before the reference recording, the edges alone of a finger nobody described.
 #pragma once
 
-#include "calibration/checks/dent_watch.h"
+#include "core/sensing/contact/reference_free_contact.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
 #include "core/sensing/face/face_edges.h"
@@ -30,7 +30,7 @@ struct WatchedFrame {
   /// Dots of a finger without a reference recording that are no markers yet, because the two rows
   /// are not plain.
   std::vector<Dot> dots;
-  /// Against the reference; before there is one, against the frames before (DentWatch).
+  /// Against the reference; before there is one, against the frames before (ReferenceFreeContactDetector).
   FaceTouch touch = FaceTouch::kUnknown;
   std::optional<Error> problem;  ///< why the frame could not be looked at at all
 };
@@ -61,7 +61,7 @@ class FingerWatch {
   std::optional<Camera> camera_;
   std::optional<Pipeline> pipeline_;
   std::optional<PlainRows> rows_;
-  DentWatch dents_;
+  ReferenceFreeContactDetector dents_;
   FaceEdgeFinder edge_finder_;
   PipelineSettings settings_;
 };

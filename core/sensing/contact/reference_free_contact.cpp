@@ -1,4 +1,4 @@
-#include "calibration/checks/dent_watch.h"
+#include "core/sensing/contact/reference_free_contact.h"
 
 #include <algorithm>
 #include <array>
@@ -73,7 +73,7 @@ double standing_out(const Patches& levels, int piece, int across) {
 
 }  // namespace
 
-bool DentWatch::learn(Skin& skin, double now) {
+bool ReferenceFreeContactDetector::learn(Skin& skin, double now) {
   const double off = now - skin.usual;
   const double limit = std::max(kDarker, kSigmas * std::sqrt(skin.variance));
   if (skin.frames >= kFirstFrames && off > limit) return false;
@@ -88,12 +88,13 @@ bool DentWatch::learn(Skin& skin, double now) {
   return true;
 }
 
-std::optional<DentSeen> DentWatch::operator()(const cv::Mat& grey, const FaceShape& shape) {
+std::optional<ReferenceFreeContact> ReferenceFreeContactDetector::operator()(
+    const cv::Mat& grey, const FaceShape& shape) {
   CV_Assert(grey.type() == CV_8UC1 && grey.cols == shape.width_px());
   skin_.resize(kPieces * kAcross);
   ++frames_;
   const Patches levels = levels_of(grey, shape);
-  std::optional<DentSeen> dent;
+  std::optional<ReferenceFreeContact> contact;
   for (int piece = 0; piece < kPieces; ++piece)
     for (int across = 0; across < kAcross; ++across) {
       if (!std::isfinite(levels[at(piece, across)])) continue;
@@ -101,13 +102,13 @@ std::optional<DentSeen> DentWatch::operator()(const cv::Mat& grey, const FaceSha
       if (!std::isfinite(now)) continue;
       Skin& skin = skin_[at(piece, across)];
       const double darker = now - skin.usual;
-      if (learn(skin, now) || (dent && darker <= dent->darker)) continue;
-      dent = DentSeen{darker, (piece + 0.5) * kPatchMm};
+      if (learn(skin, now) || (contact && darker <= contact->darker)) continue;
+      contact = ReferenceFreeContact{darker, (piece + 0.5) * kPatchMm};
     }
-  return dent;
+  return contact;
 }
 
-void DentWatch::forget() {
+void ReferenceFreeContactDetector::forget() {
   skin_.clear();
   frames_ = 0;
 }

@@ -12,7 +12,7 @@
 namespace alltact {
 
 /// A patch that is darker against its surroundings than it was.
-struct DentSeen {
+struct ReferenceFreeContact {
   double darker = 0;    ///< 0.1: by 10 %
   double along_mm = 0;  ///< from the base
 };
@@ -22,10 +22,11 @@ struct DentSeen {
 /// seen so: what presses from the first frame on (until it lets go, when that patch is learnt
 /// anew), and what presses evenly over more than a centimetre. study_recording looks closer, once
 /// the recording is there.
-class DentWatch {
+class ReferenceFreeContactDetector {
  public:
   /// nullopt: nothing presses, or these are the first frames. `grey`: CV_8UC1, the shape's width.
-  [[nodiscard]] std::optional<DentSeen> operator()(const cv::Mat& grey, const FaceShape& shape);
+  [[nodiscard]] std::optional<ReferenceFreeContact> operator()(const cv::Mat& grey,
+                                                               const FaceShape& shape);
   /// Enough frames have been seen to compare with.
   [[nodiscard]] bool is_ready() const { return frames_ >= kFirstFrames; }
   /// The next frame shows another finger, or another light.

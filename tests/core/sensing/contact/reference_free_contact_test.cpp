@@ -1,5 +1,5 @@
 // Touching before there is a reference: pictures of the simulated finger, whose presses are known.
-#include "calibration/checks/dent_watch.h"
+#include "core/sensing/contact/reference_free_contact.h"
 
 #include "core/sensing/face/face_edges.h"
 #include "core/simulation/plan.h"
@@ -22,17 +22,17 @@ class Simulated {
                   .value()),
         camera_(Camera::create(plan_.finger().camera).value()) {}
 
-  /// What the watch says of one frame; `change` may do something to the picture first.
-  std::optional<DentSeen> look(DentWatch& watch,
-                               int frame,
-                               const std::function<void(cv::Mat&)>& change = {}) const {
+  /// What the detector says of one frame; `change` may do something to the picture first.
+  std::optional<ReferenceFreeContact> look(ReferenceFreeContactDetector& detector,
+                                           int frame,
+                                           const std::function<void(cv::Mat&)>& change = {}) const {
     cv::Mat grey = plan_.render(frame);
     if (change) change(grey);
     const auto edges = FaceEdgeFinder()(grey);
     EXPECT_TRUE(edges.ok()) << frame;
     const auto shape = FaceShape::fit(*edges, camera_, plan_.finger().face, 7);
     EXPECT_TRUE(shape.ok()) << frame;
-    return watch(grey, *shape);
+    return detector(grey, *shape);
   }
 
  private:
@@ -40,15 +40,15 @@ class Simulated {
   Camera camera_;
 };
 
-TEST(DentWatch, SeesAPressThatComesAndSlidesAndGoes) {
+TEST(ReferenceFreeContact, SeesAPressThatComesAndSlidesAndGoes) {
   // 150 frames: from frame 46 a ball of 4 mm comes, is 0.4 mm deep from frame 59 to 136, slides
   // along the face meanwhile, and is gone in frame 149.
   const Simulated finger("studio_finger.yaml");
-  DentWatch watch;
+  ReferenceFreeContactDetector detector;
   int false_frames = 0, missed = 0;
   for (int i = 0; i < 150; ++i) {
-    const bool is_seen = finger.look(watch, i).has_value();
-    EXPECT_EQ(watch.is_ready(), i >= 4);
+    const bool is_seen = finger.look(detector, i).has_value();
+    EXPECT_EQ(detector.is_ready(), i >= 4);
     false_frames += is_seen && i < 46;
     missed += !is_seen && i >= 59 && i <= 136;
   }
@@ -59,47 +59,47 @@ TEST(DentWatch, SeesAPressThatComesAndSlidesAndGoes) {
   EXPECT_EQ(missed, 0);
 }
 
-TEST(DentWatch, SaysWhereItIs) {
+TEST(ReferenceFreeContact, SaysWhereItIs) {
   const Simulated finger("studio_finger.yaml");
-  DentWatch watch;
-  for (int i = 0; i < 40; ++i) static_cast<void>(finger.look(watch, i));
-  const auto dent = finger.look(watch, 70);  // at 40 mm, 0.84 mm deep
-  ASSERT_TRUE(dent);
-  EXPECT_NEAR(dent->along_mm, 40, 6);  // the scene counts from a little further down the finger
-  EXPECT_GT(dent->darker, 0.1);
+  ReferenceFreeContactDetector detector;
+  for (int i = 0; i < 40; ++i) static_cast<void>(finger.look(detector, i));
+  const auto contact = finger.look(detector, 70);  // at 40 mm, 0.84 mm deep
+  ASSERT_TRUE(contact);
+  EXPECT_NEAR(contact->along_mm, 40, 6);  // the scene counts from a little further down the finger
+  EXPECT_GT(contact->darker, 0.1);
 }
 
-TEST(DentWatch, BendingAloneIsNoTouch) {
+TEST(ReferenceFreeContact, BendingAloneIsNoTouch) {
   // The demonstration's reference recording: bent and swayed in all directions, untouched.
   const Simulated finger("demo_reference.yaml");
-  DentWatch watch;
+  ReferenceFreeContactDetector detector;
   int warned = 0;
-  for (int i = 0; i < 240; i += 2) warned += finger.look(watch, i).has_value();
+  for (int i = 0; i < 240; i += 2) warned += finger.look(detector, i).has_value();
   std::printf("[ figures  ] %d of 120 frames warned of\n", warned);
   EXPECT_LE(warned, 1);
 }
 
-TEST(DentWatch, MarkedSkinIsNoTouch) {
+TEST(ReferenceFreeContact, MarkedSkinIsNoTouch) {
   const Simulated finger("studio_finger.yaml");
-  DentWatch watch;
+  ReferenceFreeContactDetector detector;
   // A dark spot that is always there.
   const auto mark = [](cv::Mat& grey) {
     cv::Mat spot = grey(cv::Rect(grey.cols / 2, grey.rows / 2, 12, 12));
     spot.convertTo(spot, -1, 0.7);
   };
-  for (int i = 0; i < 46; ++i) EXPECT_FALSE(finger.look(watch, i, mark)) << i;
-  EXPECT_TRUE(finger.look(watch, 70, mark));
+  for (int i = 0; i < 46; ++i) EXPECT_FALSE(finger.look(detector, i, mark)) << i;
+  EXPECT_TRUE(finger.look(detector, 70, mark));
 }
 
-TEST(DentWatch, WhatPressesFromTheStartIsSeenOnceItLetGo) {
+TEST(ReferenceFreeContact, WhatPressesFromTheStartIsSeenOnceItLetGo) {
   const Simulated finger("studio_finger.yaml");
-  DentWatch watch;
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(finger.look(watch, 70 - i % 2)) << i;
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(finger.look(watch, i)) << i;
-  EXPECT_TRUE(finger.look(watch, 70));
-  watch.forget();
-  EXPECT_FALSE(watch.is_ready());
-  EXPECT_FALSE(finger.look(watch, 70));
+  ReferenceFreeContactDetector detector;
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(finger.look(detector, 70 - i % 2)) << i;
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(finger.look(detector, i)) << i;
+  EXPECT_TRUE(finger.look(detector, 70));
+  detector.forget();
+  EXPECT_FALSE(detector.is_ready());
+  EXPECT_FALSE(finger.look(detector, 70));
 }
 
 }  // namespace
