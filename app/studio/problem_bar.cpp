@@ -78,8 +78,8 @@ void ProblemBar::add_finger_problems(Problems& problems) const {
   for (const Message& warning : finger.warnings) problems.push_back(note_of(warning));
   const auto& view = session_.view();
   if (!view) return;
-  if (view->watched.problem) problems.push_back(Problem::of(*view->watched.problem));
-  const FramePtr& frame = view->watched.result.frame;
+  if (view->problem) problems.push_back(Problem::of(*view->problem));
+  const FramePtr& frame = view->result.frame;
   if (!finger.finger || !finger.has_reference || !frame) return;
   const Message other = other_settings_than_stored(*frame, *finger.finger);
   if (!other.empty()) problems.push_back(note_of(other));

@@ -1,8 +1,10 @@
 #include "core/sensing/pipeline.h"
 
+#include "core/sensing/contact/reference_free_contact.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/frame_faults.h"
+#include "core/sensing/markers/plain_rows.h"
 #include "core/sensing/reference/pose_places.h"
 
 #include <algorithm>
@@ -49,18 +51,24 @@ bool any_seen(const Markers& markers) {
 }  // namespace
 
 struct Pipeline::State {
-  Finger finger;
   PipelineSettings settings;
-  Camera camera;
-  ReferenceLibrary library;
-  std::optional<Mapping> mapping;
   FaceEdgeFinder edge_finder;
+  std::optional<Finger> finger;
+  std::optional<Camera> camera;  // with the finger
+  // Before there is a reference.
+  std::optional<PlainRows> rows;
+  ReferenceFreeContactDetector contact;
+  // With the reference.
+  std::optional<ReferenceLibrary> library;
+  std::optional<Mapping> mapping;
   std::optional<FaceShape> plane;        // flat sensors: known beforehand
   std::optional<MarkerTracker> tracker;  // fingers with markers
-  FramePtr last = nullptr;               // of a continuous source
+  FramePtr last;                         // of a continuous source
 
+  [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
   void look_at_picture(FrameResult& result);
   void find_shape(FrameResult& result, StopWatch& watch) const;
+  void find_without_reference(FrameResult& result, StopWatch& watch);
   bool find_markers(FrameResult& result);
   void find_markers_by_shape(FrameResult& result) const;
   void find_reference(FrameResult& result, StopWatch& watch);
@@ -73,21 +81,29 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   StopWatch watch;
   FrameResult result;
   result.frame = frame;
-  auto grey = oriented_for(state.finger.camera,
-                           frame->grey,
-                           en::say("the picture"),
-                           frame->origin,
-                           en::say("a picture at the size that the finger was calibrated with"));
+  auto grey = state.oriented(*frame);
   if (!grey) return grey.error();
   result.grey = std::move(grey).value();
-  state.look_at_picture(result);
+  if (state.library) state.look_at_picture(result);
   watch.lap(result.times_ms.prepare);
   state.find_shape(result, watch);
-  if (result.shape) state.find_reference(result, watch);
+  if (result.shape && !state.library) state.find_without_reference(result, watch);
+  if (result.shape && state.library) state.find_reference(result, watch);
   if (result.reference) state.find_depth(result, watch);
   if (result.depth) state.find_contact(result, watch);
   watch.total(result.times_ms.total);
   return result;
+}
+
+Result<cv::Mat> Pipeline::State::oriented(const Frame& frame) const {
+  if (!finger) return frame.grey;
+  return oriented_for(finger->camera,
+                      frame.grey,
+                      en::say("the picture"),
+                      frame.origin,
+                      library ? en::say("a picture at the size that the finger was calibrated with")
+                              : en::say("the finger that belongs to this camera, or this finger's "
+                                        "camera"));
 }
 
 void Pipeline::State::look_at_picture(FrameResult& result) {
@@ -112,7 +128,8 @@ void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
     return;
   }
   result.edges = std::move(edges).value();
-  auto shape = FaceShape::fit(*result.edges, camera, finger.face, settings.profile_degree);
+  if (!finger || finger->face.kind == FaceKind::kFlat) return;  // edges alone
+  auto shape = FaceShape::fit(*result.edges, *camera, finger->face, settings.profile_degree);
   watch.lap(result.times_ms.global);
   if (!shape) {
     result.problems.push_back(en::say("{}.", shape.error().message()));
@@ -121,14 +138,24 @@ void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
   result.shape = std::move(shape).value();
 }
 
+void Pipeline::State::find_without_reference(FrameResult& result, StopWatch& watch) {
+  auto seen = (*rows)(result.grey, *result.shape);
+  result.markers = std::move(seen.markers);
+  result.dots = std::move(seen.dots);
+  watch.lap(result.times_ms.markers);
+  const bool is_pressed = contact(result.grey, *result.shape).has_value();
+  if (contact.is_ready()) result.touch = is_pressed ? FaceTouch::kTouched : FaceTouch::kFree;
+  watch.lap(result.times_ms.contact);
+}
+
 // False: they are needed and could not be had.
 bool Pipeline::State::find_markers(FrameResult& result) {
   Message problem;
   if (tracker) {
     result.markers = (*tracker)(result.grey, *result.shape, &problem);
-  } else if (const MarkerModel* model = library.marker_model()) {
+  } else if (const MarkerModel* model = library->marker_model()) {
     result.markers =
-        model->complete(markers_at(*finger.reference->places, edge_curves(*result.shape)));
+        model->complete(markers_at(*finger->reference->places, edge_curves(*result.shape)));
     problem = en::say("too little of the face is seen to tell the pose by its shape");
   } else {
     return true;
@@ -139,7 +166,7 @@ bool Pipeline::State::find_markers(FrameResult& result) {
 }
 
 void Pipeline::State::find_markers_by_shape(FrameResult& result) const {
-  const ShapePoses* poses = library.shape_poses();
+  const ShapePoses* poses = library->shape_poses();
   auto told = poses ? (*poses)(*result.shape) : std::nullopt;
   if (!told) return;
   result.problems.push_back(en::say(
@@ -156,13 +183,13 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
   if (!found) return;
   const bool seen = result.markers && any_seen(*result.markers);
   if (tracker && seen) {
-    if (const TwistModel* model = library.twist_model())
+    if (const TwistModel* model = library->twist_model())
       if (auto turned = model->twisted(*result.markers, *result.shape))
         result.shape = std::move(*turned);
   }
-  if (seen && finger.contact)
-    result.push = push_of(*result.markers, *finger.contact, result.shape->base_at_low_u());
-  result.reference = library.reference_for(
+  if (seen && finger->contact)
+    result.push = push_of(*result.markers, *finger->contact, result.shape->base_at_low_u());
+  result.reference = library->reference_for(
       result.markers ? *result.markers : Markers{}, *result.shape, settings.reference);
   if (!result.reference->known_pose) {
     result.problems.push_back(never_recorded(result.reference->distance_px));
@@ -191,6 +218,7 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
       result.problems.push_back(std::move(fault));
   } else {
     result.difference = difference(result.grey, *result.reference, *result.shape, options);
+    result.touch = face_touch(*result.difference);
     result.problems.push_back(
         en::say("the finger is not calibrated: calibrate it with ball presses"));
   }
@@ -204,7 +232,8 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   options.noise_mm = result.depth->noise_mm;
   DepthError error(*result.depth, *result.reference, *result.shape, *mapping);
   options.untouched = [&](int u, int v) { return error.untouched(u, v); };
-  result.regions = contact_regions(*result.depth, *result.shape, finger.face, options);
+  result.regions = contact_regions(*result.depth, *result.shape, finger->face, options);
+  result.touch = face_touch(result.regions);
   watch.lap(result.times_ms.contact);
 }
 
@@ -220,21 +249,36 @@ Pipeline Pipeline::over(ReferenceLibrary library,
                         const FingerSnapshot& snapshot,
                         const PipelineSettings& settings) {
   const Finger& finger = snapshot.finger;
-  const Camera& camera = snapshot.camera;
-  auto state = std::make_unique<State>(State{
-      finger,
-      settings,
-      camera,
-      std::move(library),
-      snapshot.mapping,
-      FaceEdgeFinder(
-          {settings.edge_method, settings.edge_columns, FaceView{camera, finger.face.width_mm}}),
-      std::nullopt,
-      std::nullopt});
-  if (finger.face.kind == FaceKind::kFlat) state->plane = FaceShape::plane(camera, finger.face);
+  Pipeline pipeline = before_reference(snapshot, settings);
+  State& state = *pipeline.state_;
+  state.library = std::move(library);
+  state.mapping = snapshot.mapping;
+  if (finger.face.kind == FaceKind::kFlat)
+    state.plane = FaceShape::plane(snapshot.camera, finger.face);
   const bool by_shape = finger.reference && finger.reference->places;
-  if (const MarkerModel* model = state->library.marker_model(); model && !by_shape)
-    state->tracker.emplace(finger.markers, *model);
+  if (const MarkerModel* model = state.library->marker_model(); model && !by_shape)
+    state.tracker.emplace(finger.markers, *model);
+  return pipeline;
+}
+
+Pipeline Pipeline::before_reference(const FingerSnapshot& snapshot,
+                                    const PipelineSettings& settings) {
+  const Finger& finger = snapshot.finger;
+  Pipeline pipeline = of_unknown_finger(settings);
+  State& state = *pipeline.state_;
+  state.finger = finger;
+  state.camera = snapshot.camera;
+  state.edge_finder = FaceEdgeFinder({settings.edge_method,
+                                      settings.edge_columns,
+                                      FaceView{snapshot.camera, finger.face.width_mm}});
+  state.rows.emplace(finger.markers);
+  return pipeline;
+}
+
+Pipeline Pipeline::of_unknown_finger(const PipelineSettings& settings) {
+  auto state = std::make_unique<State>();
+  state->settings = settings;
+  state->edge_finder = FaceEdgeFinder({settings.edge_method, settings.edge_columns});
   return Pipeline(std::move(state));
 }
 
@@ -245,13 +289,18 @@ Pipeline::~Pipeline() = default;
 
 void Pipeline::forget() {
   if (state_->tracker) state_->tracker->forget();
+  if (state_->rows) state_->rows->forget();
+  state_->contact.forget();
   state_->last.reset();
 }
+bool Pipeline::has_reference() const {
+  return state_->library.has_value();
+}
 const Finger& Pipeline::finger() const {
-  return state_->finger;
+  return *state_->finger;
 }
 const Camera& Pipeline::camera() const {
-  return state_->camera;
+  return *state_->camera;
 }
 const PipelineSettings& Pipeline::settings() const {
   return state_->settings;

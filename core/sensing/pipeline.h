@@ -7,6 +7,7 @@
 #include "core/message.h"
 #include "core/result.h"
 #include "core/sensing/contact/contact_regions.h"
+#include "core/sensing/contact/face_touch.h"
 #include "core/sensing/contact/push.h"
 #include "core/sensing/depth/local_depth.h"
 #include "core/sensing/face/face_edges.h"
@@ -34,19 +35,33 @@ struct FrameResult {
   std::optional<FaceEdges> edges;
   std::optional<FaceShape> shape;  ///< turned by the twist that the markers tell
   std::optional<Markers> markers;
+  /// Of a finger without a reference recording, in frames whose two rows are not plain: dots that
+  /// are no markers yet.
+  std::vector<Dot> dots;
   std::optional<Reference> reference;
   std::optional<Difference> difference;  ///< of a finger without a mapping
   std::optional<DepthMap> depth;         ///< of one with a mapping
   std::optional<Push> push;
   std::vector<ContactRegion> regions;
+  /// Against the reference; before there is one, against the frames before
+  /// (reference_free_contact.h).
+  FaceTouch touch = FaceTouch::kUnknown;
   StepTimes times_ms;
   std::vector<Message> problems;
 };
 
-/// Built once from a finger; turns frames into results. Remembers only where the markers were and
-/// the last picture (between frames of one continuous source); everything else depends on the frame
-/// alone. Another frame of the source (is_same_frame in frame_faults.h) whose picture is the last
-/// one to the grey level is named as that of a camera that stands still.
+/// Built once from what is known of a finger; turns frames into results. Each result goes as far as
+/// that reaches:
+///   nothing known                    edges
+///   a finger                         and shape, markers or dots, touch; of a flat sensor edges
+///   and its reference recording      all but depth and regions
+///   and its mapping                  all
+/// Before there is a reference, nothing is said of the picture as a whole (frame_faults.h).
+///
+/// Remembers only what lies between frames of one continuous source: where the markers were, the
+/// last picture, and before there is a reference how bright the skin was. Everything else depends
+/// on the frame alone. Another frame of the source (is_same_frame in frame_faults.h) whose picture
+/// is the last one to the grey level is named as that of a camera that stands still.
 class Pipeline {
  public:
   /// Reads the finger's reference recording. A finger without a mapping works up to `difference`.
@@ -60,6 +75,12 @@ class Pipeline {
                        const FingerSnapshot& finger,
                        const PipelineSettings& settings);
 
+  /// Of a finger before its reference recording; one that it names is not read.
+  static Pipeline before_reference(const FingerSnapshot& finger, const PipelineSettings& settings);
+
+  /// Of a finger that nobody described: pictures of any size, as they come.
+  static Pipeline of_unknown_finger(const PipelineSettings& settings = {});
+
   /// Error: the frame's size is not the finger's. Anything else that fails is a problem in the
   /// result.
   [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame);
@@ -67,6 +88,8 @@ class Pipeline {
   /// The next frame is not the neighbour of the last one in time.
   void forget();
 
+  [[nodiscard]] bool has_reference() const;
+  /// Not of an unknown finger; the same holds for camera().
   [[nodiscard]] const Finger& finger() const;
   [[nodiscard]] const Camera& camera() const;
   [[nodiscard]] const PipelineSettings& settings() const;

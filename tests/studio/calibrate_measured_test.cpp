@@ -15,11 +15,10 @@ using testing::HasSubstr;
 /// The frames of all views from now on.
 std::shared_ptr<std::vector<FramePtr>> watched_frames(Studio& studio) {
   auto frames = std::make_shared<std::vector<FramePtr>>();
-  QObject::connect(
-      &studio.session(),
-      &LiveSession::view_ready,
-      studio.window().findChild<PressesPage*>(),
-      [&studio, frames] { frames->push_back(studio.session().view()->watched.result.frame); });
+  QObject::connect(&studio.session(),
+                   &LiveSession::view_ready,
+                   studio.window().findChild<PressesPage*>(),
+                   [&studio, frames] { frames->push_back(studio.session().view()->result.frame); });
   return frames;
 }
 

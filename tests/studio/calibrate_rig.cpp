@@ -181,7 +181,7 @@ bool CalibrateStudio::wait_for_press() {
   return wait_until([&] {
     const auto& view = studio_->session().view();
     if (!view) return false;
-    const auto patch = dark_patch(view->watched.result);
+    const auto patch = dark_patch(view->result);
     if (!patch || patch->darkness < 0.05) return false;
     if (last_along_mm_ && std::abs(patch->place_mm.x() - *last_along_mm_) < 5) return false;
     last_along_mm_ = patch->place_mm.x();

@@ -28,7 +28,7 @@ TEST(CalibrateKilled, DISABLED_TakesPressesForEver) {
   place->desk().set_radius(4);
   for (int i = 1;; ++i) {
     ASSERT_TRUE(wait_until([&] { return studio.session().view() != nullptr; }));
-    const std::string name = place->desk().add({studio.session().view()->watched.result.frame});
+    const std::string name = place->desk().add({studio.session().view()->result.frame});
     place->desk().place_ball(name, {0.5 * i, 0, 50}, i);
     std::printf("taken %d\n", i);
     std::fflush(stdout);
@@ -150,7 +150,7 @@ TEST(Calibrate, AFirstTimeUserComesFromAnEmptyFolderToAVerdict) {
     // As the picture shows it: the ball is in, elsewhere or deeper than before.
     ASSERT_TRUE(wait_until(
         [&] {
-          const auto patch = dark_patch(studio.session().view()->watched.result);
+          const auto patch = dark_patch(studio.session().view()->result);
           if (!patch || patch->darkness < 0.06) return false;
           for (const DarkPatch& one : taken)
             if ((one.place_mm - patch->place_mm).norm() < 5 &&
@@ -185,7 +185,7 @@ TEST(Calibrate, AFirstTimeUserComesFromAnEmptyFolderToAVerdict) {
   // the tip, which half a minute of recording does not cover well, it may see what is not there.
   double deepest_mm = 0;
   const auto look = [&] {
-    for (const ContactRegion& region : studio.session().view()->watched.result.regions)
+    for (const ContactRegion& region : studio.session().view()->result.regions)
       if (region.place_mm.z() < 75) deepest_mm = std::max(deepest_mm, region.deepest_mm);
     return deepest_mm > 0.7;
   };

@@ -350,7 +350,7 @@ TEST(Calibrate, ThreePressesTellWhetherItStillHolds) {
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
   ASSERT_TRUE(wait_until([&] {
     const auto& view = rig.studio().session().view();
-    return view && view->watched.result.depth.has_value();
+    return view && view->result.depth.has_value();
   }));
   rig.go_to_step("Check");
   EXPECT_FALSE(rig.studio().find<QPushButton>("Check now")->isEnabled());

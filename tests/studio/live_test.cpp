@@ -36,9 +36,9 @@ TEST(Live, BeginsWithTheSimulatedFingerByOneClick) {
   studio.click("Simulated finger");
   ASSERT_TRUE(wait_until([&] {
     const auto& view = studio.session().view();
-    return view && view->watched.result.markers.has_value();
+    return view && view->result.markers.has_value();
   }));
-  EXPECT_TRUE(studio.session().view()->watched.result.edges);
+  EXPECT_TRUE(studio.session().view()->result.edges);
   EXPECT_EQ(studio.problems(), "");
   ASSERT_TRUE(wait_until([&] { return studio.session().status().source.delivered > 30; }));
   EXPECT_EQ(studio.session().status().source.missing, 0U);
@@ -60,7 +60,7 @@ TEST(Live, BeginsWithTheSimulatedFingerByKeysAlone) {
 TEST(Live, ShowsDepthOfACalibratedFinger) {
   Studio studio(simulated());
   ASSERT_TRUE(wait_for_depth(studio));
-  const auto& result = studio.session().view()->watched.result;
+  const auto& result = studio.session().view()->result;
   ASSERT_FALSE(result.regions.empty());
   EXPECT_NEAR(result.regions.front().deepest_mm, 0.8, 0.1);  // as the scene says
   EXPECT_EQ(studio.problems(), "");
@@ -100,12 +100,11 @@ TEST(Live, EveryOverlayChangesWhatIsPainted) {
   ASSERT_TRUE(wait_for_depth(studio));
   LiveView view = *studio.session().view();
   // The ball does not move this finger; another force would.
-  view.watched.result.push =
-      Push{true, {20, 0}, Eigen::Vector3d(1, 0, 0), 1.0, PushedFace::kContact};
+  view.result.push = Push{true, {20, 0}, Eigen::Vector3d(1, 0, 0), 1.0, PushedFace::kContact};
   const auto painted = [&](const ViewOptions& options) {
     ImageView picture;
     picture.resize(960, 540);
-    picture.show_picture(view.watched.result.grey, overlays_for(view, options));
+    picture.show_picture(view.result.grey, overlays_for(view, options));
     return picture.grab().toImage();
   };
   ViewOptions none;

@@ -82,8 +82,7 @@ void age_of_full_hd(benchmark::State& state) {
     const auto& counts = studio.session().status().recording.counts;
     const std::vector<double> all(ages.begin() + static_cast<std::ptrdiff_t>(before), ages.end());
     const auto& view = studio.session().view();
-    state.counters["markers"] =
-        view && view->watched.result.markers ? view->watched.result.markers->size() : 0;
+    state.counters["markers"] = view && view->result.markers ? view->result.markers->size() : 0;
     state.counters["frame_ms"] = studio.session().times_ms().total;
     state.counters["age_p50_ms"] = percentile(all, 0.5);
     state.counters["age_p95_ms"] = percentile(all, 0.95);

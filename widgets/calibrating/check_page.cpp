@@ -182,8 +182,7 @@ void CheckPage::press_pedal() {
 }
 
 void CheckPage::take() {
-  const FramePtr frame =
-      why_not_take().isEmpty() ? session_.view()->watched.result.frame : FramePtr();
+  const FramePtr frame = why_not_take().isEmpty() ? session_.view()->result.frame : FramePtr();
   if (!frame) return;
   auto copy = std::make_shared<Frame>(*frame);
   copy->name = "check_" + std::to_string(taken_.size() + 1);

@@ -135,7 +135,7 @@ void FingerPage::make_finger() {
 
 void FingerPage::take_untouched() {
   if (!is_own() || !session_.view()) return;
-  const FramePtr frame = session_.view()->watched.result.frame;
+  const FramePtr frame = session_.view()->result.frame;
   if (!frame) return;
   work_.start([this, frame, folder = session_.status().finger.folder](const Job&) {
     const Status status = install_untouched(folder, *frame);

@@ -235,15 +235,14 @@ QString PressesPage::why_not_take() const {
   if (!session_.view()) return tr("There is no live picture: choose a source.");
   if (!desk_.is_ready()) return tr("The presses are being read.");
   if (!desk_.looker()) return tr("The finger cannot be compared with its reference.");
-  const FramePtr& frame = session_.view()->watched.result.frame;
-  if (!frame || session_.view()->watched.problem)
-    return tr("The live picture does not fit this finger.");
+  const FramePtr& frame = session_.view()->result.frame;
+  if (!frame || session_.view()->problem) return tr("The live picture does not fit this finger.");
   return {};
 }
 
 void PressesPage::take() {
   if (!why_not_take().isEmpty()) return;
-  const FramePtr& frame = session_.view()->watched.result.frame;
+  const FramePtr& frame = session_.view()->result.frame;
   const auto alike = frame == newest_held_ ? held_.alike() : std::vector<FramePtr>{frame};
   taken_name_ = text_of(desk_.add({mean_frame(alike)}));
   taken_of_ = alike.size();
@@ -283,10 +282,10 @@ void PressesPage::keyPressEvent(QKeyEvent* event) {
 
 void PressesPage::watch_contact() {
   if (!isVisible()) return;
-  hold(session_.view()->watched.result.frame);
+  hold(session_.view()->result.frame);
   show_take();
   if (!by_itself_->isChecked() || !why_not_take().isEmpty()) return;
-  const FrameResult& result = session_.view()->watched.result;
+  const FrameResult& result = session_.view()->result;
   if (!still_.add(dark_patch(result), 1e-9 * static_cast<double>(monotonic_ns()))) return;
   take();
   QApplication::beep();

@@ -1,7 +1,5 @@
 #include "widgets/calibrating/still_watch.h"
 
-#include "widgets/live/finger_watch.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +13,8 @@ constexpr double kMostGap_s = 0.3;
 }  // namespace
 
 std::optional<DarkPatch> dark_patch(const FrameResult& result) {
-  if (!result.shape || face_touch(result) != FaceTouch::kTouched) return std::nullopt;
+  const bool is_measured = result.shape && (result.depth || result.difference);
+  if (!is_measured || result.touch != FaceTouch::kTouched) return std::nullopt;
   const cv::Mat& x = result.depth ? result.depth->depth_mm : result.difference->x;
   // The mean of the largest: a single pixel is noise.
   std::vector<float> values;

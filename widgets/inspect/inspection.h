@@ -1,9 +1,9 @@
 // Measures frames of a recording, or those that come live, beside the window: the newest wish wins.
 #pragma once
 
+#include "calibration/live/live_finger.h"
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/inspect/time_match.h"
-#include "widgets/live/finger_watcher.h"
 
 #include <QObject>
 #include <filesystem>

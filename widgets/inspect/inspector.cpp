@@ -118,7 +118,7 @@ Result<std::shared_ptr<InspectedFrame>> Inspector::take_live(const InspectWish& 
   auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
   auto frame = std::make_shared<InspectedFrame>();
-  frame->result = wish.live->watched.result;
+  frame->result = wish.live->result;
   frame->face = finger.face;
   frame->camera = *camera;
   last_.reset();

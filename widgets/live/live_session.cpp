@@ -33,13 +33,13 @@ bool is_scene(const std::vector<std::filesystem::path>& inputs) {
 }  // namespace
 
 LiveSession::LiveSession(SourceOpener opener, QObject* parent) : QObject(parent) {
-  // On the watcher's thread: one event at most waits for this one.
+  // On the measuring thread: one event at most waits for this one.
   const auto tell = [this] {
     if (is_told_.exchange(true)) return;
     QMetaObject::invokeMethod(
         this, [this] { take_view(); }, Qt::QueuedConnection);
   };
-  watcher_ = std::make_unique<FingerWatcher>(hub_, tell);
+  live_finger_ = std::make_unique<LiveFinger>(hub_, tell);
   runner_ = std::make_unique<SourceRunner>(hub_, std::move(opener));
   connect(&timer_, &QTimer::timeout, this, &LiveSession::refresh);
   timer_.start(kBetweenLooks_ms);
@@ -47,7 +47,7 @@ LiveSession::LiveSession(SourceOpener opener, QObject* parent) : QObject(parent)
 
 LiveSession::~LiveSession() {
   runner_.reset();
-  watcher_.reset();
+  live_finger_.reset();
 }
 
 void LiveSession::open_source(const std::vector<std::filesystem::path>& inputs,
@@ -74,16 +74,16 @@ void LiveSession::open_finger(const std::filesystem::path& folder) {
   if (folder.empty()) {
     follow_scene();
   } else {
-    watcher_->open(folder);
+    live_finger_->open(folder);
   }
   refresh();
 }
 
 void LiveSession::follow_scene() {
   if (is_scene(inputs_))
-    watcher_->open_scene(inputs_.front());
+    live_finger_->open_scene(inputs_.front());
   else
-    watcher_->open({});
+    live_finger_->open({});
 }
 
 void LiveSession::start_recording(const std::filesystem::path& file,
@@ -100,16 +100,15 @@ void LiveSession::set_control(const ControlValue& control) {
 
 void LiveSession::take_view() {
   is_told_ = false;
-  auto view = watcher_->take();
+  auto view = live_finger_->take();
   if (!view) return;
   view_ = std::move(view);
-  smooth(times_ms_, view_->watched.result.times_ms);
+  smooth(times_ms_, view_->result.times_ms);
   const std::int64_t now_ns = monotonic_ns();
   taken_ns_.push_back(now_ns);
   while (taken_ns_.front() < now_ns - kSecond_ns) taken_ns_.pop_front();
   status_.age_ms.reset();
-  if (const FramePtr& frame = view_->watched.result.frame)
-    status_.age_ms = runner_->age_ms(*frame, now_ns);
+  if (const FramePtr& frame = view_->result.frame) status_.age_ms = runner_->age_ms(*frame, now_ns);
   if (status_.age_ms) {
     ages_ms_.push_back(*status_.age_ms);
     if (ages_ms_.size() > kMostAges) ages_ms_.pop_front();
@@ -121,7 +120,7 @@ void LiveSession::refresh() {
   status_.source = runner_->status();
   status_.recording = runner_->recording();
   if (status_.recording.state == RecordingState::kNone) status_.recording = last_recording_;
-  status_.finger = watcher_->status();
+  status_.finger = live_finger_->status();
   desk_.attach(runner_->camera(), wanted_controls_);
   status_.desk = desk_.status();
   follow_remarks();

@@ -2,9 +2,9 @@
 // its recording, the finger, the camera's controls. Nothing here waits.
 #pragma once
 
+#include "calibration/live/live_finger.h"
 #include "core/sources/open/open_source.h"
 #include "widgets/live/camera_desk.h"
-#include "widgets/live/finger_watcher.h"
 #include "widgets/live/source_runner.h"
 
 #include <QObject>
@@ -38,8 +38,8 @@ class LiveSession : public QObject {
   void open_finger(const std::filesystem::path& folder);
   void start_recording(const std::filesystem::path& file, const RecorderSettings& settings = {});
   void stop_recording() { runner_->stop_recording(); }
-  void set_layers(WantedLayers layers) { watcher_->set_layers(layers); }
-  void set_depth_top_mm(double top_mm) { watcher_->set_depth_top_mm(top_mm); }
+  void set_layers(WantedLayers layers) { live_finger_->set_layers(layers); }
+  void set_depth_top_mm(double top_mm) { live_finger_->set_depth_top_mm(top_mm); }
   /// A camera that is still being opened gets it as soon as it is there.
   void set_control(const ControlValue& control);
   void set_lock(bool is_locked) { desk_.set_lock(is_locked); }
@@ -66,7 +66,7 @@ class LiveSession : public QObject {
 
   FrameHub hub_;
   std::atomic<bool> is_told_{false};
-  std::unique_ptr<FingerWatcher> watcher_;
+  std::unique_ptr<LiveFinger> live_finger_;
   std::unique_ptr<SourceRunner> runner_;
   CameraDesk desk_;
   std::vector<std::filesystem::path> inputs_;  // of the source that is wanted; empty for none

@@ -63,8 +63,8 @@ void PicturePanel::set_options(const ViewOptions& options) {
 void PicturePanel::show_frame() {
   if (!isVisible() || !session_.view()) return;
   const LiveView& live = *session_.view();
-  if (live.watched.result.grey.empty()) return;
-  view_->show_picture(live.watched.result.grey, overlays_for(live, options_));
+  if (live.result.grey.empty()) return;
+  view_->show_picture(live.result.grey, overlays_for(live, options_));
   show_readout();
 }
 
@@ -89,8 +89,7 @@ void PicturePanel::show_readout() {
   const auto probe = view_->probe();
   const auto& live = session_.view();
   const bool is_inside =
-      probe && live &&
-      QRect(0, 0, live->watched.result.grey.cols, live->watched.result.grey.rows).contains(*probe);
+      probe && live && QRect(0, 0, live->result.grey.cols, live->result.grey.rows).contains(*probe);
   readout_->setText(is_inside ? readout_text(*live, *probe)
                               : tr("Point at a pixel, or press Shift and an arrow key."));
 }

@@ -38,7 +38,7 @@ struct FrameWords {
   }
 
   static QString readout(const LiveView& view, QPoint pixel) {
-    const FrameResult& result = view.watched.result;
+    const FrameResult& result = view.result;
     const QLocale locale;
     const int grey = result.grey.at<std::uint8_t>(pixel.y(), pixel.x());
     QString text = tr("u %1 px, v %2 px, grey %3").arg(pixel.x()).arg(pixel.y()).arg(grey);
@@ -51,7 +51,7 @@ struct FrameWords {
   }
 
   static QString contact(const LiveView& view) {
-    const FrameResult& result = view.watched.result;
+    const FrameResult& result = view.result;
     const QLocale locale;
     QStringList lines;
     if (result.depth && result.regions.empty()) lines << tr("Nothing presses on the contact face.");
@@ -74,7 +74,7 @@ struct FrameWords {
 }  // namespace
 
 std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& options) {
-  const FrameResult& result = view.watched.result;
+  const FrameResult& result = view.result;
   std::vector<Overlay> overlays;
   if (options.depth && !view.depth_layer.empty())
     overlays.push_back(layer_overlay(view.depth_layer));
@@ -82,8 +82,8 @@ std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& optio
     overlays.push_back(layer_overlay(view.faults_layer));
   if (options.edges && result.edges) overlays.push_back(edges_overlay(*result.edges));
   if (options.markers && result.markers) overlays.push_back(markers_overlay(*result.markers));
-  if (options.markers && !view.watched.dots.empty())
-    overlays.push_back(dots_overlay(view.watched.dots));
+  if (options.markers && !view.result.dots.empty())
+    overlays.push_back(dots_overlay(view.result.dots));
   if (options.direction && result.push && result.markers)
     overlays.push_back(push_overlay(*result.push, *result.markers));
   if (options.depth && !view.depth_layer.empty())

@@ -1,7 +1,7 @@
 // What is drawn over the live picture, and what is said of a frame.
 #pragma once
 
-#include "widgets/live/finger_watcher.h"
+#include "calibration/live/live_finger.h"
 #include "widgets/picture/image_view.h"
 
 #include <QString>

@@ -167,13 +167,12 @@ void RecordPlace::set_rest() {
 
 void RecordPlace::look_at_frame() {
   if (!isVisible()) return;
-  const WatchedFrame& watched = session_.view()->watched;
-  const FrameResult& result = watched.result;
+  const FrameResult& result = session_.view()->result;
   if (result.markers && result.shape)
     coverage_.add(*result.markers, *result.shape);
   else
     coverage_.add_nothing();
-  touch_ = watched.touch;
+  touch_ = result.touch;
   unknown_frames_ = touch_ == FaceTouch::kUnknown ? unknown_frames_ + 1 : 0;
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
   if (is_recording && touch_ == FaceTouch::kTouched) ++touched_frames_;

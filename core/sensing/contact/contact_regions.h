@@ -7,30 +7,29 @@
 //   ContactRegion (here)                depth: cells of 4 px deeper on average than 0.1 mm (setting
 //                                       contact_threshold_mm) and 4 sd of untouched skin; results
 //   Push (push.h)                       the markers' way from where they rest, summed: more than
-//   the
-//                                       finger's ContactSettings::threshold_px, which install of a
-//                                       reference sets to 5 sd (reference_recording.cpp); whether
-//                                       the whole finger is pushed, from any side; results
+//                                       the finger's ContactSettings::threshold_px, which install
+//                                       of a reference sets to 5 sd (reference_recording.cpp);
+//                                       whether the whole finger is pushed, from any side; results
 //   dented cells (depth_along_z.cpp)    depth: cells deeper than 0.02 to 0.1 mm, by the quietest
 //                                       quarter of the face; where depth is looked up along z
 //   untouched skin (light_gain.h)       brightness over the reference's: within 4 sd of a smooth
 //                                       change; the light's change, noise
-//   DentSeen (dent_watch.h)             brightness of a patch against its surroundings and the
-//   frames
-//                                       before: 5 % darker and 6 sd; before there is a reference
-//   DentedFrame (recording_study.h)     brightness of a patch against the rest of the recording: 4
-//   %
-//                                       darker and 8 sd of its zone; frames left out of a reference
+//   ReferenceFreeContact                brightness of a patch against its surroundings and the
+//   (reference_free_contact.h)          frames before: 5 % darker and 6 sd; before there is a
+//                                       reference
+//   DentedFrame (recording_study.h)     brightness of a patch against the rest of the recording:
+//                                       4 % darker and 8 sd of its zone; frames left out of a
+//                                       reference
 //   BallGuess (press.h)                 brightness: a disc 1.2 % darker and 5 times the scatter, to
 //                                       40 % of its darkest; where a press's ball begins
 //   sure zone (sample_misfit.h)         geometry: within 0.65 of the rim of the ball's cap; where
 //                                       skin and ball touch on any material, for calibration
 //   punched part (step_press.cpp)       brightness: 15 % of the greatest difference and 6 sd; what
 //                                       lies under a punch with a step
-//   FaceTouch (finger_watch.h)          a ContactRegion deeper than 0.15 mm; without a mapping 0.1
-//   %
-//                                       of the face darker than by 12 %; without a reference
-//                                       DentSeen; what the Studio says while it watches
+//   FaceTouch (face_touch.h)            a ContactRegion deeper than 0.15 mm; without a mapping
+//                                       0.1 % of the face darker by 12 %; without a reference a
+//                                       ReferenceFreeContact; what the Studio says of the live
+//                                       finger
 //
 // "Untouched" elsewhere is the skin as the reference shows it, whatever presses now.
 #pragma once

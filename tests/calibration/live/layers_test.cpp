@@ -1,7 +1,8 @@
 // The stripes of the live picture lie where the measurement says that it cannot measure.
+#include "calibration/live/layers.h"
+
 #include "core/grey_range.h"
 #include "tests/support/flat_sensor.h"
-#include "widgets/live/finger_watcher.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
+#include "calibration/live/layers.h"
+
 #include "core/grey_range.h"
 #include "core/io/colour_map.h"
-#include "widgets/live/finger_watcher.h"
 
 #include <algorithm>
 #include <array>

@@ -1,16 +1,15 @@
-// Looks at the newest frame, on a thread of its own, with whatever finger is open.
+// The newest frame measured, on a thread of its own, with whatever finger is open.
 #pragma once
 
+#include "core/finger/finger_store.h"
+#include "core/sensing/pipeline.h"
 #include "core/sources/frame_hub.h"
-#include "widgets/live/finger_watch.h"
 
-#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <thread>
 
 #include <opencv2/core.hpp>
@@ -26,7 +25,9 @@ struct WantedLayers {
 /// A frame as it is shown. Layers are CV_8UC4, premultiplied blue, green, red, alpha, the oriented
 /// picture's size; empty where not wanted or not to be had.
 struct LiveView {
-  WatchedFrame watched;
+  /// Of a frame that could not be measured the frame and its grey picture as it came.
+  FrameResult result;
+  std::optional<Error> problem;  ///< why it could not
   cv::Mat depth_layer, faults_layer;
   double depth_top_mm = 0;  ///< end of the depth layer's scale
 };
@@ -38,20 +39,19 @@ struct FingerStatus {
   std::filesystem::path folder;  ///< empty for a finger that a scene describes
   std::optional<Finger> finger;
   bool has_reference = false;  ///< loaded, so that frames are compared with it
-  std::string loading;         ///< what loading is at, in words
   std::optional<Error> problem;
   std::vector<Message> warnings;
-  std::uint64_t skipped = 0;  ///< frames that came and were never looked at: newer ones had come
+  std::uint64_t skipped = 0;  ///< frames that came and were never measured: newer ones had come
 };
 
 /// Any thread may call any function.
-class FingerWatcher {
+class LiveFinger {
  public:
-  /// `news` is called on the watcher's thread whenever there is a view that was not taken yet.
-  FingerWatcher(const FrameHub& hub, std::function<void()> news);
-  ~FingerWatcher();  ///< ends the threads; loading is asked to stop and not waited for
-  FingerWatcher(const FingerWatcher&) = delete;
-  FingerWatcher& operator=(const FingerWatcher&) = delete;
+  /// `news` is called on the measuring thread whenever there is a view that was not taken yet.
+  LiveFinger(const FrameHub& hub, std::function<void()> news);
+  ~LiveFinger();  ///< ends the threads; loading is asked to stop and not waited for
+  LiveFinger(const LiveFinger&) = delete;
+  LiveFinger& operator=(const LiveFinger&) = delete;
 
   /// Loads on a thread of its own; what was open goes on until then. An empty folder closes it.
   void open(const std::filesystem::path& folder);
@@ -68,19 +68,12 @@ class FingerWatcher {
   struct Loading;
   struct State;
   void load(const std::filesystem::path& folder, const std::filesystem::path& scene);
-  void watch(const std::stop_token& stop);
+  void measure(const std::stop_token& stop);
 
   std::shared_ptr<State> state_;
   LatestFrameReader reader_;
   std::function<void()> news_;
   std::jthread thread_;
 };
-
-/// The depth map in colours (viridis), more see-through where little presses.
-[[nodiscard]] cv::Mat depth_layer(const DepthMap& depth, double top_mm);
-/// Stripes falling to the right where the measurement flags a pixel as kSaturated, to the left
-/// where as kTooDark. Where nothing was measured, `grey` alone tells both (grey_range.h), on the
-/// face only, where that is known. `grey`: CV_8UC1, the result's.
-[[nodiscard]] cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result);
 
 }  // namespace alltact

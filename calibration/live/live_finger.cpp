@@ -1,6 +1,7 @@
-#include "widgets/live/finger_watcher.h"
+#include "calibration/live/live_finger.h"
 
 #include "calibration/finger/measuring_settings.h"
+#include "calibration/live/layers.h"
 #include "core/simulation/plan.h"
 
 #include <chrono>
@@ -8,53 +9,74 @@
 namespace alltact {
 namespace {
 
-Result<Finger> finger_of_scene(const std::filesystem::path& file) {
+Result<FingerPtr> finger_of_scene(const std::filesystem::path& file) {
   const auto scene = Scene::load(file);
   if (!scene) return scene.error();
   const auto plan = Plan::compile(*scene, 1);
   if (!plan) return plan.error();
-  return plan->finger();
+  auto finger = FingerSnapshot::of({}, plan->finger());
+  if (!finger) return finger.error();
+  return std::make_shared<const FingerSnapshot>(std::move(*finger));
+}
+
+Result<Pipeline> pipeline_of(const FingerSnapshot& finger, const Job& job) {
+  const PipelineSettings settings = measuring_settings(finger.folder);
+  if (finger.folder.empty() || !finger.finger.reference)
+    return Pipeline::before_reference(finger, settings);
+  return Pipeline::create(finger, settings, job);
+}
+
+/// What could not be measured is shown as it came.
+void measure_into(LiveView& view, Pipeline& pipeline, const FramePtr& frame) {
+  auto result = pipeline(frame);
+  if (result) {
+    view.result = std::move(*result);
+    return;
+  }
+  view.problem = result.error();
+  view.result.frame = frame;
+  view.result.grey = frame->grey;
 }
 
 }  // namespace
 
-struct FingerWatcher::Loading {
+struct LiveFinger::Loading {
   Job job;
 };
 
-struct FingerWatcher::State {
+struct LiveFinger::State {
   mutable std::mutex mutex;
   FingerStatus status;
-  std::shared_ptr<Loading> loading;   // the one that counts
-  std::unique_ptr<FingerWatch> next;  // loaded, for the watching thread to take
+  std::shared_ptr<Loading> loading;  // the one that counts
+  std::optional<Pipeline> next;      // loaded, for the measuring thread to take
   std::shared_ptr<const LiveView> view;
   WantedLayers layers;
   double depth_top_mm = 1.0;
 };
 
-FingerWatcher::FingerWatcher(const FrameHub& hub, std::function<void()> news)
+LiveFinger::LiveFinger(const FrameHub& hub, std::function<void()> news)
     : state_(std::make_shared<State>()),
       reader_(hub.reader()),
       news_(std::move(news)),
-      thread_([this](const std::stop_token& stop) { watch(stop); }) {}
+      thread_([this](const std::stop_token& stop) { measure(stop); }) {}
 
-FingerWatcher::~FingerWatcher() {
+LiveFinger::~LiveFinger() {
   const std::lock_guard lock(state_->mutex);
   if (state_->loading) state_->loading->job.request_stop();
 }
 
-void FingerWatcher::open(const std::filesystem::path& folder) {
+void LiveFinger::open(const std::filesystem::path& folder) {
   load(folder, {});
 }
 
-void FingerWatcher::open_scene(const std::filesystem::path& scene) {
+void LiveFinger::open_scene(const std::filesystem::path& scene) {
   load({}, scene);
 }
 
-void FingerWatcher::load(const std::filesystem::path& folder, const std::filesystem::path& scene) {
+void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem::path& scene) {
   const auto state = state_;
   auto loading = std::make_shared<Loading>();
-  std::unique_ptr<FingerWatch> unused;
+  std::optional<Pipeline> unused;
   {
     const std::lock_guard lock(state->mutex);
     if (state->loading) state->loading->job.request_stop();
@@ -62,7 +84,7 @@ void FingerWatcher::load(const std::filesystem::path& folder, const std::filesys
     state->status = {};
     state->status.folder = folder;
     if (folder.empty() && scene.empty()) {
-      unused = std::exchange(state->next, std::make_unique<FingerWatch>());
+      unused = std::exchange(state->next, Pipeline::of_unknown_finger());
       return;
     }
     state->status.state = FingerState::kLoading;
@@ -70,20 +92,20 @@ void FingerWatcher::load(const std::filesystem::path& folder, const std::filesys
   std::thread([state, loading, folder, scene] {
     FingerStatus status;
     status.folder = folder;
-    const auto finger =
-        folder.empty() ? finger_of_scene(scene) : Finger::load(folder, &status.warnings);
-    std::unique_ptr<FingerWatch> ready = std::make_unique<FingerWatch>();
+    const auto finger = folder.empty() ? finger_of_scene(scene) : open_finger(folder);
+    Pipeline ready = Pipeline::of_unknown_finger();
     if (finger) {
-      status.finger = *finger;
-      auto watch = FingerWatch::create(folder, *finger, measuring_settings(folder), loading->job);
-      if (watch) ready = std::make_unique<FingerWatch>(std::move(*watch));
-      if (!watch) status.problem = watch.error();
-      status.has_reference = ready->has_reference();
+      status.finger = (*finger)->finger;
+      status.warnings = (*finger)->warnings;
+      auto pipeline = pipeline_of(**finger, loading->job);
+      if (pipeline) ready = std::move(*pipeline);
+      if (!pipeline) status.problem = pipeline.error();
+      status.has_reference = ready.has_reference();
     } else {
       status.problem = finger.error();
     }
     status.state = status.problem ? FingerState::kFailed : FingerState::kReady;
-    std::unique_ptr<FingerWatch> unused;
+    std::optional<Pipeline> unused;
     const std::lock_guard lock(state->mutex);
     if (state->loading != loading) return;
     status.skipped = state->status.skipped;
@@ -92,25 +114,29 @@ void FingerWatcher::load(const std::filesystem::path& folder, const std::filesys
   }).detach();
 }
 
-void FingerWatcher::watch(const std::stop_token& stop) {
-  auto finger = std::make_unique<FingerWatch>();
+void LiveFinger::measure(const std::stop_token& stop) {
+  Pipeline pipeline = Pipeline::of_unknown_finger();
   FramePtr last;
   while (!stop.stop_requested()) {
     const FramePtr frame = reader_.next(std::chrono::milliseconds(50));
     if (!frame) continue;
     WantedLayers layers;
     auto view = std::make_shared<LiveView>();
-    std::unique_ptr<FingerWatch> before;  // freed outside the lock: it may hold a whole recording
+    std::optional<Pipeline> before;  // freed outside the lock: it may hold a whole recording
     {
       const std::lock_guard lock(state_->mutex);
-      if (state_->next) before = std::exchange(finger, std::move(state_->next));
+      if (state_->next) {
+        before = std::exchange(pipeline, std::move(*state_->next));
+        state_->next.reset();
+      }
       layers = state_->layers;
       view->depth_top_mm = state_->depth_top_mm;
     }
     const bool is_next = last && last->origin == frame->origin && frame->sequence > last->sequence;
     last = frame;
-    view->watched = (*finger)(frame, is_next);
-    const FrameResult& result = view->watched.result;
+    if (!is_next) pipeline.forget();
+    measure_into(*view, pipeline, frame);
+    const FrameResult& result = view->result;
     if (layers.depth && result.depth)
       view->depth_layer = depth_layer(*result.depth, view->depth_top_mm);
     if (layers.faults) view->faults_layer = faults_layer(result.grey, result);
@@ -126,22 +152,22 @@ void FingerWatcher::watch(const std::stop_token& stop) {
   }
 }
 
-void FingerWatcher::set_layers(WantedLayers layers) {
+void LiveFinger::set_layers(WantedLayers layers) {
   const std::lock_guard lock(state_->mutex);
   state_->layers = layers;
 }
 
-void FingerWatcher::set_depth_top_mm(double top_mm) {
+void LiveFinger::set_depth_top_mm(double top_mm) {
   const std::lock_guard lock(state_->mutex);
   state_->depth_top_mm = top_mm;
 }
 
-std::shared_ptr<const LiveView> FingerWatcher::take() {
+std::shared_ptr<const LiveView> LiveFinger::take() {
   const std::lock_guard lock(state_->mutex);
   return std::exchange(state_->view, nullptr);
 }
 
-FingerStatus FingerWatcher::status() const {
+FingerStatus LiveFinger::status() const {
   const std::lock_guard lock(state_->mutex);
   return state_->status;
 }
