@@ -68,7 +68,7 @@ void ProblemBar::add_source_problems(Problems& problems) {
                         {},
                         tr("&Play it again"),
                         [this, inputs = work_.state().source] { work_.open_source(inputs); }});
-  if (status.desk.problem) problems.push_back(Problem::of(*status.desk.problem));
+  if (status.controller.problem) problems.push_back(Problem::of(*status.controller.problem));
   if (!status.remark.empty()) problems.push_back(note_of(status.remark));
 }
 

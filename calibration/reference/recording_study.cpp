@@ -14,7 +14,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kProfileDegree = 7;
+constexpr int kStudyDegree = 7;
 constexpr double kPatchMm = 1.5;  // a side: no ball that matters dents less
 constexpr double kDarker = 0.04;  // about 0.1 mm of a usual layer
 constexpr double kSigmas = 8.0;   // of what patches of a zone differ by from frame to frame
@@ -33,7 +33,7 @@ struct Looked {
 std::optional<Looked> look(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
   const auto edges = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
   if (!edges) return std::nullopt;
-  auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
+  auto shape = FaceShape::fit(*edges, camera, finger.face, kStudyDegree);
   if (!shape) return std::nullopt;
   return Looked{grey, std::move(shape).value(), edges->noise_sd};
 }

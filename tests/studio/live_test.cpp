@@ -134,7 +134,7 @@ TEST(Live, LocksACameraAtFirstAndSetsItWhenUnlocked) {
   options.source = {"camera"};
   Studio studio(options);
   ASSERT_TRUE(studio.wait_for_picture());
-  ASSERT_TRUE(wait_until([&] { return studio.session().status().desk.is_locked; }));
+  ASSERT_TRUE(wait_until([&] { return studio.session().status().controller.is_locked; }));
   EXPECT_EQ(fake.control(V4L2_CID_EXPOSURE_AUTO), V4L2_EXPOSURE_MANUAL);
   ASSERT_TRUE(wait_until([&] { return studio.window().findChild<QSlider*>() != nullptr; }));
   auto* exposure = studio.find<QSlider>("Exposure time");

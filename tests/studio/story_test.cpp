@@ -55,13 +55,13 @@ TEST(Story, FromTheFirstStartToTheNextDay) {
     studio.window().open_finger(MadeFingers::get().described());
 
     // Brightness is locked from the start; unlocked, changed, locked again.
-    ASSERT_TRUE(wait_until([&] { return studio.session().status().desk.is_locked; }));
+    ASSERT_TRUE(wait_until([&] { return studio.session().status().controller.is_locked; }));
     auto* lock = studio.find<QCheckBox>("Lock brightness");
     ASSERT_NE(lock, nullptr);
     QTest::keyClick(lock, Qt::Key_Space);
-    ASSERT_TRUE(wait_until([&] { return !studio.session().status().desk.is_locked; }));
+    ASSERT_TRUE(wait_until([&] { return !studio.session().status().controller.is_locked; }));
     QTest::keyClick(lock, Qt::Key_Space);
-    ASSERT_TRUE(wait_until([&] { return studio.session().status().desk.is_locked; }));
+    ASSERT_TRUE(wait_until([&] { return studio.session().status().controller.is_locked; }));
     EXPECT_EQ(fake.control(V4L2_CID_EXPOSURE_AUTO), V4L2_EXPOSURE_MANUAL);
 
     QTest::keyClick(&studio.window(), Qt::Key_3, Qt::ControlModifier);
@@ -90,7 +90,7 @@ TEST(Story, FromTheFirstStartToTheNextDay) {
   ASSERT_TRUE(next_day.wait_for_picture());
   EXPECT_TRUE(wait_until([&] {
     return next_day.session().status().finger.state == FingerState::kReady &&
-           next_day.session().status().desk.is_locked;
+           next_day.session().status().controller.is_locked;
   }));
   EXPECT_NE(next_day.find<QGroupBox>("Recording"), nullptr);  // the place it was left at
 }

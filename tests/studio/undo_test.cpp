@@ -129,7 +129,7 @@ TEST(Undo, GivesTheCameraThatComesBackWhatItHadBefore) {
   options.source = {"camera"};
   Studio studio(options);
   ASSERT_TRUE(studio.wait_for_picture());
-  ASSERT_TRUE(wait_until([&] { return studio.session().status().desk.is_locked; }));
+  ASSERT_TRUE(wait_until([&] { return studio.session().status().controller.is_locked; }));
   QTest::keyClick(studio.find<QCheckBox>("Lock brightness"), Qt::Key_Space);
   auto* exposure = studio.find<QSlider>("Exposure time");
   ASSERT_TRUE(wait_until([&] { return exposure->isEnabled(); }));

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/finger/finger_store.h"
+#include "core/io/disk_queue.h"
 #include "widgets/background_work.h"
 #include "widgets/calibrating/press_looker.h"
-#include "widgets/disk_queue.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QObject>

@@ -1,6 +1,6 @@
 #include "widgets/calibrating/presses_page.h"
 
-#include "widgets/live/source_runner.h"
+#include "core/live/source_runner.h"
 #include "widgets/panels/side_panel.h"
 
 #include <QApplication>

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "calibration/presses/held_frames.h"
+#include "core/live/stationary_contact.h"
 #include "widgets/calibrating/press_form.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/step_page.h"
-#include "widgets/calibrating/still_watch.h"
 #include "widgets/panels/picture_panel.h"
 #include "widgets/picture/outline_editor.h"
 #include "widgets/shell/problem_list.h"
@@ -64,7 +64,7 @@ class PressesPage : public StepPage {
   PressDesk& desk_;
   const CalibrationRun& run_;
   PressModel model_;
-  StillWatch still_;
+  StationaryContactDetector still_;
   HeldFrames held_;                 // of the live picture, for as long as it is watched
   FramePtr newest_held_;            // null: none
   std::filesystem::path held_for_;  // the finger's folder

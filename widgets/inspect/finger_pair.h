@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/geometry/surface_distance.h"
+#include "core/io/disk_queue.h"
+#include "core/recording/time_match.h"
 #include "widgets/background_work.h"
-#include "widgets/disk_queue.h"
 #include "widgets/inspect/inspect_options.h"
-#include "widgets/inspect/time_match.h"
 
 #include <QObject>
 #include <array>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "calibration/live/live_finger.h"
+#include "core/recording/time_match.h"
 #include "widgets/inspect/inspected_frame.h"
-#include "widgets/inspect/time_match.h"
 
 #include <QObject>
 #include <filesystem>

@@ -1,8 +1,8 @@
 // The work behind Inspection: a recording, a finger, one or two pipelines. Of one thread.
 #pragma once
 
+#include "core/sources/files/recorded_frames.h"
 #include "widgets/inspect/inspection.h"
-#include "widgets/inspect/recorded_frames.h"
 
 #include <memory>
 #include <optional>

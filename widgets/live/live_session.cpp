@@ -95,7 +95,7 @@ void LiveSession::start_recording(const std::filesystem::path& file,
 void LiveSession::set_control(const ControlValue& control) {
   std::erase_if(wanted_controls_, [&](const ControlValue& old) { return old.id == control.id; });
   wanted_controls_.push_back(control);
-  desk_.set(control);
+  controller_.set(control);
 }
 
 void LiveSession::take_view() {
@@ -121,8 +121,8 @@ void LiveSession::refresh() {
   status_.recording = runner_->recording();
   if (status_.recording.state == RecordingState::kNone) status_.recording = last_recording_;
   status_.finger = live_finger_->status();
-  desk_.attach(runner_->camera(), wanted_controls_);
-  status_.desk = desk_.status();
+  controller_.attach(runner_->camera(), wanted_controls_);
+  status_.controller = controller_.status();
   follow_remarks();
   const std::int64_t now_ns = monotonic_ns();
   while (!taken_ns_.empty() && taken_ns_.front() < now_ns - kSecond_ns) taken_ns_.pop_front();

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "calibration/live/live_finger.h"
+#include "core/live/camera_controller.h"
+#include "core/live/source_runner.h"
 #include "core/sources/open/open_source.h"
-#include "widgets/live/camera_desk.h"
-#include "widgets/live/source_runner.h"
 
 #include <QObject>
 #include <QTimer>
@@ -19,7 +19,7 @@ struct LiveStatus {
   SourceStatus source;
   RecordingStatus recording;
   FingerStatus finger;
-  DeskStatus desk;
+  CameraControllerStatus controller;
   double shown_per_s = 0;        ///< views taken over the last second
   std::optional<double> age_ms;  ///< of the last view, when it was taken
   Message remark;                ///< the camera's latest, for ten seconds; then empty
@@ -42,7 +42,7 @@ class LiveSession : public QObject {
   void set_depth_top_mm(double top_mm) { live_finger_->set_depth_top_mm(top_mm); }
   /// A camera that is still being opened gets it as soon as it is there.
   void set_control(const ControlValue& control);
-  void set_lock(bool is_locked) { desk_.set_lock(is_locked); }
+  void set_lock(bool is_locked) { controller_.set_lock(is_locked); }
 
   /// The newest view; null before the first.
   [[nodiscard]] const std::shared_ptr<const LiveView>& view() const { return view_; }
@@ -68,7 +68,7 @@ class LiveSession : public QObject {
   std::atomic<bool> is_told_{false};
   std::unique_ptr<LiveFinger> live_finger_;
   std::unique_ptr<SourceRunner> runner_;
-  CameraDesk desk_;
+  CameraController controller_;
   std::vector<std::filesystem::path> inputs_;  // of the source that is wanted; empty for none
   std::vector<ControlValue> wanted_controls_;
   std::filesystem::path folder_;

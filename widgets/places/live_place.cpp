@@ -149,7 +149,7 @@ void LivePlace::change_options(const ViewOptions& options, const QString& what, 
 }
 
 void LivePlace::change_control(std::uint32_t id, std::int64_t before, std::int64_t value) {
-  const auto& controls = session_.status().desk.controls;
+  const auto& controls = session_.status().controller.controls;
   const auto control =
       std::find_if(controls.begin(), controls.end(), [&](const auto& c) { return c.id == id; });
   const std::string name = control == controls.end() ? std::string() : control->name;
@@ -176,7 +176,7 @@ void LivePlace::change_lock(bool is_locked) {
 
 void LivePlace::show_status() {
   const LiveStatus& status = session_.status();
-  controls_->set_controls(status.desk.controls, status.desk.is_locked);
+  controls_->set_controls(status.controller.controls, status.controller.is_locked);
   const auto& view = session_.view();
   contact_->setText(view ? contact_text(*view) : tr("No picture yet."));
   const QLocale locale;

@@ -1,11 +1,11 @@
 // The place Record: a reference video with what it covers, and its installation in the finger.
 #pragma once
 
+#include "calibration/reference/bend_coverage.h"
 #include "calibration/reference/reference_recording.h"
 #include "widgets/background_work.h"
 #include "widgets/panels/picture_panel.h"
 #include "widgets/places/place.h"
-#include "widgets/recording/bend_coverage.h"
 #include "widgets/recording/coverage_view.h"
 
 #include <QGroupBox>

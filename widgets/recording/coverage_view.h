@@ -1,7 +1,7 @@
 // How far a finger has been bent, as a picture and in words.
 #pragma once
 
-#include "widgets/recording/bend_coverage.h"
+#include "calibration/reference/bend_coverage.h"
 #include "widgets/translated.h"
 
 #include <QWidget>

@@ -13,7 +13,7 @@
 
 namespace alltact {
 
-struct DeskStatus {
+struct CameraControllerStatus {
   bool has_camera = false;
   std::vector<CameraControl> controls;  ///< as they were at the last look, about once a second
   bool is_locked = false;
@@ -21,16 +21,16 @@ struct DeskStatus {
 };
 
 /// Any thread may call any function; none waits for the camera.
-class CameraDesk {
+class CameraController {
  public:
-  CameraDesk();
+  CameraController();
 
   /// The camera to work on, null for none. A new one gets `wanted` first, and the lock where that
   /// is on.
   void attach(std::shared_ptr<V4l2Camera> camera, const std::vector<ControlValue>& wanted);
   void set(const ControlValue& control);
   void set_lock(bool is_locked);
-  [[nodiscard]] DeskStatus status() const;
+  [[nodiscard]] CameraControllerStatus status() const;
 
  private:
   struct State;

@@ -1,4 +1,4 @@
-#include "widgets/inspect/time_match.h"
+#include "core/recording/time_match.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "widgets/recording/bend_coverage.h"
+#include "calibration/reference/bend_coverage.h"
 
 #include "core/numerics/median.h"
 

@@ -3,9 +3,9 @@
 
 #include "core/frame.h"
 #include "core/job.h"
+#include "core/recording/time_match.h"
 #include "core/recording/video_file.h"
 #include "core/result.h"
-#include "widgets/inspect/time_match.h"
 
 #include <filesystem>
 #include <memory>

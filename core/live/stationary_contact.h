@@ -20,7 +20,7 @@ struct DarkPatch {
 
 /// Says once of every contact that it holds still: neither its place nor its depth has changed for
 /// half a second. The next is said when it has left, or moved on by 2 mm.
-class StillWatch {
+class StationaryContactDetector {
  public:
   static constexpr double kHold_s = 0.4;
   static constexpr double kMost_mm = 0.35;     ///< of movement meanwhile
@@ -29,7 +29,7 @@ class StillWatch {
 
   /// time_s: of any clock. True: take this frame.
   [[nodiscard]] bool add(const std::optional<DarkPatch>& patch, double time_s);
-  void begin() { *this = StillWatch(); }
+  void begin() { *this = StationaryContactDetector(); }
 
  private:
   struct Seen {

@@ -1,4 +1,4 @@
-#include "widgets/disk_queue.h"
+#include "core/io/disk_queue.h"
 
 namespace alltact {
 

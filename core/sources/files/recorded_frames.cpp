@@ -1,4 +1,4 @@
-#include "widgets/inspect/recorded_frames.h"
+#include "core/sources/files/recorded_frames.h"
 
 #include "core/sources/files/picture_source.h"
 

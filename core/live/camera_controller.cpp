@@ -1,17 +1,16 @@
-#include "widgets/live/camera_desk.h"
+#include "core/live/camera_controller.h"
 
 #include <chrono>
 
 namespace alltact {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kBetweenLooks{1000};
 constexpr std::chrono::seconds kTold{10};  // how long a refused change is told of
 
 }  // namespace
 
-struct CameraDesk::State {
+struct CameraController::State {
   mutable std::mutex mutex;
   std::condition_variable news;
   bool is_ending = false;
@@ -20,8 +19,8 @@ struct CameraDesk::State {
   bool is_lock_changed = false;  // to be told to the camera...
   bool is_lock_asked = false;    // ...and at once
   std::deque<ControlValue> changes;
-  DeskStatus status;
-  Clock::time_point told_since;
+  CameraControllerStatus status;
+  std::chrono::steady_clock::time_point told_since;
 
   void run() {
     std::unique_lock lock(mutex);
@@ -58,26 +57,26 @@ struct CameraDesk::State {
     is_lock_changed = is_lock_changed || is_lock_failed;
     if (problem) {
       status.problem = problem;
-      told_since = Clock::now();
-    } else if (!todo.empty() || Clock::now() > told_since + kTold) {
+      told_since = std::chrono::steady_clock::now();
+    } else if (!todo.empty() || std::chrono::steady_clock::now() > told_since + kTold) {
       status.problem.reset();
     }
   }
 };
 
-CameraDesk::CameraDesk() : state_(std::make_shared<State>()), stopper_{state_} {
+CameraController::CameraController() : state_(std::make_shared<State>()), stopper_{state_} {
   std::thread([state = state_] { state->run(); }).detach();
 }
 
-CameraDesk::Stopper::~Stopper() {
+CameraController::Stopper::~Stopper() {
   const std::lock_guard lock(state->mutex);
   state->is_ending = true;
   state->camera.reset();
   state->news.notify_all();
 }
 
-void CameraDesk::attach(std::shared_ptr<V4l2Camera> camera,
-                        const std::vector<ControlValue>& wanted) {
+void CameraController::attach(std::shared_ptr<V4l2Camera> camera,
+                              const std::vector<ControlValue>& wanted) {
   const std::lock_guard lock(state_->mutex);
   if (camera == state_->camera) return;
   state_->camera = std::move(camera);
@@ -88,14 +87,14 @@ void CameraDesk::attach(std::shared_ptr<V4l2Camera> camera,
   state_->news.notify_all();
 }
 
-void CameraDesk::set(const ControlValue& control) {
+void CameraController::set(const ControlValue& control) {
   const std::lock_guard lock(state_->mutex);
   std::erase_if(state_->changes, [&](const ControlValue& old) { return old.id == control.id; });
   state_->changes.push_back(control);
   state_->news.notify_all();
 }
 
-void CameraDesk::set_lock(bool is_locked) {
+void CameraController::set_lock(bool is_locked) {
   const std::lock_guard lock(state_->mutex);
   if (state_->is_lock_wanted == is_locked) return;
   state_->is_lock_wanted = is_locked;
@@ -103,7 +102,7 @@ void CameraDesk::set_lock(bool is_locked) {
   state_->news.notify_all();
 }
 
-DeskStatus CameraDesk::status() const {
+CameraControllerStatus CameraController::status() const {
   const std::lock_guard lock(state_->mutex);
   return state_->status;
 }

@@ -1,5 +1,5 @@
 // When a contact holds still: told once, and not while it moves.
-#include "widgets/calibrating/still_watch.h"
+#include "core/live/stationary_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -33,20 +33,20 @@ class Contact {
   }
 
  private:
-  StillWatch watch_;
+  StationaryContactDetector watch_;
   DarkPatch patch_{{30, 2}, 0.3};
   double time_ = 100;
   int frame_ = 0;
 };
 
-TEST(StillWatch, TellsOnceOfAContactThatHoldsStill) {
+TEST(StationaryContactDetector, TellsOnceOfAContactThatHoldsStill) {
   Contact contact;
   EXPECT_EQ(contact.hold(0.35), 0) << "too short yet";
   EXPECT_EQ(contact.hold(0.2), 1);
   EXPECT_EQ(contact.hold(5), 0);
 }
 
-TEST(StillWatch, TellsAgainAfterLiftingAndAfterMovingOn) {
+TEST(StationaryContactDetector, TellsAgainAfterLiftingAndAfterMovingOn) {
   Contact contact;
   EXPECT_EQ(contact.hold(1), 1);
   EXPECT_EQ(contact.lift(0.2), 0);
@@ -57,7 +57,7 @@ TEST(StillWatch, TellsAgainAfterLiftingAndAfterMovingOn) {
   EXPECT_EQ(contact.hold(2), 0);
 }
 
-TEST(StillWatch, NeverTellsOfWhatMovesOrIsPressedIn) {
+TEST(StationaryContactDetector, NeverTellsOfWhatMovesOrIsPressedIn) {
   Contact sliding;
   EXPECT_EQ(sliding.hold(4, {0, 3}), 0);
   Contact pressing;
@@ -66,8 +66,8 @@ TEST(StillWatch, NeverTellsOfWhatMovesOrIsPressedIn) {
   EXPECT_EQ(empty.lift(3), 0);
 }
 
-TEST(StillWatch, DoesNotCountATimeWithoutFrames) {
-  StillWatch watch;
+TEST(StationaryContactDetector, DoesNotCountATimeWithoutFrames) {
+  StationaryContactDetector watch;
   const DarkPatch patch{{30, 2}, 0.3};
   EXPECT_FALSE(watch.add(patch, 1.0));
   EXPECT_FALSE(watch.add(patch, 1.1));

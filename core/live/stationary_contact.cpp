@@ -1,4 +1,4 @@
-#include "widgets/calibrating/still_watch.h"
+#include "core/live/stationary_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ std::optional<DarkPatch> dark_patch(const FrameResult& result) {
   return patch;
 }
 
-bool StillWatch::add(const std::optional<DarkPatch>& patch, double time_s) {
+bool StationaryContactDetector::add(const std::optional<DarkPatch>& patch, double time_s) {
   if (!patch) {
     seen_.clear();
     taken_.reset();

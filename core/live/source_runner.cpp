@@ -1,4 +1,4 @@
-#include "widgets/live/source_runner.h"
+#include "core/live/source_runner.h"
 
 #include <algorithm>
 #include <atomic>
