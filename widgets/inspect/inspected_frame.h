@@ -1,7 +1,7 @@
-// A frame as the place Inspect shows it: measured, made into surfaces, compared.
+// A frame as the place Inspect shows it: measured, compared, made into surfaces.
 #pragma once
 
-#include "core/sensing/pipeline.h"
+#include "calibration/live/frame_measurer.h"
 #include "widgets/scene3d/face_surface.h"
 
 #include <optional>
@@ -10,22 +10,10 @@
 
 namespace alltact {
 
-struct InspectedFrame {
-  std::size_t number = 0;  ///< within the recording
-  FrameResult result;
-  Face face;
-  bool is_calibrated = false;  ///< else there is no depth
-  std::optional<Camera> camera;
-  cv::Mat sd_mm;  ///< of the depth; empty where there is no depth
+struct InspectedFrame : MeasuredFrame {
   std::optional<FaceSurface> surface;
-  /// The other method's, where two are compared.
-  std::optional<FrameResult> other;
-  std::optional<FaceSurface> other_surface;
-  cv::Mat other_depth_mm;  ///< on the first surface's grid
+  std::optional<FaceSurface> other_surface;  ///< of `other`
+  cv::Mat other_depth_mm;                    ///< on the first surface's grid
 };
-
-/// Depth less the other method's, CV_32FC1, the picture's size; NaN where one of them is missing.
-/// Both must have depth.
-[[nodiscard]] cv::Mat depth_difference_mm(const InspectedFrame& frame);
 
 }  // namespace alltact

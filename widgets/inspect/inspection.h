@@ -2,7 +2,6 @@
 #pragma once
 
 #include "calibration/live/live_finger.h"
-#include "core/recording/time_match.h"
 #include "widgets/inspect/inspected_frame.h"
 
 #include <QObject>
@@ -11,16 +10,6 @@
 #include <optional>
 
 namespace alltact {
-
-/// What a frame is measured with a second time.
-enum class OtherMethod { kNone = 1, kPaper };
-
-struct RecordingInfo {
-  std::filesystem::path input;
-  std::size_t count = 0;
-  double frames_per_s = 30;
-  std::shared_ptr<const FrameTimes> times_ns;  ///< null for pictures
-};
 
 /// An object of the window's thread; work goes on a thread of its own.
 class Inspection : public QObject {

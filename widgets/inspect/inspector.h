@@ -1,8 +1,8 @@
-// The work behind Inspection: a recording, a finger, one or two pipelines. Of one thread.
+// The work behind Inspection: frames measured and made into surfaces. Of one thread.
 #pragma once
 
-#include "core/sources/files/recorded_frames.h"
-#include "widgets/inspect/inspection.h"
+#include "calibration/live/live_finger.h"
+#include "widgets/inspect/inspected_frame.h"
 
 #include <memory>
 #include <optional>
@@ -31,21 +31,14 @@ class Inspector {
   [[nodiscard]] InspectAnswer operator()(const InspectWish& wish, const Job& job);
 
  private:
-  Status load_finger(const std::filesystem::path& folder, const Job& job);
-  Status load_other(const Job& job);
-  Status open(const std::filesystem::path& input, const Job& job);
-  Result<std::shared_ptr<InspectedFrame>> measure(const InspectWish& wish, const Job& job);
-  Result<std::shared_ptr<InspectedFrame>> take_live(const InspectWish& wish, const Job& job);
-  void compare(InspectedFrame& frame, bool is_next);
-  void finish(InspectedFrame& frame, const std::optional<MappingParameters>& mapping);
+  Result<MeasuredFrame> measured(const InspectWish& wish,
+                                 const Job& job,
+                                 std::optional<RecordingInfo>& recording);
+  std::shared_ptr<const InspectedFrame> with_surfaces(MeasuredFrame measured);
 
-  std::filesystem::path folder_, input_;
-  FingerPtr finger_;
-  std::optional<Pipeline> first_, other_;
-  std::optional<RecordedFrames> frames_;
-  std::shared_ptr<const FrameTimes> times_ns_;
-  std::optional<std::size_t> last_;
-  cv::Size grid_;  // the same for all frames of a finger
+  FrameMeasurer measurer_;
+  std::filesystem::path grid_of_;  // a finger's folder
+  cv::Size grid_;                  // the same for all its frames
 };
 
 }  // namespace alltact

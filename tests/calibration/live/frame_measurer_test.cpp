@@ -1,0 +1,148 @@
+// Frames of a recording measured in any order: a flat sensor's, pressed by a ball of known place.
+#include "calibration/live/frame_measurer.h"
+
+#include "core/io/picture.h"
+#include "tests/support/flat_sensor.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+using test::FlatSensor;
+
+constexpr double kBall_u = 150, kBall_v = 110;
+constexpr int kFrames = 3;
+
+double depth_of(int number) {
+  return 0.3 + 0.2 * number;
+}
+
+class FrameMeasurerTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(recording_);
+    ASSERT_TRUE(write_picture(folder_ / "ref.png", test::untouched_picture(1)).ok());
+    for (int i = 0; i < kFrames; ++i) {
+      const auto depth_mm = test::ball_depth_mm(kBall_u, kBall_v, depth_of(i));
+      const fs::path file = recording_ / ("frame_" + std::to_string(i) + ".png");
+      ASSERT_TRUE(write_picture(file, test::pressed_picture(depth_mm, 2 + i)).ok());
+    }
+    save_finger(true);
+  }
+
+  void save_finger(bool is_calibrated) {
+    finger_.name = "flat";
+    finger_.camera.model = CameraModel::kOrthographic;
+    finger_.camera.width_px = FlatSensor::kWidth, finger_.camera.height_px = FlatSensor::kHeight;
+    finger_.camera.cx_px = 159.5, finger_.camera.cy_px = 119.5;
+    finger_.camera.mm_per_px = FlatSensor::kMmPerPx;
+    finger_.face.kind = FaceKind::kFlat;
+    finger_.face.layer_mm = FlatSensor::kLayerMm;
+    finger_.face.plane_z_mm = 20;
+    finger_.reference = ReferenceFiles{};
+    finger_.reference->image = "ref.png";
+    finger_.mapping.reset();
+    if (is_calibrated) {
+      MappingParameters mapping;
+      mapping.kind = MappingKind::kMoebius;
+      mapping.x_max = 0.5;
+      mapping.a_mm = FlatSensor::kA, mapping.b = FlatSensor::kB;
+      finger_.mapping = mapping;
+    }
+    const Status saved = finger_.save(folder_.path());
+    ASSERT_TRUE(saved.ok()) << saved.error().sentence();
+  }
+  void open() {
+    ASSERT_TRUE(measurer_.open_recording(recording_, job_).ok());
+    const Status opened = measurer_.load_finger(folder_.path(), job_);
+    ASSERT_TRUE(opened.ok()) << opened.error().sentence();
+  }
+
+  test::TemporaryFolder folder_;
+  fs::path recording_ = folder_ / "recording";
+  Finger finger_;
+  FrameMeasurer measurer_;
+  Job job_;
+};
+
+TEST_F(FrameMeasurerTest, MeasuresFramesInAnyOrderWithTheirSd) {
+  open();
+  const RecordingInfo recording = measurer_.recording();
+  EXPECT_EQ(recording.input, recording_);
+  EXPECT_EQ(recording.count, std::size_t{kFrames});
+  EXPECT_FALSE(recording.times_ns) << "pictures have none";
+  for (const int number : {2, 0, 1, 1}) {
+    const auto frame =
+        measurer_.measure(static_cast<std::size_t>(number), OtherMethod::kNone, job_);
+    ASSERT_TRUE(frame.ok());
+    EXPECT_EQ(frame.value().number, static_cast<std::size_t>(number));
+    EXPECT_TRUE(frame.value().is_calibrated);
+    EXPECT_FALSE(frame.value().other);
+    ASSERT_TRUE(frame.value().result.depth);
+    const cv::Point ball(static_cast<int>(kBall_u), static_cast<int>(kBall_v));
+    EXPECT_NEAR(frame.value().result.depth->depth_mm.at<float>(ball), depth_of(number), 0.05);
+    ASSERT_EQ(frame.value().sd_mm.size(), frame.value().result.grey.size());
+    const double sd_mm = frame.value().sd_mm.at<float>(ball);
+    EXPECT_TRUE(sd_mm > 0 && sd_mm < 0.05) << sd_mm;
+  }
+  EXPECT_EQ(measurer_.measure(99, OtherMethod::kNone, job_).value().number,
+            std::size_t{kFrames - 1});
+}
+
+TEST_F(FrameMeasurerTest, ComparesWithTheOtherMethod) {
+  open();
+  const auto frame = measurer_.measure(1, OtherMethod::kPaper, job_);
+  ASSERT_TRUE(frame.ok() && frame.value().other);
+  const cv::Mat difference = depth_difference_mm(*frame);
+  EXPECT_EQ(difference.size(), frame.value().result.grey.size());
+  EXPECT_GT(cv::countNonZero(cv::abs(difference) > 0), 100) << "the paper does not smooth";
+}
+
+TEST_F(FrameMeasurerTest, CompletesALiveFrameAsIfItWereRecorded) {
+  open();
+  const MeasuredFrame recorded = measurer_.measure(1, OtherMethod::kPaper, job_).value();
+  FrameMeasurer live;
+  const auto alone =
+      live.complete(recorded.result, finger_, folder_.path(), OtherMethod::kNone, job_);
+  ASSERT_TRUE(alone.ok());
+  EXPECT_FALSE(alone.value().other);
+  EXPECT_EQ(cv::norm(alone.value().sd_mm, recorded.sd_mm, cv::NORM_INF), 0);
+  const auto compared =
+      live.complete(recorded.result, finger_, folder_.path(), OtherMethod::kPaper, job_);
+  ASSERT_TRUE(compared.ok() && compared.value().other);
+  const cv::Mat apart = depth_difference_mm(*compared) != depth_difference_mm(recorded);
+  cv::Mat number = depth_difference_mm(recorded) == depth_difference_mm(recorded);
+  EXPECT_EQ(cv::countNonZero(apart & number), 0);
+  const auto no_folder = live.complete(recorded.result, finger_, {}, OtherMethod::kPaper, job_);
+  ASSERT_TRUE(no_folder.ok());
+  EXPECT_FALSE(no_folder.value().other);
+}
+
+TEST_F(FrameMeasurerTest, HasNoDepthBeforeCalibration) {
+  save_finger(false);
+  open();
+  const auto frame = measurer_.measure(0, OtherMethod::kNone, job_);
+  ASSERT_TRUE(frame.ok());
+  EXPECT_FALSE(frame.value().is_calibrated);
+  EXPECT_FALSE(frame.value().result.depth);
+  EXPECT_TRUE(frame.value().sd_mm.empty());
+}
+
+TEST_F(FrameMeasurerTest, SaysWhyNothingIsMeasured) {
+  EXPECT_NE(measurer_.open_recording(folder_ / "gone.mkv", job_)
+                .error()
+                .sentence()
+                .find("not there any more"),
+            std::string::npos);
+  EXPECT_NE(measurer_.load_finger({}, job_).error().sentence().find("no finger is open"),
+            std::string::npos);
+  EXPECT_FALSE(measurer_.load_finger(recording_, job_).ok()) << "there is no finger in it";
+  open();  // and goes on
+  EXPECT_TRUE(measurer_.measure(0, OtherMethod::kNone, job_).ok());
+}
+
+}  // namespace
+}  // namespace alltact
