@@ -2,9 +2,9 @@
 // looked at on a screen (see tests/scene3d).
 #include "core/io/picture.h"
 #include "core/recording/video_file.h"
+#include "core/sensing/measures.h"
 #include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
-#include "widgets/inspect/measures.h"
 
 #include <QAccessible>
 #include <QComboBox>

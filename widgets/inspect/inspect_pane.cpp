@@ -1,8 +1,8 @@
 #include "widgets/inspect/inspect_pane.h"
 
+#include "core/sensing/measures.h"
 #include "widgets/accessible.h"
 #include "widgets/inspect/height_map.h"
-#include "widgets/inspect/measures.h"
 #include "widgets/picture/overlays.h"
 
 #include <QMouseEvent>

@@ -1,5 +1,7 @@
 #include "widgets/inspect/inspector.h"
 
+#include "core/sensing/measures.h"
+
 #include <utility>
 
 namespace alltact {

@@ -1,6 +1,6 @@
 #include "widgets/inspect/reading_text.h"
 
-#include "widgets/inspect/measures.h"
+#include "core/sensing/measures.h"
 
 #include <QCoreApplication>
 #include <QLocale>

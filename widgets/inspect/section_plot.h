@@ -1,7 +1,7 @@
 // Depth along a line over the face.
 #pragma once
 
-#include "widgets/inspect/measures.h"
+#include "core/sensing/measures.h"
 #include "widgets/plots/plot.h"
 
 #include <optional>

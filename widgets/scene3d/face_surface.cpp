@@ -1,8 +1,9 @@
 #include "widgets/scene3d/face_surface.h"
 
+#include "core/sensing/measures.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace alltact {
 namespace {
@@ -31,18 +32,6 @@ int usable_column(const FaceShape& shape, int u) {
 }
 
 }  // namespace
-
-float value_between(const cv::Mat& picture, double u, double v) {
-  const int left = static_cast<int>(std::floor(u)), upper = static_cast<int>(std::floor(v));
-  const auto across = static_cast<float>(u - left), down = static_cast<float>(v - upper);
-  const int right = across > 0 ? left + 1 : left, lower = down > 0 ? upper + 1 : upper;
-  if (left < 0 || upper < 0 || right >= picture.cols || lower >= picture.rows)
-    return std::numeric_limits<float>::quiet_NaN();
-  const float* a = picture.ptr<float>(upper);
-  const float* b = picture.ptr<float>(lower);
-  return (1 - down) * ((1 - across) * a[left] + across * a[right]) +
-         down * ((1 - across) * b[left] + across * b[right]);
-}
 
 cv::Size grid_for(const FrameResult& result, int vertices) {
   if (!result.shape) return {2, 2};

@@ -27,9 +27,6 @@ struct FaceSurface {
                                                       int columns,
                                                       int rows);
 
-/// The picture's value between four pixels; NaN where one of them has none or lies outside.
-[[nodiscard]] float value_between(const cv::Mat& picture, double u, double v);
-
 /// Columns and rows for about `vertices` vertices that are as square as the face's picture allows.
 [[nodiscard]] cv::Size grid_for(const FrameResult& result, int vertices);
 

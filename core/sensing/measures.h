@@ -11,6 +11,10 @@
 
 namespace alltact {
 
+/// `picture`: CV_32FC1. Its value between four pixels; NaN where one of them has none or lies
+/// outside.
+[[nodiscard]] float value_between(const cv::Mat& picture, double u, double v);
+
 /// The contact face at a pixel, with fractions.
 struct PlaceReading {
   cv::Point2d pixel;
