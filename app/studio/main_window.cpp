@@ -117,11 +117,7 @@ void MainWindow::connect_place(Place& place) {
   connect(&place, &Place::place_wanted, this, &MainWindow::go_to);
   connect(&place, &Place::open_finger_wanted, finger_menu_, &FingerMenu::choose);
   connect(&place, &Place::new_finger_wanted, finger_menu_, &FingerMenu::make);
-  connect(&place, &Place::finger_changed, this, [this, &place] {
-    work_.reload_finger();
-    for (Place* other : places_)
-      if (other != &place) other->reload();
-  });
+  connect(&work_, &Workspace::finger_rewritten, &place, &Place::reload);
 }
 
 void MainWindow::connect_live() {

@@ -2,10 +2,14 @@
 
 #include "widgets/value_change.h"
 
+#include <chrono>
+#include <utility>
+
 namespace alltact {
 namespace {
 
 constexpr std::size_t kMostRecent = 10;
+constexpr std::chrono::seconds kBetweenLooksAtFinger{2};
 using InputsChange = ValueChange<Workspace::Inputs>;
 
 std::filesystem::path whole_path(const std::filesystem::path& folder) {
@@ -24,6 +28,14 @@ Workspace::Workspace(LiveSession& session,
                      QUndoStack& undo,
                      const std::optional<SessionState>& last)
     : session_(session), undo_(undo) {
+  connect(&look_, &QTimer::timeout, this, [this] {
+    if (!store_) return;
+    looking_.start([store = store_](const Job&) {  // the store tells who listens
+      [[maybe_unused]] const auto finger = store->snapshot();
+      return std::function<void()>([] {});
+    });
+  });
+  look_.start(kBetweenLooksAtFinger);
   if (!last) return;
   state_.recent_fingers = last->recent_fingers;
   state_.controls = last->controls;
@@ -53,8 +65,26 @@ void Workspace::begin_with(const std::filesystem::path& finger, const Inputs& so
   if (!source.empty()) set_source(source);
 }
 
+void Workspace::listen_to_finger() {
+  listening_.reset();
+  store_.reset();
+  revision_ = 0;
+  const auto& folder = state_.finger;
+  if (folder.empty()) return;
+  store_ = FingerStore::of(folder);
+  listening_ = store_->listen([this, folder](const FingerPtr& finger) {
+    const auto follow = [this, folder, revision = finger->revision] {
+      if (folder != state_.finger || std::exchange(revision_, revision) == revision) return;
+      session_.open_finger(folder);
+      Q_EMIT finger_rewritten();
+    };
+    QMetaObject::invokeMethod(this, follow, Qt::QueuedConnection);
+  });
+}
+
 void Workspace::set_finger(const std::filesystem::path& folder) {
   state_.finger = folder;
+  listen_to_finger();
   session_.open_finger(folder);
   if (!folder.empty()) {
     auto& recent = state_.recent_fingers;

@@ -3,8 +3,11 @@
 #pragma once
 
 #include "app/studio/session_file.h"
+#include "core/finger/finger_store.h"
+#include "widgets/background_work.h"
 #include "widgets/live/live_session.h"
 
+#include <QTimer>
 #include <QUndoStack>
 
 namespace alltact {
@@ -23,8 +26,6 @@ class Workspace : public QObject {
   void open_source(const Inputs& inputs);
   /// Not undoable: what the program was started with. Empty ones are passed over.
   void begin_with(const std::filesystem::path& finger, const Inputs& source);
-  /// Its files have changed.
-  void reload_finger() { session_.open_finger(state_.finger); }
   /// What was set by hand of the camera that is open, to be set again whenever it is.
   void keep_control(const ControlValue& control);
   void keep_lock(bool is_locked);
@@ -36,7 +37,11 @@ class Workspace : public QObject {
   [[nodiscard]] static bool changes_source(const QUndoCommand& step);
 
  Q_SIGNALS:
+  /// Another one is open, or none.
   void finger_changed();
+  /// What stands in the open one's folder has changed, whoever did that; the live picture follows
+  /// it.
+  void finger_rewritten();
   void source_changed();
   /// Anything of state().
   void changed();
@@ -45,10 +50,16 @@ class Workspace : public QObject {
   void set_finger(const std::filesystem::path& folder);
   void set_source(const Inputs& inputs);
   [[nodiscard]] std::vector<ControlValue>& kept_controls();
+  void listen_to_finger();
 
   LiveSession& session_;
   QUndoStack& undo_;
   SessionState state_;
+  std::uint64_t revision_ = 0;  // of the open finger, that was told of last
+  std::shared_ptr<FingerStore> store_;
+  std::shared_ptr<void> listening_;
+  QTimer look_;  // for what other programs write
+  BackgroundWork looking_;
 };
 
 /// A file or folder as people call it: the last part of its path.

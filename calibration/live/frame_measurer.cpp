@@ -28,7 +28,10 @@ cv::Mat depth_difference_mm(const MeasuredFrame& frame) {
 }
 
 Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job& job) {
-  if (folder == folder_ && first_) return {};
+  if (folder != folder_) store_ = folder.empty() ? nullptr : FingerStore::of(folder);
+  const auto finger = store_ ? store_->snapshot() : Result<FingerPtr>(Error());
+  const bool is_as_before = finger && finger_ && (*finger)->revision == finger_->revision;
+  if (folder == folder_ && first_ && is_as_before) return {};
   folder_ = folder;
   finger_.reset();
   first_.reset();
@@ -38,7 +41,6 @@ Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job
     return Error{en::say("no finger is open, so the recording cannot be measured"),
                  "",
                  en::say("opening a finger")};
-  const auto finger = open_finger(folder);
   if (!finger) return finger.error();
   auto pipeline = Pipeline::create(**finger, measuring_settings(folder), job);
   if (!pipeline) return pipeline.error();

@@ -49,8 +49,8 @@ class FrameMeasurer {
   /// A video or a folder of pictures; does nothing where it is open already. Errors: it is not
   /// there any more; those of RecordedFrames::open.
   [[nodiscard]] Status open_recording(const std::filesystem::path& input, const Job& job);
-  /// Does nothing where it is open already. Errors: an empty folder; those of FingerStore::snapshot
-  /// and Pipeline::create. What was open before is closed in any case.
+  /// Does nothing where it is open as it stands there now. Errors: an empty folder; those of
+  /// FingerStore::snapshot and Pipeline::create. What was open before is closed in any case.
   [[nodiscard]] Status load_finger(const std::filesystem::path& folder, const Job& job);
 
   /// With a recording open.
@@ -77,6 +77,7 @@ class FrameMeasurer {
   void measure_by_other(MeasuredFrame& frame, bool is_next);
 
   std::filesystem::path folder_, input_;
+  std::shared_ptr<FingerStore> store_;
   FingerPtr finger_;
   std::optional<Pipeline> first_, other_;
   std::optional<RecordedFrames> frames_;

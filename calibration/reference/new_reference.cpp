@@ -29,6 +29,15 @@ void take_reference(const Finger& from, Finger& finger) {
   for (const char* key : {kDate, kReferenceSettings}) take_provenance(from, key, finger);
 }
 
+bool has_same_reference(const Finger& a, const Finger& b) {
+  Finger mixed = b;
+  take_reference(a, mixed);
+  mixed.camera = a.camera;
+  mixed.face = a.face;
+  const auto yaml = b.to_yaml(), mixed_yaml = mixed.to_yaml();
+  return yaml && mixed_yaml && *yaml == *mixed_yaml;
+}
+
 Result<ReferenceReport> give_reference(const std::filesystem::path& folder,
                                        const std::vector<std::filesystem::path>& inputs,
                                        const Job& job,

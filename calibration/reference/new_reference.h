@@ -25,6 +25,9 @@ namespace alltact {
 [[nodiscard]] Result<std::vector<Message>> give_untouched_picture(
     const std::filesystem::path& folder, const UntouchedPicture& picture);
 
+/// Pictures of both are compared with the same reference, through the same camera.
+[[nodiscard]] bool has_same_reference(const Finger& a, const Finger& b);
+
 /// What a reference changes of a finger: the reference, its markers, their rest, and what it was
 /// recorded with.
 void take_reference(const Finger& from, Finger& finger);

@@ -1,5 +1,6 @@
 // The place Inspect, as a person uses it. On Qt's offscreen platform it shows height maps; 3D is
 // looked at on a screen (see tests/scene3d).
+#include "core/finger/finger_store.h"
 #include "core/io/picture.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/measures.h"
@@ -60,6 +61,36 @@ TEST_F(Inspect, MeasuresARecording) {
           "Deepest " +
           QLocale().toString(frame().result.regions.front().deepest_mm, 'f', 2).toStdString()));
   EXPECT_EQ(studio_.problems(), "");
+}
+
+TEST_F(Inspect, MeasuresAgainWhenTheFingerIsCalibratedAgain) {
+  ASSERT_TRUE(open_pictures());
+  const double before_mm = frame().result.regions.front().deepest_mm;
+  const auto store = FingerStore::of(MadeFingers::get().calibrated());
+  const Finger kept = store->snapshot().value()->finger;
+  ASSERT_TRUE(store->update([](Finger& finger) {
+    finger.mapping->a_mm *= 1.25;
+    return Status();
+  }));
+  EXPECT_TRUE(wait_until([&] {
+    const auto& now = place().inspection().frame();
+    return now && !now->result.regions.empty() &&
+           std::abs(now->result.regions.front().deepest_mm - 1.25 * before_mm) < 0.02;
+  })) << frame().result.regions.front().deepest_mm
+      << " after " << before_mm;
+  EXPECT_TRUE(wait_until([&] {
+    const auto& live = studio_.session().status().finger;
+    return live.finger && live.finger->mapping->a_mm != kept.mapping->a_mm;
+  })) << "the live picture follows, too";
+  // Another program puts it back: the window sees that by itself.
+  ASSERT_TRUE(kept.save(MadeFingers::get().calibrated()));
+  EXPECT_TRUE(wait_until(
+      [&] {
+        const auto& now = place().inspection().frame();
+        return now && !now->result.regions.empty() &&
+               std::abs(now->result.regions.front().deepest_mm - before_mm) < 1e-6;
+      },
+      10000));
 }
 
 TEST_F(Inspect, ReadsPlacesAsTheCommandLineWritesThem) {

@@ -89,9 +89,6 @@ CalibrationRun::CalibrationRun(PressDesk& desk,
     : QObject(parent), desk_(desk), undo_(undo), version_(std::move(program_version)) {
   connect(&work_, &BackgroundWork::progressed, this, &CalibrationRun::changed);
   connect(&work_, &BackgroundWork::finished, this, &CalibrationRun::changed);
-  connect(&writing_, &BackgroundWork::finished, this, [this] {
-    if (told_ != restored_) tell_when_written();
-  });
   connect(&report_, &ReportWriter::finished, this, [this] {
     has_report_ = !report_.problem();
     Q_EMIT changed();
@@ -109,14 +106,16 @@ void CalibrationRun::reload() {
     looked_at_ = folder;
   }
   if (folder.empty()) return void(Q_EMIT changed());
-  loading_.start([this, folder](const Job&) {
+  if (is_running()) return;  // which looks when it is done
+  loading_.start([this, folder, restored = restored_, disk = desk_.disk()](const Job&) {
+    disk->wait();
     auto inputs = std::make_shared<Result<CalibrationInputs>>(CalibrationInputs::load(folder));
     const auto finger = open_finger(folder);
     const FingerPtr opened = finger ? *finger : nullptr;
     std::error_code failed;
     const bool has_report = fs::exists(folder / kReportPage, failed);
-    return std::function<void()>([this, folder, inputs, opened, has_report] {
-      if (folder != desk_.folder()) return reload();
+    return std::function<void()>([this, folder, restored, inputs, opened, has_report] {
+      if (folder != desk_.folder() || restored != restored_) return reload();
       if (*inputs) from_ = **inputs;
       if (opened) finger_ = opened;
       if (!is_writing_report()) has_report_ = has_report;
@@ -185,15 +184,17 @@ void CalibrationRun::start() {
     heard->rounds.push_back(round);
   };
   struct Done {
-    Files before;
-    FingerPtr finger_before, finger;
+    Files files;
+    Made before;
+    FingerPtr finger;
     std::optional<Result<FingerCalibration>> result;
   };
-  work_.start([this, input, disk = desk_.disk()](const Job& job) {
-    auto done = std::make_shared<Done>();
+  auto done = std::make_shared<Done>();
+  done->before = {result_, from_, nullptr};
+  work_.start([this, input, done, disk = desk_.disk()](const Job& job) {
     disk->wait();
-    done->before = read_written(input.folder);
-    if (const auto finger = open_finger(input.folder)) done->finger_before = *finger;
+    done->files = read_written(input.folder);
+    if (const auto finger = open_finger(input.folder)) done->before.finger = *finger;
     done->result.emplace(calibrate_finger(input, job));
     if (const auto finger = open_finger(input.folder)) done->finger = *finger;
     return std::function<void()>([this, done, folder = input.folder] {
@@ -202,14 +203,12 @@ void CalibrationRun::start() {
         problem_ = done->result->error();
         return;
       }
-      const Made before{result_, from_, done->finger_before};
       auto result = std::make_shared<const FingerCalibration>(std::move(**done->result));
       const Made after{result, result->inputs, done->finger};
       take(after);
       has_report_ = false;
-      undo_.push(new Undo(*this, std::move(done->before), before, after));
+      undo_.push(new Undo(*this, std::move(done->files), done->before, after));
       report_.start(result, folder);
-      Q_EMIT finger_changed();
     });
   });
   Q_EMIT changed();
@@ -237,19 +236,7 @@ void CalibrationRun::restore(const Files& files, const Made& made) {
     });
     return changed ? Status() : changed.error();
   });
-  tell_when_written();
   Q_EMIT changed();
-}
-
-void CalibrationRun::tell_when_written() {
-  if (writing_.is_running()) return;  // asks again when it is done
-  writing_.start([this, disk = desk_.disk(), seen = restored_](const Job&) {
-    disk->wait();
-    return std::function<void()>([this, seen] {
-      told_ = seen;
-      if (seen == restored_) Q_EMIT finger_changed();
-    });
-  });
 }
 
 fs::path CalibrationRun::report() const {

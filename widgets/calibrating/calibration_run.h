@@ -54,8 +54,6 @@ class CalibrationRun : public QObject {
 
  Q_SIGNALS:
   void changed();
-  /// finger.yaml was written anew.
-  void finger_changed();
 
  private:
   class Undo;
@@ -69,7 +67,6 @@ class CalibrationRun : public QObject {
   [[nodiscard]] FingerCalibrationInput input_for(const PressSet& said) const;
   void take(const Made& made);
   void restore(const Files& files, const Made& made);
-  void tell_when_written();
 
   PressDesk& desk_;
   QUndoStack& undo_;
@@ -81,9 +78,9 @@ class CalibrationRun : public QObject {
   std::filesystem::path looked_at_;
   bool has_report_ = false;
   ReportWriter report_;
-  int restored_ = 0, told_ = 0;          // counts
+  int restored_ = 0;                     // counts
   std::shared_ptr<HeardRounds> rounds_;  ///< the calibrating thread has a part in it
-  BackgroundWork work_, loading_, writing_;
+  BackgroundWork work_, loading_;
 };
 
 }  // namespace alltact

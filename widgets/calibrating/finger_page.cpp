@@ -140,9 +140,8 @@ void FingerPage::take_untouched() {
   work_.start([this, frame, folder = session_.status().finger.folder](const Job&) {
     const Status status = install_untouched(folder, *frame);
     return std::function<void()>([this, status] {
-      if (!status) return problems_->set_problems({Problem::of(status.error())});
-      problems_->set_problems({});
-      Q_EMIT finger_changed();
+      problems_->set_problems(status ? std::vector<Problem>()
+                                     : std::vector{Problem::of(status.error())});
     });
   });
   show_status();

@@ -29,8 +29,6 @@ class FingerPage : public StepPage {
   void new_finger_wanted(const alltact::NewFinger& known);
   void open_finger_wanted();
   void record_wanted();
-  /// The finger's folder has another reference.
-  void finger_changed();
 
  private:
   [[nodiscard]] bool is_own() const;

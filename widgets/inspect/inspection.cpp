@@ -88,6 +88,10 @@ void Inspection::show_frame(std::size_t number) {
   shared_->ask([&](InspectWish& wish) { wish.number = number; }, true);
 }
 
+void Inspection::measure_again() {
+  if (!shared_->wish.input.empty()) shared_->ask([](InspectWish&) {}, true);
+}
+
 void Inspection::show_live(std::shared_ptr<const LiveView> view, const Finger& finger) {
   shared_->ask(
       [&](InspectWish& wish) {

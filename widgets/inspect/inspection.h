@@ -26,6 +26,8 @@ class Inspection : public QObject {
   ///   number: the frame that is shown first; of a shorter one the last
   void open(const std::filesystem::path& input, std::size_t number = 0);
   void show_frame(std::size_t number);
+  /// What stands in the finger's folder has changed.
+  void measure_again();
   /// A frame that was measured live, with the finger it was measured with.
   void show_live(std::shared_ptr<const LiveView> view, const Finger& finger);
 

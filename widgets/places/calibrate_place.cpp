@@ -1,5 +1,7 @@
 #include "widgets/places/calibrate_place.h"
 
+#include "calibration/reference/new_reference.h"
+
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
@@ -42,8 +44,6 @@ CalibratePlace::CalibratePlace(LiveSession& session,
   connect(finger_, &FingerPage::new_finger_wanted, this, &CalibratePlace::new_finger_wanted);
   connect(finger_, &FingerPage::open_finger_wanted, this, &CalibratePlace::open_finger_wanted);
   connect(finger_, &FingerPage::record_wanted, this, [this] { Q_EMIT place_wanted("record"); });
-  connect(finger_, &FingerPage::finger_changed, this, &CalibratePlace::finger_changed);
-  connect(&run_, &CalibrationRun::finger_changed, this, &CalibratePlace::finger_changed);
   connect(&session_, &LiveSession::status_ready, this, &CalibratePlace::follow);
   is_made_ = true;
   say([this] { show_steps(); });
@@ -76,7 +76,10 @@ void CalibratePlace::add_problems(std::vector<Problem>& problems) {
 }
 
 void CalibratePlace::reload() {
-  desk_.open(desk_.folder());
+  const auto finger = open_finger(desk_.folder());
+  const PressLooker* looker = desk_.looker();
+  if (!finger || looker == nullptr || !has_same_reference(looker->finger(), (*finger)->finger))
+    desk_.open(desk_.folder());
   run_.reload();
 }
 

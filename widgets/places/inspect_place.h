@@ -30,6 +30,8 @@ class InspectPlace : public Place {
   [[nodiscard]] QString title() const override { return tr("Inspect"); }
   [[nodiscard]] QString menu_text() const override { return tr("&Inspect"); }
 
+  void reload() override { inspection_.measure_again(); }
+
   /// A video or a folder of pictures. What is open already is opened afresh.
   void open(const std::filesystem::path& recording);
   /// What is shown, by the file's ending (see kSavedAs); told below the face when it is done.

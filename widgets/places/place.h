@@ -34,14 +34,12 @@ class Place : public Translated<QWidget> {
   /// What is to be done here next with the open finger, for the top of the window; whichever place
   /// is shown.
   virtual void add_problems(std::vector<Problem>& /*problems*/) {}
-  /// Another place wrote into the open finger's folder.
+  /// What stands in the open finger's folder has changed.
   virtual void reload() {}
 
  Q_SIGNALS:
   /// What a session keeps of this place.
   void changed();
-  /// Files in the open finger's folder were written anew.
-  void finger_changed();
   void place_wanted(const std::string& name);
   void open_finger_wanted();
   void new_finger_wanted(const alltact::NewFinger& known);

@@ -253,7 +253,6 @@ void RecordPlace::install() {
       report_ = *report;
       problem_picture_ = picture;
       list_rejected();
-      if (*report) Q_EMIT finger_changed();
     });
   });
   show_status();
