@@ -65,10 +65,6 @@
         <source>calibrate</source>
         <translation>kalibrieren</translation>
     </message>
-    <message>
-        <source>The command line, alltact, is not installed beside this program.</source>
-        <translation>Die Befehlszeile, alltact, ist nicht neben diesem Programm installiert.</translation>
-    </message>
 </context>
 <context>
     <name>alltact::CheckPage</name>
@@ -6846,14 +6842,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Mittel von {} stillgehaltenen Bildern, von {} gelesenen</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; does not say where a ball is</source>
-        <translation>&apos;{}&apos; sagt nicht, wo eine Kugel ist</translation>
-    </message>
-    <message>
-        <source>NAME=X,Y,Z with the ball&apos;s centre in mm before the camera, as press_3=1.5,-2,48</source>
-        <translation>NAME=X,Y,Z mit der Mitte der Kugel in mm vor der Kamera, etwa press_3=1.5,-2,48</translation>
-    </message>
-    <message>
         <source>the ball that was put there by hand does not touch the face</source>
         <translation>die von Hand gelegte Kugel berührt die Fläche nicht</translation>
     </message>
@@ -6880,18 +6868,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>a depth and its standard deviation in mm</source>
         <translation>eine Tiefe und ihre Standardabweichung in mm</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not NAME=R, a press and its ball&apos;s radius in mm</source>
-        <translation>&apos;{}&apos; ist nicht NAME=R, ein Eindruck und der Radius seiner Kugel in mm</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not NAME=MM+-SD, a press, how deep its ball was pressed in and how well that is known, in mm</source>
-        <translation>&apos;{}&apos; ist nicht NAME=MM+-SD, ein Eindruck, wie tief seine Kugel eingedrückt wurde und wie genau das bekannt ist, in mm</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not NAME=MM, a press and the height of its punch&apos;s step in mm</source>
-        <translation>&apos;{}&apos; ist nicht NAME=MM, ein Eindruck und die Höhe der Stufe seines Stempels in mm</translation>
     </message>
     <message>
         <source>frame {}</source>
@@ -7256,6 +7232,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>beginning a new one</source>
         <translation>eine neue beginnen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not of the form {}</source>
+        <translation>&apos;{}&apos; hat nicht die Form {}</translation>
     </message>
 </context>
 </TS>

@@ -65,10 +65,6 @@
         <source>calibrate</source>
         <translation>标定</translation>
     </message>
-    <message>
-        <source>The command line, alltact, is not installed beside this program.</source>
-        <translation>命令行程序 alltact 没有与本程序一起安装。</translation>
-    </message>
 </context>
 <context>
     <name>alltact::CheckPage</name>
@@ -6825,14 +6821,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>读取的 {1} 帧中 {0} 帧静止画面的平均</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; does not say where a ball is</source>
-        <translation>“{}”没有说明球的位置</translation>
-    </message>
-    <message>
-        <source>NAME=X,Y,Z with the ball&apos;s centre in mm before the camera, as press_3=1.5,-2,48</source>
-        <translation>NAME=X,Y,Z,为球心在相机前的坐标(mm),例如 press_3=1.5,-2,48</translation>
-    </message>
-    <message>
         <source>the ball that was put there by hand does not touch the face</source>
         <translation>手动放置的球没有接触面</translation>
     </message>
@@ -6859,18 +6847,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>a depth and its standard deviation in mm</source>
         <translation>一个深度及其标准差,单位 mm</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not NAME=R, a press and its ball&apos;s radius in mm</source>
-        <translation>&apos;{}&apos; 不是 NAME=R 的形式,即按压及其球半径(mm)</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not NAME=MM+-SD, a press, how deep its ball was pressed in and how well that is known, in mm</source>
-        <translation>&apos;{}&apos; 不是 NAME=MM+-SD 的形式,即按压、球压入的深度及其标准差(mm)</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not NAME=MM, a press and the height of its punch&apos;s step in mm</source>
-        <translation>&apos;{}&apos; 不是 NAME=MM 的形式,即按压及其压头台阶的高度(mm)</translation>
     </message>
     <message>
         <source>frame {}</source>
@@ -7233,6 +7209,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>beginning a new one</source>
         <translation>开始新的会话</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not of the form {}</source>
+        <translation>&apos;{}&apos; 不符合 {} 的形式</translation>
     </message>
 </context>
 </TS>
