@@ -59,8 +59,8 @@ void HeaderBar::follow() {
   finger_->setToolTip(QString::fromStdString(session_.status().finger.folder.string()));
   source_->setText(source);
   source_->setAccessibleName(tr("Source: %1").arg(source));
-  if (const auto& inputs = work_.state().source; !inputs.empty())
-    source_->setToolTip(QString::fromStdString(inputs.front().string()));
+  const auto& inputs = work_.state().source;
+  source_->setToolTip(inputs.empty() ? QString() : QString::fromStdString(inputs.front().string()));
 }
 
 QString HeaderBar::finger_name() const {

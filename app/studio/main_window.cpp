@@ -68,9 +68,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
   connect(rail_, &Rail::chosen, this, &MainWindow::go_to);
   connect(problems_, &ProblemBar::go_on_wanted, this, &MainWindow::go_on_with_last);
   connect(&work_, &Workspace::changed, this, &MainWindow::keep);
-  connect(source_menu_, &SourceMenu::failed, problems_, [this](const Error& why) {
-    problems_->set_problems({Problem::of(why)});
-  });
+  connect(source_menu_, &SourceMenu::failed, problems_, &ProblemBar::tell);
   if (keeper_.last()) live_->set_options(keeper_.last()->view);
   say([this] {
     setWindowTitle(tr("AllTact Studio"));

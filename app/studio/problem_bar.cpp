@@ -21,6 +21,7 @@ ProblemBar::ProblemBar(const LiveSession& session,
     : session_(session), keeper_(keeper), pedal_(pedal), work_(work), places_(places) {
   connect(&session_, &LiveSession::status_ready, this, &ProblemBar::follow);
   connect(&pedal_, &Pedal::changed, this, &ProblemBar::follow);
+  connect(&work_, &Workspace::source_changed, this, [this] { told_.reset(); });
   say([this] { follow(); });
 }
 
@@ -32,6 +33,11 @@ void ProblemBar::follow() {
   add_finger_problems(problems);
   for (Place* place : places_) place->add_problems(problems);
   set_problems(std::move(problems));
+}
+
+void ProblemBar::tell(const Error& why) {
+  told_ = why;
+  follow();
 }
 
 void ProblemBar::forget_crash() {
@@ -60,6 +66,7 @@ void ProblemBar::add_pedal_problems(Problems& problems) const {
 }
 
 void ProblemBar::add_source_problems(Problems& problems) {
+  if (told_) problems.push_back(Problem::of(*told_));
   const LiveStatus& status = session_.status();
   if (status.source.problem) problems.push_back(Problem::of(*status.source.problem));
   if (status.source.state == SourceState::kEnded)

@@ -18,6 +18,8 @@ class ProblemBar : public ProblemList {
              const std::vector<Place*>& places);
 
   void follow();
+  /// What could not be opened; told until something else is.
+  void tell(const Error& why);
   /// Somebody goes on with what was left.
   void forget_crash();
 
@@ -37,6 +39,7 @@ class ProblemBar : public ProblemList {
   Workspace& work_;
   std::vector<Place*> places_;
   bool is_crash_told_ = false;
+  std::optional<Error> told_;
 };
 
 }  // namespace alltact

@@ -61,9 +61,10 @@ void Rail::name_buttons() {
 }
 
 void Rail::set_icons() {
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    buttons_->button(static_cast<int>(i))
-        ->setIcon(icon(QString::fromStdString(places_[i]->name()), palette()));
+  for (QAbstractButton* button : buttons_->buttons()) {  // none before they are made
+    const Place& place = *places_[static_cast<std::size_t>(buttons_->id(button))];
+    button->setIcon(icon(QString::fromStdString(place.name()), palette()));
+  }
 }
 
 void Rail::changeEvent(QEvent* event) {
