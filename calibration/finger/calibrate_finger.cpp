@@ -137,7 +137,10 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
     std::error_code absent;
     for (const char* page : kReportPages) fs::remove(work.store->folder() / page, absent);
   }
-  if (const Status kept = work.store->keep_presses(done.inputs.said); !kept) return kept;
+  // Where presses are being collected that is what is said of them now; elsewhere the inputs tell.
+  std::error_code absent;
+  if (fs::exists(work.store->folder() / PressSet::kFileName, absent))
+    if (const Status kept = work.store->keep_presses(done.inputs.said); !kept) return kept;
   auto saved = work.store->update([&](Finger& now) -> Status {
     if (finger_checksum(now) != done.inputs.finger_checksum)
       return Error{en::say("its camera, face or markers were changed while it was calibrated"),

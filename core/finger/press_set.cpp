@@ -183,10 +183,10 @@ Result<PressSet> PressSet::load(const fs::path& finger_folder) {
   const auto content = read_file(file, YamlFile::kMaxBytes);
   if (!content) return content.error();
   if (is_here) return parse(*content, file);
-  YamlFile older(file);
+  YamlFile inputs(file);
   PressSet presses;
   const Status read =
-      older.read(*content, [&](YamlSection& top) { presses = read_press_set(top); });
+      inputs.read(*content, [&](YamlSection& top) { presses = read_press_set(top); });
   if (!read) return read.error();
   return presses;
 }

@@ -68,8 +68,8 @@ struct PressSet {
   /// Without what is said of presses that are not among these.
   [[nodiscard]] PressSet only(const std::set<std::string>& presses) const;
 
-  /// What the folder keeps; of one that no version with this file wrote, what its calibration was
-  /// made from. Empty where it keeps nothing. Errors: the file cannot be read, impossible values.
+  /// What the folder keeps; where there is no such file, what its calibration was made from. Empty
+  /// where it keeps nothing. Errors: the file cannot be read, impossible values.
   static Result<PressSet> load(const std::filesystem::path& finger_folder);
   static Result<PressSet> parse(const std::string& yaml, const std::filesystem::path& origin);
   [[nodiscard]] std::string to_yaml() const;

@@ -83,11 +83,11 @@ TEST(PressSet, SpoiltValuesAreNamed) {
   EXPECT_FALSE(PressSet::parse("format: other/9\n", "notes.yaml").ok());
 }
 
-TEST(PressSet, IsReadFromACalibrationWhereAnOlderVersionKeptItThere) {
+TEST(PressSet, IsThatOfTheCalibrationUntilThereIsAFileOfItsOwn) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(PressSet::load(folder.path()).value(), PressSet());
-  const fs::path older = folder.path() / "calibration_inputs.yaml";
-  ASSERT_TRUE(write_file_atomically(older,
+  const fs::path inputs = folder.path() / "calibration_inputs.yaml";
+  ASSERT_TRUE(write_file_atomically(inputs,
                                     "format: alltact-calibration/1\ndate: \"x\"\n"
                                     "operator: Ada\nball_radius_mm: 5\n"
                                     "balls: [p]\nballs_mm: [[1, 2, 3]]\npresses: [p, q]\n")
