@@ -81,8 +81,8 @@ function(alltact_system_includes target)
   target_include_directories(${target} SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIRS})
 endfunction()
 
-# Compiles a target's sources several at a time, those of one folder together: headers and templates that they share
-# are read and built once. In return a name in an unnamed namespace stands once in its folder.
+# alltact_compile_together(TARGET [MOST]) compiles a target's sources several at a time, those of one folder together,
+# at most MOST of them: headers and templates that they share are read and built once. In return a name in an unnamed namespace stands once in its folder.
 # -DALLTACT_UNITY=OFF builds each alone, which is quicker for whoever changes one file again and again.
 option(ALLTACT_UNITY "Compile the sources of a folder together" ON)
 function(alltact_compile_together target)
@@ -90,6 +90,9 @@ function(alltact_compile_together target)
     return()
   endif()
   set(most 8) # that one core still compiles in well under a minute
+  if(ARGC GREATER 1)
+    set(most ${ARGV1})
+  endif()
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   foreach(source IN LISTS sources)
