@@ -11,8 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostRecent = 10;
-
 std::vector<std::filesystem::path> paths_of(const Json& map, const char* key) {
   const auto texts = value_or(map, key, std::vector<std::string>{});
   return {texts.begin(), texts.end()};
@@ -90,7 +88,8 @@ Result<SessionState> session_from_json(const std::string& text, const std::strin
     for (const auto& [camera, values] : controls.items())
       state.controls[camera] = controls_of(values);
   state.recent_fingers = paths_of(json, "recent_fingers");
-  if (state.recent_fingers.size() > kMostRecent) state.recent_fingers.resize(kMostRecent);
+  if (state.recent_fingers.size() > kMostRecentFingers)
+    state.recent_fingers.resize(kMostRecentFingers);
   return state;
 }
 

@@ -22,10 +22,11 @@ struct SessionState {
   bool is_locked = true;
   /// What was set by hand, by the camera's lasting name.
   std::map<std::string, std::vector<ControlValue>> controls;
-  std::vector<std::filesystem::path> recent_fingers;  ///< latest first, at most ten
+  std::vector<std::filesystem::path> recent_fingers;  ///< latest first, at most kMostRecentFingers
   bool operator==(const SessionState&) const = default;
 };
 
+inline constexpr std::size_t kMostRecentFingers = 10;
 inline constexpr const char* kSessionFormat = "alltact-session/1";
 
 [[nodiscard]] std::string session_to_json(const SessionState& state);

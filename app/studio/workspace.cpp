@@ -8,7 +8,6 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kMostRecent = 10;
 constexpr std::chrono::seconds kBetweenLooksAtFinger{2};
 using InputsChange = ValueChange<Workspace::Inputs>;
 
@@ -90,7 +89,7 @@ void Workspace::set_finger(const std::filesystem::path& folder) {
     auto& recent = state_.recent_fingers;
     std::erase(recent, folder);
     recent.insert(recent.begin(), folder);
-    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+    if (recent.size() > kMostRecentFingers) recent.resize(kMostRecentFingers);
   }
   Q_EMIT finger_changed();
   Q_EMIT changed();

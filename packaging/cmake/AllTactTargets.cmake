@@ -5,6 +5,8 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+# Qt's moc reads headers only: nothing waits for libraries to be linked before it.
+set(CMAKE_AUTOGEN_ORIGIN_DEPENDS OFF)
 
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug or RelWithDebInfo" FORCE)
@@ -50,11 +52,11 @@ if(ALLTACT_SANITIZE)
   target_link_options(alltact_options INTERFACE -fsanitize=${ALLTACT_SANITIZE})
 endif()
 
-# alltact_library(NAME [SHARED] [TOGETHER] SOURCES... PUBLIC libs... PRIVATE libs... PCH headers...)
+# alltact_library(NAME [SHARED] [TOGETHER] SOURCES... PUBLIC libs... PRIVATE libs... PCH headers... | PCH_OF target)
 # makes the library alltact_NAME with the alias alltact::NAME; static unless several parts of a program share it.
-# TOGETHER: see alltact_compile_together.
+# TOGETHER: see alltact_compile_together. PCH_OF: the precompiled header that another target has already.
 function(alltact_library name)
-  cmake_parse_arguments(arg "SHARED;TOGETHER" "" "SOURCES;PUBLIC;PRIVATE;PCH" ${ARGN})
+  cmake_parse_arguments(arg "SHARED;TOGETHER" "PCH_OF" "SOURCES;PUBLIC;PRIVATE;PCH" ${ARGN})
   if(arg_SHARED)
     add_library(alltact_${name} SHARED ${arg_SOURCES})
     set_target_properties(alltact_${name} PROPERTIES OUTPUT_NAME alltact-${name})
@@ -69,7 +71,11 @@ function(alltact_library name)
     alltact_${name}
     PUBLIC ${arg_PUBLIC}
     PRIVATE ${arg_PRIVATE} alltact_options)
-  target_precompile_headers(alltact_${name} PRIVATE ${arg_PCH})
+  if(arg_PCH_OF)
+    target_precompile_headers(alltact_${name} REUSE_FROM ${arg_PCH_OF})
+  else()
+    target_precompile_headers(alltact_${name} PRIVATE ${arg_PCH})
+  endif()
   alltact_system_includes(alltact_${name})
   if(arg_TOGETHER)
     alltact_compile_together(alltact_${name})
@@ -81,8 +87,8 @@ function(alltact_system_includes target)
   target_include_directories(${target} SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIRS})
 endfunction()
 
-# Compiles a target's sources several at a time, those of one folder together: headers and templates that they share
-# are read and built once. In return a name in an unnamed namespace stands once in its folder.
+# alltact_compile_together(TARGET [MOST]) compiles a target's sources several at a time, those of one folder together,
+# at most MOST of them: headers and templates that they share are read and built once. In return a name in an unnamed namespace stands once in its folder.
 # -DALLTACT_UNITY=OFF builds each alone, which is quicker for whoever changes one file again and again.
 option(ALLTACT_UNITY "Compile the sources of a folder together" ON)
 function(alltact_compile_together target)
@@ -90,6 +96,9 @@ function(alltact_compile_together target)
     return()
   endif()
   set(most 8) # that one core still compiles in well under a minute
+  if(ARGC GREATER 1)
+    set(most ${ARGV1})
+  endif()
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   foreach(source IN LISTS sources)

@@ -22,8 +22,8 @@ namespace alltact {
 namespace {
 
 using namespace std::chrono_literals;
-using ::alltact::testing::Bend;
-using ::alltact::testing::MarkedFinger;
+using test::Bend;
+using test::MarkedFinger;
 using Clock = std::chrono::steady_clock;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -19,15 +19,15 @@ namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Bend;
+using test::described;
+using test::MarkedFinger;
+using test::MemorySource;
+using test::pose;
+using test::scratch_folder;
+using test::small_finger;
 using ::testing::AnyOf;
-using testing::Bend;
-using testing::described;
 using ::testing::HasSubstr;
-using testing::MarkedFinger;
-using testing::MemorySource;
-using testing::pose;
-using testing::scratch_folder;
-using testing::small_finger;
 
 struct Installed {
   MarkedFinger drawn = small_finger();

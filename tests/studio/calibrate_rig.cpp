@@ -11,10 +11,6 @@
 namespace alltact::test {
 namespace {
 
-void must(const Status& status) {
-  if (!status) throw std::runtime_error(status.error().sentence());
-}
-
 constexpr const char* kStillBall =
     "{use: ball, radius_mm: 4.0, s_mm: 46.0, y_mm: 0.0, depth_mm: 0.8}";
 

@@ -17,13 +17,6 @@ namespace {
 
 using testing::HasSubstr;
 
-StudioOptions simulated() {
-  StudioOptions options;
-  options.finger = MadeFingers::get().calibrated();
-  options.source = {MadeFingers::get().touched()};
-  return options;
-}
-
 bool wait_for_depth(Studio& studio) {
   return wait_until([&] {
     const auto& view = studio.session().view();

@@ -47,13 +47,6 @@ class PedalInWindow : public testing::Test {
   int number_ = 0;
 };
 
-StudioOptions simulated() {
-  StudioOptions options;
-  options.finger = MadeFingers::get().calibrated();
-  options.source = {MadeFingers::get().touched()};
-  return options;
-}
-
 TEST_F(PedalInWindow, StartsAndStopsARecording) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());

@@ -12,13 +12,9 @@
 #include <gtest/gtest.h>
 
 namespace alltact::test {
-namespace {
-
 void must(const Status& status) {
   if (!status) throw std::runtime_error(status.error().sentence());
 }
-
-}  // namespace
 
 std::string small_scene(bool is_touched, int width_px) {
   const double scale = width_px / 960.0;
@@ -130,6 +126,13 @@ void leave_as_after_a_crash(const std::filesystem::path& session_folder) {
 
 bool wait_until(const std::function<bool()>& is_so, int patience_ms) {
   return QTest::qWaitFor(is_so, patience_ms);
+}
+
+StudioOptions simulated() {
+  StudioOptions options;
+  options.finger = MadeFingers::get().calibrated();
+  options.source = {MadeFingers::get().touched()};
+  return options;
 }
 
 Studio::Studio(StudioOptions options) {

@@ -42,6 +42,12 @@ class MadeFingers {
   TemporaryFolder folder_;
 };
 
+/// A window with the calibrated finger, touched.
+[[nodiscard]] StudioOptions simulated();
+
+/// Throws where making something for a test failed.
+void must(const Status& status);
+
 /// What a program that died leaves in its session's folder.
 void leave_as_after_a_crash(const std::filesystem::path& session_folder);
 

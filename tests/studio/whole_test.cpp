@@ -29,13 +29,6 @@ namespace {
 
 using testing::HasSubstr;
 
-StudioOptions simulated() {
-  StudioOptions options;
-  options.finger = MadeFingers::get().calibrated();
-  options.source = {MadeFingers::get().touched()};
-  return options;
-}
-
 /// A whole use of the window.
 void use_window(LoopWatch& watch) {
   Studio studio;

@@ -17,7 +17,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace alltact::testing {
+namespace alltact::test {
 
 struct Bend {
   double curl = 0;  ///< radians more at the tip than at the base
@@ -283,4 +283,4 @@ inline Bend random_bend(std::mt19937& random, double share = 1.0) {
           0.05 * share * one(random)};
 }
 
-}  // namespace alltact::testing
+}  // namespace alltact::test

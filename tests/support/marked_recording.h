@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace alltact::testing {
+namespace alltact::test {
 
 class MemorySource : public Source {
  public:
@@ -65,4 +65,4 @@ inline Bend pose(int i, int frames) {
       0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0.03 * std::sin(5 * t)};
 }
 
-}  // namespace alltact::testing
+}  // namespace alltact::test

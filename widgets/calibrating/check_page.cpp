@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSideWidth = 420, kSymbol = 28;
+constexpr int kCheckSideWidth = 420, kCheckSymbol = 28;
 
 QString verdict_text(CheckVerdict verdict) {
   switch (verdict) {
@@ -133,7 +133,7 @@ CheckPage::CheckPage(LiveSession& session,
 
 QWidget* CheckPage::make_side() {
   auto* side = new QWidget;
-  side->setFixedWidth(kSideWidth);
+  side->setFixedWidth(kCheckSideWidth);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(6, 0, 0, 0);
   auto* take = new QVBoxLayout(take_group_);
@@ -292,7 +292,7 @@ void CheckPage::show_verdict() {
                             : meaning == Meaning::kDoubtful ? QStringLiteral("doubtful")
                                                             : QStringLiteral("bad"),
                             meaning_colour(meaning, palette()),
-                            kSymbol,
+                            kCheckSymbol,
                             devicePixelRatioF()));
   verdict_->setText(verdict_text(latest.verdict));
   sentence_->setText(last_ && last_->verdict == latest.verdict

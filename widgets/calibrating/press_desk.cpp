@@ -4,6 +4,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/sources/open/open_source.h"
+#include "widgets/report/report_words.h"
 
 #include <algorithm>
 #include <set>
@@ -40,10 +41,6 @@ FramePtr named(const FramePtr& frame, const std::string& name) {
 
 bool before(const DeskPress& a, const DeskPress& b) {
   return a.name < b.name;
-}
-
-QString text_of(const std::string& text) {
-  return QString::fromStdString(text);
 }
 
 /// Of the ball that a press is searched for; 0: not told, or there is none.
@@ -251,14 +248,14 @@ std::string PressDesk::add(std::vector<FramePtr> frames) {
     frame = named(frame, name);
   }
   const std::string first = frames.front()->name;
-  undo_.push(new AddOrRemove(*this, tr("take %1").arg(text_of(first)), std::move(frames), true));
+  undo_.push(new AddOrRemove(*this, tr("take %1").arg(as_text(first)), std::move(frames), true));
   return first;
 }
 
 void PressDesk::remove(const std::string& name) {
   const DeskPress* press = find(name);
   if (press == nullptr || !press->frame) return;
-  undo_.push(new AddOrRemove(*this, tr("remove %1").arg(text_of(name)), {press->frame}, false));
+  undo_.push(new AddOrRemove(*this, tr("remove %1").arg(as_text(name)), {press->frame}, false));
 }
 
 void PressDesk::insert(const std::vector<FramePtr>& frames) {
@@ -305,7 +302,7 @@ void PressDesk::add_files(const std::vector<fs::path>& inputs) {
       QStringList twice;
       std::erase_if(*frames, [&](const FramePtr& frame) {
         if (find(frame->name) == nullptr) return false;
-        twice << text_of(frame->name);
+        twice << as_text(frame->name);
         return true;
       });
       if (!frames->empty())

@@ -1,5 +1,6 @@
 // What somebody says of the presses on a desk, each time as a step that can be undone.
 #include "widgets/calibrating/press_desk.h"
+#include "widgets/report/report_words.h"
 #include "widgets/value_change.h"
 
 namespace alltact {
@@ -7,10 +8,6 @@ namespace {
 
 // Steps that follow each other and are of one kind are undone together.
 enum MergeId { kRadius = 5'000'000, kOperator, kGrips = 5'100'000 };
-
-QString text_of(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 }  // namespace
 
@@ -59,17 +56,17 @@ void PressDesk::set_radius_of(const std::string& name, double radius_mm) {
   note.ball_radius_mm.reset();
   if (radius_mm > 0 && radius_mm != said.ball_radius_mm) note.ball_radius_mm = radius_mm;
   said.say(name, std::move(note));
-  change_radii(tr("change the ball's radius of %1").arg(text_of(name)), std::move(said), -1);
+  change_radii(tr("change the ball's radius of %1").arg(as_text(name)), std::move(said), -1);
 }
 
 void PressDesk::set_depth_of(const std::string& name, const ToldDepth& depth) {
-  change_note(tr("change the measured depth of %1").arg(text_of(name)), name, [&](PressNote& note) {
+  change_note(tr("change the measured depth of %1").arg(as_text(name)), name, [&](PressNote& note) {
     note.depth = depth.mm > 0 ? std::optional(depth) : std::nullopt;
   });
 }
 
 void PressDesk::set_step_of(const std::string& name, double step_mm) {
-  change_note(tr("change the step of %1").arg(text_of(name)), name, [&](PressNote& note) {
+  change_note(tr("change the step of %1").arg(as_text(name)), name, [&](PressNote& note) {
     note.step_mm = step_mm > 0 ? std::optional(step_mm) : std::nullopt;
   });
 }
@@ -82,27 +79,27 @@ void PressDesk::set_operator(const std::string& name) {
 
 void PressDesk::place_ball(const std::string& name, const Eigen::Vector3d& centre_mm, int grip) {
   change_note(
-      tr("move the outline of %1").arg(text_of(name)),
+      tr("move the outline of %1").arg(as_text(name)),
       name,
       [&](PressNote& note) { note.ball_mm = centre_mm; },
       kGrips + grip);
 }
 
 void PressDesk::find_again(const std::string& name) {
-  change_note(tr("find the ball of %1").arg(text_of(name)), name, [](PressNote& note) {
+  change_note(tr("find the ball of %1").arg(as_text(name)), name, [](PressNote& note) {
     note.ball_mm.reset();
   });
 }
 
 void PressDesk::take_out(const std::string& name, const std::string& because) {
-  change_note(tr("take out %1").arg(text_of(name)), name, [&](PressNote& note) {
+  change_note(tr("take out %1").arg(as_text(name)), name, [&](PressNote& note) {
     note.excluded = because;
   });
 }
 
 void PressDesk::put_back(const std::string& name) {
   change_note(
-      tr("put back %1").arg(text_of(name)), name, [](PressNote& note) { note.excluded.reset(); });
+      tr("put back %1").arg(as_text(name)), name, [](PressNote& note) { note.excluded.reset(); });
 }
 
 }  // namespace alltact

@@ -1,6 +1,7 @@
 #include "widgets/calibrating/press_model.h"
 
 #include "widgets/language.h"
+#include "widgets/report/report_words.h"
 
 #include <QFont>
 #include <QLocale>
@@ -10,34 +11,31 @@
 namespace alltact {
 namespace {
 
-QString mm(double value, int digits) {
-  return QLocale().toString(value, 'f', digits);
-}
-
-QString text_of(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
 QString punch_state_text(double step_mm, const DeskPress& press, const StepFit* fit) {
   if (fit != nullptr && fit->step_mm == step_mm)
     return PressModel::tr("a step of %1 mm reads %2 mm")
-        .arg(mm(fit->step_mm, 3), mm(fit->reads_mm, 3));
+        .arg(local_mm(fit->step_mm, 3), local_mm(fit->reads_mm, 3));
   if (press.is_looked_at && press.looked.problem)
     return in_window_language(press.looked.problem->what);
-  return PressModel::tr("a punch with a step of %1 mm").arg(mm(step_mm, 3));
+  return PressModel::tr("a punch with a step of %1 mm").arg(local_mm(step_mm, 3));
 }
 
 QString ball_state_text(const BallFit& ball) {
-  const QString found = PressModel::tr("%1 mm deep, error %2 mm")
-                            .arg(mm(ball.depth_mm, 2),
-                                 mm(ball.held_out_mm > 0 ? ball.held_out_mm : ball.residual_mm, 3));
+  const QString found =
+      PressModel::tr("%1 mm deep, error %2 mm")
+          .arg(local_mm(ball.depth_mm, 2),
+               local_mm(ball.held_out_mm > 0 ? ball.held_out_mm : ball.residual_mm, 3));
   if (!ball.told_depth) return found;
   return found + QLatin1Char('\n') +
          PressModel::tr("measured %1 mm deep, the solution has %2 mm")
-             .arg(mm(ball.told_depth->mm, 3), mm(ball.pressed_in_mm, 3));
+             .arg(local_mm(ball.told_depth->mm, 3), local_mm(ball.pressed_in_mm, 3));
 }
 
 }  // namespace
+
+QString local_mm(double value, int digits) {
+  return QLocale().toString(value, 'f', digits);
+}
 
 const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press) {
   if (!run.result()) return nullptr;
@@ -57,7 +55,7 @@ QString press_state_text(const DeskPress& press, const PressDesk& desk, const Ca
   const PressNote& note = desk.said().of(press.name);
   if (note.excluded)
     return note.excluded->empty() ? PressModel::tr("taken out")
-                                  : PressModel::tr("taken out: %1").arg(text_of(*note.excluded));
+                                  : PressModel::tr("taken out: %1").arg(as_text(*note.excluded));
   if (note.step_mm) return punch_state_text(*note.step_mm, press, fitted_step(run, press.name));
   if (const BallFit* ball = fitted_ball(run, press.name)) return ball_state_text(*ball);
   if (note.ball_mm) return PressModel::tr("ball put by hand");
@@ -112,7 +110,7 @@ QVariant PressModel::data(const QModelIndex& index, int role) const {
   if (press == nullptr) return {};
   switch (role) {
     case Qt::DisplayRole:
-      return QStringLiteral("%1\n%2").arg(text_of(press->name),
+      return QStringLiteral("%1\n%2").arg(as_text(press->name),
                                           press_state_text(*press, desk_, run_));
     case Qt::ToolTipRole:
       return press->looked.problem
@@ -127,7 +125,7 @@ QVariant PressModel::data(const QModelIndex& index, int role) const {
       return font;
     }
     case kName:
-      return text_of(press->name);
+      return as_text(press->name);
     default:
       return {};
   }

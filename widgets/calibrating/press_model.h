@@ -15,6 +15,9 @@ namespace alltact {
 [[nodiscard]] const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press);
 [[nodiscard]] const StepFit* fitted_step(const CalibrationRun& run, const std::string& press);
 
+/// As the window's language writes numbers.
+[[nodiscard]] QString local_mm(double value, int digits);
+
 class PressModel : public QAbstractListModel {
   Q_OBJECT
  public:

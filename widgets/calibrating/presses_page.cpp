@@ -2,6 +2,7 @@
 
 #include "core/live/source_runner.h"
 #include "widgets/panels/side_panel.h"
+#include "widgets/report/report_words.h"
 
 #include <QApplication>
 #include <QButtonGroup>
@@ -14,11 +15,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kListWidth = 270, kSideWidth = 284;
-
-QString text_of(const std::string& text) {
-  return QString::fromStdString(text);
-}
+constexpr int kListWidth = 270, kPressSideWidth = 284;
 
 }  // namespace
 
@@ -147,7 +144,7 @@ QWidget* PressesPage::make_middle() {
 }
 
 QWidget* PressesPage::make_side() {
-  const SidePanel side(kSideWidth);
+  const SidePanel side(kPressSideWidth);
   auto* take = new QVBoxLayout(take_group_);
   radius_->setRange(0, kLargestBallMm);
   radius_->setDecimals(3);
@@ -244,7 +241,7 @@ void PressesPage::take() {
   if (!why_not_take().isEmpty()) return;
   const FramePtr& frame = session_.view()->result.frame;
   const auto alike = frame == newest_held_ ? held_.alike() : std::vector<FramePtr>{frame};
-  taken_name_ = text_of(desk_.add({mean_frame(alike)}));
+  taken_name_ = as_text(desk_.add({mean_frame(alike)}));
   taken_of_ = alike.size();
   show_take();
 }
@@ -354,7 +351,7 @@ void PressesPage::show_status() {
     const QSignalBlocker quiet(radius_);
     radius_->setValue(said.ball_radius_mm);
   }
-  if (!operator_->hasFocus()) operator_->setText(text_of(said.operator_name));
+  if (!operator_->hasFocus()) operator_->setText(as_text(said.operator_name));
   const int count = static_cast<int>(desk_.presses().size());
   const int usable = desk_.usable_count();
   count_->setText(count == 0

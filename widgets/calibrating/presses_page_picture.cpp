@@ -3,8 +3,8 @@
 #include "widgets/calibrating/presses_page.h"
 #include "widgets/language.h"
 #include "widgets/picture/overlays.h"
+#include "widgets/report/report_words.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -13,14 +13,6 @@ namespace {
 
 constexpr int kRimPoints = 90;
 const QColor kContact(86, 180, 233);  // Okabe and Ito's sky blue
-
-QString text_of(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
-QString mm(double value, int digits) {
-  return QLocale().toString(value, 'f', digits);
-}
 
 /// Where the ball meets the untouched face: nearly the dark disc that one sees.
 Overlay contact_overlay(const std::vector<Eigen::Vector2d>& rim) {
@@ -85,9 +77,9 @@ QString PressesPage::advice_for(const DeskPress& press) const {
   if (ball && desk_.said().of(press.name).ball_mm && press.looked.shape) {
     const auto contact = ball_on_face(
         *press.looked.shape, desk_.looker()->finger().face, ball->centre_mm, ball->radius_mm);
-    lines << (contact && contact->depth_mm > 0
-                  ? tr("As it lies now it is pressed in by %1 mm.").arg(mm(contact->depth_mm, 2))
-                  : tr("As it lies now it does not touch the face."));
+    lines << (contact && contact->depth_mm > 0 ? tr("As it lies now it is pressed in by %1 mm.")
+                                                     .arg(local_mm(contact->depth_mm, 2))
+                                               : tr("As it lies now it does not touch the face."));
   }
   return lines.join(QLatin1Char('\n'));
 }
@@ -97,7 +89,7 @@ void PressesPage::show_shown() {
   if (press == nullptr) shown_.clear();
   live_button_->setChecked(press == nullptr);
   press_button_->setChecked(press != nullptr);
-  press_button_->setText(press != nullptr ? text_of(press->name) : tr("Chosen &press"));
+  press_button_->setText(press != nullptr ? as_text(press->name) : tr("Chosen &press"));
   press_button_->setEnabled(!desk_.presses().empty());
   pictures_->setCurrentIndex(press == nullptr ? 0 : 1);
   press_group_->setVisible(press != nullptr);
@@ -125,10 +117,10 @@ void PressesPage::show_shown() {
   }
   const auto place = editor_->ball() ? outline_place(*editor_->ball()) : std::nullopt;
   place_->setText(place ? tr("Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera")
-                              .arg(mm(place->centre.x(), 1),
-                                   mm(place->centre.y(), 1),
-                                   mm(place->radius_px(), 1),
-                                   mm(editor_->ball()->centre_mm.z(), 2))
+                              .arg(local_mm(place->centre.x(), 1),
+                                   local_mm(place->centre.y(), 1),
+                                   local_mm(place->radius_px(), 1),
+                                   local_mm(editor_->ball()->centre_mm.z(), 2))
                         : tr("No ball is drawn here."));
 }
 

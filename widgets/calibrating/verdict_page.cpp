@@ -16,7 +16,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kSymbol = 40;
+constexpr int kVerdictSymbol = 40;
 
 QString grade_text(Grade grade) {
   switch (grade) {
@@ -139,8 +139,10 @@ QString VerdictPage::missing() const {
 void VerdictPage::show_status() {
   const auto known = verdict_of(run_);
   const Meaning meaning = known ? meaning_of(known->grade) : Meaning::kDoubtful;
-  symbol_->setPixmap(symbol(
-      symbol_name(meaning), meaning_colour(meaning, palette()), kSymbol, devicePixelRatioF()));
+  symbol_->setPixmap(symbol(symbol_name(meaning),
+                            meaning_colour(meaning, palette()),
+                            kVerdictSymbol,
+                            devicePixelRatioF()));
   grade_->setText(known ? grade_text(known->grade) : tr("Not calibrated yet"));
   QString words;
   if (known) words = window_sentence(known->reason);

@@ -14,7 +14,7 @@ namespace alltact {
 namespace {
 
 // Without news, too: rarely where udev tells of them, because looking opens every camera.
-constexpr int kBetweenLooks_ms = 30'000;
+constexpr int kBetweenCameraLooks_ms = 30'000;
 constexpr int kBetweenLooksWithoutUdev_ms = 2000;
 constexpr int kAfterNews_ms = 300;  // udev's links come a little behind the node
 
@@ -56,7 +56,7 @@ struct CameraFinder::Shared {
         }
       }
       pollfd descriptors[2] = {{wake, POLLIN, 0}, {plug ? plug->descriptor() : -1, POLLIN, 0}};
-      const int wait_ms = plug ? kBetweenLooks_ms : kBetweenLooksWithoutUdev_ms;
+      const int wait_ms = plug ? kBetweenCameraLooks_ms : kBetweenLooksWithoutUdev_ms;
       if (poll(descriptors, 2, wait_ms) > 0 && descriptors[0].revents == 0) {
         static_cast<void>(plug->read());
         poll(descriptors, 1, kAfterNews_ms);

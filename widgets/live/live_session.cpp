@@ -8,7 +8,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kBetweenLooks_ms = 200;
+constexpr int kBetweenStatusLooks_ms = 200;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::size_t kMostAges = 1000;
 constexpr double kNewShare = 0.2;  // of a frame in the times shown
@@ -42,7 +42,7 @@ LiveSession::LiveSession(SourceOpener opener, QObject* parent) : QObject(parent)
   live_finger_ = std::make_unique<LiveFinger>(hub_, tell);
   runner_ = std::make_unique<SourceRunner>(hub_, std::move(opener));
   connect(&timer_, &QTimer::timeout, this, &LiveSession::refresh);
-  timer_.start(kBetweenLooks_ms);
+  timer_.start(kBetweenStatusLooks_ms);
 }
 
 LiveSession::~LiveSession() {

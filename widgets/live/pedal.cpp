@@ -10,7 +10,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kBetweenLooks_ms = 250;  // at what is wrong
+constexpr int kBetweenPedalLooks_ms = 250;  // at what is wrong
 constexpr int kPatience_ms = 20'000;
 
 Result<LearntButton> learn_from_all(const PedalPorts& ports, const Job& job) {
@@ -90,7 +90,7 @@ void Pedal::listen(const std::optional<LearntButton>& button) {
     const std::lock_guard lock(shared_->mutex);
     shared_->button = std::make_unique<HidButton>(
         open, button->pattern, [shared = shared_.get()] { shared->tell(); });
-    timer_.start(kBetweenLooks_ms);
+    timer_.start(kBetweenPedalLooks_ms);
   }
   Q_EMIT changed();
 }

@@ -12,13 +12,9 @@
 namespace alltact {
 namespace {
 
-constexpr int kSideWidth = 320;
+constexpr int kInspectSideWidth = 320;
 constexpr int kFirstTurn = 21000, kTurns = 1000;  // merge ids
 constexpr int kOneTurn_ms = 700;                  // steps of wheel and keys that belong together
-
-QString text_of(const std::filesystem::path& path) {
-  return QString::fromStdString(path.string());
-}
 
 }  // namespace
 
@@ -85,7 +81,7 @@ QWidget* InspectPlace::make_header() {
 }
 
 QWidget* InspectPlace::make_side() {
-  const SidePanel panel(kSideWidth);
+  const SidePanel panel(kInspectSideWidth);
   panel.column->addWidget(pair_box_);
   panel.column->addWidget(side_);
   return panel.whole;

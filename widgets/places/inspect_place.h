@@ -57,6 +57,9 @@ class InspectPlace : public Place {
   void connect_parts();
   void connect_panes();
   void connect_pair();
+  [[nodiscard]] static QString text_of(const std::filesystem::path& path) {
+    return QString::fromStdString(path.string());
+  }
   void name_parts();
   void change_options(const InspectOptions& options, const QString& what, int merge_id);
   void set_options(const InspectOptions& options);

@@ -7,14 +7,6 @@
 #include <QFileDialog>
 
 namespace alltact {
-namespace {
-
-QString text_of(const std::filesystem::path& path) {
-  return QString::fromStdString(path.string());
-}
-
-}  // namespace
-
 void InspectPlace::choose_video() {
   auto* dialog =
       new QFileDialog(this, tr("Open a video"), QString(), tr("Videos (*.mkv *.avi *.mp4)"));

@@ -5,14 +5,6 @@
 #include "widgets/value_change.h"
 
 namespace alltact {
-namespace {
-
-QString text_of(const std::filesystem::path& path) {
-  return QString::fromStdString(path.string());
-}
-
-}  // namespace
-
 void InspectPlace::connect_pair() {
   connect(&pair_, &FingerPair::changed, this, [this] {
     if (options_.second) show_frame();

@@ -9,7 +9,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kSideWidth = 300;
+constexpr int kLiveSideWidth = 300;
 
 enum MergeId { kDepthTop = 1, kControls = 1000 };
 
@@ -101,7 +101,7 @@ void LivePlace::name_parts() {
 }
 
 QWidget* LivePlace::make_side() {
-  const SidePanel side(kSideWidth);
+  const SidePanel side(kLiveSideWidth);
   auto* over = new QVBoxLayout(over_);
   for (const Choice& choice : choices_) over->addWidget(choice.box);
   auto* top = new QHBoxLayout;

@@ -13,8 +13,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kSideWidth = 330;
-constexpr double kGigabyte = 1e9;
+constexpr int kRecordSideWidth = 330;
 constexpr int kBetweenSpace_ms = 2000;
 
 ViewOptions only_finger() {
@@ -83,7 +82,7 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
 }
 
 QWidget* RecordPlace::make_side() {
-  const SidePanel side(kSideWidth);
+  const SidePanel side(kRecordSideWidth);
   auto* coverage = new QVBoxLayout(coverage_group_);
   coverage->addWidget(coverage_view_);
   coverage->addWidget(missing_);

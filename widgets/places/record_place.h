@@ -45,6 +45,8 @@ class RecordPlace : public Place {
   void showEvent(QShowEvent* event) override;
 
  private:
+  static constexpr double kGigabyte = 1e9;
+
   [[nodiscard]] QWidget* make_side();
   void make_recording_group(QVBoxLayout& column);
   void make_result_group(QVBoxLayout& column);

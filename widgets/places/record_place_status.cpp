@@ -5,7 +5,6 @@
 namespace alltact {
 namespace {
 
-constexpr double kGigabyte = 1e9;
 constexpr double kLittleSpace_gb = 2;
 constexpr int kLongUnknown = 15;  // frames; the first ones of a source never tell
 

@@ -11,7 +11,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kSymbol = 20;
+constexpr int kProblemSymbol = 20;
 
 QString symbol_of(Meaning meaning) {
   switch (meaning) {
@@ -105,7 +105,8 @@ QWidget* ProblemList::make_row(const Problem& problem) {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(10, 6, 10, 6);
   auto* picture = new QLabel;
-  picture->setPixmap(symbol(symbol_of(problem.meaning), colour, kSymbol, devicePixelRatioF()));
+  picture->setPixmap(
+      symbol(symbol_of(problem.meaning), colour, kProblemSymbol, devicePixelRatioF()));
   picture->setAccessibleName(word);
   layout->addWidget(picture, 0, Qt::AlignVCenter);
   auto* text = new QLabel(

@@ -9,7 +9,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kSymbol = 16;
+constexpr int kStepSymbol = 16;
 constexpr int kHeight = 34;
 
 QString state_word(StepState state) {
@@ -38,7 +38,7 @@ void StepList::make_buttons(std::size_t count) {
     auto* button = new QToolButton;
     button->setCheckable(true);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setIconSize({kSymbol, kSymbol});
+    button->setIconSize({kStepSymbol, kStepSymbol});
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setMinimumHeight(kHeight);
     button->setFocusPolicy(Qt::StrongFocus);
@@ -77,7 +77,7 @@ void StepList::dress() {
             ? QIcon()
             : QIcon(symbol(is_done ? QStringLiteral("good") : QStringLiteral("doubtful"),
                            meaning_colour(is_done ? Meaning::kGood : Meaning::kDoubtful, palette()),
-                           kSymbol,
+                           kStepSymbol,
                            devicePixelRatioF())));
   }
 }

@@ -43,7 +43,8 @@ std::vector<Press> flat_presses(const Layer& layer,
   return presses;
 }
 
-Calibration run(const std::vector<Press>& presses, const CalibrationSettings& settings = {}) {
+Calibration calibration_of(const std::vector<Press>& presses,
+                           const CalibrationSettings& settings = {}) {
   const Scene scene = flat_scene();
   auto result = calibrate(presses, scene.camera, scene.face, settings, Job{});
   EXPECT_TRUE(result.ok()) << result.error().sentence();
@@ -59,7 +60,7 @@ TEST(Calibrate, SixPressesGiveTheMappingWhateverTheSkinDoesAtTheRim) {
                                  Contact{Skin::kTail, 0.85, 0},
                                  Contact{Skin::kHertz, 0, 0.03}}) {
     const Layer layer{0.3 + 1.2 * uniform(random), 0.05 * uniform(random)};
-    const Calibration calibration = run(flat_presses(layer, contact, 6, random));
+    const Calibration calibration = calibration_of(flat_presses(layer, contact, 6, random));
     EXPECT_LT(mapping_error(calibration.mapping, layer), 0.02)
         << "skin " << static_cast<int>(contact.skin) << " size " << contact.size;
     EXPECT_EQ(calibration.balls.size(), 6U);
@@ -70,7 +71,7 @@ TEST(Calibrate, SixPressesGiveTheMappingWhateverTheSkinDoesAtTheRim) {
 TEST(Calibrate, ThreePressesWithoutRollOffGiveTheMappingToAHundredth) {
   std::mt19937 random(22);
   const Layer layer{0.6, 0.02};
-  const Calibration calibration = run(flat_presses(layer, {}, 3, random));
+  const Calibration calibration = calibration_of(flat_presses(layer, {}, 3, random));
   EXPECT_LT(mapping_error(calibration.mapping, layer), 0.01);
 }
 
@@ -94,7 +95,7 @@ TEST(Calibrate, FaintPressesOnAStronglyScatteringLayerCount) {
     presses.push_back(made.press);
     centres_mm.push_back(made.centre_mm);
   }
-  const Calibration calibration = run(presses);
+  const Calibration calibration = calibration_of(presses);
   EXPECT_LT(mapping_error(calibration.mapping, layer), 0.02);
   ASSERT_EQ(calibration.balls.size(), 6U)
       << (calibration.left_out.empty() ? "" : calibration.left_out.front().english());
@@ -117,7 +118,7 @@ TEST(Calibrate, TellsHowTheSolutionSettlesAndThatChangesNothing) {
   EXPECT_LT(rounds.back().change_mm, JointOptions{}.settled_mm);
   EXPECT_GT(rounds.front().change_mm, 1e3 * rounds.back().change_mm);
   EXPECT_NEAR(rounds.back().residual_mm, heard->residual_mm, 1e-12);
-  EXPECT_EQ(heard->mapping.chebyshev, run(presses).mapping.chebyshev);
+  EXPECT_EQ(heard->mapping.chebyshev, calibration_of(presses).mapping.chebyshev);
 }
 
 TEST(Calibrate, BallsOfSeveralSizesGiveOneMapping) {
@@ -138,7 +139,7 @@ TEST(Calibrate, BallsOfSeveralSizesGiveOneMapping) {
     presses.push_back(std::move(made.press));
     centres_mm.push_back(made.centre_mm);
   }
-  const Calibration calibration = run(presses);
+  const Calibration calibration = calibration_of(presses);
   ASSERT_EQ(calibration.balls.size(), 4U);
   EXPECT_LT(mapping_error(calibration.mapping, layer), 0.02);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -147,13 +148,14 @@ TEST(Calibrate, BallsOfSeveralSizesGiveOneMapping) {
   }
   // Taken for one size they do not fit.
   for (Press& press : presses) press.ball_radius_mm = 4.0;
-  EXPECT_GT(run(presses).residual_mm, 1.5 * calibration.residual_mm);
+  EXPECT_GT(calibration_of(presses).residual_mm, 1.5 * calibration.residual_mm);
 }
 
 TEST(Calibrate, OnePressSaysWhatItCannotKnow) {
   std::mt19937 random(23);
   const Layer layer{0.6, 0.02};
-  const Calibration calibration = run(flat_presses(layer, {Skin::kHertz, 0, 0.02}, 1, random));
+  const Calibration calibration =
+      calibration_of(flat_presses(layer, {Skin::kHertz, 0, 0.02}, 1, random));
   EXPECT_LT(mapping_error(calibration.mapping, layer), 0.05);
   EXPECT_EQ(calibration.held_out_mm, 0.0);
   EXPECT_TRUE(std::any_of(calibration.remarks.begin(),
@@ -206,7 +208,7 @@ TEST(Calibrate, UnevenLightIsSeenAndAnsweredAndEvenLightIsLeftAlone) {
                                    random,
                                    fmt::format("p{}", i))
                             .press);
-    const Calibration calibration = run(presses);
+    const Calibration calibration = calibration_of(presses);
     const FaceVariation& found = calibration.mapping.variation;
     EXPECT_EQ(found.is_none(), uneven.isZero(0.0));
     const auto mapping = Mapping::create(calibration.mapping);
@@ -234,10 +236,10 @@ TEST(Calibrate, UnevenLightIsSeenAndAnsweredAndEvenLightIsLeftAlone) {
 TEST(Calibrate, OrderOfPressesDoesNotMatter) {
   std::mt19937 random(25);
   std::vector<Press> presses = flat_presses({0.7, 0.01}, {Skin::kSmooth, 0.1, 0}, 4, random);
-  const Calibration first = run(presses);
+  const Calibration first = calibration_of(presses);
   std::reverse(presses.begin(), presses.end());
   std::swap(presses[0], presses[2]);
-  const Calibration second = run(presses);
+  const Calibration second = calibration_of(presses);
   EXPECT_EQ(first.mapping.a_mm, second.mapping.a_mm);
   EXPECT_EQ(first.mapping.b, second.mapping.b);
   EXPECT_EQ(first.mapping.chebyshev, second.mapping.chebyshev);
@@ -255,10 +257,10 @@ TEST(Calibrate, OrderOfPressesDoesNotMatter) {
 TEST(Calibrate, TheSamePictureTwiceCountsOnce) {
   std::mt19937 random(26);
   std::vector<Press> presses = flat_presses({0.7, 0.01}, {}, 3, random);
-  const Calibration once = run(presses);
+  const Calibration once = calibration_of(presses);
   presses.push_back(presses[1]);
   presses.back().name = "copy";
-  const Calibration twice = run(presses);
+  const Calibration twice = calibration_of(presses);
   EXPECT_EQ(once.mapping.a_mm, twice.mapping.a_mm);
   EXPECT_EQ(once.mapping.b, twice.mapping.b);
   ASSERT_EQ(twice.left_out.size(), 1U);
@@ -271,7 +273,7 @@ TEST(Calibrate, UnusablePressesAreNamedAndTheRestIsUsed) {
   std::vector<Press> presses = flat_presses({}, {}, 3, random);
   Press empty = make_press(scene, {}, {}, {}, 1.0, random, "empty").press;
   presses.insert(presses.begin() + 1, empty);
-  const Calibration calibration = run(presses);
+  const Calibration calibration = calibration_of(presses);
   EXPECT_EQ(calibration.balls.size(), 3U);
   ASSERT_EQ(calibration.left_out.size(), 1U);
   EXPECT_EQ(calibration.left_out[0].english().rfind("empty: ", 0), 0U);
@@ -291,12 +293,12 @@ TEST(Calibrate, AskedForFamiliesAreUsed) {
   CalibrationSettings settings;
   settings.family = FamilyChoice::kPolynomial;
   settings.degree = 3;
-  const Calibration cubic = run(presses, settings);
+  const Calibration cubic = calibration_of(presses, settings);
   EXPECT_EQ(cubic.mapping.kind, MappingKind::kPolynomial);
   EXPECT_EQ(cubic.mapping.chebyshev.size(), 3U);
   EXPECT_LT(mapping_error(cubic.mapping, layer), 0.03);
   settings.method = CalibrationMethod::kPaper;
-  const Calibration paper = run(presses, settings);
+  const Calibration paper = calibration_of(presses, settings);
   EXPECT_EQ(paper.mapping.kind, MappingKind::kPolynomial);
   EXPECT_LT(mapping_error(paper.mapping, layer), 0.2);
 }

@@ -98,14 +98,14 @@ TEST(LiftOff, ItsDerivativesAreThoseOfDifferences) {
 }
 
 /// Presses of a ball on a plane with a skin that lifts off, as block means 0.18 mm apart.
-struct World {
+struct LiftedWorld {
   std::vector<PressSamples> samples;
   std::vector<Eigen::Vector3d> centres_mm;
   ChoiceInput input;  // the balls a little off
 
   static double x_of(double depth_mm) { return depth_mm / (2.6 - 0.7 * depth_mm); }
 
-  World(double lift_mm, double x_sd, std::mt19937& random) {
+  LiftedWorld(double lift_mm, double x_sd, std::mt19937& random) {
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     std::normal_distribution<double> noise(0.0, x_sd);
     const double radius = 4.0 + 1.5 * uniform(random);
@@ -145,7 +145,7 @@ struct World {
 TEST(LiftOff, IsThatOfTheMappingWhereOnlyABallIsFree) {
   std::mt19937 random(7);
   constexpr double kLiftMm = 0.2;
-  const World world(kLiftMm, 0.001, random);
+  const LiftedWorld world(kLiftMm, 0.001, random);
   MappingCurve curve({MappingKind::kMoebius, 2}, 0.5);
   curve.values() << 2.6, 0.7;
   JointOptions options;
@@ -170,7 +170,7 @@ TEST(LiftOff, DoesNotScaleTheMapping) {
   for (unsigned run = 0; run < 6; ++run) {
     std::mt19937 random(100 + run);
     const double lift = 0.05 + 0.06 * run;
-    World world(lift, 0.003, random);
+    LiftedWorld world(lift, 0.003, random);
     CalibrationSettings settings;
     settings.along = AlongChoice::kZ;
     const auto choice = choose_model(world.input, settings, Job{});

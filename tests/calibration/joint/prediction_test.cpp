@@ -22,7 +22,7 @@ using namespace made;
 
 constexpr int kPresses = 6;
 
-struct World {
+struct DrawnWorld {
   std::vector<Scene> scenes;  ///< one a press: the finger may be bent otherwise each time
   std::vector<Made> presses;
   Layer layer;
@@ -45,12 +45,12 @@ Contact drawn_contact(std::mt19937& random) {
   }
 }
 
-World drawn_world(bool flat, int number) {
+DrawnWorld drawn_world(bool flat, int number) {
   std::mt19937 random(static_cast<unsigned>((flat ? 4000 : 5000) + number));
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  World world;
+  DrawnWorld world;
   world.layer = {between(0.3, 1.2), between(0, 0.05)};
   const Contact contact = drawn_contact(random);
   const double radius_mm = between(3, 5);
@@ -97,7 +97,7 @@ struct Outcome {
   double centre_mm = 0;                      ///< worst of the balls, from the face they lie on
 };
 
-Outcome outcome_of(const World& world) {
+Outcome outcome_of(const DrawnWorld& world) {
   std::vector<Press> presses;
   for (int i = 0; i < kPresses; ++i)
     presses.push_back(world.presses[static_cast<std::size_t>(i)].press);

@@ -25,7 +25,7 @@ Press pressed(
       .press;
 }
 
-Calibration run(const std::vector<Press>& presses) {
+Calibration calibration_so_far(const std::vector<Press>& presses) {
   const Scene scene = flat_scene();
   auto result = calibrate(presses, scene.camera, scene.face, {}, Job{});
   EXPECT_TRUE(result.ok()) << result.error().sentence();
@@ -47,7 +47,7 @@ TEST(PressAdvice, SaysTheStandardDeviationThatThePressThenGives) {
   for (int i = 0; i < 4; ++i)
     presses.push_back(pressed(layer, places[i][0], places[i][1], 0.55 + 0.1 * i, random, i));
   for (int more = 4; more < 6; ++more) {
-    const Calibration now = run(presses);
+    const Calibration now = calibration_so_far(presses);
     ASSERT_TRUE(now.next_press && now.weakness);
     const PressAdvice& advice = *now.next_press;
     EXPECT_NEAR(advice.sd_now_mm, depth_sd_mm(now), 0.35 * depth_sd_mm(now));
@@ -58,7 +58,7 @@ TEST(PressAdvice, SaysTheStandardDeviationThatThePressThenGives) {
     EXPECT_GT(advice.depth_mm, 0.5);
     const double v = 150 + advice.across_mm / 0.05;
     presses.push_back(pressed(layer, advice.along_mm / 0.05, v, advice.depth_mm, random, more));
-    const Calibration then = run(presses);
+    const Calibration then = calibration_so_far(presses);
     const double promised = advice.sd_then_mm / advice.sd_now_mm;
     const double kept = depth_sd_mm(then) / depth_sd_mm(now);
     EXPECT_NEAR(kept, promised, 0.25) << "press " << more;
@@ -71,7 +71,7 @@ TEST(PressAdvice, AnEmptyThirdOfTheFaceComesFirst) {
   std::vector<Press> presses;
   for (int i = 0; i < 4; ++i)
     presses.push_back(pressed(layer, 80 + 20 * i, 110 + 25 * i, 0.5 + 0.15 * i, random, i));
-  const Calibration calibration = run(presses);
+  const Calibration calibration = calibration_so_far(presses);
   ASSERT_TRUE(calibration.next_press);
   EXPECT_FALSE(calibration.next_press->enough);
   EXPECT_THAT(calibration.next_press->sentence.english(),

@@ -18,7 +18,7 @@ using made::flat_scene;
 using made::Layer;
 using made::Scene;
 
-struct World {
+struct ScaledWorld {
   Scene scene;
   std::vector<Press> presses;
   std::vector<Eigen::Vector3d> centres_mm;
@@ -26,14 +26,14 @@ struct World {
 };
 
 /// Four presses of a ball of four `unit_mm` on a flat sensor; all lengths in that unit.
-World world(const Layer& layer, double noise, unsigned seed, double unit_mm = 1.0) {
+ScaledWorld world(const Layer& layer, double noise, unsigned seed, double unit_mm = 1.0) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   Scene scene = flat_scene(0.05 * unit_mm);
   scene.face.layer_mm = 1.5 * unit_mm;
   scene.face.plane_z_mm = 20.0 * unit_mm;
   scene.shape = FaceShape::plane(scene.camera, scene.face);
-  World made{scene, {}, {}, 4.0 * unit_mm};
+  ScaledWorld made{scene, {}, {}, 4.0 * unit_mm};
   Layer scaled = layer;
   scaled.thickness_mm *= unit_mm;
   for (int i = 0; i < 4; ++i) {
@@ -47,7 +47,7 @@ World world(const Layer& layer, double noise, unsigned seed, double unit_mm = 1.
   return made;
 }
 
-Calibration calibrated(const World& w) {
+Calibration calibrated(const ScaledWorld& w) {
   CalibrationSettings settings;
   settings.family = FamilyChoice::kMoebius;
   settings.along = AlongChoice::kZ;
@@ -74,7 +74,7 @@ TEST(CalibrationLaws, WithoutNoiseTheTruthComesBack) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     // Without absorption the mapping is d = t (1 + s) x / (1 + s x) exactly.
     const Layer layer{0.3 + 0.25 * seed, 0.0};
-    const World w = world(layer, 0.0, 100 + seed);
+    const ScaledWorld w = world(layer, 0.0, 100 + seed);
     const Calibration found = calibrated(w);
     ASSERT_EQ(found.balls.size(), 4U);
     MappingParameters truth = found.mapping;
@@ -86,10 +86,10 @@ TEST(CalibrationLaws, WithoutNoiseTheTruthComesBack) {
 }
 
 TEST(CalibrationLaws, AWorldKTimesAsLargeHasAMappingKTimesAsDeep) {
-  const World one = world({0.7, 0.02}, 1.0, 201);
+  const ScaledWorld one = world({0.7, 0.02}, 1.0, 201);
   const Calibration mm = calibrated(one);
   for (const double k : {0.5, 0.8, 1.5, 2.0}) {
-    const World other = world({0.7, 0.02}, 1.0, 201, k);
+    const ScaledWorld other = world({0.7, 0.02}, 1.0, 201, k);
     const Calibration scaled = calibrated(other);
     ASSERT_EQ(scaled.balls.size(), mm.balls.size());
     // Samples are weighed with a floor of 0.003 mm, which does not scale.
@@ -100,10 +100,10 @@ TEST(CalibrationLaws, AWorldKTimesAsLargeHasAMappingKTimesAsDeep) {
 }
 
 TEST(CalibrationLaws, MirroredPressesGiveTheSameMappingAndMirroredBalls) {
-  const World one = world({0.7, 0.02}, 1.0, 301);
+  const ScaledWorld one = world({0.7, 0.02}, 1.0, 301);
   const Calibration straight = calibrated(one);
   for (const int how : {0, 1}) {
-    World mirrored = one;
+    ScaledWorld mirrored = one;
     const CameraParameters& lens = one.scene.camera.parameters();
     CameraParameters p = lens;
     (how == 1 ? p.cx_px : p.cy_px) =

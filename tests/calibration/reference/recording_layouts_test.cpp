@@ -4,7 +4,7 @@
 #include "core/numerics/median.h"
 #include "core/sensing/face/side_edges.h"
 #include "core/sensing/markers/marker_rows.h"
-#include "tests/support/marked_finger.h"
+#include "tests/support/marked_recording.h"
 
 #include <cstdio>
 #include <functional>
@@ -16,9 +16,10 @@
 namespace alltact {
 namespace {
 
-using testing::Bend;
-using testing::MarkedFinger;
-using testing::random_bend;
+using test::Bend;
+using test::MarkedFinger;
+using test::pose;
+using test::random_bend;
 
 /// Something on a side face that is no marker.
 struct Blemish {
@@ -39,12 +40,6 @@ struct Conditions {
   std::set<int> absent;  // by place in MarkedFinger::discs
   std::vector<Blemish> blemishes;
 };
-
-Bend pose(int i, int frames) {
-  const double t = 2 * M_PI * i / frames;
-  return {
-      0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0.03 * std::sin(5 * t)};
-}
 
 bool is_in_picture(const MarkedFinger& f, double u, double v) {
   return u > 6 && v > 6 && u < f.width - 7 && v < f.height - 7;

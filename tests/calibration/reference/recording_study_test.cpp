@@ -11,12 +11,12 @@
 namespace alltact {
 namespace {
 
-using testing::Bend;
-using testing::described;
-using testing::MarkedFinger;
-using testing::MemorySource;
-using testing::scratch_folder;
-using testing::small_finger;
+using test::Bend;
+using test::described;
+using test::MarkedFinger;
+using test::MemorySource;
+using test::scratch_folder;
+using test::small_finger;
 
 /// Poses that are visited again and again, each time a little otherwise.
 Bend loop(int i, int frames_a_loop) {

@@ -17,13 +17,13 @@ namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Bend;
-using testing::described;
-using testing::MarkedFinger;
-using testing::MemorySource;
-using testing::pose;
-using testing::scratch_folder;
-using testing::small_finger;
+using test::Bend;
+using test::described;
+using test::MarkedFinger;
+using test::MemorySource;
+using test::pose;
+using test::scratch_folder;
+using test::small_finger;
 
 // The furthest marker, among those that were seen or among the estimates.
 double truth_error(

@@ -11,12 +11,13 @@
 namespace alltact {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 120;
+constexpr int kSmallWidth = 160, kSmallHeight = 120;
 
 struct Bench {
-  made::Scene scene = made::flat_scene(0.05, kWidth, kHeight);
+  made::Scene scene = made::flat_scene(0.05, kSmallWidth, kSmallHeight);
   MappingParameters parameters;
-  cv::Mat truth = cv::Mat(kHeight, kWidth, CV_32FC1);  // grey levels of the untouched face
+  cv::Mat truth =
+      cv::Mat(kSmallHeight, kSmallWidth, CV_32FC1);  // grey levels of the untouched face
   std::mt19937_64 random{11};
 
   Bench() {
@@ -24,18 +25,20 @@ struct Bench {
     parameters.x_max = 0.6;
     parameters.a_mm = 2.6;
     parameters.b = 0.9;
-    for (int v = 0; v < kHeight; ++v)
-      for (int u = 0; u < kWidth; ++u)
-        truth.at<float>(v, u) = 60.0F + 120.0F * static_cast<float>(u) / kWidth;
+    for (int v = 0; v < kSmallHeight; ++v)
+      for (int u = 0; u < kSmallWidth; ++u)
+        truth.at<float>(v, u) = 60.0F + 120.0F * static_cast<float>(u) / kSmallWidth;
   }
   /// How much darker a pixel is: nothing at the left, half at the right bottom.
-  static double pressed(int u, int v) { return v < 20 ? 0.0 : 0.5 * u / kWidth * v / kHeight; }
+  static double pressed(int u, int v) {
+    return v < 20 ? 0.0 : 0.5 * u / kSmallWidth * v / kSmallHeight;
+  }
 
   cv::Mat noisy(bool is_live, double sd) {
     std::normal_distribution<double> noise(0.0, sd);
-    cv::Mat picture(kHeight, kWidth, CV_8UC1);
-    for (int v = 0; v < kHeight; ++v)
-      for (int u = 0; u < kWidth; ++u)
+    cv::Mat picture(kSmallHeight, kSmallWidth, CV_8UC1);
+    for (int v = 0; v < kSmallHeight; ++v)
+      for (int u = 0; u < kSmallWidth; ++u)
         picture.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
             static_cast<double>(truth.at<float>(v, u)) * (is_live ? 1.0 - pressed(u, v) : 1.0) +
             noise(random));
@@ -60,7 +63,8 @@ TEST(DepthSd, IsHowDepthsScatter) {
   DifferenceOptions options;
   options.smoothing = plain_smoothing_of(1.0);
   options.noise_sd = std::hypot(kNoise, std::sqrt(1.0 / 12.0));
-  cv::Mat sum = cv::Mat::zeros(kHeight, kWidth, CV_64FC1), square = sum.clone(), told = sum.clone();
+  cv::Mat sum = cv::Mat::zeros(kSmallHeight, kSmallWidth, CV_64FC1), square = sum.clone(),
+          told = sum.clone();
   const Mapping mapping = Mapping::create(bench.parameters).value();
   for (int run = 0; run < kRuns; ++run) {
     MappingParameters drawn = bench.parameters;
@@ -98,8 +102,8 @@ TEST(DepthSd, GrowsWhereTheFaceIsDarkAndIsAbsentWithTheDepth) {
   const cv::Mat sd = depth_sd_mm(depth, reference, bench.scene.shape, mapping);
   EXPECT_GT(cv::mean(sd(cv::Rect(10, 5, 20, 10)))[0],
             1.5 * cv::mean(sd(cv::Rect(130, 5, 20, 10)))[0]);
-  for (int v = 0; v < kHeight; ++v)
-    for (int u = 0; u < kWidth; ++u) {
+  for (int v = 0; v < kSmallHeight; ++v)
+    for (int u = 0; u < kSmallWidth; ++u) {
       EXPECT_EQ(std::isfinite(sd.at<float>(v, u)), std::isfinite(depth.depth_mm.at<float>(v, u)));
       if (std::isfinite(sd.at<float>(v, u))) {
         EXPECT_GT(sd.at<float>(v, u), 0.0F);

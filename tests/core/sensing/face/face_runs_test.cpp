@@ -20,9 +20,9 @@ bool same_bytes(const cv::Mat& a, const cv::Mat& b) {
 TEST(FaceRuns, AreEveryPixelWithinTheMarginAndNoOther) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 12; ++trial) {
-    testing::MarkedFinger finger;
+    test::MarkedFinger finger;
     finger.mirrored = trial % 2 != 0;
-    const FaceShape shape = finger.shape(testing::random_bend(random));
+    const FaceShape shape = finger.shape(test::random_bend(random));
     const double margin_px = 0.5 * trial;
     const cv::Size size(finger.width, finger.height);
     const FaceRuns runs = face_runs(shape, margin_px, size);
@@ -53,7 +53,7 @@ TEST(FaceRuns, AreEveryPixelWithinTheMarginAndNoOther) {
 
 TEST(LocalDepth, InOnePassGivesTheSameBytesAsOneAfterTheOther) {
   std::mt19937 random(12);
-  const testing::MarkedFinger finger;
+  const test::MarkedFinger finger;
   MappingParameters parameters;
   parameters.kind = MappingKind::kMoebius;
   parameters.x_max = 0.6;
@@ -62,7 +62,7 @@ TEST(LocalDepth, InOnePassGivesTheSameBytesAsOneAfterTheOther) {
   for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kNormal}) {
     parameters.along = along;
     const Mapping mapping = Mapping::create(parameters).value();
-    const FaceShape shape = finger.shape(testing::random_bend(random));
+    const FaceShape shape = finger.shape(test::random_bend(random));
     cv::Mat live(finger.height, finger.width, CV_8UC1), levels(live.size(), CV_32FC1);
     cv::randu(live, 30, 120);
     cv::randu(levels, 60.0, 130.0);

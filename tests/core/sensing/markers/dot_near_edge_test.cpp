@@ -9,9 +9,9 @@
 namespace alltact {
 namespace {
 
-using testing::Bend;
-using testing::MarkedFinger;
-using testing::random_bend;
+using test::Bend;
+using test::MarkedFinger;
+using test::random_bend;
 
 struct Tried {
   int dots = 0, found = 0;

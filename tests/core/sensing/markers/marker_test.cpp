@@ -12,9 +12,9 @@
 namespace alltact {
 namespace {
 
-using testing::Bend;
-using testing::MarkedFinger;
-using testing::random_bend;
+using test::Bend;
+using test::MarkedFinger;
+using test::random_bend;
 
 // Learns from layouts of random bends, seen with a little noise as a recording has them.
 MarkerModel learn(const MarkedFinger& finger,

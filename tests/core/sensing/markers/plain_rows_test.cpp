@@ -11,8 +11,8 @@
 namespace alltact {
 namespace {
 
-using testing::Bend;
-using testing::MarkedFinger;
+using test::Bend;
+using test::MarkedFinger;
 
 Bend slow(int frame) {
   const double t = 0.05 * frame;
@@ -30,7 +30,7 @@ double worst_px(const Markers& markers, const MarkedFinger& finger, const Bend& 
   return worst;
 }
 
-std::vector<MarkedFinger> various_fingers() {
+std::vector<MarkedFinger> followed_fingers() {
   std::vector<MarkedFinger> fingers(3);
   fingers[1].dot_contrast = -30;  // dark dots
   fingers[1].side_level = 50;
@@ -40,7 +40,7 @@ std::vector<MarkedFinger> various_fingers() {
 }
 
 TEST(PlainRows, FollowTheFingerWithoutBeingToldThePolarity) {
-  for (const MarkedFinger& finger : various_fingers()) {
+  for (const MarkedFinger& finger : followed_fingers()) {
     std::mt19937 random(7);
     PlainRows rows({finger.per_row, Polarity::kAuto});
     double first_ms = 0, later_ms = 0, worst = 0;

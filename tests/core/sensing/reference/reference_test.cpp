@@ -63,16 +63,16 @@ struct Mark {
 };
 const std::vector<Mark> kMarks{{0.2, -6}, {0.33, 4}, {0.45, -2}, {0.55, 7}, {0.7, 0}, {0.82, -5}};
 
-Eigen::Vector2d seen_at(const testing::MarkedFinger& finger,
-                        const testing::Bend& bend,
+Eigen::Vector2d seen_at(const test::MarkedFinger& finger,
+                        const test::Bend& bend,
                         const Mark& mark) {
-  const auto p = testing::MarkedFinger::at(finger.arc(bend), mark.t, 0.0);
+  const auto p = test::MarkedFinger::at(finger.arc(bend), mark.t, 0.0);
   return finger.project(p.x, mark.y + p.y, p.z);
 }
 
 /// The finger with dark specks in its skin.
-cv::Mat specked(const testing::MarkedFinger& finger, const testing::Bend& bend) {
-  std::vector<testing::MarkedFinger::Extra> specks;
+cv::Mat specked(const test::MarkedFinger& finger, const test::Bend& bend) {
+  std::vector<test::MarkedFinger::Extra> specks;
   for (const Mark& mark : kMarks) {
     const Eigen::Vector2d q = seen_at(finger, bend, mark);
     specks.push_back({{q.x(), q.y(), 2.5, 2.5}, 60.0});
@@ -80,7 +80,7 @@ cv::Mat specked(const testing::MarkedFinger& finger, const testing::Bend& bend) 
   return finger.clean(bend, {}, specks);
 }
 
-Markers markers_of(const testing::MarkedFinger& finger, const testing::Bend& bend) {
+Markers markers_of(const test::MarkedFinger& finger, const test::Bend& bend) {
   Markers markers;
   for (const auto& d : finger.discs(bend)) markers.push_back({d.u, d.v, true, 0.02});
   return markers;
@@ -109,13 +109,13 @@ double centroid_off_px(const cv::Mat& picture, const Eigen::Vector2d& place) {
 
 TEST(ReferencePicture, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
   std::mt19937 random(7);
-  testing::MarkedFinger finger;
+  test::MarkedFinger finger;
   finger.noise = 0;
   const FaceShape rest_shape = finger.shape({});
   const FaceChart rest = chart_of(rest_shape).value();
   const SkinPlaces places = skin_places(rest, rest_shape, markers_of(finger, {}));
   const FaceGrid grid = face_grid(rest, 0.15);
-  const auto chart_in = [&](const testing::Bend& bend) {
+  const auto chart_in = [&](const test::Bend& bend) {
     const FaceShape shape = finger.shape(bend);
     FaceChart chart = chart_of(shape).value();
     lay_on(places, shape, markers_of(finger, bend), &chart);
@@ -124,8 +124,8 @@ TEST(ReferencePicture, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
   double worst = 0;
   int compared = 0;
   for (int trial = 0; trial < 8; ++trial) {
-    const testing::Bend recorded = testing::random_bend(random, 0.8),
-                        now = testing::random_bend(random, 0.8);
+    const test::Bend recorded = test::random_bend(random, 0.8),
+                     now = test::random_bend(random, 0.8);
     const cv::Mat grey = finger.with_noise(specked(finger, recorded), random);
     const FacePicture face = keep_face(grey, chart_in(recorded), grid);
     const cv::Mat there =
@@ -147,7 +147,7 @@ TEST(ReferencePicture, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
 
 TEST(ReferencePicture, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
   std::mt19937 random(7);
-  const testing::MarkedFinger finger;
+  const test::MarkedFinger finger;
   const FaceChart chart = chart_of(finger.shape({})).value();
   const FaceGrid grid = face_grid(chart, 0.15);
   const std::vector<float> weights{0.5F, -0.25F, 0.4F, 0.2F, 0.15F};
@@ -188,7 +188,7 @@ TEST(ReferencePicture, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
 }
 
 TEST(ReferencePicture, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
-  const testing::MarkedFinger finger;
+  const test::MarkedFinger finger;
   const FaceChart chart = chart_of(finger.shape({})).value();
   const FaceGrid grid = face_grid(chart, 0.15);
   constexpr int kShorter = 40;
@@ -212,7 +212,7 @@ TEST(ReferencePicture, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
 }
 
 TEST(ReferencePicture, ShowsWhatColumnsShareOfASlantedEnd) {
-  const testing::MarkedFinger finger;
+  const test::MarkedFinger finger;
   const FaceChart chart = chart_of(finger.shape({})).value();
   const FaceGrid grid = face_grid(chart, 0.15);
   const cv::Size size(finger.width, finger.height);
@@ -254,7 +254,7 @@ TEST(ReferencePicture, ShowsWhatColumnsShareOfASlantedEnd) {
 double told_sd(int dented) {
   std::mt19937 random(3);
   std::normal_distribution<float> chance(150.0F, 1.5F);
-  const testing::MarkedFinger finger;
+  const test::MarkedFinger finger;
   const FaceChart chart = chart_of(finger.shape({})).value();
   const FaceGrid grid = face_grid(chart, 0.15);
   const cv::Size size(finger.width, finger.height);
@@ -291,17 +291,17 @@ TEST(ReferenceError, IsNotThatOfDentsWhichNobodyNoticed) {
 }
 
 MarkerTable random_table(int frames, int per_row, std::mt19937& random) {
-  testing::MarkedFinger finger;
+  test::MarkedFinger finger;
   finger.per_row = per_row;
   MarkerTable table;
   table.layouts.resize(frames, 4 * per_row);
   for (int i = 0; i < frames; ++i) {
     table.frames.push_back(2 * i);
-    table.layouts.row(i) = finger.layout(testing::random_bend(random)).transpose();
+    table.layouts.row(i) = finger.layout(test::random_bend(random)).transpose();
     table.seen.emplace_back(static_cast<std::size_t>(2 * per_row), 1);
     table.seen.back()[static_cast<std::size_t>(i) % 4] = 0;
   }
-  table.typical = finger.typical(testing::Bend{});
+  table.typical = finger.typical(test::Bend{});
   return table;
 }
 
