@@ -29,24 +29,46 @@ ALLTACT_WIDE void shine(const Surface& s, const Lamp& lamp, float* __restrict su
   }
 }
 
-ALLTACT_WIDE void shine_aimed(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+// For a lobe of 2^kSquarings, known when compiled, so that the loop computes that one and no other.
+template <int kSquarings>
+[[gnu::always_inline]] inline void shine_by_lobe(const Surface& s,
+                                                 const Lamp& lamp,
+                                                 float* __restrict sum) {
   const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
   const float* __restrict nx = s.normal_x, * __restrict ny = s.normal_y, * __restrict nz = s.normal_z;
   const float lx = lamp.x, ly = lamp.y, lz = lamp.z, power = lamp.power;
   const float ax = lamp.aim_x, ay = lamp.aim_y, az = lamp.aim_z;
-  // lobe 1, 2, 4 or 8: one of these is 1, the others 0, so that the loop has no branch.
-  const float w1 = lamp.squarings == 0, w2 = lamp.squarings == 1;
-  const float w4 = lamp.squarings == 2, w8 = lamp.squarings == 3;
   for (int u = s.first; u < s.last; ++u) {
     const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
     const float r2 = dx * dx + dy * dy + dz * dz;
     const float r = std::sqrt(r2);
     const float facing = nx[u] * dx + ny[u] * dy + nz[u] * dz;
-    const float c = std::max(-(ax * dx + ay * dy + az * dz) / r, 0.0F);
-    const float c2 = c * c, c4 = c2 * c2, c8 = c4 * c4;
-    const float lobe = w1 * c + w2 * c2 + w4 * c4 + w8 * c8;
+    float lobe = std::max(-(ax * dx + ay * dy + az * dz) / r, 0.0F);
+    for (int i = 0; i < kSquarings; ++i) lobe *= lobe;
     sum[u] += power * lobe * std::max(facing, 0.0F) / (r2 * r);
   }
+}
+
+ALLTACT_WIDE void shine_lobe_1(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  shine_by_lobe<0>(s, lamp, sum);
+}
+ALLTACT_WIDE void shine_lobe_2(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  shine_by_lobe<1>(s, lamp, sum);
+}
+ALLTACT_WIDE void shine_lobe_4(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  shine_by_lobe<2>(s, lamp, sum);
+}
+ALLTACT_WIDE void shine_lobe_8(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  shine_by_lobe<3>(s, lamp, sum);
+}
+
+// What a lamp needs and no more: without a lobe none is computed.
+void shine_as_aimed(const Surface& s, const Lamp& lamp, float* sum) {
+  constexpr std::array kByLobe{shine_lobe_1, shine_lobe_2, shine_lobe_4, shine_lobe_8};
+  if (lamp.aimed)
+    kByLobe[static_cast<std::size_t>(lamp.squarings)](s, lamp, sum);
+  else
+    shine(s, lamp, sum);
 }
 
 class Leds final : public RadianceEffect {
@@ -69,8 +91,7 @@ class Leds final : public RadianceEffect {
       float* sum = row.scratch.floats();
       for (const Surface& surface : row.surfaces) {
         std::fill(sum + surface.first, sum + surface.last, 0.0F);
-        for (const Lamp& lamp : leds_.lamps_)
-          lamp.aimed ? shine_aimed(surface, lamp, sum) : shine(surface, lamp, sum);
+        for (const Lamp& lamp : leds_.lamps_) shine_as_aimed(surface, lamp, sum);
         for (int u = surface.first; u < surface.last; ++u) surface.light[u] *= sum[u];
       }
     }

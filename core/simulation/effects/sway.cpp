@@ -17,12 +17,7 @@ class Sway final : public GeometryEffect {
   std::vector<DegreeOfFreedom> degrees_of_freedom() const override { return {sway_}; }
 
   void shape(const FrameContext& frame, FaceCurve& curve) const override {
-    const double sway = frame(sway_), length = curve.length_mm();
-    for (int i = 0; i <= FaceCurve::kCells; ++i) {
-      const double t = curve.s_mm(i) / length;
-      curve.node(i).shift_mm += sway * t * t;
-      curve.node(i).shift_s += 2 * sway * t / length;
-    }
+    curve.sway(frame(sway_));
   }
 
  private:
