@@ -120,8 +120,7 @@ double FaceCurve::meet(double origin_x_mm, double direction_x) const {
   const auto slope = [&](const Node& n) { return n.x_s - direction_x * n.z_s; };
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto seen = [&](double s) { return at(s).z_mm > 0 ? s : kNone; };
-  if (!is_bent_)
-    return slope(base_) <= kLeastCrossing ? kNone : seen(-gap(base_) / slope(base_));
+  if (!is_bent_) return slope(base_) <= kLeastCrossing ? kNone : seen(-gap(base_) / slope(base_));
   if (gap(nodes_.front()) >= 0 || gap(nodes_.back()) <= 0) {
     const bool before = gap(nodes_.front()) >= 0;
     const Node& end = before ? nodes_.front() : nodes_.back();
