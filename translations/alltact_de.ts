@@ -4866,6 +4866,134 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Effekt &apos;{}&apos; ist zweimal genannt</translation>
     </message>
     <message>
+        <source>A ball is pressed into the face</source>
+        <translation>Eine Kugel wird in die Fläche gedrückt</translation>
+    </message>
+    <message>
+        <source>The finger bends in the plane of its length</source>
+        <translation>Der Finger biegt sich in der Ebene seiner Länge</translation>
+    </message>
+    <message>
+        <source>The layer swells around what presses</source>
+        <translation>Die Schicht wölbt sich um das, was drückt</translation>
+    </message>
+    <message>
+        <source>Frames get lost on their way</source>
+        <translation>Bilder gehen unterwegs verloren</translation>
+    </message>
+    <message>
+        <source>Frames come late</source>
+        <translation>Bilder kommen zu spät</translation>
+    </message>
+    <message>
+        <source>The layer over the black coat is darker where it is thinner</source>
+        <translation>Die Schicht über der schwarzen Beschichtung ist dunkler, wo sie dünner ist</translation>
+    </message>
+    <message>
+        <source>Lamps light the finger</source>
+        <translation>Lampen beleuchten den Finger</translation>
+    </message>
+    <message>
+        <source>Dots are engraved in the side faces</source>
+        <translation>In die Seitenflächen sind Punkte graviert</translation>
+    </message>
+    <message>
+        <source>The camera sends JPEG pictures</source>
+        <translation>Die Kamera sendet JPEG-Bilder</translation>
+    </message>
+    <message>
+        <source>Folds of the side faces hide dots</source>
+        <translation>Falten der Seitenflächen verdecken Punkte</translation>
+    </message>
+    <message>
+        <source>The sensor counts in whole grey levels from 0 to 255</source>
+        <translation>Der Sensor zählt in ganzen Graustufen von 0 bis 255</translation>
+    </message>
+    <message>
+        <source>Reading the sensor adds noise</source>
+        <translation>Das Auslesen des Sensors fügt Rauschen hinzu</translation>
+    </message>
+    <message>
+        <source>An object with a relief is pressed into the face</source>
+        <translation>Ein Gegenstand mit einem Relief wird in die Fläche gedrückt</translation>
+    </message>
+    <message>
+        <source>The face comes away softly from what presses</source>
+        <translation>Die Fläche löst sich weich von dem, was drückt</translation>
+    </message>
+    <message>
+        <source>Light comes in grains, which is noise that grows with brightness</source>
+        <translation>Licht kommt in Körnern: ein Rauschen, das mit der Helligkeit wächst</translation>
+    </message>
+    <message>
+        <source>The side faces of the body are seen</source>
+        <translation>Die Seitenflächen des Körpers sind zu sehen</translation>
+    </message>
+    <message>
+        <source>The finger leans sideways</source>
+        <translation>Der Finger neigt sich zur Seite</translation>
+    </message>
+    <message>
+        <source>{}, in frames {} to {}</source>
+        <translation>{}, in den Bildern {} bis {}</translation>
+    </message>
+    <message>
+        <source>its camera does not give whole grey levels in frames {} to {}</source>
+        <translation>ihre Kamera liefert in den Bildern {} bis {} keine ganzen Graustufen</translation>
+    </message>
+    <message>
+        <source>name the effect quantisation for all frames</source>
+        <translation>den Effekt quantisation für alle Bilder nennen</translation>
+    </message>
+    <message>
+        <source>the effect &apos;{}&apos; is named twice for frames {} to {}</source>
+        <translation>der Effekt &apos;{}&apos; ist für die Bilder {} bis {} zweimal genannt</translation>
+    </message>
+    <message>
+        <source>let one end with &apos;until&apos; before the other begins with &apos;from&apos;</source>
+        <translation>den einen mit &apos;until&apos; enden lassen, bevor der andere mit &apos;from&apos; beginnt</translation>
+    </message>
+    <message>
+        <source>must be a point in time, not &apos;{}&apos;</source>
+        <translation>muss ein Zeitpunkt sein, nicht &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>a frame such as 60, or seconds such as 2 s</source>
+        <translation>ein Bild wie 60, oder Sekunden wie 2 s</translation>
+    </message>
+    <message>
+        <source>the scene ends before that</source>
+        <translation>die Szene endet vorher</translation>
+    </message>
+    <message>
+        <source>one of its frames, 0 to {}</source>
+        <translation>eines ihrer Bilder, 0 bis {}</translation>
+    </message>
+    <message>
+        <source>it would never be there, for it begins with frame {}</source>
+        <translation>er wäre nie da, denn er beginnt mit Bild {}</translation>
+    </message>
+    <message>
+        <source>a later frame, or leave the effect out</source>
+        <translation>ein späteres Bild, oder den Effekt weglassen</translation>
+    </message>
+    <message>
+        <source>the key frame before it stands there too</source>
+        <translation>das Schlüsselbild davor steht auch dort</translation>
+    </message>
+    <message>
+        <source>a later time, or leave one of the two out</source>
+        <translation>eine spätere Zeit, oder eines der beiden weglassen</translation>
+    </message>
+    <message>
+        <source>the key frame before it is a later one</source>
+        <translation>das Schlüsselbild davor ist ein späteres</translation>
+    </message>
+    <message>
+        <source>key frames in the order of their times</source>
+        <translation>Schlüsselbilder in der Reihenfolge ihrer Zeiten</translation>
+    </message>
+    <message>
         <source>this is not a text</source>
         <translation>dies ist kein Text</translation>
     </message>

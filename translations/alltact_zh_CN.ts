@@ -4847,6 +4847,134 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>效果 &apos;{}&apos; 出现两次</translation>
     </message>
     <message>
+        <source>A ball is pressed into the face</source>
+        <translation>一个球压入接触面</translation>
+    </message>
+    <message>
+        <source>The finger bends in the plane of its length</source>
+        <translation>手指在其长度所在的平面内弯曲</translation>
+    </message>
+    <message>
+        <source>The layer swells around what presses</source>
+        <translation>涂层在压入物周围隆起</translation>
+    </message>
+    <message>
+        <source>Frames get lost on their way</source>
+        <translation>帧在传输途中丢失</translation>
+    </message>
+    <message>
+        <source>Frames come late</source>
+        <translation>帧迟到</translation>
+    </message>
+    <message>
+        <source>The layer over the black coat is darker where it is thinner</source>
+        <translation>黑色涂层上的半透明层越薄越暗</translation>
+    </message>
+    <message>
+        <source>Lamps light the finger</source>
+        <translation>灯照亮手指</translation>
+    </message>
+    <message>
+        <source>Dots are engraved in the side faces</source>
+        <translation>侧面刻有标记点</translation>
+    </message>
+    <message>
+        <source>The camera sends JPEG pictures</source>
+        <translation>相机发送 JPEG 图片</translation>
+    </message>
+    <message>
+        <source>Folds of the side faces hide dots</source>
+        <translation>侧面的褶皱遮住标记点</translation>
+    </message>
+    <message>
+        <source>The sensor counts in whole grey levels from 0 to 255</source>
+        <translation>传感器以 0 到 255 的整数灰度级计数</translation>
+    </message>
+    <message>
+        <source>Reading the sensor adds noise</source>
+        <translation>读取传感器会增加噪声</translation>
+    </message>
+    <message>
+        <source>An object with a relief is pressed into the face</source>
+        <translation>一个带浮雕的物体压入接触面</translation>
+    </message>
+    <message>
+        <source>The face comes away softly from what presses</source>
+        <translation>接触面从压入物平缓地脱开</translation>
+    </message>
+    <message>
+        <source>Light comes in grains, which is noise that grows with brightness</source>
+        <translation>光以颗粒形式到来,这种噪声随亮度增长</translation>
+    </message>
+    <message>
+        <source>The side faces of the body are seen</source>
+        <translation>可以看到主体的侧面</translation>
+    </message>
+    <message>
+        <source>The finger leans sideways</source>
+        <translation>手指向侧面倾斜</translation>
+    </message>
+    <message>
+        <source>{}, in frames {} to {}</source>
+        <translation>{},在第 {} 到 {} 帧</translation>
+    </message>
+    <message>
+        <source>its camera does not give whole grey levels in frames {} to {}</source>
+        <translation>其相机在第 {} 到 {} 帧给出的不是整数灰度级</translation>
+    </message>
+    <message>
+        <source>name the effect quantisation for all frames</source>
+        <translation>请为所有帧写明效果 quantisation</translation>
+    </message>
+    <message>
+        <source>the effect &apos;{}&apos; is named twice for frames {} to {}</source>
+        <translation>效果 &apos;{}&apos; 在第 {} 到 {} 帧出现两次</translation>
+    </message>
+    <message>
+        <source>let one end with &apos;until&apos; before the other begins with &apos;from&apos;</source>
+        <translation>让其中一个用 &apos;until&apos; 结束,再让另一个用 &apos;from&apos; 开始</translation>
+    </message>
+    <message>
+        <source>must be a point in time, not &apos;{}&apos;</source>
+        <translation>必须是一个时间点,而不是 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>a frame such as 60, or seconds such as 2 s</source>
+        <translation>帧号,如 60,或秒数,如 2 s</translation>
+    </message>
+    <message>
+        <source>the scene ends before that</source>
+        <translation>场景在此之前已结束</translation>
+    </message>
+    <message>
+        <source>one of its frames, 0 to {}</source>
+        <translation>其中一帧,0 到 {}</translation>
+    </message>
+    <message>
+        <source>it would never be there, for it begins with frame {}</source>
+        <translation>它永远不会出现,因为它从第 {} 帧开始</translation>
+    </message>
+    <message>
+        <source>a later frame, or leave the effect out</source>
+        <translation>更晚的帧,或者去掉该效果</translation>
+    </message>
+    <message>
+        <source>the key frame before it stands there too</source>
+        <translation>前一个关键帧也在此处</translation>
+    </message>
+    <message>
+        <source>a later time, or leave one of the two out</source>
+        <translation>更晚的时间,或者去掉其中一个</translation>
+    </message>
+    <message>
+        <source>the key frame before it is a later one</source>
+        <translation>前一个关键帧的时间更晚</translation>
+    </message>
+    <message>
+        <source>key frames in the order of their times</source>
+        <translation>按时间顺序排列关键帧</translation>
+    </message>
+    <message>
         <source>this is not a text</source>
         <translation>这不是文本</translation>
     </message>

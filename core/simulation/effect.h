@@ -13,6 +13,7 @@
 #include "core/simulation/varying.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,31 +28,49 @@ enum class Stage { kGeometry = 1, kRadiance, kSensor, kTransport };
 
 /// Which picture is being made. All that a random draw may depend on besides who draws and where.
 struct FrameContext {
-  std::uint64_t seed;
+  std::uint64_t seed;  ///< of the effect's own draws: another one for each effect of one name
   int frame;
   const Motion& motion;
   const Finger& finger;
+  std::uint64_t motion_seed;
 
   /// This frame's value of a parameter or of a degree of freedom.
   [[nodiscard]] double operator()(const Varying& varying) const { return varying.at(seed, frame); }
   [[nodiscard]] double operator()(const DegreeOfFreedom& dof) const {
-    return motion.value(dof, seed, frame);
+    return motion.value(dof, motion_seed, frame);
   }
 };
 
-/// What an effect may ask of the rest of its scene before anything is rendered.
+/// What an effect may ask of the rest of its scene before anything is rendered. It is asked for
+/// each stretch of frames that hold the same effects, itself among them.
 struct SceneFacts {
   const Finger& finger;
   double length_mm;                       ///< 0 for a flat sensor
-  const std::vector<std::string>& named;  ///< effects of the scene
+  const std::vector<std::string>& named;  ///< effects that are present
   [[nodiscard]] bool names(std::string_view effect) const {
     return std::find(named.begin(), named.end(), effect) != named.end();
   }
 };
 
+/// How many objects effects were ever made of, for tests of what is built. Counted where they are
+/// made, never in a loop over rows.
+struct BuildCount {
+  std::atomic<long> effects = 0;  ///< read from scenes
+  std::atomic<long> steps = 0;    ///< effects that were present in a frame that was compiled
+  std::atomic<long> rows = 0;     ///< RadianceEffect::Rows, one a frame and effect
+};
+[[nodiscard]] BuildCount& build_count();
+
 class Effect {
  public:
+  Effect() { ++build_count().effects; }
+  Effect(const Effect&) = delete;
+  Effect& operator=(const Effect&) = delete;
   virtual ~Effect() = default;
+  /// What it does, without a full stop; for people who ask what a scene holds.
+  [[nodiscard]] virtual Message sentence() const { return {}; }
+  /// True: a frame may hold several of it, each with parameters and draws of its own.
+  [[nodiscard]] virtual bool may_be_several() const { return false; }
   /// Error: impossible for this finger, or together with, or without, other effects.
   [[nodiscard]] virtual Status fits(const SceneFacts&) const { return {}; }
   /// What the scene's motion may move.
@@ -72,6 +91,9 @@ class RadianceEffect : public Effect {
  public:
   class Rows {
    public:
+    Rows() { ++build_count().rows; }
+    Rows(const Rows&) = delete;
+    Rows& operator=(const Rows&) = delete;
     virtual ~Rows() = default;
     virtual void row(RowView& row) const = 0;
   };

@@ -1,9 +1,11 @@
 #include "core/simulation/plan.h"
 
 #include "core/numerics/philox.h"
-#include "core/simulation/scene_content.h"
+#include "core/simulation/frame_plan.h"
 
 #include <limits>
+#include <optional>
+#include <set>
 #include <thread>
 
 namespace alltact {
@@ -33,19 +35,17 @@ struct Plan::State {
   const Scene::Content& content;
   std::uint64_t seed;
   PixelRays rays;
-  std::vector<const GeometryEffect*> geometry;
-  std::vector<const RadianceEffect*> radiance;
-  std::vector<const SensorEffect*> sensor;
-  std::vector<const TransportEffect*> transport;
-  std::vector<DegreeOfFreedom> dofs;
-  bool gives_bytes = false;
+  std::vector<const Scene::Content::Named*> built;  // for some frame, in the order they run
+  struct Frames {
+    int first, last;
+  };
+  std::optional<Frames> without_bytes;  // the first ones that are not of whole grey levels
 
-  void add(const Scene::Content::Named& named);
-  [[nodiscard]] FrameContext context(int frame) const {
-    return {seed, frame, content.motion, content.finger};
-  }
-  [[nodiscard]] FrameGeometry geometry_of(const FrameContext& frame) const;
-  void render_rows(const FrameContext& frame,
+  [[nodiscard]] FramePlan compiled(int frame) const { return {content, seed, frame}; }
+  [[nodiscard]] Status check();
+  [[nodiscard]] Status check(const FramePlan& plan, Frames frames) const;
+  [[nodiscard]] FrameGeometry geometry_of(const FramePlan& plan) const;
+  void render_rows(const FramePlan& plan,
                    const FrameGeometry& geometry,
                    const RadianceRows& light,
                    int first,
@@ -53,44 +53,66 @@ struct Plan::State {
                    cv::Mat& picture) const;
 };
 
-void Plan::State::add(const Scene::Content::Named& named) {
-  const Effect* effect = named.effect.get();
-  switch (named.kind->stage) {
-    case Stage::kGeometry:
-      geometry.push_back(static_cast<const GeometryEffect*>(effect));
-      break;
-    case Stage::kRadiance:
-      radiance.push_back(static_cast<const RadianceEffect*>(effect));
-      break;
-    case Stage::kSensor:
-      sensor.push_back(static_cast<const SensorEffect*>(effect));
-      gives_bytes = gives_bytes || sensor.back()->gives_bytes();
-      break;
-    case Stage::kTransport:
-      transport.push_back(static_cast<const TransportEffect*>(effect));
-      break;
+// Stretch by stretch of frames that hold the same effects.
+Status Plan::State::check() {
+  std::set<int> starts{0, content.time.frames};
+  for (const auto& named : content.effects) {
+    starts.insert(named.presence.first);
+    starts.insert(named.presence.end);
   }
-  for (const DegreeOfFreedom& dof : effect->degrees_of_freedom()) dofs.push_back(dof);
+  std::set<const Scene::Content::Named*> seen;
+  for (auto start = starts.begin(); *start < content.time.frames; ++start) {
+    const FramePlan plan = compiled(*start);
+    const Frames frames{*start, *std::next(start) - 1};
+    if (const Status status = check(plan, frames); !status) return status;
+    if (!plan.gives_bytes() && !without_bytes) without_bytes = frames;
+    for (const auto* named : plan.effects()) seen.insert(named);
+  }
+  std::vector<DegreeOfFreedom> dofs;
+  for (const auto& named : content.effects) {
+    if (!seen.contains(&named)) continue;
+    built.push_back(&named);
+    for (const DegreeOfFreedom& dof : named.effect->degrees_of_freedom()) dofs.push_back(dof);
+  }
+  return content.motion.fits(dofs);
 }
 
-FrameGeometry Plan::State::geometry_of(const FrameContext& frame) const {
+Status Plan::State::check(const FramePlan& plan, Frames frames) const {
+  const auto present = plan.effects();
+  std::vector<std::string> names;
+  for (const auto* named : present) names.push_back(named->kind->name);
+  const SceneFacts facts{content.finger, content.length_mm, names};
+  for (const auto* named : present) {
+    const Status status = named->effect->fits(facts);
+    if (status) continue;
+    const Message& what = status.error().what;
+    const bool in_all = frames.first == 0 && frames.last == content.time.frames - 1;
+    return Error{in_all ? what : en::say("{}, in frames {} to {}", what, frames.first, frames.last),
+                 named->where,
+                 status.error().advice};
+  }
+  return {};
+}
+
+FrameGeometry Plan::State::geometry_of(const FramePlan& plan) const {
   std::optional<FaceCurve> curve;
   if (content.finger.face.kind == FaceKind::kFinRay) {
     curve.emplace(content.base_mm, content.incline_rad, content.length_mm);
-    for (const GeometryEffect* effect : geometry) effect->shape(frame, *curve);
+    for (const auto& step : plan.geometry) step.effect->shape(step.context, *curve);
     curve->integrate();
   }
   FrameGeometry result(rays, content.finger.face, std::move(curve));
-  for (const GeometryEffect* effect : geometry) effect->place(frame, result);
+  for (const auto& step : plan.geometry) step.effect->place(step.context, result);
   return result;
 }
 
-void Plan::State::render_rows(const FrameContext& frame,
+void Plan::State::render_rows(const FramePlan& plan,
                               const FrameGeometry& geometry_now,
                               const RadianceRows& light,
                               int first,
                               int last,
                               cv::Mat& picture) const {
+  const bool gives_bytes = plan.gives_bytes();
   RowScratch scratch(picture.cols);
   RowView row(picture.cols, scratch);
   for (int v = first; v < last; ++v) {
@@ -101,7 +123,7 @@ void Plan::State::render_rows(const FrameContext& frame,
     geometry_now.fill(row);
     for (const auto& effect : light) effect->row(row);
     add_up_light(row);
-    for (const SensorEffect* effect : sensor) effect->row(frame, row);
+    for (const auto& step : plan.sensor) step.effect->row(step.context, row);
   }
 }
 
@@ -115,25 +137,17 @@ Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
   // The noise of a recording must not be that of the press that is compared with it.
   seed ^= std::uint64_t{fnv1a(content.name)} << 32;
   auto state = std::make_shared<State>(scene, seed, *camera);
-  std::vector<std::string> names;
-  for (const auto& named : content.effects) names.push_back(named.kind->name);
-  const SceneFacts facts{content.finger, content.length_mm, names};
-  for (const auto& named : content.effects) {
-    if (const Status status = named.effect->fits(facts); !status)
-      return Error{status.error().what, named.where, status.error().advice};
-    state->add(named);
-  }
-  if (const Status status = content.motion.fits(state->dofs); !status) return status.error();
+  if (const Status status = state->check(); !status) return status.error();
   Plan plan;
   plan.state_ = std::move(state);
   return plan;
 }
 
 int Plan::frame_count() const {
-  return state_->content.frame_count;
+  return state_->content.time.frames;
 }
 double Plan::frames_per_s() const {
-  return state_->content.frames_per_s;
+  return state_->content.time.frames_per_s;
 }
 const Finger& Plan::finger() const {
   return state_->content.finger;
@@ -141,15 +155,35 @@ const Finger& Plan::finger() const {
 
 std::vector<std::string> Plan::effects() const {
   std::vector<std::string> names;
-  for (const auto& named : state_->content.effects) names.push_back(named.kind->name);
+  for (const auto* named : state_->built) names.push_back(named->name);
   return names;
 }
 
+std::vector<std::string> Plan::effects(int frame) const {
+  std::vector<std::string> names;
+  for (const auto* named : state_->compiled(frame).effects()) names.push_back(named->name);
+  return names;
+}
+
+std::vector<Plan::Entry> Plan::entries() const {
+  std::vector<Entry> entries;
+  for (const auto* named : state_->built)
+    entries.push_back(
+        {named->name, named->effect->sentence(), named->presence.first, named->presence.end - 1});
+  return entries;
+}
+
 Status Plan::check_grey_levels(const std::string& scene_file) const {
-  if (state_->gives_bytes) return {};
-  return Error{en::say("its camera does not give whole grey levels"),
-               scene_file,
-               en::say("name the effect quantisation too")};
+  if (!state_->without_bytes) return {};
+  const auto [first, last] = *state_->without_bytes;
+  if (first == 0 && last == frame_count() - 1)
+    return Error{en::say("its camera does not give whole grey levels"),
+                 scene_file,
+                 en::say("name the effect quantisation too")};
+  return Error{
+      en::say("its camera does not give whole grey levels in frames {} to {}", first, last),
+      scene_file,
+      en::say("name the effect quantisation for all frames")};
 }
 
 cv::Mat Plan::render(int frame, int threads) const {
@@ -157,40 +191,41 @@ cv::Mat Plan::render(int frame, int threads) const {
 }
 
 Arrival Plan::arrival(int frame) const {
-  const FrameContext context = state_->context(frame);
   Arrival arrival;
-  for (const TransportEffect* effect : state_->transport) effect->arrival(context, arrival);
+  for (const auto& step : state_->compiled(frame).transport)
+    step.effect->arrival(step.context, arrival);
   return arrival;
 }
 
 SentPicture Plan::send(int frame, int threads) const {
   const State& s = *state_;
-  const FrameContext context = s.context(frame);
-  const FrameGeometry geometry = s.geometry_of(context);
+  const FramePlan plan = s.compiled(frame);
+  const FrameGeometry geometry = s.geometry_of(plan);
   RadianceRows light;
-  for (const RadianceEffect* effect : s.radiance) light.push_back(effect->begin(context, geometry));
+  for (const auto& step : plan.radiance)
+    light.push_back(step.effect->begin(step.context, geometry));
 
-  cv::Mat picture(s.rays.camera().size(), s.gives_bytes ? CV_8UC1 : CV_32FC1);
+  cv::Mat picture(s.rays.camera().size(), plan.gives_bytes() ? CV_8UC1 : CV_32FC1);
   const int parts = std::clamp(threads, 1, picture.rows);
   const auto render_part = [&](int part) {
     const auto row_at = [&](int p) {
       return static_cast<int>(std::int64_t{picture.rows} * p / parts);
     };
-    s.render_rows(context, geometry, light, row_at(part), row_at(part + 1), picture);
+    s.render_rows(plan, geometry, light, row_at(part), row_at(part + 1), picture);
   };
   std::vector<std::jthread> helpers;
   for (int part = 1; part < parts; ++part) helpers.emplace_back(render_part, part);
   render_part(0);
   helpers.clear();
   SentPicture sent{std::move(picture), nullptr};
-  for (const TransportEffect* effect : s.transport) effect->picture(context, sent);
+  for (const auto& step : plan.transport) step.effect->picture(step.context, sent);
   return sent;
 }
 
 Truth Plan::truth(int frame) const {
   const State& s = *state_;
-  const FrameContext context = s.context(frame);
-  const FrameGeometry geometry = s.geometry_of(context);
+  const FramePlan plan = s.compiled(frame);
+  const FrameGeometry geometry = s.geometry_of(plan);
   const cv::Size size = s.rays.camera().size();
   constexpr float kOff = std::numeric_limits<float>::quiet_NaN();
   Truth truth;
@@ -215,8 +250,11 @@ Truth Plan::truth(int frame) const {
     truth.markers.push_back({disc.centre_px.x(), disc.centre_px.y(), disc.visible});
   for (const auto& press : geometry.presses)
     if (const auto* ball = std::get_if<BallPress>(&press))
-      truth.ball = Truth::Ball{ball->centre_mm, ball->radius_mm, ball->place.depth_mm};
-  for (const DegreeOfFreedom& dof : s.dofs) truth.pose[dof.name] = context(dof);
+      truth.balls.push_back({ball->centre_mm, ball->radius_mm, ball->place.depth_mm});
+  if (!truth.balls.empty()) truth.ball = truth.balls.front();
+  for (const auto& step : plan.geometry)
+    for (const DegreeOfFreedom& dof : step.effect->degrees_of_freedom())
+      truth.pose[dof.name] = step.context(dof);
   return truth;
 }
 

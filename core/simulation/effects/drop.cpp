@@ -13,6 +13,9 @@ class Drop final : public TransportEffect {
       : share_(p.number("share", {0, 1, true, true, true})),
         run_(p.whole_number_or("run", 1, 1, 1000)) {}
 
+  Message sentence() const override { return en::say("Frames get lost on their way"); }
+  bool may_be_several() const override { return true; }
+
   void arrival(const FrameContext& frame, Arrival& arrival) const override {
     for (int first = std::max(0, frame.frame - run_ + 1); first <= frame.frame; ++first)
       if (philox_uniform(frame.seed, "drop", static_cast<std::uint32_t>(first), 0) < share_)

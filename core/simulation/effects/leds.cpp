@@ -79,6 +79,8 @@ class Leds final : public RadianceEffect {
       p.refuse("lamps", en::say("there is no lamp"), en::say("- {{at_mm: [x, y, z], power: p}}"));
   }
 
+  Message sentence() const override { return en::say("Lamps light the finger"); }
+
   std::unique_ptr<const Rows> begin(const FrameContext&, const FrameGeometry&) const override {
     return std::make_unique<LedRows>(*this);
   }

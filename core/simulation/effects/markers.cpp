@@ -27,6 +27,8 @@ class Markers final : public GeometryEffect {
                en::say("less than setback_mm"));
   }
 
+  Message sentence() const override { return en::say("Dots are engraved in the side faces"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.markers.per_row < 2)
       return Error{en::say("the finger has no markers"),

@@ -11,6 +11,8 @@ class Mjpeg final : public TransportEffect {
  public:
   explicit Mjpeg(YamlSection& p) : quality_(p.whole_number("quality", 1, 100)) {}
 
+  Message sentence() const override { return en::say("The camera sends JPEG pictures"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("quantisation"))
       return Error{

@@ -29,6 +29,9 @@ class Occlusion final : public GeometryEffect {
     }
   }
 
+  Message sentence() const override { return en::say("Folds of the side faces hide dots"); }
+  bool may_be_several() const override { return true; }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("markers"))
       return Error{

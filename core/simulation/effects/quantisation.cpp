@@ -16,6 +16,9 @@ ALLTACT_WIDE void quantise(int n, const float* __restrict value, std::uint8_t* _
 class Quantisation final : public SensorEffect {
  public:
   explicit Quantisation(YamlSection&) {}
+  Message sentence() const override {
+    return en::say("The sensor counts in whole grey levels from 0 to 255");
+  }
   bool gives_bytes() const override { return true; }
   void row(const FrameContext&, RowView& row) const override {
     quantise(row.width, row.value, row.bytes);

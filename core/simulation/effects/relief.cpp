@@ -82,6 +82,11 @@ class Relief final : public GeometryEffect {
     gap_mm_ = tabulate(TBar{size, bar}, size);
   }
 
+  Message sentence() const override {
+    return en::say("An object with a relief is pressed into the face");
+  }
+  bool may_be_several() const override { return true; }
+
   Status fits(const SceneFacts& scene) const override {
     if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
     return give_.fits(scene);

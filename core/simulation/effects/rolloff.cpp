@@ -96,6 +96,10 @@ class Rolloff final : public GeometryEffect {
                         : p.number("length_mm", {0.005, 5});
   }
 
+  Message sentence() const override {
+    return en::say("The face comes away softly from what presses");
+  }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("ball") && !scene.names("relief"))
       return Error{

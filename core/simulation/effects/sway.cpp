@@ -9,6 +9,8 @@ class Sway final : public GeometryEffect {
  public:
   explicit Sway(YamlSection& p) : sway_(DegreeOfFreedom::read(p, "sway_mm", {-100, 100})) {}
 
+  Message sentence() const override { return en::say("The finger leans sideways"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor does not sway"), "", en::say("leave sway out")};
