@@ -80,6 +80,7 @@ Status Plan::State::check() {
 Status Plan::State::check(const FramePlan& plan, Frames frames) const {
   const auto present = plan.effects();
   std::vector<std::string> names;
+  names.reserve(present.size());
   for (const auto* named : present) names.push_back(named->kind->name);
   const SceneFacts facts{content.finger, content.length_mm, names};
   for (const auto* named : present) {
