@@ -83,6 +83,30 @@ Console::Json finger_json(const Finger& finger) {
   return json;
 }
 
+/// One line for each effect, in the order they run.
+void explain(const Scene& scene, const Plan& plan, Console& console) {
+  console.say(fmt::format(
+      "{}: {} frames, {:g} a second.", scene.name(), plan.frame_count(), plan.frames_per_s()));
+  console.say(scene.why());
+  Console::Json& answer = console.answer();
+  answer["scene"] = scene.name();
+  answer["why"] = scene.why();
+  answer["frames"] = plan.frame_count();
+  answer["frames_per_s"] = plan.frames_per_s();
+  Console::Json& effects = answer["effects"] = Console::Json::array();
+  for (const Plan::Entry& entry : plan.entries()) {
+    const std::string sentence = entry.sentence.english();
+    console.say(fmt::format("{:<14} frames {} to {}{}{}",
+                            entry.name,
+                            entry.first,
+                            entry.last,
+                            sentence.empty() ? "" : ": ",
+                            sentence));
+    effects.push_back(
+        {{"name", entry.name}, {"first", entry.first}, {"last", entry.last}, {"what", sentence}});
+  }
+}
+
 Status write_truth_pictures(const Path& folder, const std::string& name, const Truth& truth) {
   const Status status = write_picture(folder / (name + ".depth.tiff"), truth.depth_mm);
   if (!status) return status;
@@ -146,6 +170,7 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   if (!scene) return scene.error();
   const auto plan = Plan::compile(*scene, options.seed);
   if (!plan) return plan.error();
+  if (options.explain) return explain(*scene, *plan, console), Status();
   if (const Status status = plan->check_grey_levels(options.scene.string()); !status) return status;
   const int count = options.frames.value_or(plan->frame_count());
   if (count > plan->frame_count()) {
@@ -199,9 +224,9 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = add_command(program, "simulate");
   command->add_option("SCENE", options->scene, "Scene file (YAML)")->required();
-  command->add_option("-o,--output", options->folder, "Folder for the frames")
-      ->type_name("DIR")
-      ->required();
+  CLI::Option* output =
+      command->add_option("-o,--output", options->folder, "Folder for the frames (needed)")
+          ->type_name("DIR");
   command
       ->add_option(
           "--frames", options->frames, "Only the first so many frames (default: all of the scene)")
@@ -211,9 +236,16 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
       ->type_name("S");
   command->add_flag(
       "--video", options->video, "One lossless video, frames.mkv, instead of pictures");
+  command
+      ->add_flag("--explain",
+                 options->explain,
+                 "Only tell which effects are built, in which frames, and why; without -o")
+      ->excludes(output);
   add_threads_flag(*command, options->threads);
-  command->callback(
-      [=, &chosen] { chosen = [=](Console& console) { return run_simulate(*options, console); }; });
+  command->callback([=, &chosen] {
+    if (!options->explain && output->count() == 0) throw CLI::RequiredError("--output");
+    chosen = [=](Console& console) { return run_simulate(*options, console); };
+  });
 }
 
 }  // namespace alltact
