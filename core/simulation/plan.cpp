@@ -23,6 +23,17 @@ void add_up_light(const RowView& row) {
   }
 }
 
+// Calls work(first, last) for all of `rows`, cut into as many parts as there are threads.
+template <class Work>
+void over_rows(int rows, int threads, const Work& work) {
+  const int parts = std::clamp(threads, 1, rows);
+  const auto row_at = [&](int part) { return static_cast<int>(std::int64_t{rows} * part / parts); };
+  std::vector<std::jthread> helpers;
+  for (int part = 1; part < parts; ++part)
+    helpers.emplace_back([&, part] { work(row_at(part), row_at(part + 1)); });
+  work(0, row_at(1));
+}
+
 }  // namespace
 
 struct Plan::State {
@@ -39,10 +50,12 @@ struct Plan::State {
   std::vector<const TransportEffect*> transport;
   std::vector<DegreeOfFreedom> dofs;
   bool gives_bytes = false;
+  bool in_passes = false;  // an effect needs more than a row at a time
+  Exposure exposure;
 
   void add(const Scene::Content::Named& named);
   [[nodiscard]] FrameContext context(int frame) const {
-    return {seed, frame, content.motion, content.finger};
+    return {seed, frame, content.motion, content.finger, content.frames_per_s};
   }
   [[nodiscard]] FrameGeometry geometry_of(const FrameContext& frame) const;
   void render_rows(const FrameContext& frame,
@@ -51,6 +64,17 @@ struct Plan::State {
                    int first,
                    int last,
                    cv::Mat& picture) const;
+  void render_light(FrameContext frame, int first, int last, cv::Mat_<float>& grey) const;
+  [[nodiscard]] cv::Mat render_in_passes(const FrameContext& frame,
+                                         const FrameGeometry& geometry,
+                                         int threads) const;
+  [[nodiscard]] RadianceRows light_of(const FrameContext& frame,
+                                      const FrameGeometry& geometry_now) const {
+    RadianceRows light;
+    for (const RadianceEffect* effect : radiance)
+      light.push_back(effect->begin(frame, geometry_now));
+    return light;
+  }
 };
 
 void Plan::State::add(const Scene::Content::Named& named) {
@@ -65,6 +89,7 @@ void Plan::State::add(const Scene::Content::Named& named) {
     case Stage::kSensor:
       sensor.push_back(static_cast<const SensorEffect*>(effect));
       gives_bytes = gives_bytes || sensor.back()->gives_bytes();
+      in_passes = in_passes || sensor.back()->needs_picture();
       break;
     case Stage::kTransport:
       transport.push_back(static_cast<const TransportEffect*>(effect));
@@ -105,6 +130,67 @@ void Plan::State::render_rows(const FrameContext& frame,
   }
 }
 
+// Adds up the light of every moment of the rows' exposure.
+void Plan::State::render_light(FrameContext frame,
+                               int first,
+                               int last,
+                               cv::Mat_<float>& grey) const {
+  RowScratch scratch(grey.cols);
+  RowView row(grey.cols, scratch);
+  const int together = exposure.readout == 0 ? grey.rows : exposure.rows_at_once;
+  const auto share = 1 / static_cast<float>(exposure.moments);
+  for (int top = first; top < last;) {
+    const int band = top / together * together;  // the same with any number of threads
+    const int end = std::min(band + together, grey.rows), bottom = std::min(end, last);
+    for (int i = 0; i < exposure.moments; ++i) {
+      frame.later = exposure.moment_of((band + end - 1) / 2.0, grey.rows) + exposure.offset_of(i);
+      const FrameGeometry geometry_now = geometry_of(frame);
+      const RadianceRows light = light_of(frame, geometry_now);
+      for (int v = top; v < bottom; ++v) {
+        scratch.rewind();
+        row.v = v;
+        row.value = scratch.floats();
+        geometry_now.fill(row);
+        for (const auto& effect : light) effect->row(row);
+        add_up_light(row);
+        float* sum = grey[v];
+        for (int u = 0; u < grey.cols; ++u) sum[u] += share * row.value[u];
+      }
+    }
+    top = bottom;
+  }
+}
+
+cv::Mat Plan::State::render_in_passes(const FrameContext& frame,
+                                      const FrameGeometry& geometry_now,
+                                      int threads) const {
+  const cv::Size size = rays.camera().size();
+  cv::Mat_<float> grey = cv::Mat_<float>::zeros(size);
+  over_rows(
+      size.height, threads, [&](int first, int last) { render_light(frame, first, last, grey); });
+  cv::Mat bytes;
+  if (gives_bytes) bytes.create(size, CV_8UC1);
+  for (auto from = sensor.begin();;) {
+    const auto whole = std::find_if(
+        from, sensor.end(), [](const auto* effect) { return effect->needs_picture(); });
+    over_rows(size.height, threads, [&](int first, int last) {
+      RowScratch scratch(size.width);
+      RowView row(size.width, scratch);
+      for (int v = first; v < last; ++v) {
+        scratch.rewind();
+        row.v = v;
+        row.value = grey[v];
+        row.bytes = gives_bytes ? bytes.ptr<std::uint8_t>(v) : nullptr;
+        std::for_each(from, whole, [&](const auto* effect) { effect->row(frame, row); });
+      }
+    });
+    if (whole == sensor.end()) break;
+    (*whole)->picture(frame, geometry_now, grey);
+    from = whole + 1;
+  }
+  return gives_bytes ? bytes : grey;
+}
+
 Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
   const Scene::Content& content = scene.content();
   auto camera = Camera::create(content.finger.camera);
@@ -116,13 +202,19 @@ Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
   seed ^= std::uint64_t{fnv1a(content.name)} << 32;
   auto state = std::make_shared<State>(scene, seed, *camera);
   std::vector<std::string> names;
-  for (const auto& named : content.effects) names.push_back(named.kind->name);
-  const SceneFacts facts{content.finger, content.length_mm, names};
+  int lamps = 0;
+  for (const auto& named : content.effects) {
+    names.push_back(named.kind->name);
+    lamps += named.effect->lamp_count();
+  }
+  const SceneFacts facts{content.finger, content.length_mm, names, content.frames_per_s, lamps};
   for (const auto& named : content.effects) {
     if (const Status status = named.effect->fits(facts); !status)
       return Error{status.error().what, named.where, status.error().advice};
     state->add(named);
   }
+  for (const SensorEffect* effect : state->sensor) effect->expose(facts, state->exposure);
+  state->in_passes = state->in_passes || !state->exposure.is_at_once();
   if (const Status status = content.motion.fits(state->dofs); !status) return status.error();
   Plan plan;
   plan.state_ = std::move(state);
@@ -167,21 +259,16 @@ SentPicture Plan::send(int frame, int threads) const {
   const State& s = *state_;
   const FrameContext context = s.context(frame);
   const FrameGeometry geometry = s.geometry_of(context);
-  RadianceRows light;
-  for (const RadianceEffect* effect : s.radiance) light.push_back(effect->begin(context, geometry));
-
-  cv::Mat picture(s.rays.camera().size(), s.gives_bytes ? CV_8UC1 : CV_32FC1);
-  const int parts = std::clamp(threads, 1, picture.rows);
-  const auto render_part = [&](int part) {
-    const auto row_at = [&](int p) {
-      return static_cast<int>(std::int64_t{picture.rows} * p / parts);
-    };
-    s.render_rows(context, geometry, light, row_at(part), row_at(part + 1), picture);
-  };
-  std::vector<std::jthread> helpers;
-  for (int part = 1; part < parts; ++part) helpers.emplace_back(render_part, part);
-  render_part(0);
-  helpers.clear();
+  cv::Mat picture;
+  if (s.in_passes) {
+    picture = s.render_in_passes(context, geometry, threads);
+  } else {
+    const RadianceRows light = s.light_of(context, geometry);
+    picture.create(s.rays.camera().size(), s.gives_bytes ? CV_8UC1 : CV_32FC1);
+    over_rows(picture.rows, threads, [&](int first, int last) {
+      s.render_rows(context, geometry, light, first, last, picture);
+    });
+  }
   SentPicture sent{std::move(picture), nullptr};
   for (const TransportEffect* effect : s.transport) effect->picture(context, sent);
   return sent;

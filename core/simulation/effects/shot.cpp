@@ -16,11 +16,14 @@ ALLTACT_WIDE void add_shot(int n,
 }  // namespace
 
 const EffectKind& effect_shot() {
-  static const EffectKind kKind{
-      "shot", Stage::kSensor, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<NoiseEffect>(
-            "shot", p.number("gain", strength_up_to(100)), add_shot);
-      }};
+  static const EffectKind kKind{"shot",
+                                Stage::kSensor,
+                                50,
+                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
+                                  return std::make_shared<NoiseEffect>(
+                                      "shot", p.number("gain", strength_up_to(100)), add_shot);
+                                },
+                                "gain: 0.03"};
   return kKind;
 }
 
