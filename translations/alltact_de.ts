@@ -7257,5 +7257,17 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>beginning a new one</source>
         <translation>eine neue beginnen</translation>
     </message>
+    <message>
+        <source>there is no lamp whose light could be absorbed</source>
+        <translation>es gibt keine Lampe, deren Licht absorbiert werden könnte</translation>
+    </message>
+    <message>
+        <source>name the effect leds too</source>
+        <translation>auch den Effekt leds nennen</translation>
+    </message>
+    <message>
+        <source>room light comes on top of that of the lamps</source>
+        <translation>Raumlicht kommt zu dem der Lampen hinzu</translation>
+    </message>
 </context>
 </TS>

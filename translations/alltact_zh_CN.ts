@@ -7234,5 +7234,17 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>beginning a new one</source>
         <translation>开始新的会话</translation>
     </message>
+    <message>
+        <source>there is no lamp whose light could be absorbed</source>
+        <translation>没有光可被吸收的灯</translation>
+    </message>
+    <message>
+        <source>name the effect leds too</source>
+        <translation>同时写上效果 leds</translation>
+    </message>
+    <message>
+        <source>room light comes on top of that of the lamps</source>
+        <translation>室内光叠加在灯光之上</translation>
+    </message>
 </context>
 </TS>
