@@ -7269,5 +7269,21 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>room light comes on top of that of the lamps</source>
         <translation>Raumlicht kommt zu dem der Lampen hinzu</translation>
     </message>
+    <message>
+        <source>there is no lamp that could fail</source>
+        <translation>es gibt keine Lampe, die ausfallen könnte</translation>
+    </message>
+    <message>
+        <source>there is no lamp {}</source>
+        <translation>es gibt keine Lampe {}</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could flicker</source>
+        <translation>es gibt keine Lampe, die flackern könnte</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could warm up</source>
+        <translation>es gibt keine Lampe, die warm werden könnte</translation>
+    </message>
 </context>
 </TS>

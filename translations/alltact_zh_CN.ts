@@ -7246,5 +7246,21 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>room light comes on top of that of the lamps</source>
         <translation>室内光叠加在灯光之上</translation>
     </message>
+    <message>
+        <source>there is no lamp that could fail</source>
+        <translation>没有可能失效的灯</translation>
+    </message>
+    <message>
+        <source>there is no lamp {}</source>
+        <translation>没有编号为 {} 的灯</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could flicker</source>
+        <translation>没有可能闪烁的灯</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could warm up</source>
+        <translation>没有会升温的灯</translation>
+    </message>
 </context>
 </TS>
