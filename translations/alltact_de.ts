@@ -7285,5 +7285,21 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>there is no lamp that could warm up</source>
         <translation>es gibt keine Lampe, die warm werden könnte</translation>
     </message>
+    <message>
+        <source>no light would be left within the picture</source>
+        <translation>im Bild bliebe stellenweise kein Licht übrig</translation>
+    </message>
+    <message>
+        <source>1 + a r^2 + b r^4 + c r^6 above 0 up to r = 1</source>
+        <translation>1 + a r^2 + b r^4 + c r^6 bis r = 1 über 0</translation>
+    </message>
+    <message>
+        <source>the rays of an orthographic camera do not spread</source>
+        <translation>die Strahlen einer orthografischen Kamera gehen nicht auseinander</translation>
+    </message>
+    <message>
+        <source>kind: polynomial, or leave vignetting out</source>
+        <translation>kind: polynomial, oder vignetting weglassen</translation>
+    </message>
 </context>
 </TS>

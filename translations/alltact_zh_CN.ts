@@ -7262,5 +7262,21 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>there is no lamp that could warm up</source>
         <translation>没有会升温的灯</translation>
     </message>
+    <message>
+        <source>no light would be left within the picture</source>
+        <translation>图像内会有地方完全没有光</translation>
+    </message>
+    <message>
+        <source>1 + a r^2 + b r^4 + c r^6 above 0 up to r = 1</source>
+        <translation>直到 r = 1，1 + a r^2 + b r^4 + c r^6 都大于 0</translation>
+    </message>
+    <message>
+        <source>the rays of an orthographic camera do not spread</source>
+        <translation>正交相机的光线不发散</translation>
+    </message>
+    <message>
+        <source>kind: polynomial, or leave vignetting out</source>
+        <translation>kind: polynomial，或去掉 vignetting</translation>
+    </message>
 </context>
 </TS>
