@@ -7301,5 +7301,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>kind: polynomial, or leave vignetting out</source>
         <translation>kind: polynomial, oder vignetting weglassen</translation>
     </message>
+    <message>
+        <source>gamma 1 changes nothing</source>
+        <translation>gamma 1 ändert nichts</translation>
+    </message>
+    <message>
+        <source>leave gamma out</source>
+        <translation>gamma weglassen</translation>
+    </message>
 </context>
 </TS>

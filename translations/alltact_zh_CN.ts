@@ -7278,5 +7278,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>kind: polynomial, or leave vignetting out</source>
         <translation>kind: polynomial，或去掉 vignetting</translation>
     </message>
+    <message>
+        <source>gamma 1 changes nothing</source>
+        <translation>gamma 为 1 不起作用</translation>
+    </message>
+    <message>
+        <source>leave gamma out</source>
+        <translation>去掉 gamma</translation>
+    </message>
 </context>
 </TS>
