@@ -7309,5 +7309,17 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>leave gamma out</source>
         <translation>gamma weglassen</translation>
     </message>
+    <message>
+        <source>there is neither dead nor hot</source>
+        <translation>es gibt weder dead noch hot</translation>
+    </message>
+    <message>
+        <source>name one of them</source>
+        <translation>eines davon nennen</translation>
+    </message>
+    <message>
+        <source>there is neither prnu nor dsnu</source>
+        <translation>es gibt weder prnu noch dsnu</translation>
+    </message>
 </context>
 </TS>

@@ -7286,5 +7286,17 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>leave gamma out</source>
         <translation>去掉 gamma</translation>
     </message>
+    <message>
+        <source>there is neither dead nor hot</source>
+        <translation>既没有 dead 也没有 hot</translation>
+    </message>
+    <message>
+        <source>name one of them</source>
+        <translation>写上其中一个</translation>
+    </message>
+    <message>
+        <source>there is neither prnu nor dsnu</source>
+        <translation>既没有 prnu 也没有 dsnu</translation>
+    </message>
 </context>
 </TS>
