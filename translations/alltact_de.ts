@@ -7321,5 +7321,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>there is neither prnu nor dsnu</source>
         <translation>es gibt weder prnu noch dsnu</translation>
     </message>
+    <message>
+        <source>the exposure could not change</source>
+        <translation>die Belichtung könnte sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>more than 1</source>
+        <translation>mehr als 1</translation>
+    </message>
 </context>
 </TS>

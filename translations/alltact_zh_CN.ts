@@ -7298,5 +7298,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>there is neither prnu nor dsnu</source>
         <translation>既没有 prnu 也没有 dsnu</translation>
     </message>
+    <message>
+        <source>the exposure could not change</source>
+        <translation>曝光无法变化</translation>
+    </message>
+    <message>
+        <source>more than 1</source>
+        <translation>大于 1</translation>
+    </message>
 </context>
 </TS>
