@@ -7329,5 +7329,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>more than 1</source>
         <translation>mehr als 1</translation>
     </message>
+    <message>
+        <source>an orthographic camera has no focal length to blur by</source>
+        <translation>eine orthografische Kamera hat keine Brennweite, die unscharf macht</translation>
+    </message>
+    <message>
+        <source>leave defocus out</source>
+        <translation>defocus weglassen</translation>
+    </message>
 </context>
 </TS>

@@ -7306,5 +7306,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>more than 1</source>
         <translation>大于 1</translation>
     </message>
+    <message>
+        <source>an orthographic camera has no focal length to blur by</source>
+        <translation>正交相机没有造成模糊的焦距</translation>
+    </message>
+    <message>
+        <source>leave defocus out</source>
+        <translation>去掉 defocus</translation>
+    </message>
 </context>
 </TS>
