@@ -7337,5 +7337,21 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>leave defocus out</source>
         <translation>defocus weglassen</translation>
     </message>
+    <message>
+        <source>the shutter would be open for longer than a frame lasts</source>
+        <translation>der Verschluss wäre länger offen, als ein Bild dauert</translation>
+    </message>
+    <message>
+        <source>exposure_ms up to {:g}</source>
+        <translation>exposure_ms bis {:g}</translation>
+    </message>
+    <message>
+        <source>reading the rows would take longer than a frame lasts</source>
+        <translation>das Auslesen der Zeilen würde länger dauern als ein Bild</translation>
+    </message>
+    <message>
+        <source>readout_ms up to {:g}</source>
+        <translation>readout_ms bis {:g}</translation>
+    </message>
 </context>
 </TS>

@@ -7314,5 +7314,21 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>leave defocus out</source>
         <translation>去掉 defocus</translation>
     </message>
+    <message>
+        <source>the shutter would be open for longer than a frame lasts</source>
+        <translation>快门打开的时间会超过一帧的时长</translation>
+    </message>
+    <message>
+        <source>exposure_ms up to {:g}</source>
+        <translation>exposure_ms 不超过 {:g}</translation>
+    </message>
+    <message>
+        <source>reading the rows would take longer than a frame lasts</source>
+        <translation>读出各行所需的时间会超过一帧的时长</translation>
+    </message>
+    <message>
+        <source>readout_ms up to {:g}</source>
+        <translation>readout_ms 不超过 {:g}</translation>
+    </message>
 </context>
 </TS>
