@@ -7353,5 +7353,9 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>readout_ms up to {:g}</source>
         <translation>readout_ms bis {:g}</translation>
     </message>
+    <message>
+        <source>there are no dots to wear off</source>
+        <translation>es gibt keine Punkte, die sich abnutzen könnten</translation>
+    </message>
 </context>
 </TS>

@@ -7330,5 +7330,9 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>readout_ms up to {:g}</source>
         <translation>readout_ms 不超过 {:g}</translation>
     </message>
+    <message>
+        <source>there are no dots to wear off</source>
+        <translation>没有可磨损的点</translation>
+    </message>
 </context>
 </TS>
