@@ -7357,5 +7357,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>there are no dots to wear off</source>
         <translation>es gibt keine Punkte, die sich abnutzen könnten</translation>
     </message>
+    <message>
+        <source>stopped before all effects were measured</source>
+        <translation>beendet, bevor alle Effekte gemessen waren</translation>
+    </message>
+    <message>
+        <source>measuring {}</source>
+        <translation>{} wird gemessen</translation>
+    </message>
 </context>
 </TS>

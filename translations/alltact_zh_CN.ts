@@ -7334,5 +7334,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>there are no dots to wear off</source>
         <translation>没有可磨损的点</translation>
     </message>
+    <message>
+        <source>stopped before all effects were measured</source>
+        <translation>在测完所有效果之前已停止</translation>
+    </message>
+    <message>
+        <source>measuring {}</source>
+        <translation>正在测量 {}</translation>
+    </message>
 </context>
 </TS>
