@@ -7385,5 +7385,113 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>beginning a new one</source>
         <translation>eine neue beginnen</translation>
     </message>
+    <message>
+        <source>there is no lamp whose light could be absorbed</source>
+        <translation>es gibt keine Lampe, deren Licht absorbiert werden könnte</translation>
+    </message>
+    <message>
+        <source>name the effect leds too</source>
+        <translation>auch den Effekt leds nennen</translation>
+    </message>
+    <message>
+        <source>room light comes on top of that of the lamps</source>
+        <translation>Raumlicht kommt zu dem der Lampen hinzu</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could fail</source>
+        <translation>es gibt keine Lampe, die ausfallen könnte</translation>
+    </message>
+    <message>
+        <source>there is no lamp {}</source>
+        <translation>es gibt keine Lampe {}</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could flicker</source>
+        <translation>es gibt keine Lampe, die flackern könnte</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could warm up</source>
+        <translation>es gibt keine Lampe, die warm werden könnte</translation>
+    </message>
+    <message>
+        <source>no light would be left within the picture</source>
+        <translation>im Bild bliebe stellenweise kein Licht übrig</translation>
+    </message>
+    <message>
+        <source>1 + a r^2 + b r^4 + c r^6 above 0 up to r = 1</source>
+        <translation>1 + a r^2 + b r^4 + c r^6 bis r = 1 über 0</translation>
+    </message>
+    <message>
+        <source>the rays of an orthographic camera do not spread</source>
+        <translation>die Strahlen einer orthografischen Kamera gehen nicht auseinander</translation>
+    </message>
+    <message>
+        <source>kind: polynomial, or leave vignetting out</source>
+        <translation>kind: polynomial, oder vignetting weglassen</translation>
+    </message>
+    <message>
+        <source>gamma 1 changes nothing</source>
+        <translation>gamma 1 ändert nichts</translation>
+    </message>
+    <message>
+        <source>leave gamma out</source>
+        <translation>gamma weglassen</translation>
+    </message>
+    <message>
+        <source>there is neither dead nor hot</source>
+        <translation>es gibt weder dead noch hot</translation>
+    </message>
+    <message>
+        <source>name one of them</source>
+        <translation>eines davon nennen</translation>
+    </message>
+    <message>
+        <source>there is neither prnu nor dsnu</source>
+        <translation>es gibt weder prnu noch dsnu</translation>
+    </message>
+    <message>
+        <source>the exposure could not change</source>
+        <translation>die Belichtung könnte sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>more than 1</source>
+        <translation>mehr als 1</translation>
+    </message>
+    <message>
+        <source>an orthographic camera has no focal length to blur by</source>
+        <translation>eine orthografische Kamera hat keine Brennweite, die unscharf macht</translation>
+    </message>
+    <message>
+        <source>leave defocus out</source>
+        <translation>defocus weglassen</translation>
+    </message>
+    <message>
+        <source>the shutter would be open for longer than a frame lasts</source>
+        <translation>der Verschluss wäre länger offen, als ein Bild dauert</translation>
+    </message>
+    <message>
+        <source>exposure_ms up to {:g}</source>
+        <translation>exposure_ms bis {:g}</translation>
+    </message>
+    <message>
+        <source>reading the rows would take longer than a frame lasts</source>
+        <translation>das Auslesen der Zeilen würde länger dauern als ein Bild</translation>
+    </message>
+    <message>
+        <source>readout_ms up to {:g}</source>
+        <translation>readout_ms bis {:g}</translation>
+    </message>
+    <message>
+        <source>there are no dots to wear off</source>
+        <translation>es gibt keine Punkte, die sich abnutzen könnten</translation>
+    </message>
+    <message>
+        <source>stopped before all effects were measured</source>
+        <translation>beendet, bevor alle Effekte gemessen waren</translation>
+    </message>
+    <message>
+        <source>measuring {}</source>
+        <translation>{} wird gemessen</translation>
+    </message>
 </context>
 </TS>

@@ -7362,5 +7362,113 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>beginning a new one</source>
         <translation>开始新的会话</translation>
     </message>
+    <message>
+        <source>there is no lamp whose light could be absorbed</source>
+        <translation>没有光可被吸收的灯</translation>
+    </message>
+    <message>
+        <source>name the effect leds too</source>
+        <translation>同时写上效果 leds</translation>
+    </message>
+    <message>
+        <source>room light comes on top of that of the lamps</source>
+        <translation>室内光叠加在灯光之上</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could fail</source>
+        <translation>没有可能失效的灯</translation>
+    </message>
+    <message>
+        <source>there is no lamp {}</source>
+        <translation>没有编号为 {} 的灯</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could flicker</source>
+        <translation>没有可能闪烁的灯</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could warm up</source>
+        <translation>没有会升温的灯</translation>
+    </message>
+    <message>
+        <source>no light would be left within the picture</source>
+        <translation>图像内会有地方完全没有光</translation>
+    </message>
+    <message>
+        <source>1 + a r^2 + b r^4 + c r^6 above 0 up to r = 1</source>
+        <translation>直到 r = 1，1 + a r^2 + b r^4 + c r^6 都大于 0</translation>
+    </message>
+    <message>
+        <source>the rays of an orthographic camera do not spread</source>
+        <translation>正交相机的光线不发散</translation>
+    </message>
+    <message>
+        <source>kind: polynomial, or leave vignetting out</source>
+        <translation>kind: polynomial，或去掉 vignetting</translation>
+    </message>
+    <message>
+        <source>gamma 1 changes nothing</source>
+        <translation>gamma 为 1 不起作用</translation>
+    </message>
+    <message>
+        <source>leave gamma out</source>
+        <translation>去掉 gamma</translation>
+    </message>
+    <message>
+        <source>there is neither dead nor hot</source>
+        <translation>既没有 dead 也没有 hot</translation>
+    </message>
+    <message>
+        <source>name one of them</source>
+        <translation>写上其中一个</translation>
+    </message>
+    <message>
+        <source>there is neither prnu nor dsnu</source>
+        <translation>既没有 prnu 也没有 dsnu</translation>
+    </message>
+    <message>
+        <source>the exposure could not change</source>
+        <translation>曝光无法变化</translation>
+    </message>
+    <message>
+        <source>more than 1</source>
+        <translation>大于 1</translation>
+    </message>
+    <message>
+        <source>an orthographic camera has no focal length to blur by</source>
+        <translation>正交相机没有造成模糊的焦距</translation>
+    </message>
+    <message>
+        <source>leave defocus out</source>
+        <translation>去掉 defocus</translation>
+    </message>
+    <message>
+        <source>the shutter would be open for longer than a frame lasts</source>
+        <translation>快门打开的时间会超过一帧的时长</translation>
+    </message>
+    <message>
+        <source>exposure_ms up to {:g}</source>
+        <translation>exposure_ms 不超过 {:g}</translation>
+    </message>
+    <message>
+        <source>reading the rows would take longer than a frame lasts</source>
+        <translation>读出各行所需的时间会超过一帧的时长</translation>
+    </message>
+    <message>
+        <source>readout_ms up to {:g}</source>
+        <translation>readout_ms 不超过 {:g}</translation>
+    </message>
+    <message>
+        <source>there are no dots to wear off</source>
+        <translation>没有可磨损的点</translation>
+    </message>
+    <message>
+        <source>stopped before all effects were measured</source>
+        <translation>在测完所有效果之前已停止</translation>
+    </message>
+    <message>
+        <source>measuring {}</source>
+        <translation>正在测量 {}</translation>
+    </message>
 </context>
 </TS>

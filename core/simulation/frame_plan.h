@@ -30,9 +30,27 @@ class FramePlan {
   /// True: the picture is of whole grey levels.
   [[nodiscard]] bool gives_bytes() const { return gives_bytes_; }
   [[nodiscard]] std::vector<const Scene::Content::Named*> effects() const;
+  /// True: an effect needs more than a row at a time.
+  [[nodiscard]] bool in_passes() const { return in_passes_; }
+  [[nodiscard]] const Exposure& exposure() const { return exposure_; }
+  /// From now on everything is where it is so many frames after the frame's own moment.
+  void move_to(double later);
+
+  /// What the effects of the frame may ask of one another.
+  struct Facts {
+    const Finger& finger;
+    double length_mm, frames_per_s;
+    std::vector<std::string> named;
+    int lamp_count;
+    [[nodiscard]] SceneFacts scene() const {
+      return {finger, length_mm, named, frames_per_s, lamp_count};
+    }
+  };
+  [[nodiscard]] Facts facts(const Scene::Content& content) const;
 
  private:
-  bool gives_bytes_ = false;
+  bool gives_bytes_ = false, in_passes_ = false;
+  Exposure exposure_;
 };
 
 }  // namespace alltact

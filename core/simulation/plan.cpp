@@ -25,6 +25,24 @@ void add_up_light(const RowView& row) {
   }
 }
 
+// Calls work(first, last) for all of `rows`, cut into as many parts as there are threads.
+template <class Work>
+void over_rows(int rows, int threads, const Work& work) {
+  const int parts = std::clamp(threads, 1, rows);
+  const auto row_at = [&](int part) { return static_cast<int>(std::int64_t{rows} * part / parts); };
+  std::vector<std::jthread> helpers;
+  for (int part = 1; part < parts; ++part)
+    helpers.emplace_back([&, part] { work(row_at(part), row_at(part + 1)); });
+  work(0, row_at(1));
+}
+
+RadianceRows light_of(const FramePlan& plan, const FrameGeometry& geometry) {
+  RadianceRows light;
+  for (const auto& step : plan.radiance)
+    light.push_back(step.effect->begin(step.context, geometry));
+  return light;
+}
+
 }  // namespace
 
 struct Plan::State {
@@ -51,6 +69,10 @@ struct Plan::State {
                    int first,
                    int last,
                    cv::Mat& picture) const;
+  void render_light(FramePlan plan, int first, int last, cv::Mat_<float>& grey) const;
+  [[nodiscard]] cv::Mat render_in_passes(const FramePlan& plan,
+                                         const FrameGeometry& geometry,
+                                         int threads) const;
 };
 
 // Stretch by stretch of frames that hold the same effects.
@@ -78,13 +100,9 @@ Status Plan::State::check() {
 }
 
 Status Plan::State::check(const FramePlan& plan, Frames frames) const {
-  const auto present = plan.effects();
-  std::vector<std::string> names;
-  names.reserve(present.size());
-  for (const auto* named : present) names.push_back(named->kind->name);
-  const SceneFacts facts{content.finger, content.length_mm, names};
-  for (const auto* named : present) {
-    const Status status = named->effect->fits(facts);
+  const FramePlan::Facts facts = plan.facts(content);
+  for (const auto* named : plan.effects()) {
+    const Status status = named->effect->fits(facts.scene());
     if (status) continue;
     const Message& what = status.error().what;
     const bool in_all = frames.first == 0 && frames.last == content.time.frames - 1;
@@ -126,6 +144,68 @@ void Plan::State::render_rows(const FramePlan& plan,
     add_up_light(row);
     for (const auto& step : plan.sensor) step.effect->row(step.context, row);
   }
+}
+
+// Adds up the light of every moment of the rows' exposure.
+void Plan::State::render_light(FramePlan plan,
+                               int first,
+                               int last,
+                               cv::Mat_<float>& grey) const {
+  RowScratch scratch(grey.cols);
+  RowView row(grey.cols, scratch);
+  const Exposure& exposure = plan.exposure();
+  const int together = exposure.readout == 0 ? grey.rows : exposure.rows_at_once;
+  const auto share = 1 / static_cast<float>(exposure.moments);
+  for (int top = first; top < last;) {
+    const int band = top / together * together;  // the same with any number of threads
+    const int end = std::min(band + together, grey.rows), bottom = std::min(end, last);
+    for (int i = 0; i < exposure.moments; ++i) {
+      plan.move_to(exposure.moment_of((band + end - 1) / 2.0, grey.rows) + exposure.offset_of(i));
+      const FrameGeometry geometry_now = geometry_of(plan);
+      const RadianceRows light = light_of(plan, geometry_now);
+      for (int v = top; v < bottom; ++v) {
+        scratch.rewind();
+        row.v = v;
+        row.value = scratch.floats();
+        geometry_now.fill(row);
+        for (const auto& effect : light) effect->row(row);
+        add_up_light(row);
+        float* sum = grey[v];
+        for (int u = 0; u < grey.cols; ++u) sum[u] += share * row.value[u];
+      }
+    }
+    top = bottom;
+  }
+}
+
+cv::Mat Plan::State::render_in_passes(const FramePlan& plan,
+                                      const FrameGeometry& geometry_now,
+                                      int threads) const {
+  const cv::Size size = rays.camera().size();
+  cv::Mat_<float> grey = cv::Mat_<float>::zeros(size);
+  over_rows(
+      size.height, threads, [&](int first, int last) { render_light(plan, first, last, grey); });
+  cv::Mat bytes;
+  if (plan.gives_bytes()) bytes.create(size, CV_8UC1);
+  for (auto from = plan.sensor.begin();;) {
+    const auto whole = std::find_if(
+        from, plan.sensor.end(), [](const auto& step) { return step.effect->needs_picture(); });
+    over_rows(size.height, threads, [&](int first, int last) {
+      RowScratch scratch(size.width);
+      RowView row(size.width, scratch);
+      for (int v = first; v < last; ++v) {
+        scratch.rewind();
+        row.v = v;
+        row.value = grey[v];
+        row.bytes = plan.gives_bytes() ? bytes.ptr<std::uint8_t>(v) : nullptr;
+        std::for_each(from, whole, [&](const auto& step) { step.effect->row(step.context, row); });
+      }
+    });
+    if (whole == plan.sensor.end()) break;
+    whole->effect->picture(whole->context, geometry_now, grey);
+    from = whole + 1;
+  }
+  return plan.gives_bytes() ? bytes : grey;
 }
 
 Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
@@ -202,22 +282,16 @@ SentPicture Plan::send(int frame, int threads) const {
   const State& s = *state_;
   const FramePlan plan = s.compiled(frame);
   const FrameGeometry geometry = s.geometry_of(plan);
-  RadianceRows light;
-  for (const auto& step : plan.radiance)
-    light.push_back(step.effect->begin(step.context, geometry));
-
-  cv::Mat picture(s.rays.camera().size(), plan.gives_bytes() ? CV_8UC1 : CV_32FC1);
-  const int parts = std::clamp(threads, 1, picture.rows);
-  const auto render_part = [&](int part) {
-    const auto row_at = [&](int p) {
-      return static_cast<int>(std::int64_t{picture.rows} * p / parts);
-    };
-    s.render_rows(plan, geometry, light, row_at(part), row_at(part + 1), picture);
-  };
-  std::vector<std::jthread> helpers;
-  for (int part = 1; part < parts; ++part) helpers.emplace_back(render_part, part);
-  render_part(0);
-  helpers.clear();
+  cv::Mat picture;
+  if (plan.in_passes()) {
+    picture = s.render_in_passes(plan, geometry, threads);
+  } else {
+    const RadianceRows light = light_of(plan, geometry);
+    picture.create(s.rays.camera().size(), plan.gives_bytes() ? CV_8UC1 : CV_32FC1);
+    over_rows(picture.rows, threads, [&](int first, int last) {
+      s.render_rows(plan, geometry, light, first, last, picture);
+    });
+  }
   SentPicture sent{std::move(picture), nullptr};
   for (const auto& step : plan.transport) step.effect->picture(step.context, sent);
   return sent;

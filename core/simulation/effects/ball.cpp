@@ -45,9 +45,11 @@ class Ball final : public GeometryEffect {
 
 const EffectKind& effect_ball() {
   static const EffectKind kKind{
-      "ball", Stage::kGeometry, 30, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Ball>(p);
-      }};
+      "ball",
+      Stage::kGeometry,
+      30,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Ball>(p); },
+      "radius_mm: 4, s_mm: 50, y_mm: 0, depth_mm: 0.9"};
   return kKind;
 }
 

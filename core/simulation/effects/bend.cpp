@@ -36,9 +36,11 @@ class Bend final : public GeometryEffect {
 
 const EffectKind& effect_bend() {
   static const EffectKind kKind{
-      "bend", Stage::kGeometry, 10, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Bend>(p);
-      }};
+      "bend",
+      Stage::kGeometry,
+      10,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Bend>(p); },
+      "q1_mm: {from: -5, to: 5}, q2_mm: {from: -4, to: 4}"};
   return kKind;
 }
 

@@ -67,9 +67,12 @@ class Bulge final : public GeometryEffect {
 
 const EffectKind& effect_bulge() {
   static const EffectKind kKind{
-      "bulge", Stage::kGeometry, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Bulge>(p);
-      }};
+      "bulge",
+      Stage::kGeometry,
+      50,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Bulge>(p); },
+      "share: 0.03, width_mm: 1.5",
+      {"ball"}};
   return kKind;
 }
 

@@ -31,9 +31,11 @@ class Drop final : public TransportEffect {
 
 const EffectKind& effect_drop() {
   static const EffectKind kKind{
-      "drop", Stage::kTransport, 60, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Drop>(p);
-      }};
+      "drop",
+      Stage::kTransport,
+      60,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Drop>(p); },
+      "share: 0.01"};
   return kKind;
 }
 

@@ -30,9 +30,11 @@ class Late final : public TransportEffect {
 
 const EffectKind& effect_late() {
   static const EffectKind kKind{
-      "late", Stage::kTransport, 70, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Late>(p);
-      }};
+      "late",
+      Stage::kTransport,
+      70,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Late>(p); },
+      "share: 0.1, by_ms: 40"};
   return kKind;
 }
 

@@ -114,9 +114,11 @@ class Layer final : public RadianceEffect {
 
 const EffectKind& effect_layer() {
   static const EffectKind kKind{
-      "layer", Stage::kRadiance, 10, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Layer>(p);
-      }};
+      "layer",
+      Stage::kRadiance,
+      10,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Layer>(p); },
+      "scatter_per_mm: 0.6, along: normal"};
   return kKind;
 }
 

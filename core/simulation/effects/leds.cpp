@@ -1,8 +1,10 @@
 // White LEDs near the camera: each lights a point by power * cos(incidence) / distance^2, in grey
 // levels of a perfectly white surface. A lamp with `aim_mm` shines along the way there, weaker
-// beside it by cos^lobe of the angle.
+// beside it by cos^lobe of the angle. What other effects do to the lamps and to their light stands
+// in the frame's Illumination.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
+#include "core/simulation/vector_math.h"
 
 namespace alltact {
 
@@ -71,6 +73,24 @@ void shine_as_aimed(const Surface& s, const Lamp& lamp, float* sum) {
     shine(s, lamp, sum);
 }
 
+// What is left of the light of one lamp on its way through the clear body to the surface and on to
+// the camera. `spread` is 0 for an orthographic camera, whose rays run along z, else 1.
+ALLTACT_WIDE void absorb_on_the_way(const Surface& s,
+                                    const Lamp& lamp,
+                                    float per_mm,
+                                    float spread,
+                                    const float* __restrict light,
+                                    float* __restrict sum) {
+  const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
+  const float lx = lamp.x, ly = lamp.y, lz = lamp.z;
+  for (int u = s.first; u < s.last; ++u) {
+    const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
+    const float there = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const float back = std::sqrt(spread * (x[u] * x[u] + y[u] * y[u]) + z[u] * z[u]);
+    sum[u] += light[u] * vector_exp(-per_mm * (there + back));
+  }
+}
+
 class Leds final : public RadianceEffect {
  public:
   explicit Leds(YamlSection& p) {
@@ -81,25 +101,48 @@ class Leds final : public RadianceEffect {
 
   Message sentence() const override { return en::say("Lamps light the finger"); }
 
-  std::unique_ptr<const Rows> begin(const FrameContext&, const FrameGeometry&) const override {
-    return std::make_unique<LedRows>(*this);
+  int lamp_count() const override { return static_cast<int>(lamps_.size()); }
+
+  std::unique_ptr<const Rows> begin(const FrameContext&,
+                                    const FrameGeometry& geometry) const override {
+    const Illumination& now = geometry.illumination;
+    std::vector<Lamp> lamps = lamps_;
+    for (std::size_t i = 0; i < lamps.size(); ++i)
+      lamps[i].power *= static_cast<float>(now.share_of(static_cast<int>(i)));
+    return std::make_unique<LedRows>(
+        std::move(lamps), now, geometry.rays().camera().is_perspective());
   }
 
  private:
   class LedRows final : public Rows {
    public:
-    explicit LedRows(const Leds& leds) : leds_(leds) {}
+    LedRows(std::vector<Lamp> lamps, const Illumination& now, bool perspective)
+        : lamps_(std::move(lamps)),
+          room_level_(static_cast<float>(now.room_level)),
+          absorb_per_mm_(static_cast<float>(now.absorb_per_mm)),
+          spread_(perspective ? 1.0F : 0.0F) {}
+
     void row(RowView& row) const override {
       float* sum = row.scratch.floats();
+      float* one = absorb_per_mm_ > 0 ? row.scratch.floats() : nullptr;
       for (const Surface& surface : row.surfaces) {
-        std::fill(sum + surface.first, sum + surface.last, 0.0F);
-        for (const Lamp& lamp : leds_.lamps_) shine_as_aimed(surface, lamp, sum);
+        std::fill(sum + surface.first, sum + surface.last, room_level_);
+        for (const Lamp& lamp : lamps_) {
+          if (!one) {
+            shine_as_aimed(surface, lamp, sum);
+            continue;
+          }
+          std::fill(one + surface.first, one + surface.last, 0.0F);
+          shine_as_aimed(surface, lamp, one);
+          absorb_on_the_way(surface, lamp, absorb_per_mm_, spread_, one, sum);
+        }
         for (int u = surface.first; u < surface.last; ++u) surface.light[u] *= sum[u];
       }
     }
 
    private:
-    const Leds& leds_;
+    std::vector<Lamp> lamps_;
+    float room_level_, absorb_per_mm_, spread_;
   };
 
   static Lamp read_lamp(YamlSection& section) {
@@ -136,9 +179,12 @@ class Leds final : public RadianceEffect {
 
 const EffectKind& effect_leds() {
   static const EffectKind kKind{
-      "leds", Stage::kRadiance, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Leds>(p);
-      }};
+      "leds",
+      Stage::kRadiance,
+      50,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Leds>(p); },
+      "lamps: [{at_mm: [0, 3, 0], power: 540000}, {at_mm: [4, 0, -20], power: 3300000, "
+      "aim_mm: [71, 0, 93], lobe: 8}]"};
   return kKind;
 }
 

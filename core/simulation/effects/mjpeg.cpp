@@ -34,9 +34,12 @@ class Mjpeg final : public TransportEffect {
 
 const EffectKind& effect_mjpeg() {
   static const EffectKind kKind{
-      "mjpeg", Stage::kTransport, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Mjpeg>(p);
-      }};
+      "mjpeg",
+      Stage::kTransport,
+      50,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Mjpeg>(p); },
+      "quality: 85",
+      {"quantisation"}};
   return kKind;
 }
 

@@ -76,10 +76,14 @@ class Occlusion final : public GeometryEffect {
 }  // namespace
 
 const EffectKind& effect_occlusion() {
-  static const EffectKind kKind{
-      "occlusion", Stage::kGeometry, 61, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Occlusion>(p);
-      }};
+  static const EffectKind kKind{"occlusion",
+                                Stage::kGeometry,
+                                61,
+                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
+                                  return std::make_shared<Occlusion>(p);
+                                },
+                                "count: 3",
+                                {"sides", "markers"}};
   return kKind;
 }
 

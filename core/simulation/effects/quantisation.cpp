@@ -28,10 +28,13 @@ class Quantisation final : public SensorEffect {
 }  // namespace
 
 const EffectKind& effect_quantisation() {
-  static const EffectKind kKind{
-      "quantisation", Stage::kSensor, 90, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Quantisation>(p);
-      }};
+  static const EffectKind kKind{"quantisation",
+                                Stage::kSensor,
+                                90,
+                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
+                                  return std::make_shared<Quantisation>(p);
+                                },
+                                ""};
   return kKind;
 }
 

@@ -128,9 +128,11 @@ class Relief final : public GeometryEffect {
 
 const EffectKind& effect_relief() {
   static const EffectKind kKind{
-      "relief", Stage::kGeometry, 31, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Relief>(p);
-      }};
+      "relief",
+      Stage::kGeometry,
+      31,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Relief>(p); },
+      "shape: t_bar, size_mm: 12, bar_mm: 3, s_mm: 50, y_mm: 0, depth_mm: 0.9"};
   return kKind;
 }
 

@@ -130,9 +130,12 @@ class Rolloff final : public GeometryEffect {
 
 const EffectKind& effect_rolloff() {
   static const EffectKind kKind{
-      "rolloff", Stage::kGeometry, 40, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Rolloff>(p);
-      }};
+      "rolloff",
+      Stage::kGeometry,
+      40,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Rolloff>(p); },
+      "kind: hertz, length_mm: 0.8",
+      {"ball"}};
   return kKind;
 }
 

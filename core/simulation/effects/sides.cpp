@@ -136,9 +136,11 @@ class Sides final : public RadianceEffect {
 
 const EffectKind& effect_sides() {
   static const EffectKind kKind{
-      "sides", Stage::kRadiance, 20, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Sides>(p);
-      }};
+      "sides",
+      Stage::kRadiance,
+      20,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Sides>(p); },
+      "albedo: 0.12, depth_mm: 14"};
   return kKind;
 }
 

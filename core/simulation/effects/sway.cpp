@@ -30,9 +30,11 @@ class Sway final : public GeometryEffect {
 
 const EffectKind& effect_sway() {
   static const EffectKind kKind{
-      "sway", Stage::kGeometry, 11, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Sway>(p);
-      }};
+      "sway",
+      Stage::kGeometry,
+      11,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Sway>(p); },
+      "sway_mm: {from: -2, to: 2}"};
   return kKind;
 }
 
