@@ -4862,6 +4862,134 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Effekt &apos;{}&apos; ist zweimal genannt</translation>
     </message>
     <message>
+        <source>A ball is pressed into the face</source>
+        <translation>Eine Kugel wird in die Fläche gedrückt</translation>
+    </message>
+    <message>
+        <source>The finger bends in the plane of its length</source>
+        <translation>Der Finger biegt sich in der Ebene seiner Länge</translation>
+    </message>
+    <message>
+        <source>The layer swells around what presses</source>
+        <translation>Die Schicht wölbt sich um das, was drückt</translation>
+    </message>
+    <message>
+        <source>Frames get lost on their way</source>
+        <translation>Bilder gehen unterwegs verloren</translation>
+    </message>
+    <message>
+        <source>Frames come late</source>
+        <translation>Bilder kommen zu spät</translation>
+    </message>
+    <message>
+        <source>The layer over the black coat is darker where it is thinner</source>
+        <translation>Die Schicht über der schwarzen Beschichtung ist dunkler, wo sie dünner ist</translation>
+    </message>
+    <message>
+        <source>Lamps light the finger</source>
+        <translation>Lampen beleuchten den Finger</translation>
+    </message>
+    <message>
+        <source>Dots are engraved in the side faces</source>
+        <translation>In die Seitenflächen sind Punkte graviert</translation>
+    </message>
+    <message>
+        <source>The camera sends JPEG pictures</source>
+        <translation>Die Kamera sendet JPEG-Bilder</translation>
+    </message>
+    <message>
+        <source>Folds of the side faces hide dots</source>
+        <translation>Falten der Seitenflächen verdecken Punkte</translation>
+    </message>
+    <message>
+        <source>The sensor counts in whole grey levels from 0 to 255</source>
+        <translation>Der Sensor zählt in ganzen Graustufen von 0 bis 255</translation>
+    </message>
+    <message>
+        <source>Reading the sensor adds noise</source>
+        <translation>Das Auslesen des Sensors fügt Rauschen hinzu</translation>
+    </message>
+    <message>
+        <source>An object with a relief is pressed into the face</source>
+        <translation>Ein Gegenstand mit einem Relief wird in die Fläche gedrückt</translation>
+    </message>
+    <message>
+        <source>The face comes away softly from what presses</source>
+        <translation>Die Fläche löst sich weich von dem, was drückt</translation>
+    </message>
+    <message>
+        <source>Light comes in grains, which is noise that grows with brightness</source>
+        <translation>Licht kommt in Körnern: ein Rauschen, das mit der Helligkeit wächst</translation>
+    </message>
+    <message>
+        <source>The side faces of the body are seen</source>
+        <translation>Die Seitenflächen des Körpers sind zu sehen</translation>
+    </message>
+    <message>
+        <source>The finger leans sideways</source>
+        <translation>Der Finger neigt sich zur Seite</translation>
+    </message>
+    <message>
+        <source>{}, in frames {} to {}</source>
+        <translation>{}, in den Bildern {} bis {}</translation>
+    </message>
+    <message>
+        <source>its camera does not give whole grey levels in frames {} to {}</source>
+        <translation>ihre Kamera liefert in den Bildern {} bis {} keine ganzen Graustufen</translation>
+    </message>
+    <message>
+        <source>name the effect quantisation for all frames</source>
+        <translation>den Effekt quantisation für alle Bilder nennen</translation>
+    </message>
+    <message>
+        <source>the effect &apos;{}&apos; is named twice for frames {} to {}</source>
+        <translation>der Effekt &apos;{}&apos; ist für die Bilder {} bis {} zweimal genannt</translation>
+    </message>
+    <message>
+        <source>let one end with &apos;until&apos; before the other begins with &apos;from&apos;</source>
+        <translation>den einen mit &apos;until&apos; enden lassen, bevor der andere mit &apos;from&apos; beginnt</translation>
+    </message>
+    <message>
+        <source>must be a point in time, not &apos;{}&apos;</source>
+        <translation>muss ein Zeitpunkt sein, nicht &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>a frame such as 60, or seconds such as 2 s</source>
+        <translation>ein Bild wie 60, oder Sekunden wie 2 s</translation>
+    </message>
+    <message>
+        <source>the scene ends before that</source>
+        <translation>die Szene endet vorher</translation>
+    </message>
+    <message>
+        <source>one of its frames, 0 to {}</source>
+        <translation>eines ihrer Bilder, 0 bis {}</translation>
+    </message>
+    <message>
+        <source>it would never be there, for it begins with frame {}</source>
+        <translation>er wäre nie da, denn er beginnt mit Bild {}</translation>
+    </message>
+    <message>
+        <source>a later frame, or leave the effect out</source>
+        <translation>ein späteres Bild, oder den Effekt weglassen</translation>
+    </message>
+    <message>
+        <source>the key frame before it stands there too</source>
+        <translation>das Schlüsselbild davor steht auch dort</translation>
+    </message>
+    <message>
+        <source>a later time, or leave one of the two out</source>
+        <translation>eine spätere Zeit, oder eines der beiden weglassen</translation>
+    </message>
+    <message>
+        <source>the key frame before it is a later one</source>
+        <translation>das Schlüsselbild davor ist ein späteres</translation>
+    </message>
+    <message>
+        <source>key frames in the order of their times</source>
+        <translation>Schlüsselbilder in der Reihenfolge ihrer Zeiten</translation>
+    </message>
+    <message>
         <source>this is not a text</source>
         <translation>dies ist kein Text</translation>
     </message>
@@ -7232,6 +7360,114 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>beginning a new one</source>
         <translation>eine neue beginnen</translation>
+    </message>
+    <message>
+        <source>there is no lamp whose light could be absorbed</source>
+        <translation>es gibt keine Lampe, deren Licht absorbiert werden könnte</translation>
+    </message>
+    <message>
+        <source>name the effect leds too</source>
+        <translation>auch den Effekt leds nennen</translation>
+    </message>
+    <message>
+        <source>room light comes on top of that of the lamps</source>
+        <translation>Raumlicht kommt zu dem der Lampen hinzu</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could fail</source>
+        <translation>es gibt keine Lampe, die ausfallen könnte</translation>
+    </message>
+    <message>
+        <source>there is no lamp {}</source>
+        <translation>es gibt keine Lampe {}</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could flicker</source>
+        <translation>es gibt keine Lampe, die flackern könnte</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could warm up</source>
+        <translation>es gibt keine Lampe, die warm werden könnte</translation>
+    </message>
+    <message>
+        <source>no light would be left within the picture</source>
+        <translation>im Bild bliebe stellenweise kein Licht übrig</translation>
+    </message>
+    <message>
+        <source>1 + a r^2 + b r^4 + c r^6 above 0 up to r = 1</source>
+        <translation>1 + a r^2 + b r^4 + c r^6 bis r = 1 über 0</translation>
+    </message>
+    <message>
+        <source>the rays of an orthographic camera do not spread</source>
+        <translation>die Strahlen einer orthografischen Kamera gehen nicht auseinander</translation>
+    </message>
+    <message>
+        <source>kind: polynomial, or leave vignetting out</source>
+        <translation>kind: polynomial, oder vignetting weglassen</translation>
+    </message>
+    <message>
+        <source>gamma 1 changes nothing</source>
+        <translation>gamma 1 ändert nichts</translation>
+    </message>
+    <message>
+        <source>leave gamma out</source>
+        <translation>gamma weglassen</translation>
+    </message>
+    <message>
+        <source>there is neither dead nor hot</source>
+        <translation>es gibt weder dead noch hot</translation>
+    </message>
+    <message>
+        <source>name one of them</source>
+        <translation>eines davon nennen</translation>
+    </message>
+    <message>
+        <source>there is neither prnu nor dsnu</source>
+        <translation>es gibt weder prnu noch dsnu</translation>
+    </message>
+    <message>
+        <source>the exposure could not change</source>
+        <translation>die Belichtung könnte sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>more than 1</source>
+        <translation>mehr als 1</translation>
+    </message>
+    <message>
+        <source>an orthographic camera has no focal length to blur by</source>
+        <translation>eine orthografische Kamera hat keine Brennweite, die unscharf macht</translation>
+    </message>
+    <message>
+        <source>leave defocus out</source>
+        <translation>defocus weglassen</translation>
+    </message>
+    <message>
+        <source>the shutter would be open for longer than a frame lasts</source>
+        <translation>der Verschluss wäre länger offen, als ein Bild dauert</translation>
+    </message>
+    <message>
+        <source>exposure_ms up to {:g}</source>
+        <translation>exposure_ms bis {:g}</translation>
+    </message>
+    <message>
+        <source>reading the rows would take longer than a frame lasts</source>
+        <translation>das Auslesen der Zeilen würde länger dauern als ein Bild</translation>
+    </message>
+    <message>
+        <source>readout_ms up to {:g}</source>
+        <translation>readout_ms bis {:g}</translation>
+    </message>
+    <message>
+        <source>there are no dots to wear off</source>
+        <translation>es gibt keine Punkte, die sich abnutzen könnten</translation>
+    </message>
+    <message>
+        <source>stopped before all effects were measured</source>
+        <translation>beendet, bevor alle Effekte gemessen waren</translation>
+    </message>
+    <message>
+        <source>measuring {}</source>
+        <translation>{} wird gemessen</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is not of the form {}</source>

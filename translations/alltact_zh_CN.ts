@@ -4843,6 +4843,134 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>效果 &apos;{}&apos; 出现两次</translation>
     </message>
     <message>
+        <source>A ball is pressed into the face</source>
+        <translation>一个球压入接触面</translation>
+    </message>
+    <message>
+        <source>The finger bends in the plane of its length</source>
+        <translation>手指在其长度所在的平面内弯曲</translation>
+    </message>
+    <message>
+        <source>The layer swells around what presses</source>
+        <translation>涂层在压入物周围隆起</translation>
+    </message>
+    <message>
+        <source>Frames get lost on their way</source>
+        <translation>帧在传输途中丢失</translation>
+    </message>
+    <message>
+        <source>Frames come late</source>
+        <translation>帧迟到</translation>
+    </message>
+    <message>
+        <source>The layer over the black coat is darker where it is thinner</source>
+        <translation>黑色涂层上的半透明层越薄越暗</translation>
+    </message>
+    <message>
+        <source>Lamps light the finger</source>
+        <translation>灯照亮手指</translation>
+    </message>
+    <message>
+        <source>Dots are engraved in the side faces</source>
+        <translation>侧面刻有标记点</translation>
+    </message>
+    <message>
+        <source>The camera sends JPEG pictures</source>
+        <translation>相机发送 JPEG 图片</translation>
+    </message>
+    <message>
+        <source>Folds of the side faces hide dots</source>
+        <translation>侧面的褶皱遮住标记点</translation>
+    </message>
+    <message>
+        <source>The sensor counts in whole grey levels from 0 to 255</source>
+        <translation>传感器以 0 到 255 的整数灰度级计数</translation>
+    </message>
+    <message>
+        <source>Reading the sensor adds noise</source>
+        <translation>读取传感器会增加噪声</translation>
+    </message>
+    <message>
+        <source>An object with a relief is pressed into the face</source>
+        <translation>一个带浮雕的物体压入接触面</translation>
+    </message>
+    <message>
+        <source>The face comes away softly from what presses</source>
+        <translation>接触面从压入物平缓地脱开</translation>
+    </message>
+    <message>
+        <source>Light comes in grains, which is noise that grows with brightness</source>
+        <translation>光以颗粒形式到来,这种噪声随亮度增长</translation>
+    </message>
+    <message>
+        <source>The side faces of the body are seen</source>
+        <translation>可以看到主体的侧面</translation>
+    </message>
+    <message>
+        <source>The finger leans sideways</source>
+        <translation>手指向侧面倾斜</translation>
+    </message>
+    <message>
+        <source>{}, in frames {} to {}</source>
+        <translation>{},在第 {} 到 {} 帧</translation>
+    </message>
+    <message>
+        <source>its camera does not give whole grey levels in frames {} to {}</source>
+        <translation>其相机在第 {} 到 {} 帧给出的不是整数灰度级</translation>
+    </message>
+    <message>
+        <source>name the effect quantisation for all frames</source>
+        <translation>请为所有帧写明效果 quantisation</translation>
+    </message>
+    <message>
+        <source>the effect &apos;{}&apos; is named twice for frames {} to {}</source>
+        <translation>效果 &apos;{}&apos; 在第 {} 到 {} 帧出现两次</translation>
+    </message>
+    <message>
+        <source>let one end with &apos;until&apos; before the other begins with &apos;from&apos;</source>
+        <translation>让其中一个用 &apos;until&apos; 结束,再让另一个用 &apos;from&apos; 开始</translation>
+    </message>
+    <message>
+        <source>must be a point in time, not &apos;{}&apos;</source>
+        <translation>必须是一个时间点,而不是 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>a frame such as 60, or seconds such as 2 s</source>
+        <translation>帧号,如 60,或秒数,如 2 s</translation>
+    </message>
+    <message>
+        <source>the scene ends before that</source>
+        <translation>场景在此之前已结束</translation>
+    </message>
+    <message>
+        <source>one of its frames, 0 to {}</source>
+        <translation>其中一帧,0 到 {}</translation>
+    </message>
+    <message>
+        <source>it would never be there, for it begins with frame {}</source>
+        <translation>它永远不会出现,因为它从第 {} 帧开始</translation>
+    </message>
+    <message>
+        <source>a later frame, or leave the effect out</source>
+        <translation>更晚的帧,或者去掉该效果</translation>
+    </message>
+    <message>
+        <source>the key frame before it stands there too</source>
+        <translation>前一个关键帧也在此处</translation>
+    </message>
+    <message>
+        <source>a later time, or leave one of the two out</source>
+        <translation>更晚的时间,或者去掉其中一个</translation>
+    </message>
+    <message>
+        <source>the key frame before it is a later one</source>
+        <translation>前一个关键帧的时间更晚</translation>
+    </message>
+    <message>
+        <source>key frames in the order of their times</source>
+        <translation>按时间顺序排列关键帧</translation>
+    </message>
+    <message>
         <source>this is not a text</source>
         <translation>这不是文本</translation>
     </message>
@@ -7209,6 +7337,114 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>beginning a new one</source>
         <translation>开始新的会话</translation>
+    </message>
+    <message>
+        <source>there is no lamp whose light could be absorbed</source>
+        <translation>没有光可被吸收的灯</translation>
+    </message>
+    <message>
+        <source>name the effect leds too</source>
+        <translation>同时写上效果 leds</translation>
+    </message>
+    <message>
+        <source>room light comes on top of that of the lamps</source>
+        <translation>室内光叠加在灯光之上</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could fail</source>
+        <translation>没有可能失效的灯</translation>
+    </message>
+    <message>
+        <source>there is no lamp {}</source>
+        <translation>没有编号为 {} 的灯</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could flicker</source>
+        <translation>没有可能闪烁的灯</translation>
+    </message>
+    <message>
+        <source>there is no lamp that could warm up</source>
+        <translation>没有会升温的灯</translation>
+    </message>
+    <message>
+        <source>no light would be left within the picture</source>
+        <translation>图像内会有地方完全没有光</translation>
+    </message>
+    <message>
+        <source>1 + a r^2 + b r^4 + c r^6 above 0 up to r = 1</source>
+        <translation>直到 r = 1，1 + a r^2 + b r^4 + c r^6 都大于 0</translation>
+    </message>
+    <message>
+        <source>the rays of an orthographic camera do not spread</source>
+        <translation>正交相机的光线不发散</translation>
+    </message>
+    <message>
+        <source>kind: polynomial, or leave vignetting out</source>
+        <translation>kind: polynomial，或去掉 vignetting</translation>
+    </message>
+    <message>
+        <source>gamma 1 changes nothing</source>
+        <translation>gamma 为 1 不起作用</translation>
+    </message>
+    <message>
+        <source>leave gamma out</source>
+        <translation>去掉 gamma</translation>
+    </message>
+    <message>
+        <source>there is neither dead nor hot</source>
+        <translation>既没有 dead 也没有 hot</translation>
+    </message>
+    <message>
+        <source>name one of them</source>
+        <translation>写上其中一个</translation>
+    </message>
+    <message>
+        <source>there is neither prnu nor dsnu</source>
+        <translation>既没有 prnu 也没有 dsnu</translation>
+    </message>
+    <message>
+        <source>the exposure could not change</source>
+        <translation>曝光无法变化</translation>
+    </message>
+    <message>
+        <source>more than 1</source>
+        <translation>大于 1</translation>
+    </message>
+    <message>
+        <source>an orthographic camera has no focal length to blur by</source>
+        <translation>正交相机没有造成模糊的焦距</translation>
+    </message>
+    <message>
+        <source>leave defocus out</source>
+        <translation>去掉 defocus</translation>
+    </message>
+    <message>
+        <source>the shutter would be open for longer than a frame lasts</source>
+        <translation>快门打开的时间会超过一帧的时长</translation>
+    </message>
+    <message>
+        <source>exposure_ms up to {:g}</source>
+        <translation>exposure_ms 不超过 {:g}</translation>
+    </message>
+    <message>
+        <source>reading the rows would take longer than a frame lasts</source>
+        <translation>读出各行所需的时间会超过一帧的时长</translation>
+    </message>
+    <message>
+        <source>readout_ms up to {:g}</source>
+        <translation>readout_ms 不超过 {:g}</translation>
+    </message>
+    <message>
+        <source>there are no dots to wear off</source>
+        <translation>没有可磨损的点</translation>
+    </message>
+    <message>
+        <source>stopped before all effects were measured</source>
+        <translation>在测完所有效果之前已停止</translation>
+    </message>
+    <message>
+        <source>measuring {}</source>
+        <translation>正在测量 {}</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is not of the form {}</source>

@@ -41,10 +41,14 @@ struct SimulateOptions {
   std::optional<int> frames;  ///< the first so many; empty: all
   std::uint64_t seed = 1;
   bool video = false;
+  bool explain = false;  ///< tell what the scene builds, and render nothing
   int threads = 1;
+  bool costs = false;  ///< run_simulate_costs() instead
 };
 /// Renders a scene and writes its truth beside it.
 Status run_simulate(const SimulateOptions& options, Console& console);
+/// Prints what every effect of the simulation costs on this computer.
+Status run_simulate_costs(Console& console);
 
 struct LensOptions {
   std::vector<Path> inputs;

@@ -4,6 +4,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/recording/video_writer.h"
+#include "core/simulation/effect_costs.h"
 #include "core/simulation/plan.h"
 #include "core/simulation/scene.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr const char* kTruthFile = "truth.json";
 constexpr const char* kVideoFile = "frames.mkv";
+constexpr int kTimedFrames = 15;
 
 std::string frame_name(int frame) {
   return fmt::format("frame_{:05}", frame);
@@ -83,6 +85,30 @@ Console::Json finger_json(const Finger& finger) {
   return json;
 }
 
+/// One line for each effect, in the order they run.
+void explain(const Scene& scene, const Plan& plan, Console& console) {
+  console.say(fmt::format(
+      "{}: {} frames, {:g} a second.", scene.name(), plan.frame_count(), plan.frames_per_s()));
+  console.say(scene.why());
+  Console::Json& answer = console.answer();
+  answer["scene"] = scene.name();
+  answer["why"] = scene.why();
+  answer["frames"] = plan.frame_count();
+  answer["frames_per_s"] = plan.frames_per_s();
+  Console::Json& effects = answer["effects"] = Console::Json::array();
+  for (const Plan::Entry& entry : plan.entries()) {
+    const std::string sentence = entry.sentence.english();
+    console.say(fmt::format("{:<14} frames {} to {}{}{}",
+                            entry.name,
+                            entry.first,
+                            entry.last,
+                            sentence.empty() ? "" : ": ",
+                            sentence));
+    effects.push_back(
+        {{"name", entry.name}, {"first", entry.first}, {"last", entry.last}, {"what", sentence}});
+  }
+}
+
 Status write_truth_pictures(const Path& folder, const std::string& name, const Truth& truth) {
   const Status status = write_picture(folder / (name + ".depth.tiff"), truth.depth_mm);
   if (!status) return status;
@@ -146,6 +172,7 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   if (!scene) return scene.error();
   const auto plan = Plan::compile(*scene, options.seed);
   if (!plan) return plan.error();
+  if (options.explain) return explain(*scene, *plan, console), Status();
   if (const Status status = plan->check_grey_levels(options.scene.string()); !status) return status;
   const int count = options.frames.value_or(plan->frame_count());
   if (count > plan->frame_count()) {
@@ -195,13 +222,32 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   return {};
 }
 
+Status run_simulate_costs(Console& console) {
+  const auto costs = measure_effect_costs(kTimedFrames, console.job());
+  if (!costs) return costs.error();
+  console.say("What each effect adds to a frame, in ms per million pixels, one thread:");
+  Console::Json& list = console.answer()["costs"] = Console::Json::array();
+  for (const EffectCost& cost : *costs) {
+    const std::string_view stage = to_string(cost.kind->stage);
+    console.say(
+        fmt::format("{:<20} {:<10} {:9.3f}", cost.kind->name, stage, cost.ms_per_megapixel));
+    list.push_back({{"effect", cost.kind->name},
+                    {"stage", stage},
+                    {"example", cost.kind->example},
+                    {"ms_per_megapixel", cost.ms_per_megapixel}});
+  }
+  return {};
+}
+
 void add_simulate(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = add_command(program, "simulate");
-  command->add_option("SCENE", options->scene, "Scene file (YAML)")->required();
-  command->add_option("-o,--output", options->folder, "Folder for the frames")
-      ->type_name("DIR")
-      ->required();
+  CLI::Option* costs = command->add_flag(
+      "--costs", options->costs, "Instead: what every effect costs in time on this computer");
+  CLI::Option* scene = command->add_option("SCENE", options->scene, "Scene file (YAML)");
+  CLI::Option* output = command->add_option("-o,--output", options->folder, "Folder for the frames")
+                            ->type_name("DIR");
+  for (CLI::Option* option : {scene, output}) option->excludes(costs);
   command
       ->add_option(
           "--frames", options->frames, "Only the first so many frames (default: all of the scene)")
@@ -211,9 +257,22 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
       ->type_name("S");
   command->add_flag(
       "--video", options->video, "One lossless video, frames.mkv, instead of pictures");
+  command
+      ->add_flag("--explain",
+                 options->explain,
+                 "Only tell which effects are built, in which frames, and why; without -o")
+      ->excludes(output)
+      ->excludes(costs);
   add_threads_flag(*command, options->threads);
-  command->callback(
-      [=, &chosen] { chosen = [=](Console& console) { return run_simulate(*options, console); }; });
+  command->callback([=, &chosen] {
+    if (options->costs) {
+      chosen = run_simulate_costs;
+      return;
+    }
+    if (scene->count() == 0) throw CLI::RequiredError(scene->get_name());
+    if (!options->explain && output->count() == 0) throw CLI::RequiredError(output->get_name());
+    chosen = [=](Console& console) { return run_simulate(*options, console); };
+  });
 }
 
 }  // namespace alltact

@@ -2,6 +2,11 @@
 
 namespace alltact {
 
+BuildCount& build_count() {
+  static BuildCount count;
+  return count;
+}
+
 Status press_fits(const SceneFacts& scene,
                   const Varying& depth_mm,
                   const Varying& s_mm,

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/result.h"
+#include "core/simulation/exposure.h"
 #include "core/simulation/frame_geometry.h"
 #include "core/simulation/motion.h"
 #include "core/simulation/row_view.h"
@@ -13,8 +14,10 @@
 #include "core/simulation/varying.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -27,35 +30,74 @@ enum class Stage { kGeometry = 1, kRadiance, kSensor, kTransport };
 
 /// Which picture is being made. All that a random draw may depend on besides who draws and where.
 struct FrameContext {
-  std::uint64_t seed;
+  std::uint64_t seed;  ///< of the effect's own draws: another one for each effect of one name
   int frame;
   const Motion& motion;
   const Finger& finger;
+  double frames_per_s;
+  std::uint64_t motion_seed;  ///< of what the motion draws, alike for all effects
+  double later = 0;           ///< frames after (before, when negative) the frame's own moment
 
-  /// This frame's value of a parameter or of a degree of freedom.
-  [[nodiscard]] double operator()(const Varying& varying) const { return varying.at(seed, frame); }
+  /// Since the moment of frame 0.
+  [[nodiscard]] double time_s() const { return (frame + later) / frames_per_s; }
+
+  /// This moment's value of a parameter or of a degree of freedom.
+  [[nodiscard]] double operator()(const Varying& varying) const {
+    return at_moment([&](int i) { return varying.at(seed, i); });
+  }
   [[nodiscard]] double operator()(const DegreeOfFreedom& dof) const {
-    return motion.value(dof, seed, frame);
+    return at_moment([&](int i) { return motion.value(dof, motion_seed, i); });
+  }
+
+  /// Straight from one frame to the next; nothing moves before frame 0.
+  template <class Value>
+  [[nodiscard]] double at_moment(const Value& value) const {
+    if (later == 0) return value(frame);
+    const double moment = std::max(0.0, frame + later);
+    const int first = static_cast<int>(moment);
+    const double from = value(first), part = moment - first;
+    return part > 0 ? from + part * (value(first + 1) - from) : from;
   }
 };
 
-/// What an effect may ask of the rest of its scene before anything is rendered.
+/// What an effect may ask of the rest of its scene before anything is rendered. It is asked for
+/// each stretch of frames that hold the same effects, itself among them.
 struct SceneFacts {
   const Finger& finger;
   double length_mm;                       ///< 0 for a flat sensor
-  const std::vector<std::string>& named;  ///< effects of the scene
+  const std::vector<std::string>& named;  ///< effects that are present
+  double frames_per_s;
+  int lamp_count;
   [[nodiscard]] bool names(std::string_view effect) const {
     return std::find(named.begin(), named.end(), effect) != named.end();
   }
 };
 
+/// How many objects effects were ever made of, for tests of what is built. Counted where they are
+/// made, never in a loop over rows.
+struct BuildCount {
+  std::atomic<long> effects = 0;  ///< read from scenes
+  std::atomic<long> steps = 0;    ///< effects that were present in a frame that was compiled
+  std::atomic<long> rows = 0;     ///< RadianceEffect::Rows, one a frame and effect
+};
+[[nodiscard]] BuildCount& build_count();
+
 class Effect {
  public:
+  Effect() { ++build_count().effects; }
+  Effect(const Effect&) = delete;
+  Effect& operator=(const Effect&) = delete;
   virtual ~Effect() = default;
+  /// What it does, without a full stop; for people who ask what a scene holds.
+  [[nodiscard]] virtual Message sentence() const { return {}; }
+  /// True: a frame may hold several of it, each with parameters and draws of its own.
+  [[nodiscard]] virtual bool may_be_several() const { return false; }
   /// Error: impossible for this finger, or together with, or without, other effects.
   [[nodiscard]] virtual Status fits(const SceneFacts&) const { return {}; }
   /// What the scene's motion may move.
   [[nodiscard]] virtual std::vector<DegreeOfFreedom> degrees_of_freedom() const { return {}; }
+  /// How many lamps it brings.
+  [[nodiscard]] virtual int lamp_count() const { return 0; }
 };
 
 /// Once a frame, in two passes over all geometry effects: first the face gets its shape, then
@@ -72,6 +114,9 @@ class RadianceEffect : public Effect {
  public:
   class Rows {
    public:
+    Rows() { ++build_count().rows; }
+    Rows(const Rows&) = delete;
+    Rows& operator=(const Rows&) = delete;
     virtual ~Rows() = default;
     virtual void row(RowView& row) const = 0;
   };
@@ -79,10 +124,17 @@ class RadianceEffect : public Effect {
                                                           const FrameGeometry&) const = 0;
 };
 
-/// What the sensor makes of a row of light (grey levels, float).
+/// What the lens and the sensor make of the light (grey levels, float): row by row, or of the whole
+/// picture at once, for which a scene pays that names such an effect.
 class SensorEffect : public Effect {
  public:
-  virtual void row(const FrameContext& frame, RowView& row) const = 0;
+  /// Only v, width, scratch, value and bytes of the row are set.
+  virtual void row(const FrameContext&, RowView&) const {}
+  /// True: picture() is called and row() is not.
+  [[nodiscard]] virtual bool needs_picture() const { return false; }
+  virtual void picture(const FrameContext&, const FrameGeometry&, cv::Mat_<float>&) const {}
+  /// When the rows are taken.
+  virtual void expose(const SceneFacts&, Exposure&) const {}
   /// True for the effect that turns grey levels into RowView::bytes.
   [[nodiscard]] virtual bool gives_bytes() const { return false; }
 };
@@ -106,6 +158,8 @@ struct EffectKind {
   int rank;  ///< place within the stage
   /// Reads the parameters; errors are left in them. The object is of the stage's class.
   std::shared_ptr<const Effect> (*make)(YamlSection&);
+  std::string_view example = {};             ///< typical parameters, YAML: "sd: 1"
+  std::vector<std::string_view> needs = {};  ///< kinds that a scene of the example names besides
 };
 
 /// All kinds there are, written by the build from the files in effects/.

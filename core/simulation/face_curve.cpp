@@ -20,13 +20,41 @@ double hermite(double f0, double d0, double f1, double d1, double h, double t) {
 }  // namespace
 
 FaceCurve::FaceCurve(const Eigen::Vector3d& base_mm, double incline_rad, double length_mm)
-    : length_mm_(length_mm), cell_mm_(length_mm / kCells), nodes_(kCells + 1) {
-  for (Node& node : nodes_) {
-    node.theta = incline_rad;
-    node.shift_mm = base_mm.y();
+    : length_mm_(length_mm), cell_mm_(length_mm / kCells) {
+  base_.theta = incline_rad;
+  base_.shift_mm = base_mm.y();
+  base_.x_mm = base_mm.x();
+  base_.z_mm = base_mm.z();
+  base_.x_s = std::cos(incline_rad);
+  base_.z_s = std::sin(incline_rad);
+}
+
+void FaceCurve::make_nodes() {
+  if (!nodes_.empty()) return;
+  for (int i = 0; i <= kCells; ++i) nodes_.push_back(along_line(s_mm(i)));
+}
+
+FaceCurve::Node FaceCurve::along_line(double s_mm) const {
+  Node p = base_;
+  p.x_mm += s_mm * p.x_s;
+  p.z_mm += s_mm * p.z_s;
+  return p;
+}
+
+FaceCurve::Node& FaceCurve::node(int i) {
+  make_nodes();
+  is_bent_ = true;
+  return nodes_[static_cast<std::size_t>(i)];
+}
+
+void FaceCurve::sway(double sway_mm) {
+  make_nodes();
+  for (int i = 0; i <= kCells; ++i) {
+    Node& here = nodes_[static_cast<std::size_t>(i)];
+    const double t = s_mm(i) / length_mm_;
+    here.shift_mm += sway_mm * t * t;
+    here.shift_s += 2 * sway_mm * t / length_mm_;
   }
-  nodes_.front().x_mm = base_mm.x();
-  nodes_.front().z_mm = base_mm.z();
 }
 
 void FaceCurve::bend(double q1_mm, double q2_mm) {
@@ -38,6 +66,7 @@ void FaceCurve::bend(double q1_mm, double q2_mm) {
 }
 
 void FaceCurve::integrate() {
+  if (!is_bent_) return;
   static const double kOff = std::sqrt(0.15);
   const std::array<double, 3> place{0.5 - kOff, 0.5, 0.5 + kOff};
   constexpr std::array<double, 3> kWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
@@ -60,6 +89,7 @@ void FaceCurve::integrate() {
 }
 
 FaceCurve::Node FaceCurve::at(double s_mm) const {
+  if (nodes_.empty()) return along_line(s_mm);
   if (s_mm < 0 || s_mm > length_mm_) {
     Node end = s_mm < 0 ? nodes_.front() : nodes_.back();
     const double beyond = s_mm < 0 ? s_mm : s_mm - length_mm_;
@@ -72,11 +102,12 @@ FaceCurve::Node FaceCurve::at(double s_mm) const {
   const auto i = static_cast<std::size_t>(std::min(static_cast<int>(s_mm / cell_mm_), kCells - 1));
   const Node &a = nodes_[i], &b = nodes_[i + 1];
   const double h = cell_mm_, t = s_mm / h - static_cast<double>(i);
-  Node p;
-  p.theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, h, t);
-  p.theta_s = a.theta_s + (b.theta_s - a.theta_s) * t;
+  Node p = along_line(s_mm);
   p.shift_mm = hermite(a.shift_mm, a.shift_s, b.shift_mm, b.shift_s, h, t);
   p.shift_s = a.shift_s + (b.shift_s - a.shift_s) * t;
+  if (!is_bent_) return p;
+  p.theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, h, t);
+  p.theta_s = a.theta_s + (b.theta_s - a.theta_s) * t;
   p.x_mm = hermite(a.x_mm, a.x_s, b.x_mm, b.x_s, h, t);
   p.z_mm = hermite(a.z_mm, a.z_s, b.z_mm, b.z_s, h, t);
   p.x_s = std::cos(p.theta);
@@ -89,6 +120,7 @@ double FaceCurve::meet(double origin_x_mm, double direction_x) const {
   const auto slope = [&](const Node& n) { return n.x_s - direction_x * n.z_s; };
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto seen = [&](double s) { return at(s).z_mm > 0 ? s : kNone; };
+  if (!is_bent_) return slope(base_) <= kLeastCrossing ? kNone : seen(-gap(base_) / slope(base_));
   if (gap(nodes_.front()) >= 0 || gap(nodes_.back()) <= 0) {
     const bool before = gap(nodes_.front()) >= 0;
     const Node& end = before ? nodes_.front() : nodes_.back();

@@ -1,4 +1,5 @@
-// The middle line of a bent view face: an inextensible curve, given by its slope angle.
+// The middle line of a view face: straight, or where it is bent an inextensible curve, given by its
+// slope angle.
 #pragma once
 
 #include <vector>
@@ -7,10 +8,11 @@
 
 namespace alltact {
 
-/// Parametrised by arc length s in the x-z plane, from the base (s = 0) to the tip. Effects add to
-/// the slope angle and to the sideways shift at the nodes; integrate() makes the curve of it.
-/// Between nodes everything is a cubic Hermite curve, exact for quadratic slope angles and within
-/// 1e-11 mm for fingers of this size; beyond the ends the curve goes on straight.
+/// Parametrised by arc length s in the x-z plane, from the base (s = 0) to the tip. As long as
+/// nothing bends it, it is the straight line, without nodes and without rounding from summing up.
+/// Effects add to the slope angle and to the sideways shift at the nodes; integrate() makes the
+/// curve of it. Between nodes everything is a cubic Hermite curve, exact for quadratic slope angles
+/// and within 1e-11 mm for fingers of this size; beyond the ends the curve goes on straight.
 class FaceCurve {
  public:
   static constexpr int kCells = 256;
@@ -28,11 +30,16 @@ class FaceCurve {
 
   [[nodiscard]] double length_mm() const { return length_mm_; }
   [[nodiscard]] double s_mm(int node) const { return node * cell_mm_; }
-  [[nodiscard]] Node& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
+  /// To be changed: from now on this is a curve.
+  [[nodiscard]] Node& node(int i);
+  [[nodiscard]] bool is_straight() const { return !is_bent_; }
 
   /// Adds the deflection q1 t^2 + q2 (t^3 - t^2) along the untouched face's normal, t = s / length:
   /// the slope angle changes by its derivative.
   void bend(double q1_mm, double q2_mm);
+
+  /// Shifts the middle line in y by sway t^2, t = s / length; a straight face stays straight.
+  void sway(double sway_mm);
 
   /// Integrates the slope angle (three-point Gauss in each cell); needed before what follows.
   void integrate();
@@ -45,8 +52,13 @@ class FaceCurve {
   [[nodiscard]] double meet(double origin_x_mm, double direction_x) const;
 
  private:
+  void make_nodes();
+  [[nodiscard]] Node along_line(double s_mm) const;
+
   double length_mm_, cell_mm_;
-  std::vector<Node> nodes_;
+  Node base_;
+  bool is_bent_ = false;
+  std::vector<Node> nodes_;  // none as long as nothing moves the face
 };
 
 }  // namespace alltact

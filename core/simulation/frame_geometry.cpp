@@ -156,6 +156,13 @@ void FrameGeometry::fill(RowView& row) const {
     fill_linear(row);
   else
     fill_by_table(row);
+  if (!layer_changes.empty()) {
+    float* luf = row.scratch.floats();
+    std::copy(
+        row.face.luf_mm + row.face.first, row.face.luf_mm + row.face.last, luf + row.face.first);
+    for (const auto& change : layer_changes) change->row(row.face, row.scratch, luf);
+    row.face.luf_mm = luf;
+  }
   Surface face;
   face.first = row.face.first;
   face.last = row.face.last;

@@ -4,10 +4,12 @@
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
 #include "core/simulation/face_curve.h"
+#include "core/simulation/illumination.h"
 #include "core/simulation/pixel_rays.h"
 #include "core/simulation/press.h"
 #include "core/simulation/row_view.h"
 
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -25,6 +27,14 @@ struct MarkerDisc {
   double albedo;
   cv::Point corner;          ///< top left pixel of `coverage`
   cv::Mat_<float> coverage;  ///< part of each pixel that the dot covers
+};
+
+/// Changes the layer's thickness.
+class LayerChange {
+ public:
+  virtual ~LayerChange() = default;
+  /// `luf_mm`: the thickness along z in the face's columns, to be changed.
+  virtual void row(const FaceRow& face, RowScratch& scratch, float* luf_mm) const = 0;
 };
 
 /// The view face of one frame, for a given camera, and what an effect may add to it.
@@ -46,6 +56,8 @@ class FrameGeometry {
 
   std::vector<std::variant<BallPress, ReliefPress>> presses;
   std::vector<MarkerDisc> discs;  ///< by number
+  std::vector<std::shared_ptr<const LayerChange>> layer_changes;
+  Illumination illumination;
 
   /// Fills row.face, the press depth and the view face's surface.
   void fill(RowView& row) const;

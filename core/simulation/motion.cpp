@@ -90,17 +90,16 @@ Status Motion::fits(const std::vector<DegreeOfFreedom>& dofs) const {
   for (const auto& dof : dofs) names.push_back(dof.name);
   for (const Pose& pose : poses_)
     for (const auto& [name, value] : pose) {
-      const auto dof = std::find(names.begin(), names.end(), name);
-      if (dof == names.end())
-        return Error{
-            en::say("the motion moves '{}', but no effect of the scene does", name),
-            where_,
-            names.empty() ? en::say("name `bend` or `sway` among the effects") : one_of(names)};
-      const DegreeOfFreedom& range = dofs[static_cast<std::size_t>(dof - names.begin())];
-      if (value < range.low || value > range.high)
-        return Error{en::say("{} = {:g} is outside the effect's range", name, value),
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        return Error{en::say("the motion moves '{}', but no effect of the scene does", name),
                      where_,
-                     en::say("{:g} to {:g}", range.low, range.high)};
+                     names.empty() ? en::say("name `bend` or `sway` among the effects")
+                                   : one_of(names, name)};
+      for (const DegreeOfFreedom& range : dofs)
+        if (range.name == name && (value < range.low || value > range.high))
+          return Error{en::say("{} = {:g} is outside the effect's range", name, value),
+                       where_,
+                       en::say("{:g} to {:g}", range.low, range.high)};
     }
   if (kind_ != Kind::kPoses && dofs.empty())
     return Error{en::say("the motion has nothing to move"),

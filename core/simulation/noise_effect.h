@@ -14,8 +14,13 @@ class NoiseEffect final : public SensorEffect {
   using Add = void (*)(int n, float strength, const float* normal, float* value);
 
   /// Draws under `who`.
-  NoiseEffect(std::string_view who, double strength, Add add)
-      : strength_(static_cast<float>(strength)), add_(add), noise_(who) {}
+  NoiseEffect(std::string_view who, double strength, Add add, Message sentence = {})
+      : strength_(static_cast<float>(strength)),
+        add_(add),
+        noise_(who),
+        sentence_(std::move(sentence)) {}
+
+  Message sentence() const override { return sentence_; }
 
   void row(const FrameContext& frame, RowView& row) const override {
     float* normal = row.scratch.floats();
@@ -27,6 +32,7 @@ class NoiseEffect final : public SensorEffect {
   float strength_;
   Add add_;
   RowNoise noise_;
+  Message sentence_;
 };
 
 }  // namespace alltact

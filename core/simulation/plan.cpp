@@ -1,9 +1,11 @@
 #include "core/simulation/plan.h"
 
 #include "core/numerics/philox.h"
-#include "core/simulation/scene_content.h"
+#include "core/simulation/frame_plan.h"
 
 #include <limits>
+#include <optional>
+#include <set>
 #include <thread>
 
 namespace alltact {
@@ -23,6 +25,24 @@ void add_up_light(const RowView& row) {
   }
 }
 
+// Calls work(first, last) for all of `rows`, cut into as many parts as there are threads.
+template <class Work>
+void over_rows(int rows, int threads, const Work& work) {
+  const int parts = std::clamp(threads, 1, rows);
+  const auto row_at = [&](int part) { return static_cast<int>(std::int64_t{rows} * part / parts); };
+  std::vector<std::jthread> helpers;
+  for (int part = 1; part < parts; ++part)
+    helpers.emplace_back([&, part] { work(row_at(part), row_at(part + 1)); });
+  work(0, row_at(1));
+}
+
+RadianceRows light_of(const FramePlan& plan, const FrameGeometry& geometry) {
+  RadianceRows light;
+  for (const auto& step : plan.radiance)
+    light.push_back(step.effect->begin(step.context, geometry));
+  return light;
+}
+
 }  // namespace
 
 struct Plan::State {
@@ -33,64 +53,85 @@ struct Plan::State {
   const Scene::Content& content;
   std::uint64_t seed;
   PixelRays rays;
-  std::vector<const GeometryEffect*> geometry;
-  std::vector<const RadianceEffect*> radiance;
-  std::vector<const SensorEffect*> sensor;
-  std::vector<const TransportEffect*> transport;
-  std::vector<DegreeOfFreedom> dofs;
-  bool gives_bytes = false;
+  std::vector<const Scene::Content::Named*> built;  // for some frame, in the order they run
+  struct Frames {
+    int first, last;
+  };
+  std::optional<Frames> without_bytes;  // the first ones that are not of whole grey levels
 
-  void add(const Scene::Content::Named& named);
-  [[nodiscard]] FrameContext context(int frame) const {
-    return {seed, frame, content.motion, content.finger};
-  }
-  [[nodiscard]] FrameGeometry geometry_of(const FrameContext& frame) const;
-  void render_rows(const FrameContext& frame,
+  [[nodiscard]] FramePlan compiled(int frame) const { return {content, seed, frame}; }
+  [[nodiscard]] Status check();
+  [[nodiscard]] Status check(const FramePlan& plan, Frames frames) const;
+  [[nodiscard]] FrameGeometry geometry_of(const FramePlan& plan) const;
+  void render_rows(const FramePlan& plan,
                    const FrameGeometry& geometry,
                    const RadianceRows& light,
                    int first,
                    int last,
                    cv::Mat& picture) const;
+  void render_light(FramePlan plan, int first, int last, cv::Mat_<float>& grey) const;
+  [[nodiscard]] cv::Mat render_in_passes(const FramePlan& plan,
+                                         const FrameGeometry& geometry,
+                                         int threads) const;
 };
 
-void Plan::State::add(const Scene::Content::Named& named) {
-  const Effect* effect = named.effect.get();
-  switch (named.kind->stage) {
-    case Stage::kGeometry:
-      geometry.push_back(static_cast<const GeometryEffect*>(effect));
-      break;
-    case Stage::kRadiance:
-      radiance.push_back(static_cast<const RadianceEffect*>(effect));
-      break;
-    case Stage::kSensor:
-      sensor.push_back(static_cast<const SensorEffect*>(effect));
-      gives_bytes = gives_bytes || sensor.back()->gives_bytes();
-      break;
-    case Stage::kTransport:
-      transport.push_back(static_cast<const TransportEffect*>(effect));
-      break;
+// Stretch by stretch of frames that hold the same effects.
+Status Plan::State::check() {
+  std::set<int> starts{0, content.time.frames};
+  for (const auto& named : content.effects) {
+    starts.insert(named.presence.first);
+    starts.insert(named.presence.end);
   }
-  for (const DegreeOfFreedom& dof : effect->degrees_of_freedom()) dofs.push_back(dof);
+  std::set<const Scene::Content::Named*> seen;
+  for (auto start = starts.begin(); *start < content.time.frames; ++start) {
+    const FramePlan plan = compiled(*start);
+    const Frames frames{*start, *std::next(start) - 1};
+    if (const Status status = check(plan, frames); !status) return status;
+    if (!plan.gives_bytes() && !without_bytes) without_bytes = frames;
+    for (const auto* named : plan.effects()) seen.insert(named);
+  }
+  std::vector<DegreeOfFreedom> dofs;
+  for (const auto& named : content.effects) {
+    if (!seen.contains(&named)) continue;
+    built.push_back(&named);
+    for (const DegreeOfFreedom& dof : named.effect->degrees_of_freedom()) dofs.push_back(dof);
+  }
+  return content.motion.fits(dofs);
 }
 
-FrameGeometry Plan::State::geometry_of(const FrameContext& frame) const {
+Status Plan::State::check(const FramePlan& plan, Frames frames) const {
+  const FramePlan::Facts facts = plan.facts(content);
+  for (const auto* named : plan.effects()) {
+    const Status status = named->effect->fits(facts.scene());
+    if (status) continue;
+    const Message& what = status.error().what;
+    const bool in_all = frames.first == 0 && frames.last == content.time.frames - 1;
+    return Error{in_all ? what : en::say("{}, in frames {} to {}", what, frames.first, frames.last),
+                 named->where,
+                 status.error().advice};
+  }
+  return {};
+}
+
+FrameGeometry Plan::State::geometry_of(const FramePlan& plan) const {
   std::optional<FaceCurve> curve;
   if (content.finger.face.kind == FaceKind::kFinRay) {
     curve.emplace(content.base_mm, content.incline_rad, content.length_mm);
-    for (const GeometryEffect* effect : geometry) effect->shape(frame, *curve);
+    for (const auto& step : plan.geometry) step.effect->shape(step.context, *curve);
     curve->integrate();
   }
   FrameGeometry result(rays, content.finger.face, std::move(curve));
-  for (const GeometryEffect* effect : geometry) effect->place(frame, result);
+  for (const auto& step : plan.geometry) step.effect->place(step.context, result);
   return result;
 }
 
-void Plan::State::render_rows(const FrameContext& frame,
+void Plan::State::render_rows(const FramePlan& plan,
                               const FrameGeometry& geometry_now,
                               const RadianceRows& light,
                               int first,
                               int last,
                               cv::Mat& picture) const {
+  const bool gives_bytes = plan.gives_bytes();
   RowScratch scratch(picture.cols);
   RowView row(picture.cols, scratch);
   for (int v = first; v < last; ++v) {
@@ -101,8 +142,70 @@ void Plan::State::render_rows(const FrameContext& frame,
     geometry_now.fill(row);
     for (const auto& effect : light) effect->row(row);
     add_up_light(row);
-    for (const SensorEffect* effect : sensor) effect->row(frame, row);
+    for (const auto& step : plan.sensor) step.effect->row(step.context, row);
   }
+}
+
+// Adds up the light of every moment of the rows' exposure.
+void Plan::State::render_light(FramePlan plan,
+                               int first,
+                               int last,
+                               cv::Mat_<float>& grey) const {
+  RowScratch scratch(grey.cols);
+  RowView row(grey.cols, scratch);
+  const Exposure& exposure = plan.exposure();
+  const int together = exposure.readout == 0 ? grey.rows : exposure.rows_at_once;
+  const auto share = 1 / static_cast<float>(exposure.moments);
+  for (int top = first; top < last;) {
+    const int band = top / together * together;  // the same with any number of threads
+    const int end = std::min(band + together, grey.rows), bottom = std::min(end, last);
+    for (int i = 0; i < exposure.moments; ++i) {
+      plan.move_to(exposure.moment_of((band + end - 1) / 2.0, grey.rows) + exposure.offset_of(i));
+      const FrameGeometry geometry_now = geometry_of(plan);
+      const RadianceRows light = light_of(plan, geometry_now);
+      for (int v = top; v < bottom; ++v) {
+        scratch.rewind();
+        row.v = v;
+        row.value = scratch.floats();
+        geometry_now.fill(row);
+        for (const auto& effect : light) effect->row(row);
+        add_up_light(row);
+        float* sum = grey[v];
+        for (int u = 0; u < grey.cols; ++u) sum[u] += share * row.value[u];
+      }
+    }
+    top = bottom;
+  }
+}
+
+cv::Mat Plan::State::render_in_passes(const FramePlan& plan,
+                                      const FrameGeometry& geometry_now,
+                                      int threads) const {
+  const cv::Size size = rays.camera().size();
+  cv::Mat_<float> grey = cv::Mat_<float>::zeros(size);
+  over_rows(
+      size.height, threads, [&](int first, int last) { render_light(plan, first, last, grey); });
+  cv::Mat bytes;
+  if (plan.gives_bytes()) bytes.create(size, CV_8UC1);
+  for (auto from = plan.sensor.begin();;) {
+    const auto whole = std::find_if(
+        from, plan.sensor.end(), [](const auto& step) { return step.effect->needs_picture(); });
+    over_rows(size.height, threads, [&](int first, int last) {
+      RowScratch scratch(size.width);
+      RowView row(size.width, scratch);
+      for (int v = first; v < last; ++v) {
+        scratch.rewind();
+        row.v = v;
+        row.value = grey[v];
+        row.bytes = plan.gives_bytes() ? bytes.ptr<std::uint8_t>(v) : nullptr;
+        std::for_each(from, whole, [&](const auto& step) { step.effect->row(step.context, row); });
+      }
+    });
+    if (whole == plan.sensor.end()) break;
+    whole->effect->picture(whole->context, geometry_now, grey);
+    from = whole + 1;
+  }
+  return plan.gives_bytes() ? bytes : grey;
 }
 
 Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
@@ -115,25 +218,17 @@ Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
   // The noise of a recording must not be that of the press that is compared with it.
   seed ^= std::uint64_t{fnv1a(content.name)} << 32;
   auto state = std::make_shared<State>(scene, seed, *camera);
-  std::vector<std::string> names;
-  for (const auto& named : content.effects) names.push_back(named.kind->name);
-  const SceneFacts facts{content.finger, content.length_mm, names};
-  for (const auto& named : content.effects) {
-    if (const Status status = named.effect->fits(facts); !status)
-      return Error{status.error().what, named.where, status.error().advice};
-    state->add(named);
-  }
-  if (const Status status = content.motion.fits(state->dofs); !status) return status.error();
+  if (const Status status = state->check(); !status) return status.error();
   Plan plan;
   plan.state_ = std::move(state);
   return plan;
 }
 
 int Plan::frame_count() const {
-  return state_->content.frame_count;
+  return state_->content.time.frames;
 }
 double Plan::frames_per_s() const {
-  return state_->content.frames_per_s;
+  return state_->content.time.frames_per_s;
 }
 const Finger& Plan::finger() const {
   return state_->content.finger;
@@ -141,15 +236,35 @@ const Finger& Plan::finger() const {
 
 std::vector<std::string> Plan::effects() const {
   std::vector<std::string> names;
-  for (const auto& named : state_->content.effects) names.push_back(named.kind->name);
+  for (const auto* named : state_->built) names.push_back(named->name);
   return names;
 }
 
+std::vector<std::string> Plan::effects(int frame) const {
+  std::vector<std::string> names;
+  for (const auto* named : state_->compiled(frame).effects()) names.push_back(named->name);
+  return names;
+}
+
+std::vector<Plan::Entry> Plan::entries() const {
+  std::vector<Entry> entries;
+  for (const auto* named : state_->built)
+    entries.push_back(
+        {named->name, named->effect->sentence(), named->presence.first, named->presence.end - 1});
+  return entries;
+}
+
 Status Plan::check_grey_levels(const std::string& scene_file) const {
-  if (state_->gives_bytes) return {};
-  return Error{en::say("its camera does not give whole grey levels"),
-               scene_file,
-               en::say("name the effect quantisation too")};
+  if (!state_->without_bytes) return {};
+  const auto [first, last] = *state_->without_bytes;
+  if (first == 0 && last == frame_count() - 1)
+    return Error{en::say("its camera does not give whole grey levels"),
+                 scene_file,
+                 en::say("name the effect quantisation too")};
+  return Error{
+      en::say("its camera does not give whole grey levels in frames {} to {}", first, last),
+      scene_file,
+      en::say("name the effect quantisation for all frames")};
 }
 
 cv::Mat Plan::render(int frame, int threads) const {
@@ -157,40 +272,35 @@ cv::Mat Plan::render(int frame, int threads) const {
 }
 
 Arrival Plan::arrival(int frame) const {
-  const FrameContext context = state_->context(frame);
   Arrival arrival;
-  for (const TransportEffect* effect : state_->transport) effect->arrival(context, arrival);
+  for (const auto& step : state_->compiled(frame).transport)
+    step.effect->arrival(step.context, arrival);
   return arrival;
 }
 
 SentPicture Plan::send(int frame, int threads) const {
   const State& s = *state_;
-  const FrameContext context = s.context(frame);
-  const FrameGeometry geometry = s.geometry_of(context);
-  RadianceRows light;
-  for (const RadianceEffect* effect : s.radiance) light.push_back(effect->begin(context, geometry));
-
-  cv::Mat picture(s.rays.camera().size(), s.gives_bytes ? CV_8UC1 : CV_32FC1);
-  const int parts = std::clamp(threads, 1, picture.rows);
-  const auto render_part = [&](int part) {
-    const auto row_at = [&](int p) {
-      return static_cast<int>(std::int64_t{picture.rows} * p / parts);
-    };
-    s.render_rows(context, geometry, light, row_at(part), row_at(part + 1), picture);
-  };
-  std::vector<std::jthread> helpers;
-  for (int part = 1; part < parts; ++part) helpers.emplace_back(render_part, part);
-  render_part(0);
-  helpers.clear();
+  const FramePlan plan = s.compiled(frame);
+  const FrameGeometry geometry = s.geometry_of(plan);
+  cv::Mat picture;
+  if (plan.in_passes()) {
+    picture = s.render_in_passes(plan, geometry, threads);
+  } else {
+    const RadianceRows light = light_of(plan, geometry);
+    picture.create(s.rays.camera().size(), plan.gives_bytes() ? CV_8UC1 : CV_32FC1);
+    over_rows(picture.rows, threads, [&](int first, int last) {
+      s.render_rows(plan, geometry, light, first, last, picture);
+    });
+  }
   SentPicture sent{std::move(picture), nullptr};
-  for (const TransportEffect* effect : s.transport) effect->picture(context, sent);
+  for (const auto& step : plan.transport) step.effect->picture(step.context, sent);
   return sent;
 }
 
 Truth Plan::truth(int frame) const {
   const State& s = *state_;
-  const FrameContext context = s.context(frame);
-  const FrameGeometry geometry = s.geometry_of(context);
+  const FramePlan plan = s.compiled(frame);
+  const FrameGeometry geometry = s.geometry_of(plan);
   const cv::Size size = s.rays.camera().size();
   constexpr float kOff = std::numeric_limits<float>::quiet_NaN();
   Truth truth;
@@ -215,8 +325,11 @@ Truth Plan::truth(int frame) const {
     truth.markers.push_back({disc.centre_px.x(), disc.centre_px.y(), disc.visible});
   for (const auto& press : geometry.presses)
     if (const auto* ball = std::get_if<BallPress>(&press))
-      truth.ball = Truth::Ball{ball->centre_mm, ball->radius_mm, ball->place.depth_mm};
-  for (const DegreeOfFreedom& dof : s.dofs) truth.pose[dof.name] = context(dof);
+      truth.balls.push_back({ball->centre_mm, ball->radius_mm, ball->place.depth_mm});
+  if (!truth.balls.empty()) truth.ball = truth.balls.front();
+  for (const auto& step : plan.geometry)
+    for (const DegreeOfFreedom& dof : step.effect->degrees_of_freedom())
+      truth.pose[dof.name] = step.context(dof);
   return truth;
 }
 

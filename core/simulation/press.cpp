@@ -35,6 +35,7 @@ double ball_depth(const BallPress& press, const Eigen::Vector3d& luf) {
       if (d > 0 && along * along + across2 <= contact * contact) return d;
     }
   }
+  if (press.profile_mm.empty()) return 0;
   double d = press.profile_at(std::hypot(a, y)) / upright;
   for (int i = 0; i < 6; ++i) {
     const double along = a - d * tilt;
@@ -73,7 +74,6 @@ BallPress make_ball_press(const PressPlace& place, double radius_mm) {
   const double depth = place.normal_depth_mm();
   press.contact_radius_mm = radius_mm;
   press.rim_mm = std::sqrt(depth * (2 * radius_mm - depth));
-  press.profile_mm.assign(static_cast<std::size_t>(press.rim_mm / BallPress::kStep_mm) + 3, 0.0F);
   return press;
 }
 

@@ -33,14 +33,16 @@ struct BallPress {
   /// face lies on the ball nowhere.
   double contact_radius_mm = 0;
   double rim_mm = 0;  ///< where the contact ends, whatever the face does there
-  /// Normal depth off the ball at r = i * kStep; 0 beyond its end. Negative: bulged.
+  /// Normal depth off the ball at r = i * kStep; 0 beyond its end. Negative: bulged. Empty where the
+  /// face leaves the ball as if cut.
   std::vector<float> profile_mm;
   static constexpr double kStep_mm = 0.005;
 
   [[nodiscard]] double profile_at(double r_mm) const;
   [[nodiscard]] double ball_profile(double r_mm) const;  ///< of the ball alone, r <= radius
   [[nodiscard]] double reach_mm() const {
-    return static_cast<double>(profile_mm.size()) * kStep_mm;
+    return profile_mm.empty() ? rim_mm + 3 * kStep_mm
+                              : static_cast<double>(profile_mm.size()) * kStep_mm;
   }
 };
 

@@ -2,11 +2,12 @@
 
 #include "core/either.h"
 #include "core/io/atomic_file.h"
+#include "core/numerics/philox.h"
 #include "core/printable.h"
 #include "core/simulation/scene_content.h"
 
+#include <map>
 #include <numbers>
-#include <set>
 
 namespace alltact {
 
@@ -67,24 +68,60 @@ void read_untouched(YamlSection section, Scene::Content& content) {
   content.length_mm = section.number("length_mm", {1, 1000});
 }
 
-void read_effects(YamlSection& scene, Scene::Content& content) {
-  std::set<std::string> seen;
-  for (YamlSection& section : scene.sections("effects")) {
-    const std::string use = section.text("use");
-    const auto kinds = effect_kinds();
-    const auto kind =
-        std::find_if(kinds.begin(), kinds.end(), [&](const auto* k) { return k->name == use; });
-    if (kind == kinds.end()) {
-      std::vector<std::string> names;
-      for (const auto* k : kinds) names.push_back(k->name);
-      std::sort(names.begin(), names.end());
-      section.refuse("use", en::say("there is no effect '{}'", printable(use)), one_of(names, use));
-    }
-    if (!seen.insert(use).second)
+const EffectKind* read_kind(YamlSection& section) {
+  const std::string use = section.text("use");
+  const auto kinds = effect_kinds();
+  const auto kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](const auto* k) { return k->name == use; });
+  if (kind != kinds.end()) return *kind;
+  std::vector<std::string> names;
+  for (const auto* k : kinds) names.push_back(k->name);
+  std::sort(names.begin(), names.end());
+  section.refuse("use", en::say("there is no effect '{}'", printable(use)), one_of(names, use));
+}
+
+// Two of what there can be only one of at a time.
+void check_alone(const YamlSection& section,
+                 const Scene::Content::Named& named,
+                 const Scene::Content& content) {
+  if (named.effect->may_be_several()) return;
+  const std::string& use = named.kind->name;
+  for (const auto& other : content.effects) {
+    if (other.kind != named.kind || !named.presence.overlaps(other.presence)) continue;
+    const int first = std::max(named.presence.first, other.presence.first);
+    const int end = std::min(named.presence.end, other.presence.end);
+    if (first == 0 && end == content.time.frames)
       section.refuse(
           "use", en::say("the effect '{}' is named twice", use), en::say("remove one of them"));
-    section.rename(use);
-    content.effects.push_back({*kind, (*kind)->make(section), section.where("")});
+    section.refuse(
+        "use",
+        en::say("the effect '{}' is named twice for frames {} to {}", use, first, end - 1),
+        en::say("let one end with 'until' before the other begins with 'from'"));
+  }
+}
+
+// Draws of its own for the second of a kind and on; the first draws as if it were alone.
+std::uint64_t stream_of(const std::string& name, int number) {
+  if (number == 1) return 0;
+  const PhiloxCounter bits =
+      philox({static_cast<std::uint32_t>(number), 0, 0, 0}, {fnv1a(name), fnv1a("number")});
+  return std::uint64_t{bits[0]} << 32 | bits[1];
+}
+
+void read_effects(YamlSection& scene, Scene::Content& content) {
+  std::map<const EffectKind*, int> numbers;
+  for (YamlSection& section : scene.sections("effects")) {
+    const EffectKind* kind = read_kind(section);
+    const int number = ++numbers[kind];
+    section.rename(number == 1 ? kind->name : fmt::format("{}#{}", kind->name, number));
+    const Scene::Content::Named named{kind,
+                                      section.name(),
+                                      Presence::read(section, content.time),
+                                      stream_of(kind->name, number),
+                                      kind->make(section),
+                                      section.where("")};
+    check_alone(section, named, content);
+    content.effects.push_back(named);
   }
   std::stable_sort(
       content.effects.begin(), content.effects.end(), [](const auto& a, const auto& b) {
@@ -102,8 +139,7 @@ std::string read_sentence(YamlSection& scene, const char* key) {
 void read_scene(YamlSection& scene, Scene::Content& content) {
   content.name = read_sentence(scene, "name");
   content.why = read_sentence(scene, "why");
-  content.frame_count = scene.whole_number_or("frames", 1, 1, 1000000);
-  content.frames_per_s = scene.number_or("frames_per_s", 30, {0.1, 10000});
+  content.time = TimeLine::of(scene);
   YamlSection finger = scene.section("finger");
   content.finger.name = content.name;
   content.finger.camera = read_camera(finger.section("camera"));

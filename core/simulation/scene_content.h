@@ -5,6 +5,7 @@
 #include "core/simulation/effect.h"
 #include "core/simulation/motion.h"
 #include "core/simulation/scene.h"
+#include "core/simulation/time_line.h"
 
 #include <memory>
 #include <string>
@@ -17,8 +18,7 @@ namespace alltact {
 struct Scene::Content {
   std::string name, why;
   Finger finger;  // camera, face, markers; nothing calibrated
-  int frame_count = 1;
-  double frames_per_s = 30;
+  TimeLine time;
 
   // Of the untouched finger, Fin Ray only: the view face's middle line starts at `base_mm`, makes
   // `incline_rad` with x and is `length_mm` long.
@@ -29,6 +29,9 @@ struct Scene::Content {
   Motion motion;
   struct Named {
     const EffectKind* kind;
+    std::string name;  // the kind's; the second of a kind is "ball#2", and so on
+    Presence presence;
+    std::uint64_t stream;  // makes the seed of its draws of the scene's; 0 for the first of a kind
     std::shared_ptr<const Effect> effect;
     std::string where;  // in the file, for errors
   };

@@ -1,24 +1,63 @@
 #include "core/simulation/varying.h"
 
 #include "core/numerics/philox.h"
+#include "core/simulation/time_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace alltact {
 
 Varying Varying::read(YamlSection& section, const std::string& key, Limits limits) {
   Varying varying;
-  if (section.has_list(key)) {
+  if (section.has_sections(key)) {
+    varying.read_key_frames(section, key, limits);
+  } else if (section.has_list(key)) {
     varying.values_ = section.numbers(key, limits);
     if (varying.values_.empty())
       section.refuse(key, en::say("the list is empty"), en::say("one number a frame"));
   } else if (section.has_section(key)) {
     const DegreeOfFreedom range = DegreeOfFreedom::read(section, key, limits);
     varying.values_ = {range.low, range.high};
-    varying.is_range_ = true;
+    varying.kind_ = Kind::kRange;
     varying.who_ = section.name().empty() ? key : section.name() + "." + key;
   } else {
     varying.values_ = {section.number(key, limits)};
   }
   return varying;
+}
+
+void Varying::read_key_frames(YamlSection& section, const std::string& key, Limits limits) {
+  kind_ = Kind::kKeyFrames;
+  values_.clear();
+  const TimeLine time = TimeLine::of(section);
+  frames_ = time.frames;
+  for (YamlSection& given : section.sections(key)) {
+    const double at = time.point(given, "at");
+    values_.push_back(given.number("is", limits));
+    const bool is_smooth = given.has("by") && given.choice("by", {"straight", "smooth"}) == 1;
+    if (!ways_.empty() && at == ways_.back().at)
+      given.refuse("at",
+                   en::say("the key frame before it stands there too"),
+                   en::say("a later time, or leave one of the two out"));
+    if (!ways_.empty() && at < ways_.back().at)
+      given.refuse("at",
+                   en::say("the key frame before it is a later one"),
+                   en::say("key frames in the order of their times"));
+    ways_.push_back({at, is_smooth});
+  }
+}
+
+double Varying::between_key_frames(double frame) const {
+  const auto next = std::upper_bound(
+      ways_.begin(), ways_.end(), frame, [](double f, const Way& way) { return f < way.at; });
+  const auto i = static_cast<std::size_t>(next - ways_.begin());
+  if (i == 0) return values_.front();
+  if (i == ways_.size()) return values_.back();
+  const double t = (frame - ways_[i - 1].at) / (ways_[i].at - ways_[i - 1].at);
+  const double share = ways_[i].is_smooth ? 0.5 - 0.5 * std::cos(std::numbers::pi * t) : t;
+  return values_[i - 1] + (values_[i] - values_[i - 1]) * share;
 }
 
 Varying Varying::read_or(YamlSection& section,
@@ -29,7 +68,8 @@ Varying Varying::read_or(YamlSection& section,
 }
 
 double Varying::at(std::uint64_t seed, int frame) const {
-  if (!is_range_) return values_[static_cast<std::size_t>(frame) % values_.size()];
+  if (kind_ == Kind::kList) return values_[static_cast<std::size_t>(frame) % values_.size()];
+  if (kind_ == Kind::kKeyFrames) return between_key_frames(frame % frames_);
   return values_[0] + (values_[1] - values_[0]) *
                           philox_uniform(seed, who_, static_cast<std::uint32_t>(frame), 0);
 }

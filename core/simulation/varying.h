@@ -9,8 +9,16 @@
 
 namespace alltact {
 
-/// A number that may differ from frame to frame: `3`, a list `[3, 4, 5]` (frame i takes entry
-/// i modulo its length), or a range `{from: 3, to: 5}` from which each frame draws its own.
+/// A number that may differ from frame to frame:
+///   3                     always the same;
+///   [3, 4, 5]             frame i takes entry i modulo its length;
+///   {from: 3, to: 5}      each frame draws its own from this range;
+///   - {at: 0 s, is: 40}   key frames: `is` is the value at the point in time `at`, a frame or
+///   - {at: 2 s, is: 74, by: smooth}   seconds. `by` says how it gets there from the key frame
+///                         before: straight (unless said), or smooth, which sets out and arrives
+///                         softly, along half a cosine. Before the first key frame and after the
+///                         last one the value stays.
+/// A scene that is played without end goes through its key frames again each time.
 class Varying {
  public:
   explicit Varying(double constant = 0) : values_{constant} {}
@@ -27,9 +35,19 @@ class Varying {
   [[nodiscard]] double greatest() const;
 
  private:
+  enum class Kind { kList = 1, kRange, kKeyFrames };
+  struct Way {
+    double at;       // frames
+    bool is_smooth;  // on the way here from the one before
+  };
+  void read_key_frames(YamlSection& section, const std::string& key, Limits limits);
+  [[nodiscard]] double between_key_frames(double frame) const;
+
+  Kind kind_ = Kind::kList;
   std::vector<double> values_;  // of a range: its two ends
-  bool is_range_ = false;
-  std::string who_;  // draws under this name, whatever else the scene holds
+  std::vector<Way> ways_;       // of key frames: to each of the values
+  int frames_ = 1;              // of key frames: the scene's
+  std::string who_;             // draws under this name, whatever else the scene holds
 };
 
 /// Something of the finger that a motion can move, declared by the effect that does it.

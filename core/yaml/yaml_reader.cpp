@@ -79,6 +79,13 @@ YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string nam
   }
 }
 
+YamlSection::YamlSection(YamlFile& file, std::shared_ptr<YamlFile::Section> section)
+    : file_(&file), here_(std::move(section)) {}
+
+YamlSection YamlSection::top() const {
+  return {*file_, file_->sections_.front()};
+}
+
 std::string YamlSection::full_name(const std::string& key) const {
   return name().empty() || key.empty() ? name() + key : name() + "." + key;
 }
@@ -125,6 +132,12 @@ bool YamlSection::has_list(const std::string& key) const {
 bool YamlSection::has_section(const std::string& key) const {
   const Entry* entry = find(key);
   return entry != nullptr && entry->value.IsMap();
+}
+
+bool YamlSection::has_sections(const std::string& key) const {
+  const Entry* entry = find(key);
+  return entry != nullptr && entry->value.IsSequence() && entry->value.size() > 0 &&
+         entry->value[0].IsMap();
 }
 
 std::vector<std::string> YamlSection::keys() const {

@@ -34,6 +34,8 @@ class YamlSection {
   [[nodiscard]] bool has(const std::string& key) const;
   [[nodiscard]] bool has_list(const std::string& key) const;
   [[nodiscard]] bool has_section(const std::string& key) const;
+  /// A list that begins with a section.
+  [[nodiscard]] bool has_sections(const std::string& key) const;
   /// All keys, for sections whose keys are names.
   [[nodiscard]] std::vector<std::string> keys() const;
 
@@ -69,6 +71,8 @@ class YamlSection {
   /// "file:line: section.key", as errors say it; of the whole section where `key` is empty.
   [[nodiscard]] std::string where(const std::string& key) const;
   [[nodiscard]] const YamlFile& file() const { return *file_; }
+  /// The top of the file, for what a part has to know of the whole.
+  [[nodiscard]] YamlSection top() const;
   /// "camera.port"; empty for the top of the file.
   [[nodiscard]] const std::string& name() const;
   /// What messages call this section from now on, and the names of those in it.
@@ -78,6 +82,7 @@ class YamlSection {
   friend class YamlFile;
   struct Entry;
   YamlSection(YamlFile& file, const YAML::Node& node, std::string name, int line);
+  YamlSection(YamlFile& file, std::shared_ptr<YamlFile::Section> section);
   [[nodiscard]] const Entry* find(const std::string& key) const;
   [[nodiscard]] Entry& required(const std::string& key);
   [[nodiscard]] const YAML::Node& list(const std::string& key);

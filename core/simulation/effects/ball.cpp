@@ -15,6 +15,9 @@ class Ball final : public GeometryEffect {
         y_(Varying::read(p, "y_mm", {-1000, 1000})),
         give_(p) {}
 
+  Message sentence() const override { return en::say("A ball is pressed into the face"); }
+  bool may_be_several() const override { return true; }
+
   Status fits(const SceneFacts& scene) const override {
     if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
     if (depth_.greatest() >= radius_.least())
@@ -42,9 +45,11 @@ class Ball final : public GeometryEffect {
 
 const EffectKind& effect_ball() {
   static const EffectKind kKind{
-      "ball", Stage::kGeometry, 30, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Ball>(p);
-      }};
+      "ball",
+      Stage::kGeometry,
+      30,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Ball>(p); },
+      "radius_mm: 4, s_mm: 50, y_mm: 0, depth_mm: 0.9"};
   return kKind;
 }
 

@@ -45,6 +45,8 @@ class Bulge final : public GeometryEffect {
       : share_(p.number("share", strength_up_to(0.5))),
         width_mm_(p.number("width_mm", strength_up_to(20))) {}
 
+  Message sentence() const override { return en::say("The layer swells around what presses"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("ball") && !scene.names("relief"))
       return Error{
@@ -65,9 +67,12 @@ class Bulge final : public GeometryEffect {
 
 const EffectKind& effect_bulge() {
   static const EffectKind kKind{
-      "bulge", Stage::kGeometry, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Bulge>(p);
-      }};
+      "bulge",
+      Stage::kGeometry,
+      50,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Bulge>(p); },
+      "share: 0.03, width_mm: 1.5",
+      {"ball"}};
   return kKind;
 }
 

@@ -13,6 +13,9 @@ class Drop final : public TransportEffect {
       : share_(p.number("share", {0, 1, true, true, true})),
         run_(p.whole_number_or("run", 1, 1, 1000)) {}
 
+  Message sentence() const override { return en::say("Frames get lost on their way"); }
+  bool may_be_several() const override { return true; }
+
   void arrival(const FrameContext& frame, Arrival& arrival) const override {
     for (int first = std::max(0, frame.frame - run_ + 1); first <= frame.frame; ++first)
       if (philox_uniform(frame.seed, "drop", static_cast<std::uint32_t>(first), 0) < share_)
@@ -28,9 +31,11 @@ class Drop final : public TransportEffect {
 
 const EffectKind& effect_drop() {
   static const EffectKind kKind{
-      "drop", Stage::kTransport, 60, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Drop>(p);
-      }};
+      "drop",
+      Stage::kTransport,
+      60,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Drop>(p); },
+      "share: 0.01"};
   return kKind;
 }
 

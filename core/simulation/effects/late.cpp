@@ -13,6 +13,9 @@ class Late final : public TransportEffect {
       : share_(p.number("share", strength_up_to(1))),
         by_ms_(Varying::read(p, "by_ms", strength_up_to(60000))) {}
 
+  Message sentence() const override { return en::say("Frames come late"); }
+  bool may_be_several() const override { return true; }
+
   void arrival(const FrameContext& frame, Arrival& arrival) const override {
     const auto number = static_cast<std::uint32_t>(frame.frame);
     if (philox_uniform(frame.seed, "late", number, 0) < share_) arrival.late_ms += frame(by_ms_);
@@ -27,9 +30,11 @@ class Late final : public TransportEffect {
 
 const EffectKind& effect_late() {
   static const EffectKind kKind{
-      "late", Stage::kTransport, 70, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Late>(p);
-      }};
+      "late",
+      Stage::kTransport,
+      70,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Late>(p); },
+      "share: 0.1, by_ms: 40"};
   return kKind;
 }
 

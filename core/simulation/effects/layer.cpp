@@ -30,6 +30,10 @@ class Layer final : public RadianceEffect {
         absorb_per_mm_(p.number_or("absorb_per_mm", 0, strength_up_to(100))),
         along_z_(p.choice("along", {"normal", "z"}) == 1) {}
 
+  Message sentence() const override {
+    return en::say("The layer over the black coat is darker where it is thinner");
+  }
+
   std::unique_ptr<const Rows> begin(const FrameContext&,
                                     const FrameGeometry& geometry) const override {
     if (absorb_per_mm_ == 0) return std::make_unique<Scattering>(*this);
@@ -110,9 +114,11 @@ class Layer final : public RadianceEffect {
 
 const EffectKind& effect_layer() {
   static const EffectKind kKind{
-      "layer", Stage::kRadiance, 10, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Layer>(p);
-      }};
+      "layer",
+      Stage::kRadiance,
+      10,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Layer>(p); },
+      "scatter_per_mm: 0.6, along: normal"};
   return kKind;
 }
 

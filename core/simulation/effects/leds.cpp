@@ -1,8 +1,10 @@
 // White LEDs near the camera: each lights a point by power * cos(incidence) / distance^2, in grey
 // levels of a perfectly white surface. A lamp with `aim_mm` shines along the way there, weaker
-// beside it by cos^lobe of the angle.
+// beside it by cos^lobe of the angle. What other effects do to the lamps and to their light stands
+// in the frame's Illumination.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
+#include "core/simulation/vector_math.h"
 
 namespace alltact {
 
@@ -29,23 +31,63 @@ ALLTACT_WIDE void shine(const Surface& s, const Lamp& lamp, float* __restrict su
   }
 }
 
-ALLTACT_WIDE void shine_aimed(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+// For a lobe of 2^kSquarings, known when compiled, so that the loop computes that one and no other.
+template <int kSquarings>
+[[gnu::always_inline]] inline void shine_by_lobe(const Surface& s,
+                                                 const Lamp& lamp,
+                                                 float* __restrict sum) {
   const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
   const float* __restrict nx = s.normal_x, * __restrict ny = s.normal_y, * __restrict nz = s.normal_z;
   const float lx = lamp.x, ly = lamp.y, lz = lamp.z, power = lamp.power;
   const float ax = lamp.aim_x, ay = lamp.aim_y, az = lamp.aim_z;
-  // lobe 1, 2, 4 or 8: one of these is 1, the others 0, so that the loop has no branch.
-  const float w1 = lamp.squarings == 0, w2 = lamp.squarings == 1;
-  const float w4 = lamp.squarings == 2, w8 = lamp.squarings == 3;
   for (int u = s.first; u < s.last; ++u) {
     const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
     const float r2 = dx * dx + dy * dy + dz * dz;
     const float r = std::sqrt(r2);
     const float facing = nx[u] * dx + ny[u] * dy + nz[u] * dz;
-    const float c = std::max(-(ax * dx + ay * dy + az * dz) / r, 0.0F);
-    const float c2 = c * c, c4 = c2 * c2, c8 = c4 * c4;
-    const float lobe = w1 * c + w2 * c2 + w4 * c4 + w8 * c8;
+    float lobe = std::max(-(ax * dx + ay * dy + az * dz) / r, 0.0F);
+    for (int i = 0; i < kSquarings; ++i) lobe *= lobe;
     sum[u] += power * lobe * std::max(facing, 0.0F) / (r2 * r);
+  }
+}
+
+ALLTACT_WIDE void shine_lobe_1(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  shine_by_lobe<0>(s, lamp, sum);
+}
+ALLTACT_WIDE void shine_lobe_2(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  shine_by_lobe<1>(s, lamp, sum);
+}
+ALLTACT_WIDE void shine_lobe_4(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  shine_by_lobe<2>(s, lamp, sum);
+}
+ALLTACT_WIDE void shine_lobe_8(const Surface& s, const Lamp& lamp, float* __restrict sum) {
+  shine_by_lobe<3>(s, lamp, sum);
+}
+
+// What a lamp needs and no more: without a lobe none is computed.
+void shine_as_aimed(const Surface& s, const Lamp& lamp, float* sum) {
+  constexpr std::array kByLobe{shine_lobe_1, shine_lobe_2, shine_lobe_4, shine_lobe_8};
+  if (lamp.aimed)
+    kByLobe[static_cast<std::size_t>(lamp.squarings)](s, lamp, sum);
+  else
+    shine(s, lamp, sum);
+}
+
+// What is left of the light of one lamp on its way through the clear body to the surface and on to
+// the camera. `spread` is 0 for an orthographic camera, whose rays run along z, else 1.
+ALLTACT_WIDE void absorb_on_the_way(const Surface& s,
+                                    const Lamp& lamp,
+                                    float per_mm,
+                                    float spread,
+                                    const float* __restrict light,
+                                    float* __restrict sum) {
+  const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
+  const float lx = lamp.x, ly = lamp.y, lz = lamp.z;
+  for (int u = s.first; u < s.last; ++u) {
+    const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
+    const float there = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const float back = std::sqrt(spread * (x[u] * x[u] + y[u] * y[u]) + z[u] * z[u]);
+    sum[u] += light[u] * vector_exp(-per_mm * (there + back));
   }
 }
 
@@ -57,26 +99,50 @@ class Leds final : public RadianceEffect {
       p.refuse("lamps", en::say("there is no lamp"), en::say("- {{at_mm: [x, y, z], power: p}}"));
   }
 
-  std::unique_ptr<const Rows> begin(const FrameContext&, const FrameGeometry&) const override {
-    return std::make_unique<LedRows>(*this);
+  Message sentence() const override { return en::say("Lamps light the finger"); }
+
+  int lamp_count() const override { return static_cast<int>(lamps_.size()); }
+
+  std::unique_ptr<const Rows> begin(const FrameContext&,
+                                    const FrameGeometry& geometry) const override {
+    const Illumination& now = geometry.illumination;
+    std::vector<Lamp> lamps = lamps_;
+    for (std::size_t i = 0; i < lamps.size(); ++i)
+      lamps[i].power *= static_cast<float>(now.share_of(static_cast<int>(i)));
+    return std::make_unique<LedRows>(
+        std::move(lamps), now, geometry.rays().camera().is_perspective());
   }
 
  private:
   class LedRows final : public Rows {
    public:
-    explicit LedRows(const Leds& leds) : leds_(leds) {}
+    LedRows(std::vector<Lamp> lamps, const Illumination& now, bool perspective)
+        : lamps_(std::move(lamps)),
+          room_level_(static_cast<float>(now.room_level)),
+          absorb_per_mm_(static_cast<float>(now.absorb_per_mm)),
+          spread_(perspective ? 1.0F : 0.0F) {}
+
     void row(RowView& row) const override {
       float* sum = row.scratch.floats();
+      float* one = absorb_per_mm_ > 0 ? row.scratch.floats() : nullptr;
       for (const Surface& surface : row.surfaces) {
-        std::fill(sum + surface.first, sum + surface.last, 0.0F);
-        for (const Lamp& lamp : leds_.lamps_)
-          lamp.aimed ? shine_aimed(surface, lamp, sum) : shine(surface, lamp, sum);
+        std::fill(sum + surface.first, sum + surface.last, room_level_);
+        for (const Lamp& lamp : lamps_) {
+          if (!one) {
+            shine_as_aimed(surface, lamp, sum);
+            continue;
+          }
+          std::fill(one + surface.first, one + surface.last, 0.0F);
+          shine_as_aimed(surface, lamp, one);
+          absorb_on_the_way(surface, lamp, absorb_per_mm_, spread_, one, sum);
+        }
         for (int u = surface.first; u < surface.last; ++u) surface.light[u] *= sum[u];
       }
     }
 
    private:
-    const Leds& leds_;
+    std::vector<Lamp> lamps_;
+    float room_level_, absorb_per_mm_, spread_;
   };
 
   static Lamp read_lamp(YamlSection& section) {
@@ -113,9 +179,12 @@ class Leds final : public RadianceEffect {
 
 const EffectKind& effect_leds() {
   static const EffectKind kKind{
-      "leds", Stage::kRadiance, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Leds>(p);
-      }};
+      "leds",
+      Stage::kRadiance,
+      50,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Leds>(p); },
+      "lamps: [{at_mm: [0, 3, 0], power: 540000}, {at_mm: [4, 0, -20], power: 3300000, "
+      "aim_mm: [71, 0, 93], lobe: 8}]"};
   return kKind;
 }
 

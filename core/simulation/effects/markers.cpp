@@ -1,5 +1,7 @@
 // Dots engraved in both side faces, `setback_mm` behind the face's edge (along the face's normal,
-// towards the camera), evenly from `first` to `last` (fractions of the length).
+// towards the camera), evenly from `first` to `last` (fractions of the length). With
+// `last_radius_mm` their radius goes evenly from radius_mm at the first to that at the last, so
+// that those far from the camera do not get too small to see.
 #include "core/simulation/coverage.h"
 #include "core/simulation/effect.h"
 
@@ -18,14 +20,21 @@ class Markers final : public GeometryEffect {
         setback_mm_(p.number("setback_mm", strength_up_to(100))),
         first_(p.number("first", {0, 1})),
         last_(p.number("last", {0, 1})),
-        albedo_(p.number("albedo", {0, 1})) {
+        albedo_(p.number("albedo", {0, 1})),
+        last_radius_mm_(p.number_or("last_radius_mm", radius_mm_, strength_up_to(20))) {
     if (!(first_ < last_))
       p.refuse("first", en::say("'first' is not below 'last'"), en::say("e.g. 0.1 and 0.9"));
     if (radius_mm_ >= setback_mm_)
       p.refuse("radius_mm",
                en::say("the dots would cut the face's edge"),
                en::say("less than setback_mm"));
+    if (last_radius_mm_ >= setback_mm_)
+      p.refuse("last_radius_mm",
+               en::say("the dots would cut the face's edge"),
+               en::say("less than setback_mm"));
   }
+
+  Message sentence() const override { return en::say("Dots are engraved in the side faces"); }
 
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.markers.per_row < 2)
@@ -44,12 +53,14 @@ class Markers final : public GeometryEffect {
     for (const int side : {-1, 1})
       for (int i = 0; i < n; ++i) {
         const double fraction = first_ + (last_ - first_) * i / (n - 1);
-        geometry.discs.push_back(disc(geometry, fraction * geometry.curve()->length_mm(), side));
+        const double radius = radius_mm_ + (last_radius_mm_ - radius_mm_) * i / (n - 1);
+        geometry.discs.push_back(
+            disc(geometry, fraction * geometry.curve()->length_mm(), side, radius));
       }
   }
 
  private:
-  MarkerDisc disc(const FrameGeometry& geometry, double s_mm, int side) const {
+  MarkerDisc disc(const FrameGeometry& geometry, double s_mm, int side, double radius_mm) const {
     const FaceCurve::Node p = geometry.curve()->at(s_mm);
     const Eigen::Vector3d centre(p.x_mm + setback_mm_ * p.z_s,
                                  p.shift_mm + side * geometry.face().width_mm / 2,
@@ -58,8 +69,8 @@ class Markers final : public GeometryEffect {
     std::vector<Eigen::Vector2d> outline;
     for (int i = 0; i < kCorners; ++i) {
       const double angle = 2 * std::numbers::pi * i / kCorners;
-      const auto pixel = camera.project(
-          centre + radius_mm_ * Eigen::Vector3d(std::cos(angle), 0, std::sin(angle)));
+      const auto pixel =
+          camera.project(centre + radius_mm * Eigen::Vector3d(std::cos(angle), 0, std::sin(angle)));
       if (pixel) outline.push_back(*pixel);
     }
     MarkerDisc result{side, {0, 0}, outline.size() == kCorners, albedo_, {}, {}};
@@ -72,16 +83,19 @@ class Markers final : public GeometryEffect {
     return result;
   }
 
-  double radius_mm_, setback_mm_, first_, last_, albedo_;
+  double radius_mm_, setback_mm_, first_, last_, albedo_, last_radius_mm_;
 };
 
 }  // namespace
 
 const EffectKind& effect_markers() {
   static const EffectKind kKind{
-      "markers", Stage::kGeometry, 60, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Markers>(p);
-      }};
+      "markers",
+      Stage::kGeometry,
+      60,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Markers>(p); },
+      "radius_mm: 1.5, setback_mm: 4, first: 0.1, last: 0.92, albedo: 0.9",
+      {"sides"}};
   return kKind;
 }
 

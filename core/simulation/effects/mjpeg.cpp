@@ -11,6 +11,8 @@ class Mjpeg final : public TransportEffect {
  public:
   explicit Mjpeg(YamlSection& p) : quality_(p.whole_number("quality", 1, 100)) {}
 
+  Message sentence() const override { return en::say("The camera sends JPEG pictures"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("quantisation"))
       return Error{
@@ -32,9 +34,12 @@ class Mjpeg final : public TransportEffect {
 
 const EffectKind& effect_mjpeg() {
   static const EffectKind kKind{
-      "mjpeg", Stage::kTransport, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Mjpeg>(p);
-      }};
+      "mjpeg",
+      Stage::kTransport,
+      50,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Mjpeg>(p); },
+      "quality: 85",
+      {"quantisation"}};
   return kKind;
 }
 

@@ -29,6 +29,9 @@ class Occlusion final : public GeometryEffect {
     }
   }
 
+  Message sentence() const override { return en::say("Folds of the side faces hide dots"); }
+  bool may_be_several() const override { return true; }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("markers"))
       return Error{
@@ -73,10 +76,14 @@ class Occlusion final : public GeometryEffect {
 }  // namespace
 
 const EffectKind& effect_occlusion() {
-  static const EffectKind kKind{
-      "occlusion", Stage::kGeometry, 61, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Occlusion>(p);
-      }};
+  static const EffectKind kKind{"occlusion",
+                                Stage::kGeometry,
+                                61,
+                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
+                                  return std::make_shared<Occlusion>(p);
+                                },
+                                "count: 3",
+                                {"sides", "markers"}};
   return kKind;
 }
 

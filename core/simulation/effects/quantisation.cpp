@@ -16,6 +16,9 @@ ALLTACT_WIDE void quantise(int n, const float* __restrict value, std::uint8_t* _
 class Quantisation final : public SensorEffect {
  public:
   explicit Quantisation(YamlSection&) {}
+  Message sentence() const override {
+    return en::say("The sensor counts in whole grey levels from 0 to 255");
+  }
   bool gives_bytes() const override { return true; }
   void row(const FrameContext&, RowView& row) const override {
     quantise(row.width, row.value, row.bytes);
@@ -25,10 +28,13 @@ class Quantisation final : public SensorEffect {
 }  // namespace
 
 const EffectKind& effect_quantisation() {
-  static const EffectKind kKind{
-      "quantisation", Stage::kSensor, 90, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Quantisation>(p);
-      }};
+  static const EffectKind kKind{"quantisation",
+                                Stage::kSensor,
+                                90,
+                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
+                                  return std::make_shared<Quantisation>(p);
+                                },
+                                ""};
   return kKind;
 }
 

@@ -16,10 +16,17 @@ ALLTACT_WIDE void add_read(int n,
 }  // namespace
 
 const EffectKind& effect_read() {
-  static const EffectKind kKind{
-      "read", Stage::kSensor, 60, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<NoiseEffect>("read", p.number("sd", strength_up_to(100)), add_read);
-      }};
+  static const EffectKind kKind{"read",
+                                Stage::kSensor,
+                                60,
+                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
+                                  return std::make_shared<NoiseEffect>(
+                                      "read",
+                                      p.number("sd", strength_up_to(100)),
+                                      add_read,
+                                      en::say("Reading the sensor adds noise"));
+                                },
+                                "sd: 1"};
   return kKind;
 }
 

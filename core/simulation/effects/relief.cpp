@@ -82,6 +82,11 @@ class Relief final : public GeometryEffect {
     gap_mm_ = tabulate(TBar{size, bar}, size);
   }
 
+  Message sentence() const override {
+    return en::say("An object with a relief is pressed into the face");
+  }
+  bool may_be_several() const override { return true; }
+
   Status fits(const SceneFacts& scene) const override {
     if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
     return give_.fits(scene);
@@ -123,9 +128,11 @@ class Relief final : public GeometryEffect {
 
 const EffectKind& effect_relief() {
   static const EffectKind kKind{
-      "relief", Stage::kGeometry, 31, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Relief>(p);
-      }};
+      "relief",
+      Stage::kGeometry,
+      31,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Relief>(p); },
+      "shape: t_bar, size_mm: 12, bar_mm: 3, s_mm: 50, y_mm: 0, depth_mm: 0.9"};
   return kKind;
 }
 

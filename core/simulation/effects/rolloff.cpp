@@ -96,6 +96,10 @@ class Rolloff final : public GeometryEffect {
                         : p.number("length_mm", {0.005, 5});
   }
 
+  Message sentence() const override {
+    return en::say("The face comes away softly from what presses");
+  }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("ball") && !scene.names("relief"))
       return Error{
@@ -126,9 +130,12 @@ class Rolloff final : public GeometryEffect {
 
 const EffectKind& effect_rolloff() {
   static const EffectKind kKind{
-      "rolloff", Stage::kGeometry, 40, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Rolloff>(p);
-      }};
+      "rolloff",
+      Stage::kGeometry,
+      40,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Rolloff>(p); },
+      "kind: hertz, length_mm: 0.8",
+      {"ball"}};
   return kKind;
 }
 

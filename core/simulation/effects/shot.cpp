@@ -17,10 +17,17 @@ ALLTACT_WIDE void add_shot(int n,
 
 const EffectKind& effect_shot() {
   static const EffectKind kKind{
-      "shot", Stage::kSensor, 50, [](YamlSection& p) -> std::shared_ptr<const Effect> {
+      "shot",
+      Stage::kSensor,
+      50,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<NoiseEffect>(
-            "shot", p.number("gain", strength_up_to(100)), add_shot);
-      }};
+            "shot",
+            p.number("gain", strength_up_to(100)),
+            add_shot,
+            en::say("Light comes in grains, which is noise that grows with brightness"));
+      },
+      "gain: 0.03"};
   return kKind;
 }
 

@@ -60,6 +60,8 @@ class Sides final : public RadianceEffect {
       : albedo_(static_cast<float>(p.number("albedo", strength_up_to(1)))),
         depth_mm_(static_cast<float>(p.number("depth_mm", strength_up_to(1000)))) {}
 
+  Message sentence() const override { return en::say("The side faces of the body are seen"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor has no side faces"), "", en::say("leave sides out")};
@@ -134,9 +136,11 @@ class Sides final : public RadianceEffect {
 
 const EffectKind& effect_sides() {
   static const EffectKind kKind{
-      "sides", Stage::kRadiance, 20, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Sides>(p);
-      }};
+      "sides",
+      Stage::kRadiance,
+      20,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Sides>(p); },
+      "albedo: 0.12, depth_mm: 14"};
   return kKind;
 }
 

@@ -9,6 +9,8 @@ class Sway final : public GeometryEffect {
  public:
   explicit Sway(YamlSection& p) : sway_(DegreeOfFreedom::read(p, "sway_mm", {-100, 100})) {}
 
+  Message sentence() const override { return en::say("The finger leans sideways"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor does not sway"), "", en::say("leave sway out")};
@@ -17,12 +19,7 @@ class Sway final : public GeometryEffect {
   std::vector<DegreeOfFreedom> degrees_of_freedom() const override { return {sway_}; }
 
   void shape(const FrameContext& frame, FaceCurve& curve) const override {
-    const double sway = frame(sway_), length = curve.length_mm();
-    for (int i = 0; i <= FaceCurve::kCells; ++i) {
-      const double t = curve.s_mm(i) / length;
-      curve.node(i).shift_mm += sway * t * t;
-      curve.node(i).shift_s += 2 * sway * t / length;
-    }
+    curve.sway(frame(sway_));
   }
 
  private:
@@ -33,9 +30,11 @@ class Sway final : public GeometryEffect {
 
 const EffectKind& effect_sway() {
   static const EffectKind kKind{
-      "sway", Stage::kGeometry, 11, [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<Sway>(p);
-      }};
+      "sway",
+      Stage::kGeometry,
+      11,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Sway>(p); },
+      "sway_mm: {from: -2, to: 2}"};
   return kKind;
 }
 

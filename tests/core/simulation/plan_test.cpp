@@ -4,7 +4,6 @@
 #include "core/simulation/noise.h"
 #include "tests/core/simulation/scene_text.h"
 
-#include <cstring>
 #include <numbers>
 #include <set>
 
@@ -32,14 +31,6 @@ const std::string kEverything =
     "  - {use: shot, gain: 0.03}\n"
     "  - {use: read, sd: 1}\n";
 
-bool same(const cv::Mat& a, const cv::Mat& b) {
-  if (a.size() != b.size() || a.type() != b.type()) return false;
-  for (int v = 0; v < a.rows; ++v)
-    if (std::memcmp(a.ptr(v), b.ptr(v), static_cast<std::size_t>(a.cols) * a.elemSize()) != 0)
-      return false;
-  return true;
-}
-
 TEST(Plan, HoldsWhatIsNamedAndNothingElse) {
   EXPECT_THAT(plan_of(scene_text("")).effects(), ElementsAre());
   // In physical order, whatever the scene's.
@@ -56,9 +47,9 @@ TEST(Plan, GivesTheSameBytesWithAnyThreadsAndInAnyOrder) {
   for (int i = 0; i < 3; ++i) first.push_back(plan.render(i));
   for (const int i : {2, 0, 1})
     for (const int threads : {1, 2, 3, 7})
-      EXPECT_TRUE(same(again.render(i, threads), first[static_cast<std::size_t>(i)]));
-  EXPECT_FALSE(same(first[0], first[1]));
-  EXPECT_FALSE(same(plan_of(text, 8).render(0), first[0]));
+      EXPECT_TRUE(same_bytes(again.render(i, threads), first[static_cast<std::size_t>(i)]));
+  EXPECT_FALSE(same_bytes(first[0], first[1]));
+  EXPECT_FALSE(same_bytes(plan_of(text, 8).render(0), first[0]));
 }
 
 // One more effect changes no draw of the others. Where the picture is black, a pixel with read

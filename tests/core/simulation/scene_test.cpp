@@ -54,6 +54,21 @@ TEST(Scene, UnknownThingsAreRefusedWithFileLineAndKey) {
   EXPECT_THAT(problem_of("colour: red\n" + scene_text("")), HasSubstr("unknown key 'colour'"));
 }
 
+TEST(Scene, WhatIsMisspeltIsRefusedWithTheNearestName) {
+  const std::string rest = "  - {use: quantisation}\n";
+  for (const auto& [wrong, meant] : {std::pair{"{use: roll_off, kind: hertz}", "'rolloff'"},
+                                     {"{use: reed, sd: 1}", "'read'"},
+                                     {"{use: read, sdd: 1}", "write 'sd' for 'sdd'"},
+                                     {"{use: read, sd: 1, untill: 2}", "'until'"},
+                                     {"{use: read, sd: 1, form: 2}", "'from'"},
+                                     {"{use: drop, share: 0.1, rum: 2}", "'run'"}}) {
+    const std::string problem = problem_of(scene_text(rest + "  - " + wrong + "\n"));
+    EXPECT_THAT(problem, HasSubstr("test.yaml:11: ")) << wrong;
+    EXPECT_THAT(problem, HasSubstr(std::string(". Try: ") + meant)) << wrong;
+  }
+  EXPECT_THAT(problem_of("frame_per_s: 25\n" + scene_text(rest)), HasSubstr("Try: 'frames_per_s'"));
+}
+
 TEST(Scene, StrengthZeroIsRefusedWithASentence) {
   for (const char* effect : {"  - {use: read, sd: 0}\n",
                              "  - {use: shot, gain: 0.0}\n",

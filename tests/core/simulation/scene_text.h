@@ -3,6 +3,7 @@
 
 #include "core/simulation/plan.h"
 
+#include <cstring>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -32,6 +33,14 @@ inline Plan plan_of(const std::string& yaml, std::uint64_t seed = 7) {
   auto plan = Plan::compile(*scene, seed);
   EXPECT_TRUE(plan) << plan.error().sentence();
   return *plan;
+}
+
+inline bool same_bytes(const cv::Mat& a, const cv::Mat& b) {
+  if (a.size() != b.size() || a.type() != b.type()) return false;
+  for (int v = 0; v < a.rows; ++v)
+    if (std::memcmp(a.ptr(v), b.ptr(v), static_cast<std::size_t>(a.cols) * a.elemSize()) != 0)
+      return false;
+  return true;
 }
 
 }  // namespace alltact

@@ -1,0 +1,42 @@
+// Room light that gets into the finger and falls on its faces from everywhere: what they reflect is
+// light * (level + sum over the lamps), `level` in grey levels of a perfectly white surface.
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+class Ambient final : public GeometryEffect {
+ public:
+  explicit Ambient(YamlSection& p) : level_(Varying::read(p, "level", strength_up_to(1e4))) {}
+
+  Status fits(const SceneFacts& scene) const override {
+    if (!scene.names("leds"))
+      return Error{en::say("room light comes on top of that of the lamps"),
+                   "",
+                   en::say("name the effect leds too")};
+    return {};
+  }
+
+  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+    geometry.illumination.room_level += frame(level_);
+  }
+
+ private:
+  Varying level_;
+};
+
+}  // namespace
+
+const EffectKind& effect_ambient() {
+  static const EffectKind kKind{
+      "ambient",
+      Stage::kGeometry,
+      71,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Ambient>(p); },
+      "level: 5",
+      {"leds"}};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,67 @@
+// The lamps' power changes with their supply; a frame sees its mean over the exposure T.
+//   mains: P(t) = 1 + depth cos(2 pi f t), of which the mean about t is
+//          1 + depth sin(pi f T) / (pi f T) cos(2 pi f t); depth = (max - min) / (max + min), the
+//          percent flicker of IEEE 1789-2015.
+//   pwm:   on for the share `duty` of every period; a frame sees the time that the lamps were on
+//          during its exposure, as a share of duty * T.
+#include "core/simulation/effect.h"
+
+#include <numbers>
+
+namespace alltact {
+
+namespace {
+
+class Flicker final : public GeometryEffect {
+ public:
+  explicit Flicker(YamlSection& p)
+      : pwm_(p.choice("kind", {"mains", "pwm"}) == 1),
+        hz_(p.number("hz", strength_up_to(1e6))),
+        exposure_s_(p.number("exposure_ms", strength_up_to(10000)) / 1000),
+        depth_(pwm_ ? 0 : p.number("depth", strength_up_to(1))),
+        duty_(pwm_ ? p.number("duty", {0, 1, true, true}) : 0) {}
+
+  Status fits(const SceneFacts& scene) const override {
+    if (scene.lamp_count == 0)
+      return Error{
+          en::say("there is no lamp that could flicker"), "", en::say("name the effect leds too")};
+    return {};
+  }
+
+  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+    const double t = frame.time_s();
+    geometry.illumination.lamp_share *= pwm_ ? pwm_mean(t) : mains_mean(t);
+  }
+
+ private:
+  [[nodiscard]] double mains_mean(double t_s) const {
+    const double half = std::numbers::pi * hz_ * exposure_s_;
+    return 1 + depth_ * std::sin(half) / half * std::cos(2 * std::numbers::pi * hz_ * t_s);
+  }
+  [[nodiscard]] double pwm_mean(double t_s) const {
+    const auto periods_on = [&](double t) {  // since time 0
+      const double periods = t * hz_, whole = std::floor(periods);
+      return whole * duty_ + std::min(periods - whole, duty_);
+    };
+    const double half = exposure_s_ / 2;
+    return (periods_on(t_s + half) - periods_on(t_s - half)) / (hz_ * exposure_s_ * duty_);
+  }
+
+  bool pwm_;
+  double hz_, exposure_s_, depth_, duty_;
+};
+
+}  // namespace
+
+const EffectKind& effect_flicker() {
+  static const EffectKind kKind{
+      "flicker",
+      Stage::kGeometry,
+      72,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Flicker>(p); },
+      "kind: mains, hz: 100, exposure_ms: 8, depth: 0.3",
+      {"leds"}};
+  return kKind;
+}
+
+}  // namespace alltact

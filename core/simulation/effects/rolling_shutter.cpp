@@ -1,0 +1,46 @@
+// The sensor reads its rows one after the other: row v of h is taken at
+// t + readout_ms (v / (h - 1) - 1 / 2), t the frame's moment. With `rows_at_once` that many
+// neighbouring rows share the moment of their middle, which costs that much less time.
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+class RollingShutter final : public SensorEffect {
+ public:
+  explicit RollingShutter(YamlSection& p)
+      : readout_s_(p.number("readout_ms", strength_up_to(10000)) / 1000),
+        rows_at_once_(p.whole_number_or("rows_at_once", 1, 1, 1000)) {}
+
+  Status fits(const SceneFacts& scene) const override {
+    if (readout_s_ * scene.frames_per_s > 1)
+      return Error{en::say("reading the rows would take longer than a frame lasts"),
+                   "",
+                   en::say("readout_ms up to {:g}", 1000 / scene.frames_per_s)};
+    return {};
+  }
+  void expose(const SceneFacts& scene, Exposure& exposure) const override {
+    exposure.readout = readout_s_ * scene.frames_per_s;
+    exposure.rows_at_once = rows_at_once_;
+  }
+
+ private:
+  double readout_s_;
+  int rows_at_once_;
+};
+
+}  // namespace
+
+const EffectKind& effect_rolling_shutter() {
+  static const EffectKind kKind{"rolling-shutter",
+                                Stage::kSensor,
+                                2,
+                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
+                                  return std::make_shared<RollingShutter>(p);
+                                },
+                                "readout_ms: 16, rows_at_once: 8"};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,56 @@
+// A scratch in the view face: light = light (1 + change * part), part the share of the pixel within
+// `width_mm` / 2 of the line from `from_mm` to `to_mm`, each [s, y]. change 1 doubles the light,
+// -1 takes it away.
+#include "core/simulation/effect.h"
+#include "core/simulation/face_mark.h"
+
+namespace alltact {
+
+namespace {
+
+class Scratch final : public RadianceEffect {
+ public:
+  explicit Scratch(YamlSection& p)
+      : from_(point(p, "from_mm")),
+        to_(point(p, "to_mm")),
+        width_mm_(p.number("width_mm", strength_up_to(50))),
+        change_(p.number("change", {-1, 10, false, false, true})) {}
+
+  bool may_be_several() const override { return true; }
+
+  Status fits(const SceneFacts& scene) const override {
+    for (const Eigen::Vector2d& end : {from_, to_})
+      if (const Status status = mark_fits(scene, Varying(end.x()), Varying(end.y())); !status)
+        return status;
+    return {};
+  }
+
+  std::unique_ptr<const Rows> begin(const FrameContext&,
+                                    const FrameGeometry& geometry) const override {
+    return std::make_unique<MarkRows>(
+        geometry, FaceMark{from_, to_, width_mm_ / 2}, 1 + change_, 0);
+  }
+
+ private:
+  static Eigen::Vector2d point(YamlSection& p, const char* key) {
+    const auto at = p.numbers(key, 2, 2, {-1000, 1000});
+    return {at[0], at[1]};
+  }
+
+  Eigen::Vector2d from_, to_;
+  double width_mm_, change_;
+};
+
+}  // namespace
+
+const EffectKind& effect_scratch() {
+  static const EffectKind kKind{
+      "scratch",
+      Stage::kRadiance,
+      16,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Scratch>(p); },
+      "from_mm: [30, -4], to_mm: [50, 5], width_mm: 0.3, change: 0.4"};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,45 @@
+// A speck of dirt on the view face darkens it: light = light (1 - darkness * part), part the share
+// of the pixel that a disc of `radius_mm` about (s_mm, y_mm) covers.
+#include "core/simulation/effect.h"
+#include "core/simulation/face_mark.h"
+
+namespace alltact {
+
+namespace {
+
+class Speck final : public RadianceEffect {
+ public:
+  explicit Speck(YamlSection& p)
+      : s_(Varying::read(p, "s_mm", {-1000, 1000})),
+        y_(Varying::read(p, "y_mm", {-1000, 1000})),
+        radius_(Varying::read(p, "radius_mm", strength_up_to(50))),
+        darkness_(p.number("darkness", strength_up_to(1))) {}
+
+  bool may_be_several() const override { return true; }
+
+  Status fits(const SceneFacts& scene) const override { return mark_fits(scene, s_, y_); }
+
+  std::unique_ptr<const Rows> begin(const FrameContext& frame,
+                                    const FrameGeometry& geometry) const override {
+    const Eigen::Vector2d at(frame(s_), frame(y_));
+    return std::make_unique<MarkRows>(geometry, FaceMark{at, at, frame(radius_)}, 1 - darkness_, 0);
+  }
+
+ private:
+  Varying s_, y_, radius_;
+  double darkness_;
+};
+
+}  // namespace
+
+const EffectKind& effect_speck() {
+  static const EffectKind kKind{
+      "speck",
+      Stage::kRadiance,
+      15,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Speck>(p); },
+      "s_mm: 40, y_mm: 2, radius_mm: 0.5, darkness: 0.5"};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,37 @@
+#include "core/simulation/face_mark.h"
+
+namespace alltact {
+
+Status mark_fits(const SceneFacts& scene, const Varying& s_mm, const Varying& y_mm) {
+  const Face& face = scene.finger.face;
+  if (face.kind == FaceKind::kFlat) return {};
+  if (s_mm.least() < 0 || s_mm.greatest() > scene.length_mm)
+    return Error{
+        en::say("s_mm is beyond the ends of the face"), "", en::say("0 to {:g}", scene.length_mm)};
+  if (y_mm.least() < -face.width_mm / 2 || y_mm.greatest() > face.width_mm / 2)
+    return Error{en::say("y_mm is beside the face"),
+                 "",
+                 en::say("{:g} to {:g}", -face.width_mm / 2, face.width_mm / 2)};
+  return {};
+}
+
+void MarkRows::row(RowView& row) const {
+  const FaceRow& face = row.face;
+  const Eigen::Vector2d way = mark_.to_mm - mark_.from_mm;
+  const double length2 = way.squaredNorm();
+  const double s_low = std::min(mark_.from_mm.x(), mark_.to_mm.x()) - mark_.radius_mm - 1;
+  const double s_high = std::max(mark_.from_mm.x(), mark_.to_mm.x()) + mark_.radius_mm + 1;
+  for (int u = face.first; u < face.last; ++u) {
+    if (face.s_mm[u] < s_low || face.s_mm[u] > s_high) continue;
+    const Eigen::Vector2d at(face.s_mm[u], face.y_mm[u] - face.shift_mm[u]);
+    const double along =
+        length2 > 0 ? std::clamp((at - mark_.from_mm).dot(way) / length2, 0.0, 1.0) : 0.0;
+    const double inside = mark_.radius_mm - (at - mark_.from_mm - along * way).norm();
+    const double part = std::clamp(inside / camera_.mm_per_px_at(face.z_mm[u]) + 0.5, 0.0, 1.0);
+    if (part == 0) continue;
+    float& light = row.surfaces[0].light[u];
+    light = static_cast<float>(light * (1 + (factor_ - 1) * part) + level_ * part);
+  }
+}
+
+}  // namespace alltact

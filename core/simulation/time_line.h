@@ -1,0 +1,40 @@
+// When things are in a scene: points in time, and the frames in which an effect is present.
+#pragma once
+
+#include "core/yaml/yaml_reader.h"
+
+#include <string>
+
+namespace alltact {
+
+/// The frames of a scene, from the top of its file (`frames`, `frames_per_s`). A source that plays
+/// without end starts them again after the last one.
+struct TimeLine {
+  int frames = 1;
+  double frames_per_s = 30;
+
+  /// For YamlFile::read(); `part` is any section of the scene.
+  static TimeLine of(const YamlSection& part);
+
+  /// A point in time as a number of frames: a plain number is one (`60`), and seconds have their
+  /// unit (`2 s`). Not negative.
+  [[nodiscard]] double point(YamlSection& section, const std::string& key) const;
+};
+
+/// The frames [first, end) of a scene. `from:` and `until:` say them as points in time: `from` is
+/// the first frame with the effect, `until` the first one without it again, so that what lasts
+/// until 2 s and what is there from 2 s on hand over. Without the keys: from the beginning, to the
+/// end.
+struct Presence {
+  int first = 0, end = 1;
+
+  /// For YamlFile::read(). A presence of no frame is refused.
+  static Presence read(YamlSection& effect, const TimeLine& time);
+
+  [[nodiscard]] bool holds(int frame) const { return frame >= first && frame < end; }
+  [[nodiscard]] bool overlaps(const Presence& other) const {
+    return first < other.end && other.first < end;
+  }
+};
+
+}  // namespace alltact
