@@ -7473,5 +7473,21 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>&apos;{}&apos; is not of the form {}</source>
         <translation>&apos;{}&apos; hat nicht die Form {}</translation>
     </message>
+    <message>
+        <source>there is no layer for the bubble to be in</source>
+        <translation>es gibt keine Schicht, in der die Blase sein könnte</translation>
+    </message>
+    <message>
+        <source>name the effect layer too</source>
+        <translation>auch den Effekt layer nennen</translation>
+    </message>
+    <message>
+        <source>the bubble is wider than the layer is thick</source>
+        <translation>die Blase ist breiter, als die Schicht dick ist</translation>
+    </message>
+    <message>
+        <source>radius_mm up to {:g}</source>
+        <translation>radius_mm bis {:g}</translation>
+    </message>
 </context>
 </TS>

@@ -7450,5 +7450,21 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>&apos;{}&apos; is not of the form {}</source>
         <translation>&apos;{}&apos; 不符合 {} 的形式</translation>
     </message>
+    <message>
+        <source>there is no layer for the bubble to be in</source>
+        <translation>没有可容纳气泡的层</translation>
+    </message>
+    <message>
+        <source>name the effect layer too</source>
+        <translation>同时写上效果 layer</translation>
+    </message>
+    <message>
+        <source>the bubble is wider than the layer is thick</source>
+        <translation>气泡的直径大于层的厚度</translation>
+    </message>
+    <message>
+        <source>radius_mm up to {:g}</source>
+        <translation>radius_mm 不超过 {:g}</translation>
+    </message>
 </context>
 </TS>

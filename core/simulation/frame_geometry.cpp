@@ -186,6 +186,7 @@ void FrameGeometry::fill(RowView& row) const {
     face.normal_z = normal_z;
   }
   row.surfaces.assign(1, face);
+  row.hollow_mm = nullptr;
   fill_presses(row);
 }
 

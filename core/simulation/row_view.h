@@ -55,6 +55,9 @@ struct RowView {
   /// Press depth along z in columns [press_first, press_last); 0 outside.
   int press_first = 0, press_last = 0;
   const float* press_depth_mm = nullptr;
+  /// What of the layer's thickness along its normal is hollow, in the face's columns; null:
+  /// nothing.
+  float* hollow_mm = nullptr;
   std::vector<Surface> surfaces;  ///< the first is the view face
   float* value = nullptr;         ///< grey levels, when the light is done
   std::uint8_t* bytes = nullptr;  ///< what the sensor gives, if it gives bytes

@@ -53,6 +53,9 @@ class Layer final : public RadianceEffect {
       std::copy(face.luf_mm + face.first, face.luf_mm + face.last, thickness + face.first);
       for (int u = row.press_first; u < row.press_last; ++u)
         thickness[u] = std::max(0.0F, thickness[u] - row.press_depth_mm[u]);
+      if (row.hollow_mm)
+        for (int u = face.first; u < face.last; ++u)
+          thickness[u] = std::max(0.0F, thickness[u] - row.hollow_mm[u] / face.cos_incline[u]);
       if (!along_z_)
         for (int u = face.first; u < face.last; ++u) thickness[u] *= face.cos_incline[u];
       return thickness;

@@ -1,0 +1,74 @@
+// A bubble of air in the layer: a ball of `radius_mm` about (s_mm, y_mm) scatters nothing, so at
+// the distance r from its middle the layer is thinner by 2 sqrt(radius^2 - r^2) along its normal.
+// Its outer side stays where it is.
+#include "core/simulation/face_mark.h"
+
+namespace alltact {
+
+namespace {
+
+class Bubble final : public RadianceEffect {
+ public:
+  explicit Bubble(YamlSection& p)
+      : s_(Varying::read(p, "s_mm", {-1000, 1000})),
+        y_(Varying::read(p, "y_mm", {-1000, 1000})),
+        radius_(Varying::read(p, "radius_mm", strength_up_to(25))) {}
+
+  Status fits(const SceneFacts& scene) const override {
+    if (!scene.names("layer"))
+      return Error{en::say("there is no layer for the bubble to be in"),
+                   "",
+                   en::say("name the effect layer too")};
+    if (2 * radius_.greatest() > scene.finger.face.layer_mm)
+      return Error{en::say("the bubble is wider than the layer is thick"),
+                   "",
+                   en::say("radius_mm up to {:g}", scene.finger.face.layer_mm / 2)};
+    return mark_fits(scene, s_, y_);
+  }
+
+  std::unique_ptr<const Rows> begin(const FrameContext& frame,
+                                    const FrameGeometry&) const override {
+    return std::make_unique<BubbleRows>(frame(s_), frame(y_), frame(radius_));
+  }
+
+ private:
+  class BubbleRows final : public Rows {
+   public:
+    BubbleRows(double s_mm, double y_mm, double radius_mm)
+        : s_mm_(s_mm), y_mm_(y_mm), radius_mm_(radius_mm) {}
+
+    void row(RowView& row) const override {
+      const FaceRow& face = row.face;
+      for (int u = face.first; u < face.last; ++u) {
+        const double s = face.s_mm[u] - s_mm_, y = face.y_mm[u] - face.shift_mm[u] - y_mm_;
+        const double h2 = radius_mm_ * radius_mm_ - s * s - y * y;
+        if (h2 <= 0) continue;
+        if (!row.hollow_mm) {
+          row.hollow_mm = row.scratch.floats();
+          std::fill(row.hollow_mm + face.first, row.hollow_mm + face.last, 0.0F);
+        }
+        row.hollow_mm[u] += static_cast<float>(2 * std::sqrt(h2));
+      }
+    }
+
+   private:
+    double s_mm_, y_mm_, radius_mm_;
+  };
+
+  Varying s_, y_, radius_;
+};
+
+}  // namespace
+
+const EffectKind& effect_bubble() {
+  static const EffectKind kKind{
+      "bubble",
+      Stage::kRadiance,
+      5,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Bubble>(p); },
+      "s_mm: 45, y_mm: -2, radius_mm: 0.5",
+      {"layer"}};
+  return kKind;
+}
+
+}  // namespace alltact
