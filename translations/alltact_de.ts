@@ -7489,5 +7489,105 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>radius_mm up to {:g}</source>
         <translation>radius_mm bis {:g}</translation>
     </message>
+    <message>
+        <source>The silicone absorbs light on its way</source>
+        <translation>Das Silikon absorbiert Licht auf seinem Weg</translation>
+    </message>
+    <message>
+        <source>Light of the room falls on the faces</source>
+        <translation>Raumlicht fällt auf die Flächen</translation>
+    </message>
+    <message>
+        <source>The camera exposes by itself, by how bright the picture is</source>
+        <translation>Die Kamera belichtet selbst, danach, wie hell das Bild ist</translation>
+    </message>
+    <message>
+        <source>The sensor adds a constant to every pixel</source>
+        <translation>Der Sensor legt auf jeden Pixel einen festen Wert</translation>
+    </message>
+    <message>
+        <source>A bubble of air makes the layer thinner</source>
+        <translation>Eine Luftblase macht die Schicht dünner</translation>
+    </message>
+    <message>
+        <source>A lamp is off</source>
+        <translation>Eine Lampe ist aus</translation>
+    </message>
+    <message>
+        <source>Single pixels are always dark or always bright</source>
+        <translation>Einzelne Pixel sind immer dunkel oder immer hell</translation>
+    </message>
+    <message>
+        <source>What is not at the distance of sharp focus is blurred</source>
+        <translation>Was nicht in der Schärfeebene liegt, wird unscharf</translation>
+    </message>
+    <message>
+        <source>Every pixel is a little brighter or darker than its neighbours, always the same way</source>
+        <translation>Jeder Pixel ist etwas heller oder dunkler als seine Nachbarn, immer gleich</translation>
+    </message>
+    <message>
+        <source>The lamps flicker</source>
+        <translation>Die Lampen flackern</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s gain drifts from frame to frame</source>
+        <translation>Die Verstärkung der Kamera driftet von Bild zu Bild</translation>
+    </message>
+    <message>
+        <source>The camera bends its grey levels by a power law</source>
+        <translation>Die Kamera verbiegt ihre Grauwerte nach einem Potenzgesetz</translation>
+    </message>
+    <message>
+        <source>A lamp mirrors in the face</source>
+        <translation>Eine Lampe spiegelt sich in der Fläche</translation>
+    </message>
+    <message>
+        <source>The coat has a hole through which light comes</source>
+        <translation>Die Deckschicht hat ein Loch, durch das Licht kommt</translation>
+    </message>
+    <message>
+        <source>Stray light falls on the sensor</source>
+        <translation>Streulicht fällt auf den Sensor</translation>
+    </message>
+    <message>
+        <source>The finger moves while a picture is exposed</source>
+        <translation>Der Finger bewegt sich, während ein Bild belichtet wird</translation>
+    </message>
+    <message>
+        <source>The rows of a picture are taken one after the other</source>
+        <translation>Die Zeilen eines Bildes werden nacheinander aufgenommen</translation>
+    </message>
+    <message>
+        <source>Every row is a little brighter or darker, differently in each frame</source>
+        <translation>Jede Zeile ist etwas heller oder dunkler, in jedem Bild anders</translation>
+    </message>
+    <message>
+        <source>A scratch crosses the face</source>
+        <translation>Ein Kratzer läuft über die Fläche</translation>
+    </message>
+    <message>
+        <source>A speck of dirt lies on the face</source>
+        <translation>Ein Schmutzfleck liegt auf der Fläche</translation>
+    </message>
+    <message>
+        <source>The layer is not equally thick everywhere</source>
+        <translation>Die Schicht ist nicht überall gleich dick</translation>
+    </message>
+    <message>
+        <source>Part of the light spreads over the whole picture</source>
+        <translation>Ein Teil des Lichts verteilt sich über das ganze Bild</translation>
+    </message>
+    <message>
+        <source>The picture is darker towards its corners</source>
+        <translation>Das Bild wird zu den Ecken hin dunkler</translation>
+    </message>
+    <message>
+        <source>The lamps lose light while they warm up</source>
+        <translation>Die Lampen verlieren Licht, während sie warm werden</translation>
+    </message>
+    <message>
+        <source>Dots are worn and fainter</source>
+        <translation>Punkte sind abgenutzt und blasser</translation>
+    </message>
 </context>
 </TS>

@@ -7466,5 +7466,105 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>radius_mm up to {:g}</source>
         <translation>radius_mm 不超过 {:g}</translation>
     </message>
+    <message>
+        <source>The silicone absorbs light on its way</source>
+        <translation>硅胶在光路上吸收光</translation>
+    </message>
+    <message>
+        <source>Light of the room falls on the faces</source>
+        <translation>环境光照在各表面上</translation>
+    </message>
+    <message>
+        <source>The camera exposes by itself, by how bright the picture is</source>
+        <translation>相机按画面亮度自动曝光</translation>
+    </message>
+    <message>
+        <source>The sensor adds a constant to every pixel</source>
+        <translation>传感器给每个像素加上一个常数</translation>
+    </message>
+    <message>
+        <source>A bubble of air makes the layer thinner</source>
+        <translation>气泡使层变薄</translation>
+    </message>
+    <message>
+        <source>A lamp is off</source>
+        <translation>一盏灯不亮</translation>
+    </message>
+    <message>
+        <source>Single pixels are always dark or always bright</source>
+        <translation>个别像素始终暗或始终亮</translation>
+    </message>
+    <message>
+        <source>What is not at the distance of sharp focus is blurred</source>
+        <translation>不在对焦距离上的部分变得模糊</translation>
+    </message>
+    <message>
+        <source>Every pixel is a little brighter or darker than its neighbours, always the same way</source>
+        <translation>每个像素总是比相邻像素略亮或略暗</translation>
+    </message>
+    <message>
+        <source>The lamps flicker</source>
+        <translation>灯光闪烁</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s gain drifts from frame to frame</source>
+        <translation>相机增益逐帧漂移</translation>
+    </message>
+    <message>
+        <source>The camera bends its grey levels by a power law</source>
+        <translation>相机按幂律改变灰度</translation>
+    </message>
+    <message>
+        <source>A lamp mirrors in the face</source>
+        <translation>灯在表面上形成反光</translation>
+    </message>
+    <message>
+        <source>The coat has a hole through which light comes</source>
+        <translation>涂层有一个透光的孔</translation>
+    </message>
+    <message>
+        <source>Stray light falls on the sensor</source>
+        <translation>杂散光落在传感器上</translation>
+    </message>
+    <message>
+        <source>The finger moves while a picture is exposed</source>
+        <translation>曝光期间手指在运动</translation>
+    </message>
+    <message>
+        <source>The rows of a picture are taken one after the other</source>
+        <translation>图像各行依次曝光</translation>
+    </message>
+    <message>
+        <source>Every row is a little brighter or darker, differently in each frame</source>
+        <translation>每行略亮或略暗,每帧不同</translation>
+    </message>
+    <message>
+        <source>A scratch crosses the face</source>
+        <translation>一条划痕穿过表面</translation>
+    </message>
+    <message>
+        <source>A speck of dirt lies on the face</source>
+        <translation>表面上有一个污点</translation>
+    </message>
+    <message>
+        <source>The layer is not equally thick everywhere</source>
+        <translation>层的厚度不均匀</translation>
+    </message>
+    <message>
+        <source>Part of the light spreads over the whole picture</source>
+        <translation>部分光散布到整幅图像</translation>
+    </message>
+    <message>
+        <source>The picture is darker towards its corners</source>
+        <translation>图像向四角变暗</translation>
+    </message>
+    <message>
+        <source>The lamps lose light while they warm up</source>
+        <translation>灯在升温时亮度下降</translation>
+    </message>
+    <message>
+        <source>Dots are worn and fainter</source>
+        <translation>标记点磨损而变淡</translation>
+    </message>
 </context>
 </TS>

@@ -89,7 +89,7 @@ class Effect {
   Effect& operator=(const Effect&) = delete;
   virtual ~Effect() = default;
   /// What it does, without a full stop; for people who ask what a scene holds.
-  [[nodiscard]] virtual Message sentence() const { return {}; }
+  [[nodiscard]] virtual Message sentence() const = 0;
   /// True: a frame may hold several of it, each with parameters and draws of its own.
   [[nodiscard]] virtual bool may_be_several() const { return false; }
   /// Error: impossible for this finger, or together with, or without, other effects.

@@ -14,7 +14,7 @@ class NoiseEffect final : public SensorEffect {
   using Add = void (*)(int n, float strength, const float* normal, float* value);
 
   /// Draws under `who`.
-  NoiseEffect(std::string_view who, double strength, Add add, Message sentence = {})
+  NoiseEffect(std::string_view who, double strength, Add add, Message sentence)
       : strength_(static_cast<float>(strength)),
         add_(add),
         noise_(who),

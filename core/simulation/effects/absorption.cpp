@@ -11,6 +11,8 @@ class Absorption final : public GeometryEffect {
  public:
   explicit Absorption(YamlSection& p) : per_mm_(p.number("per_mm", strength_up_to(1))) {}
 
+  Message sentence() const override { return en::say("The silicone absorbs light on its way"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("leds"))
       return Error{en::say("there is no lamp whose light could be absorbed"),

@@ -10,6 +10,8 @@ class Ambient final : public GeometryEffect {
  public:
   explicit Ambient(YamlSection& p) : level_(Varying::read(p, "level", strength_up_to(1e4))) {}
 
+  Message sentence() const override { return en::say("Light of the room falls on the faces"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("leds"))
       return Error{en::say("room light comes on top of that of the lamps"),

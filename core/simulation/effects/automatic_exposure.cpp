@@ -18,6 +18,10 @@ class AutomaticExposure final : public SensorEffect {
       p.refuse("greatest", en::say("the exposure could not change"), en::say("more than 1"));
   }
 
+  Message sentence() const override {
+    return en::say("The camera exposes by itself, by how bright the picture is");
+  }
+
   bool needs_picture() const override { return true; }
   void picture(const FrameContext&, const FrameGeometry&, cv::Mat_<float>& grey) const override {
     const double mean = std::max(1e-6, cv::mean(grey)[0]);

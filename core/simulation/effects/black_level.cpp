@@ -14,6 +14,8 @@ class BlackLevel final : public SensorEffect {
  public:
   explicit BlackLevel(YamlSection& p) : level_(Varying::read(p, "level", strength_up_to(255))) {}
 
+  Message sentence() const override { return en::say("The sensor adds a constant to every pixel"); }
+
   void row(const FrameContext& frame, RowView& row) const override {
     add_black_level(row.width, static_cast<float>(frame(level_)), row.value);
   }

@@ -14,6 +14,8 @@ class Bubble final : public RadianceEffect {
         y_(Varying::read(p, "y_mm", {-1000, 1000})),
         radius_(Varying::read(p, "radius_mm", strength_up_to(25))) {}
 
+  Message sentence() const override { return en::say("A bubble of air makes the layer thinner"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (!scene.names("layer"))
       return Error{en::say("there is no layer for the bubble to be in"),

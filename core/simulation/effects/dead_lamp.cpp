@@ -11,6 +11,7 @@ class DeadLamp final : public GeometryEffect {
   explicit DeadLamp(YamlSection& p)
       : lamp_(p.whole_number("lamp", 0, 1000)), from_s_(p.number_or("from_s", 0, {0, 1e6})) {}
 
+  Message sentence() const override { return en::say("A lamp is off"); }
   bool may_be_several() const override { return true; }
 
   Status fits(const SceneFacts& scene) const override {

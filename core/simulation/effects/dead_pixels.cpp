@@ -19,6 +19,10 @@ class DeadPixels final : public SensorEffect {
       p.refuse("", en::say("there is neither dead nor hot"), en::say("name one of them"));
   }
 
+  Message sentence() const override {
+    return en::say("Single pixels are always dark or always bright");
+  }
+
   void row(const FrameContext& frame, RowView& row) const override {
     set(frame.seed, "dead-pixels.dead", dead_, 0, row);
     set(frame.seed, "dead-pixels.hot", hot_, kHotLevel, row);

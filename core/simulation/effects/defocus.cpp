@@ -26,6 +26,10 @@ class Defocus final : public SensorEffect {
       : focus_mm_(p.number("focus_mm", strength_up_to(1e5))),
         aperture_mm_(p.number("aperture_mm", strength_up_to(100))) {}
 
+  Message sentence() const override {
+    return en::say("What is not at the distance of sharp focus is blurred");
+  }
+
   Status fits(const SceneFacts& scene) const override {
     if (scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{en::say("an orthographic camera has no focal length to blur by"),

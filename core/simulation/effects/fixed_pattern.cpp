@@ -33,6 +33,11 @@ class FixedPattern final : public SensorEffect {
       p.refuse("", en::say("there is neither prnu nor dsnu"), en::say("name one of them"));
   }
 
+  Message sentence() const override {
+    return en::say(
+        "Every pixel is a little brighter or darker than its neighbours, always the same way");
+  }
+
   void row(const FrameContext& frame, RowView& row) const override {
     float* normal = row.scratch.floats();
     if (prnu_ > 0) {

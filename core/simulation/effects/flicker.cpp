@@ -21,6 +21,8 @@ class Flicker final : public GeometryEffect {
         depth_(pwm_ ? 0 : p.number("depth", strength_up_to(1))),
         duty_(pwm_ ? p.number("duty", {0, 1, true, true}) : 0) {}
 
+  Message sentence() const override { return en::say("The lamps flicker"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
       return Error{

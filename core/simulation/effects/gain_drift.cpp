@@ -22,6 +22,10 @@ class GainDrift final : public SensorEffect {
         every_s_(p.number("every_s", strength_up_to(1e6))),
         noise_("gain-drift") {}
 
+  Message sentence() const override {
+    return en::say("The camera's gain drifts from frame to frame");
+  }
+
   void row(const FrameContext& frame, RowView& row) const override {
     const double knots = frame.time_s() / every_s_;
     const int k = static_cast<int>(knots);

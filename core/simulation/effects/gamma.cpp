@@ -18,6 +18,10 @@ class Gamma final : public SensorEffect {
       p.refuse("gamma", en::say("gamma 1 changes nothing"), en::say("leave gamma out"));
   }
 
+  Message sentence() const override {
+    return en::say("The camera bends its grey levels by a power law");
+  }
+
   void row(const FrameContext&, RowView& row) const override {
     apply_gamma(row.width, static_cast<float>(1 / gamma_), row.value);
   }

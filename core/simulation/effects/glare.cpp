@@ -42,6 +42,8 @@ class Glare final : public RadianceEffect {
              1};
   }
 
+  Message sentence() const override { return en::say("A lamp mirrors in the face"); }
+
   std::unique_ptr<const Rows> begin(const FrameContext&,
                                     const FrameGeometry& geometry) const override {
     GlareLamp lamp = lamp_;

@@ -15,6 +15,9 @@ class Hole final : public RadianceEffect {
         radius_(Varying::read(p, "radius_mm", strength_up_to(50))),
         level_(Varying::read(p, "level", strength_up_to(1e4))) {}
 
+  Message sentence() const override {
+    return en::say("The coat has a hole through which light comes");
+  }
   bool may_be_several() const override { return true; }
 
   Status fits(const SceneFacts& scene) const override { return mark_fits(scene, s_, y_); }

@@ -18,6 +18,8 @@ class Leak final : public SensorEffect {
         amount_(p.has("lux") ? Varying::read(p, "lux", strength_up_to(2e5))
                              : Varying::read(p, "grey", strength_up_to(255))) {}
 
+  Message sentence() const override { return en::say("Stray light falls on the sensor"); }
+
   void row(const FrameContext& frame, RowView& row) const override {
     add_leak(row.width, static_cast<float>(per_unit_ * frame(amount_)), row.value);
   }

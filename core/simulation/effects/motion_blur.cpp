@@ -13,6 +13,10 @@ class MotionBlur final : public SensorEffect {
       : exposure_s_(p.number("exposure_ms", strength_up_to(10000)) / 1000),
         moments_(p.whole_number_or("moments", 5, 2, 100)) {}
 
+  Message sentence() const override {
+    return en::say("The finger moves while a picture is exposed");
+  }
+
   Status fits(const SceneFacts& scene) const override {
     if (exposure_s_ * scene.frames_per_s > 1)
       return Error{en::say("the shutter would be open for longer than a frame lasts"),

@@ -13,6 +13,10 @@ class RollingShutter final : public SensorEffect {
       : readout_s_(p.number("readout_ms", strength_up_to(10000)) / 1000),
         rows_at_once_(p.whole_number_or("rows_at_once", 1, 1, 1000)) {}
 
+  Message sentence() const override {
+    return en::say("The rows of a picture are taken one after the other");
+  }
+
   Status fits(const SceneFacts& scene) const override {
     if (readout_s_ * scene.frames_per_s > 1)
       return Error{en::say("reading the rows would take longer than a frame lasts"),

@@ -17,6 +17,10 @@ class RowOffsets final : public SensorEffect {
   explicit RowOffsets(YamlSection& p)
       : sd_(static_cast<float>(p.number("sd", strength_up_to(100)))), noise_("row-noise") {}
 
+  Message sentence() const override {
+    return en::say("Every row is a little brighter or darker, differently in each frame");
+  }
+
   void row(const FrameContext& frame, RowView& row) const override {
     float normal = 0;
     noise_.normals(frame.seed, frame.frame, row.v, 1, &normal);

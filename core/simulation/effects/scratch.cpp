@@ -16,6 +16,7 @@ class Scratch final : public RadianceEffect {
         width_mm_(p.number("width_mm", strength_up_to(50))),
         change_(p.number("change", {-1, 10, false, false, true})) {}
 
+  Message sentence() const override { return en::say("A scratch crosses the face"); }
   bool may_be_several() const override { return true; }
 
   Status fits(const SceneFacts& scene) const override {

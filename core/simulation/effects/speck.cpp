@@ -15,6 +15,7 @@ class Speck final : public RadianceEffect {
         radius_(Varying::read(p, "radius_mm", strength_up_to(50))),
         darkness_(p.number("darkness", strength_up_to(1))) {}
 
+  Message sentence() const override { return en::say("A speck of dirt lies on the face"); }
   bool may_be_several() const override { return true; }
 
   Status fits(const SceneFacts& scene) const override { return mark_fits(scene, s_, y_); }

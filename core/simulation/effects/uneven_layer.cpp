@@ -36,6 +36,8 @@ class UnevenLayer final : public GeometryEffect {
       : share_(p.number("share", strength_up_to(0.1))),
         length_mm_(p.number("length_mm", {0.5, 1000})) {}
 
+  Message sentence() const override { return en::say("The layer is not equally thick everywhere"); }
+
   void place(const FrameContext& frame, FrameGeometry& geometry) const override {
     geometry.layer_changes.push_back(std::make_shared<Waves>(*this, frame.seed));
   }

@@ -10,6 +10,10 @@ class Veil final : public SensorEffect {
  public:
   explicit Veil(YamlSection& p) : share_(p.number("share", {0, 1, true, true, true})) {}
 
+  Message sentence() const override {
+    return en::say("Part of the light spreads over the whole picture");
+  }
+
   bool needs_picture() const override { return true; }
   void picture(const FrameContext&, const FrameGeometry&, cv::Mat_<float>& grey) const override {
     const auto veil = static_cast<float>(share_ * cv::mean(grey)[0]);

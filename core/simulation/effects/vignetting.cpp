@@ -52,6 +52,8 @@ class Vignetting final : public RadianceEffect {
     polynomial_ = {static_cast<float>(k[0]), static_cast<float>(k[1]), static_cast<float>(k[2])};
   }
 
+  Message sentence() const override { return en::say("The picture is darker towards its corners"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (cos4_ && scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{en::say("the rays of an orthographic camera do not spread"),

@@ -12,6 +12,8 @@ class Warming final : public GeometryEffect {
       : loss_(p.number("loss", {0, 1, true, true, true})),
         after_s_(p.number("after_s", strength_up_to(1e6))) {}
 
+  Message sentence() const override { return en::say("The lamps lose light while they warm up"); }
+
   Status fits(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
       return Error{

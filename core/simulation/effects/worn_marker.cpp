@@ -18,6 +18,7 @@ class WornMarker final : public GeometryEffect {
     }
   }
 
+  Message sentence() const override { return en::say("Dots are worn and fainter"); }
   bool may_be_several() const override { return true; }
 
   Status fits(const SceneFacts& scene) const override {
