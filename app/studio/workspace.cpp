@@ -3,7 +3,6 @@
 #include "widgets/value_change.h"
 
 #include <chrono>
-#include <utility>
 
 namespace alltact {
 namespace {
@@ -67,13 +66,13 @@ void Workspace::begin_with(const std::filesystem::path& finger, const Inputs& so
 void Workspace::listen_to_finger() {
   listening_.reset();
   store_.reset();
-  revision_ = 0;
   const auto& folder = state_.finger;
   if (folder.empty()) return;
   store_ = FingerStore::of(folder);
-  listening_ = store_->listen([this, folder](const FingerPtr& finger) {
-    const auto follow = [this, folder, revision = finger->revision] {
-      if (folder != state_.finger || std::exchange(revision_, revision) == revision) return;
+  listening_ = store_->listen([this, folder](const FingerPtr& now, const FingerPtr& before) {
+    if (now->revision == before->revision) return;  // something was said of presses
+    const auto follow = [this, folder] {
+      if (folder != state_.finger) return;
       session_.open_finger(folder);
       Q_EMIT finger_rewritten();
     };

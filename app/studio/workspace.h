@@ -55,7 +55,6 @@ class Workspace : public QObject {
   LiveSession& session_;
   QUndoStack& undo_;
   SessionState state_;
-  std::uint64_t revision_ = 0;  // of the open finger, that was told of last
   std::shared_ptr<FingerStore> store_;
   std::shared_ptr<void> listening_;
   QTimer look_;  // for what other programs write

@@ -103,13 +103,15 @@ Result<FingerPtr> FingerStore::snapshot() {
     before = last_;
     return read();
   }();
-  if (now && before && before != *now) tell(*now);
+  if (now && before && before != *now) tell(*now, before);
   return now;
 }
 
 Result<FingerPtr> FingerStore::update(const std::function<Status(Finger&)>& change) {
   // Whoever may not write here is told what is wrong with the finger before that.
-  if (const auto there = snapshot(); !there) return there.error();
+  const auto there = snapshot();
+  if (!there) return there.error();
+  FingerPtr before = *there;
   auto changed = [&]() -> Result<FingerPtr> {
     const auto held = HeldFile::hold(folder_ / kChanging, this_process("changing"), kPatience);
     if (!held) return held.error();
@@ -118,9 +120,11 @@ Result<FingerPtr> FingerStore::update(const std::function<Status(Finger&)>& chan
     if (Status status = change(*finger); !status) return status.error();
     if (Status status = finger->save(folder_); !status) return status.error();
     const std::lock_guard lock(mutex_);
+    before = last_;
     return read();
   }();
-  if (changed) tell(*changed);
+  // Where another thread has read it meanwhile, that one tells.
+  if (changed && before != *changed) tell(*changed, before);
   return changed;
 }
 
@@ -145,7 +149,7 @@ std::shared_ptr<void> FingerStore::listen(Listener listener) {
   });
 }
 
-void FingerStore::tell(const FingerPtr& snapshot) {
+void FingerStore::tell(const FingerPtr& now, const FingerPtr& before) {
   std::vector<std::shared_ptr<Listening>> all;
   {
     const std::lock_guard lock(mutex_);
@@ -155,7 +159,7 @@ void FingerStore::tell(const FingerPtr& snapshot) {
   }
   for (const auto& one : all) {
     const std::lock_guard calling(one->mutex);
-    if (one->listener) one->listener(snapshot);
+    if (one->listener) one->listener(now, before);
   }
 }
 

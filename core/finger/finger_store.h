@@ -68,8 +68,9 @@ class FingerStore {
   ///   doing: what is done, for those who come second ("calibrating")
   [[nodiscard]] Result<HeldFile> hold_for_work(const std::string& doing);
 
-  /// Told of every change, with what stands there since, on the thread that made or found it.
-  using Listener = std::function<void(const FingerPtr&)>;
+  /// Told of every change, with what stands there since and what stood there before, on the thread
+  /// that made or found it.
+  using Listener = std::function<void(const FingerPtr& now, const FingerPtr& before)>;
   /// Ends when it is destroyed: the listener is not called, and not being called, from then on.
   [[nodiscard]] std::shared_ptr<void> listen(Listener listener);
 
@@ -80,7 +81,7 @@ class FingerStore {
  private:
   struct Listening;
   [[nodiscard]] Result<FingerPtr> read();
-  void tell(const FingerPtr& snapshot);
+  void tell(const FingerPtr& now, const FingerPtr& before);
 
   std::filesystem::path folder_;
   std::mutex mutex_;

@@ -230,7 +230,10 @@ TEST(FingerStore, TellsOfEveryChangeUntilNobodyListens) {
   ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
   const auto store = FingerStore::of(folder.path());
   std::vector<FingerPtr> told;
-  auto listening = store->listen([&](const FingerPtr& finger) { told.push_back(finger); });
+  auto listening = store->listen([&](const FingerPtr& now, const FingerPtr& before) {
+    EXPECT_NE(now, before);
+    told.push_back(now);
+  });
   ASSERT_TRUE(store->snapshot());
   EXPECT_TRUE(told.empty()) << "nothing has changed yet";
   ASSERT_TRUE(store->update([](Finger& finger) { return add_key(finger, "a"); }));
@@ -254,12 +257,12 @@ TEST(FingerStore, AListenerMayEndItselfAndIsNotCalledOnceItHasEnded) {
   const auto store = FingerStore::of(folder.path());
   int calls = 0;
   std::shared_ptr<void> itself;
-  itself = store->listen([&](const FingerPtr&) {
+  itself = store->listen([&](const FingerPtr&, const FingerPtr&) {
     ++calls;
     itself.reset();
   });
   std::atomic<bool> has_ended{false}, was_called_late{false}, is_over{false};
-  auto other = store->listen([&](const FingerPtr&) {
+  auto other = store->listen([&](const FingerPtr&, const FingerPtr&) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     if (has_ended) was_called_late = true;
   });
