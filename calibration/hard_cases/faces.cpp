@@ -1,5 +1,6 @@
 #include "calibration/hard_cases/groups.h"
 #include "core/numerics/chebyshev.h"
+#include "core/numerics/least_squares.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/face_shape.h"
 
@@ -64,7 +65,7 @@ Eigen::VectorXd plain_fit(const FaceEdges& edges) {
         chebyshev_row(2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0, kDegree + 1);
     z[i] = plain_z(edges, static_cast<std::size_t>(i));
   }
-  return design * design.householderQr().solve(z);
+  return design * least_squares(design, z);
 }
 
 /// What a shape says of each column.

@@ -1,5 +1,6 @@
 #include "calibration/joint/joint_costs.h"
 #include "calibration/joint/joint_fit.h"
+#include "core/numerics/symmetric_eigen.h"
 
 #include <algorithm>
 #include <array>
@@ -196,8 +197,7 @@ bool invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd* inverse, double* con
   const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt();
   if (!(scale.minCoeff() > 0.0)) return false;
   const Eigen::VectorXd unscale = scale.cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unscale.asDiagonal() * matrix *
-                                                             unscale.asDiagonal());
+  const auto eigen = symmetric_eigen(unscale.asDiagonal() * matrix * unscale.asDiagonal());
   const double smallest = eigen.eigenvalues().minCoeff();
   const double largest = eigen.eigenvalues().maxCoeff();
   if (!(smallest > 1e-14 * largest)) return false;

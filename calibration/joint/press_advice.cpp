@@ -1,6 +1,7 @@
 #include "calibration/joint/press_advice.h"
 
 #include "core/numerics/philox.h"
+#include "core/numerics/symmetric_eigen.h"
 
 #include <algorithm>
 #include <array>
@@ -112,7 +113,7 @@ double empty_third_mm(const std::vector<Pressed>& made, double face_length_mm) {
 
 Weakness weakest_direction(const MappingCurve& curve, const Eigen::MatrixXd& covariance) {
   const Eigen::MatrixXd rows = gradients_of(curve);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(rows * covariance * rows.transpose());
+  const auto eigen = symmetric_eigen(rows * covariance * rows.transpose());
   const Eigen::VectorXd shape = eigen.eigenvectors().col(kGrid - 1) *
                                 std::sqrt(std::max(0.0, eigen.eigenvalues()[kGrid - 1]));
   Weakness weakness;

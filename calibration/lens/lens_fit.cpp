@@ -2,6 +2,7 @@
 
 #include "calibration/joint/solver_settings.h"
 #include "core/numerics/median.h"
+#include "core/numerics/symmetric_eigen.h"
 
 #include <limits>
 
@@ -172,8 +173,7 @@ Result<LensFit> LensProblem::result() const {
     information += kept.transpose() * kept;
   }
   const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * information *
-                                                             scale.asDiagonal());
+  const auto eigen = symmetric_eigen(scale.asDiagonal() * information * scale.asDiagonal());
   if (!(freedom > 0) || !(eigen.eigenvalues()[0] > 1e-12))
     return Error{
         en::say("these views leave the lens undetermined"),

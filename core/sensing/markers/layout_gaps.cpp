@@ -1,5 +1,6 @@
 #include "core/sensing/markers/layout_gaps.h"
 
+#include "core/numerics/symmetric_eigen.h"
 #include "core/sensing/markers/local_layout.h"
 
 #include <algorithm>
@@ -53,8 +54,7 @@ void refine(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd&
   const Eigen::Index n = filled.rows(), size = filled.cols();
   const Eigen::VectorXd mean = filled.colwise().mean().transpose();
   const Eigen::MatrixXd centred = filled.rowwise() - mean.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(centred.transpose() * centred /
-                                                             static_cast<double>(n - 1));
+  const auto eigen = symmetric_eigen(centred.transpose() * centred / static_cast<double>(n - 1));
   const Eigen::Index modes = std::min<Eigen::Index>({kMostGapModes, n - 1, size});
   const Eigen::VectorXd values = eigen.eigenvalues().tail(modes).cwiseMax(1e-6);
   const Eigen::MatrixXd basis = eigen.eigenvectors().rightCols(modes);

@@ -1,4 +1,5 @@
 #include "core/numerics/farthest_points.h"
+#include "core/numerics/symmetric_eigen.h"
 #include "core/sensing/markers/layout_gaps.h"
 #include "core/sensing/markers/local_layout.h"
 #include "core/sensing/markers/markers.h"
@@ -107,7 +108,7 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
   model.mean_ = model.layouts_.colwise().mean().transpose();
   const Eigen::MatrixXd centred = model.layouts_.rowwise() - model.mean_.transpose();
   const Eigen::MatrixXd covariance = centred.transpose() * centred / static_cast<double>(n - 1);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
+  const auto eigen = symmetric_eigen(covariance);
   if (eigen.info() != Eigen::Success)
     return Error{en::say("the markers' positions are not finite numbers"),
                  en::say("marker model"),

@@ -43,13 +43,6 @@ std::string in_frames(std::string text, int frames) {
   return text.replace(text.find("frames: 3"), 9, fmt::format("frames: {}", frames));
 }
 
-std::string problem_of(const std::string& yaml) {
-  const auto scene = Scene::parse(yaml, "test.yaml");
-  if (!scene) return scene.error().sentence();
-  const auto plan = Plan::compile(*scene, 1);
-  return plan ? "" : plan.error().sentence();
-}
-
 TEST(Presence, OutsideItAFrameIsAsIfTheEffectsWereNotNamed) {
   const std::string moving = "motion: {kind: random}\n";
   for (const std::uint64_t seed : {1, 7, 123456789}) {
@@ -106,8 +99,7 @@ TEST(Presence, ASceneThatGoesOnStartsItsEffectsAgain) {
 
 TEST(Presence, WrongTimesAreRefusedWithFileLineAndKey) {
   const auto problem = [](const std::string& presence) {
-    return problem_of(
-        scene_text("  - {use: quantisation}\n  - {use: read, sd: 1" + presence + "}\n"));
+    return refusal(scene_text("  - {use: quantisation}\n  - {use: read, sd: 1" + presence + "}\n"));
   };
   EXPECT_THAT(problem(", from: 3"), HasSubstr("test.yaml:11: read.from: the scene ends"));
   EXPECT_THAT(problem(", from: 0.1 s"), HasSubstr("one of its frames, 0 to 2"));
@@ -126,14 +118,14 @@ TEST(Presence, WrongTimesAreRefusedWithFileLineAndKey) {
 TEST(Presence, WhatCannotBeAloneIsRefusedForTheFramesInWhichItWouldBe) {
   const std::string ball =
       "  - {use: ball, radius_mm: 4, s_mm: 30, y_mm: 0, depth_mm: 1, from: 1}\n";
-  EXPECT_EQ(problem_of(scene_text(ball + "  - {use: rolloff, kind: hertz, from: 1}\n")), "");
-  EXPECT_THAT(problem_of(scene_text(ball + "  - {use: rolloff, kind: hertz}\n")),
+  EXPECT_EQ(refusal(scene_text(ball + "  - {use: rolloff, kind: hertz, from: 1}\n")), "");
+  EXPECT_THAT(refusal(scene_text(ball + "  - {use: rolloff, kind: hertz}\n")),
               HasSubstr("rolloff: nothing presses, so nothing rolls off, in frames 0 to 0"));
   EXPECT_THAT(
-      problem_of(scene_text("  - {use: quantisation, until: 2}\n  - {use: mjpeg, quality: 80}\n")),
+      refusal(scene_text("  - {use: quantisation, until: 2}\n  - {use: mjpeg, quality: 80}\n")),
       HasSubstr("in frames 2 to 2"));
-  EXPECT_THAT(problem_of(scene_text("  - {use: read, sd: 1, until: 2}\n"
-                                    "  - {use: read, sd: 2, from: 1}\n")),
+  EXPECT_THAT(refusal(scene_text("  - {use: read, sd: 1, until: 2}\n"
+                                 "  - {use: read, sd: 2, from: 1}\n")),
               HasSubstr("test.yaml:11: read#2.use: the effect 'read' is named twice for frames 1 "
                         "to 1"));
   const Plan partly = plan_of(scene_text("  - {use: quantisation, from: 1}\n"));

@@ -35,6 +35,14 @@ inline Plan plan_of(const std::string& yaml, std::uint64_t seed = 7) {
   return *plan;
 }
 
+/// The sentence that a scene is refused with; empty: it is not.
+inline std::string refusal(const std::string& text) {
+  const auto scene = Scene::parse(text, "test.yaml");
+  if (!scene) return scene.error().sentence();
+  const auto plan = Plan::compile(*scene, 1);
+  return plan ? "" : plan.error().sentence();
+}
+
 inline bool same_bytes(const cv::Mat& a, const cv::Mat& b) {
   if (a.size() != b.size() || a.type() != b.type()) return false;
   for (int v = 0; v < a.rows; ++v)

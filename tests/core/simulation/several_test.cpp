@@ -27,7 +27,7 @@ const std::string kDrawnBall =
     "  - {use: ball, radius_mm: 4, s_mm: {from: 20, to: 90}, y_mm: {from: -5, to: 5},\n"
     "     depth_mm: {from: 0.3, to: 1.2}}\n";
 
-std::string problem_of(const std::string& yaml) {
+std::string refusal_to_read(const std::string& yaml) {
   const auto scene = Scene::parse(yaml, "test.yaml");
   return scene ? "" : scene.error().sentence();
 }
@@ -142,7 +142,7 @@ TEST(Several, GiveTheSameBytesWithAnyThreads) {
 }
 
 TEST(Several, EachHasItsOwnNameInErrors) {
-  EXPECT_THAT(problem_of(scene_text(ball(4, 30, 0, 1) + ball(-1, 60, 0, 1))),
+  EXPECT_THAT(refusal_to_read(scene_text(ball(4, 30, 0, 1) + ball(-1, 60, 0, 1))),
               HasSubstr("test.yaml:11: ball#2.radius_mm: must be"));
   const auto scene = Scene::parse(scene_text(ball(4, 30, 0, 1) + ball(4, 600, 0, 1)), "test.yaml");
   ASSERT_TRUE(scene);
@@ -159,12 +159,14 @@ TEST(Several, TwoOfWhatThereCanBeOneOfAreRefused) {
                              "quantisation",
                              "mjpeg, quality: 80"}) {
     const std::string line = fmt::format("  - {{use: {}}}\n", effect);
-    EXPECT_THAT(problem_of(scene_text(line + line)), HasSubstr("test.yaml:11: ")) << effect;
-    EXPECT_THAT(problem_of(scene_text(line + line)), HasSubstr("#2.use: the effect")) << effect;
-    EXPECT_THAT(problem_of(scene_text(line + line)), HasSubstr("is named twice. Try:")) << effect;
+    EXPECT_THAT(refusal_to_read(scene_text(line + line)), HasSubstr("test.yaml:11: ")) << effect;
+    EXPECT_THAT(refusal_to_read(scene_text(line + line)), HasSubstr("#2.use: the effect"))
+        << effect;
+    EXPECT_THAT(refusal_to_read(scene_text(line + line)), HasSubstr("is named twice. Try:"))
+        << effect;
     const std::string early = fmt::format("  - {{use: {}, until: 1}}\n", effect);
     const std::string late = fmt::format("  - {{use: {}, from: 1}}\n", effect);
-    EXPECT_EQ(problem_of(scene_text(early + late)), "") << effect;
+    EXPECT_EQ(refusal_to_read(scene_text(early + late)), "") << effect;
   }
 }
 

@@ -47,12 +47,27 @@ inline cv::Mat_<float> rendered(const std::string& text, int frame = 0) {
   return plan_of(text).render(frame);
 }
 
-/// The sentence that a scene is refused with; empty: it is not.
-inline std::string refusal(const std::string& text) {
-  const auto scene = Scene::parse(text, "test.yaml");
-  if (!scene) return scene.error().sentence();
-  const auto plan = Plan::compile(*scene, 1);
-  return plan ? "" : plan.error().sentence();
+/// How bright frame `frame` is, as a share of a scene without the effect.
+inline double share_in(const std::string& effect, int frame, double frames_per_s) {
+  const std::string rate = fmt::format("frames_per_s: {}\n", frames_per_s);
+  const cv::Mat_<float> plain = rendered(rate + flat_text(kFaceAndLamps), frame);
+  const cv::Mat_<float> lit = rendered(rate + flat_text(kFaceAndLamps + effect), frame);
+  return double{lit(90, 160)} / plain(90, 160);
+}
+
+/// Share of the pixel within `radius` of the line from a to b, of the flat face.
+inline double part_of(
+    double mm_per_px, int u, int v, Eigen::Vector2d a, Eigen::Vector2d b, double radius) {
+  const Eigen::Vector2d p = flat_point(u, v).head<2>();
+  double nearest = std::min((p - a).norm(), (p - b).norm());
+  const double length = (b - a).norm();
+  if (length > 0) {
+    const Eigen::Vector2d way = (b - a) / length;
+    const double along = (p - a).dot(way);
+    if (along > 0 && along < length)
+      nearest = std::abs((p - a).x() * way.y() - (p - a).y() * way.x());
+  }
+  return std::clamp((radius - nearest) / mm_per_px + 0.5, 0.0, 1.0);
 }
 
 class Parameters {

@@ -5,14 +5,6 @@ namespace {
 
 using testing::HasSubstr;
 
-/// How bright frame `frame` is, as a share of a scene without the effect.
-double share_in(const std::string& effect, int frame, double frames_per_s) {
-  const std::string rate = fmt::format("frames_per_s: {}\n", frames_per_s);
-  const cv::Mat_<float> plain = rendered(rate + flat_text(kFaceAndLamps), frame);
-  const cv::Mat_<float> lit = rendered(rate + flat_text(kFaceAndLamps + effect), frame);
-  return double{lit(90, 160)} / plain(90, 160);
-}
-
 // The mean over the exposure, summed up in small steps.
 template <class Power>
 double mean_about(double t, double exposure, const Power& power) {

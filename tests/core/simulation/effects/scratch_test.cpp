@@ -5,21 +5,6 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Share of the pixel within `radius` of the line from a to b, of the flat face.
-double part_of(
-    double mm_per_px, int u, int v, Eigen::Vector2d a, Eigen::Vector2d b, double radius) {
-  const Eigen::Vector2d p = flat_point(u, v).head<2>();
-  double nearest = std::min((p - a).norm(), (p - b).norm());
-  const double length = (b - a).norm();
-  if (length > 0) {
-    const Eigen::Vector2d way = (b - a) / length;
-    const double along = (p - a).dot(way);
-    if (along > 0 && along < length)
-      nearest = std::abs((p - a).x() * way.y() - (p - a).y() * way.x());
-  }
-  return std::clamp((radius - nearest) / mm_per_px + 0.5, 0.0, 1.0);
-}
-
 TEST(Scratch, ChangesTheLightAlongItsLine) {
   const double mm_per_px = Camera::create(plan_of(flat_text("")).finger().camera)->mm_per_px_at(30);
 

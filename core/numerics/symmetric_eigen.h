@@ -1,0 +1,12 @@
+// Eigen's decomposition of symmetric matrices of any size, built once: it takes seconds to compile.
+#pragma once
+
+#include <Eigen/Eigenvalues>
+
+namespace alltact {
+
+/// Eigenvalues rise. Only the lower triangle is read.
+[[nodiscard]] Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> symmetric_eigen(
+    const Eigen::MatrixXd& matrix);
+
+}  // namespace alltact
