@@ -147,10 +147,7 @@ void Plan::State::render_rows(const FramePlan& plan,
 }
 
 // Adds up the light of every moment of the rows' exposure.
-void Plan::State::render_light(FramePlan plan,
-                               int first,
-                               int last,
-                               cv::Mat_<float>& grey) const {
+void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<float>& grey) const {
   RowScratch scratch(grey.cols);
   RowView row(grey.cols, scratch);
   const Exposure& exposure = plan.exposure();

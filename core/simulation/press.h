@@ -33,8 +33,8 @@ struct BallPress {
   /// face lies on the ball nowhere.
   double contact_radius_mm = 0;
   double rim_mm = 0;  ///< where the contact ends, whatever the face does there
-  /// Normal depth off the ball at r = i * kStep; 0 beyond its end. Negative: bulged. Empty where the
-  /// face leaves the ball as if cut.
+  /// Normal depth off the ball at r = i * kStep; 0 beyond its end. Negative: bulged. Empty where
+  /// the face leaves the ball as if cut.
   std::vector<float> profile_mm;
   static constexpr double kStep_mm = 0.005;
 

@@ -54,7 +54,8 @@ constexpr const char* kQtOrVtk = "^(Q[A-Z]|Qt|vtk)";
 TEST(Layers, TheScanSeesWhatIsThere) {
   const auto includes = includes_below("core");
   const auto by_pipeline = [](const Include& include) {
-    return include.file == "core/sensing/pipeline.h" && include.header == "core/finger/finger_store.h";
+    return include.file == "core/sensing/pipeline.h" &&
+           include.header == "core/finger/finger_store.h";
   };
   EXPECT_TRUE(std::any_of(includes.begin(), includes.end(), by_pipeline));
   EXPECT_FALSE(offences("calibration", "^core/").empty());
