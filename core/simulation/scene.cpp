@@ -139,7 +139,7 @@ std::string read_sentence(YamlSection& scene, const char* key) {
 void read_scene(YamlSection& scene, Scene::Content& content) {
   content.name = read_sentence(scene, "name");
   content.why = read_sentence(scene, "why");
-  content.time = TimeLine::of(scene);
+  content.time = SceneTime::of(scene);
   YamlSection finger = scene.section("finger");
   content.finger.name = content.name;
   content.finger.camera = read_camera(finger.section("camera"));

@@ -5,7 +5,7 @@
 #include "core/simulation/effect.h"
 #include "core/simulation/motion.h"
 #include "core/simulation/scene.h"
-#include "core/simulation/time_line.h"
+#include "core/simulation/scene_time.h"
 
 #include <memory>
 #include <string>
@@ -18,7 +18,7 @@ namespace alltact {
 struct Scene::Content {
   std::string name, why;
   Finger finger;  // camera, face, markers; nothing calibrated
-  TimeLine time;
+  SceneTime time;
 
   // Of the untouched finger, Fin Ray only: the view face's middle line starts at `base_mm`, makes
   // `incline_rad` with x and is `length_mm` long.

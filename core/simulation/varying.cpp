@@ -1,7 +1,7 @@
 #include "core/simulation/varying.h"
 
 #include "core/numerics/philox.h"
-#include "core/simulation/time_line.h"
+#include "core/simulation/scene_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ Varying Varying::read(YamlSection& section, const std::string& key, Limits limit
 void Varying::read_key_frames(YamlSection& section, const std::string& key, Limits limits) {
   kind_ = Kind::kKeyFrames;
   values_.clear();
-  const TimeLine time = TimeLine::of(section);
+  const SceneTime time = SceneTime::of(section);
   frames_ = time.frames;
   for (YamlSection& given : section.sections(key)) {
     const double at = time.point(given, "at");

@@ -1,5 +1,5 @@
 // Numbers that go from key frame to key frame.
-#include "core/simulation/time_line.h"
+#include "core/simulation/scene_time.h"
 #include "core/simulation/varying.h"
 #include "tests/core/simulation/scene_text.h"
 
@@ -22,7 +22,7 @@ Result<Varying> read_varying(const std::string& value,
   YamlFile file("test.yaml", YamlFile::Unknown::kRefused);
   Varying varying;
   const Status status = file.read(top + "ball:\n  x_mm: " + value + "\n", [&](YamlSection& scene) {
-    TimeLine::of(scene);
+    SceneTime::of(scene);
     YamlSection section = scene.section("ball");
     varying = Varying::read(section, "x_mm", limits);
   });

@@ -1,4 +1,4 @@
-#include "core/simulation/time_line.h"
+#include "core/simulation/scene_time.h"
 
 #include "core/printable.h"
 
@@ -14,19 +14,19 @@ constexpr double kLatest = 1e9;      // frames or seconds
 constexpr double kSameFrame = 1e-6;  // what rounding makes of a frame's time
 
 // The first frame at or after a point in time.
-int frame_from(double point, const TimeLine& time) {
+int frame_from(double point, const SceneTime& time) {
   return static_cast<int>(std::ceil(std::min(point, double(time.frames)) - kSameFrame));
 }
 
 }  // namespace
 
-TimeLine TimeLine::of(const YamlSection& part) {
+SceneTime SceneTime::of(const YamlSection& part) {
   YamlSection scene = part.top();
   return {scene.whole_number_or("frames", 1, 1, 1000000),
           scene.number_or("frames_per_s", 30, {0.1, 10000})};
 }
 
-double TimeLine::point(YamlSection& section, const std::string& key) const {
+double SceneTime::point(YamlSection& section, const std::string& key) const {
   const std::string text = section.text(key);
   std::string_view number = text;
   const bool in_seconds = number.ends_with('s');
@@ -42,7 +42,7 @@ double TimeLine::point(YamlSection& section, const std::string& key) const {
   return in_seconds ? value * frames_per_s : value;
 }
 
-Presence Presence::read(YamlSection& effect, const TimeLine& time) {
+Presence Presence::read(YamlSection& effect, const SceneTime& time) {
   Presence presence{0, time.frames};
   if (effect.has("from")) {
     presence.first = frame_from(time.point(effect, "from"), time);

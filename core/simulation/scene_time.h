@@ -9,12 +9,12 @@ namespace alltact {
 
 /// The frames of a scene, from the top of its file (`frames`, `frames_per_s`). A source that plays
 /// without end starts them again after the last one.
-struct TimeLine {
+struct SceneTime {
   int frames = 1;
   double frames_per_s = 30;
 
   /// For YamlFile::read(); `part` is any section of the scene.
-  static TimeLine of(const YamlSection& part);
+  static SceneTime of(const YamlSection& part);
 
   /// A point in time as a number of frames: a plain number is one (`60`), and seconds have their
   /// unit (`2 s`). Not negative.
@@ -29,7 +29,7 @@ struct Presence {
   int first = 0, end = 1;
 
   /// For YamlFile::read(). A presence of no frame is refused.
-  static Presence read(YamlSection& effect, const TimeLine& time);
+  static Presence read(YamlSection& effect, const SceneTime& time);
 
   [[nodiscard]] bool holds(int frame) const { return frame >= first && frame < end; }
   [[nodiscard]] bool overlaps(const Presence& other) const {
