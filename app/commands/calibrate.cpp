@@ -132,7 +132,7 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   warnings.insert(warnings.end(), done->about_settings.begin(), done->about_settings.end());
   for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
   tell(*done, console);
-  console.say("Report: " + (options.finger / "calibration_report.html").string() + ", .pdf");
+  console.say("Report: " + (options.finger / kReportPage).string() + ", .pdf");
   console.say("Again, from what is kept with the finger: " + repeat_command(options.finger));
   Console::Json& answer = console.answer();
   answer["verdict"] = done->verdict.sentence.english();
@@ -144,7 +144,7 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   if (!done->problem_picture.empty()) answer["problem_picture"] = done->problem_picture.string();
   answer["remarks"] = in_english(done->calibration.remarks);
   answer["warnings"] = in_english(warnings);
-  answer["report"] = (options.finger / "calibration_report.json").string();
+  answer["report"] = (options.finger / kReportFigures).string();
   return {};
 }
 

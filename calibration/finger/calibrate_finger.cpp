@@ -12,7 +12,6 @@
 #include "core/utc_time.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -20,8 +19,6 @@ namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array kReportPages{"calibration_report.html", "calibration_report.pdf"};
 
 void record(FingerCalibration& done) {
   Finger& finger = done.finger;
@@ -114,7 +111,7 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
   sign_inputs(work, done);
   record(done);
   std::vector<ReportFile> files{{CalibrationInputs::kFileName, done.inputs.to_yaml()},
-                                {"calibration_report.json", calibration_report_json(done)}};
+                                {kReportFigures, calibration_report_json(done)}};
   bool has_pages = false;
   if (work.make_report && !job.stop_requested()) {
     job.report(0.95, en::say("writing the report"));
@@ -135,7 +132,8 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
   }
   if (!has_pages) {  // nor those about another solution
     std::error_code absent;
-    for (const char* page : kReportPages) fs::remove(work.store->folder() / page, absent);
+    for (const char* page : {kReportPage, kReportPaper})
+      fs::remove(work.store->folder() / page, absent);
   }
   // Where presses are being collected that is what is said of them now; elsewhere the inputs tell.
   std::error_code absent;

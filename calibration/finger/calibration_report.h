@@ -7,6 +7,10 @@
 
 namespace alltact {
 
+inline constexpr const char* kReportFigures = "calibration_report.json";
+inline constexpr const char* kReportPage = "calibration_report.html";
+inline constexpr const char* kReportPaper = "calibration_report.pdf";
+
 /// The whole content of the file: `format` alltact-calibration-report/1, lengths in mm. The same
 /// calibration gives the same bytes; the date stands in finger.yaml and the inputs only.
 [[nodiscard]] std::string calibration_report_json(const FingerCalibration& done);

@@ -8,16 +8,15 @@
 namespace alltact {
 namespace {
 
-MeasuredFrame measured_by(const Finger& finger, const Camera& camera, FrameResult result) {
+MeasuredFrame measured_by(const FingerSnapshot& finger, FrameResult result) {
   MeasuredFrame frame;
   frame.result = std::move(result);
-  frame.face = finger.face;
-  frame.camera = camera;
+  frame.face = finger.finger.face;
+  frame.camera = finger.camera;
   frame.is_calibrated = finger.mapping.has_value();
   const FrameResult& first = frame.result;
   if (!finger.mapping || !first.depth || !first.shape || !first.reference) return frame;
-  if (const auto curve = Mapping::create(*finger.mapping))
-    frame.sd_mm = depth_sd_mm(*first.depth, *first.reference, *first.shape, *curve);
+  frame.sd_mm = depth_sd_mm(*first.depth, *first.reference, *first.shape, *finger.mapping);
   return frame;
 }
 
@@ -95,7 +94,7 @@ Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number,
   auto result = (*first_)(*picture);
   if (!result) return result.error();
   last_ = number;
-  MeasuredFrame frame = measured_by(finger_->finger, finger_->camera, std::move(*result));
+  MeasuredFrame frame = measured_by(*finger_, std::move(*result));
   frame.number = number;
   if (other == OtherMethod::kPaper) {
     if (const Status status = open_other(job); !status) return status.error();
@@ -109,10 +108,10 @@ Result<MeasuredFrame> FrameMeasurer::complete(const FrameResult& live,
                                               const std::filesystem::path& folder,
                                               OtherMethod other,
                                               const Job& job) {
-  const auto camera = Camera::create(finger.camera);
-  if (!camera) return camera.error();
+  const auto snapshot = FingerSnapshot::of(folder, finger);
+  if (!snapshot) return snapshot.error();
   last_.reset();
-  MeasuredFrame frame = measured_by(finger, *camera, live);
+  MeasuredFrame frame = measured_by(*snapshot, live);
   if (other == OtherMethod::kPaper && !folder.empty()) {
     if (const Status status = load_finger(folder, job); !status) return status.error();
     if (const Status status = open_other(job); !status) return status.error();

@@ -65,7 +65,7 @@ class FrameMeasurer {
 
   /// A frame that `finger` has measured live. The other method measures it with the finger in
   /// `folder`, opened for that; where that is empty, not at all. Errors: those of load_finger() and
-  /// Camera::create.
+  /// FingerSnapshot::of.
   [[nodiscard]] Result<MeasuredFrame> complete(const FrameResult& live,
                                                const Finger& finger,
                                                const std::filesystem::path& folder,

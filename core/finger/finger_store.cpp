@@ -22,12 +22,6 @@ std::string written(const fs::path& file) {
       "{} {} {}.{:09}", of.st_ino, of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
 }
 
-/// Of whatever PressSet::load may read.
-std::string presses_written(const fs::path& folder) {
-  const std::string own = written(folder / PressSet::kFileName);
-  return own.empty() ? written(folder / "calibration_inputs.yaml") : own;
-}
-
 /// All but the presses.
 Result<FingerSnapshot> load(const fs::path& folder, std::uint64_t revision) {
   std::vector<Message> warnings;
@@ -82,7 +76,7 @@ std::shared_ptr<FingerStore> FingerStore::of(const fs::path& folder) {
 
 Result<FingerPtr> FingerStore::read() {
   const std::string finger_now = written(folder_ / Finger::kFileName);
-  const std::string presses_now = presses_written(folder_);
+  const std::string presses_now = written(PressSet::file_in(folder_));
   const bool is_same_finger = last_ && finger_now == finger_written_;
   if (is_same_finger && presses_now == presses_written_) return last_;
   auto next = is_same_finger ? Result(*last_) : load(folder_, last_ ? last_->revision + 1 : 1);

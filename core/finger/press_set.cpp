@@ -174,15 +174,19 @@ void add_single_presses(const PressSet& presses, YamlBlock& block) {
   });
 }
 
-Result<PressSet> PressSet::load(const fs::path& finger_folder) {
+fs::path PressSet::file_in(const fs::path& finger_folder) {
   std::error_code failed;
-  fs::path file = finger_folder / kFileName;
-  const bool is_here = fs::exists(file, failed);
-  if (!is_here) file = finger_folder / kCalibratedFrom;
+  const fs::path own = finger_folder / kFileName;
+  return fs::exists(own, failed) ? own : finger_folder / kCalibratedFrom;
+}
+
+Result<PressSet> PressSet::load(const fs::path& finger_folder) {
+  const fs::path file = file_in(finger_folder);
+  std::error_code failed;
   if (!fs::exists(file, failed)) return PressSet();
   const auto content = read_file(file, YamlFile::kMaxBytes);
   if (!content) return content.error();
-  if (is_here) return parse(*content, file);
+  if (file.filename() == kFileName) return parse(*content, file);
   YamlFile inputs(file);
   PressSet presses;
   const Status read =

@@ -68,8 +68,11 @@ struct PressSet {
   /// Without what is said of presses that are not among these.
   [[nodiscard]] PressSet only(const std::set<std::string>& presses) const;
 
-  /// What the folder keeps; where there is no such file, what its calibration was made from. Empty
-  /// where it keeps nothing. Errors: the file cannot be read, impossible values.
+  /// The file that tells of a folder's presses: press_notes.yaml or, where there is none, what its
+  /// calibration was made from.
+  [[nodiscard]] static std::filesystem::path file_in(const std::filesystem::path& finger_folder);
+  /// What file_in() says; empty where there is no such file. Errors: the file cannot be read,
+  /// impossible values.
   static Result<PressSet> load(const std::filesystem::path& finger_folder);
   static Result<PressSet> parse(const std::string& yaml, const std::filesystem::path& origin);
   [[nodiscard]] std::string to_yaml() const;

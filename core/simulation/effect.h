@@ -146,6 +146,10 @@ class TransportEffect : public Effect {
   virtual void picture(const FrameContext&, SentPicture&) const {}
 };
 
+/// A place on the face, s along it from its base and y across. Error: beyond its ends or beside it;
+/// a flat sensor's face goes as far as the picture.
+[[nodiscard]] Status place_fits(const SceneFacts& scene, const Varying& s_mm, const Varying& y_mm);
+
 /// What ball and relief ask alike: on the face, and not through the layer.
 [[nodiscard]] Status press_fits(const SceneFacts& scene,
                                 const Varying& depth_mm,

@@ -2,19 +2,6 @@
 
 namespace alltact {
 
-Status mark_fits(const SceneFacts& scene, const Varying& s_mm, const Varying& y_mm) {
-  const Face& face = scene.finger.face;
-  if (face.kind == FaceKind::kFlat) return {};
-  if (s_mm.least() < 0 || s_mm.greatest() > scene.length_mm)
-    return Error{
-        en::say("s_mm is beyond the ends of the face"), "", en::say("0 to {:g}", scene.length_mm)};
-  if (y_mm.least() < -face.width_mm / 2 || y_mm.greatest() > face.width_mm / 2)
-    return Error{en::say("y_mm is beside the face"),
-                 "",
-                 en::say("{:g} to {:g}", -face.width_mm / 2, face.width_mm / 2)};
-  return {};
-}
-
 void MarkRows::row(RowView& row) const {
   const FaceRow& face = row.face;
   const Eigen::Vector2d way = mark_.to_mm - mark_.from_mm;

@@ -14,9 +14,6 @@ struct FaceMark {
   double radius_mm;
 };
 
-/// Error: beyond the face's ends or beside it.
-[[nodiscard]] Status mark_fits(const SceneFacts& scene, const Varying& s_mm, const Varying& y_mm);
-
 /// light = light * (1 + (factor - 1) * part) + level * part, part the share of the pixel within the
 /// mark, to first order: its distance from the mark's edge in pixels, from 1/2 outside to 1/2
 /// inside.

@@ -18,24 +18,6 @@ using test::FlatSensor;
 using testing::AnyOf;
 using testing::HasSubstr;
 
-Finger flat_finger() {
-  Finger finger;
-  finger.name = "flat";
-  finger.camera.model = CameraModel::kOrthographic;
-  finger.camera.width_px = FlatSensor::kWidth, finger.camera.height_px = FlatSensor::kHeight;
-  finger.camera.cx_px = 159.5, finger.camera.cy_px = 119.5;
-  finger.camera.mm_per_px = FlatSensor::kMmPerPx;
-  finger.face.kind = FaceKind::kFlat;
-  finger.face.layer_mm = FlatSensor::kLayerMm;
-  finger.face.plane_z_mm = 20;
-  MappingParameters mapping;
-  mapping.kind = MappingKind::kMoebius;
-  mapping.x_max = 0.5;
-  mapping.a_mm = FlatSensor::kA, mapping.b = FlatSensor::kB;
-  finger.mapping = mapping;
-  return finger;
-}
-
 /// d = a x / (1 + b x), turned round.
 double difference_of(double depth_mm) {
   return depth_mm / (FlatSensor::kA - FlatSensor::kB * depth_mm);
@@ -74,9 +56,10 @@ class HardPictures : public testing::Test {
     return fmt::format("{}", fmt::join(result.problems, "; "));
   }
 
-  Pipeline pipeline_ = Pipeline::over(ReferenceLibrary::single(test::untouched_picture(1)).value(),
-                                      FingerSnapshot::of({}, flat_finger()).value(),
-                                      PipelineSettings{});
+  Pipeline pipeline_ =
+      Pipeline::over(ReferenceLibrary::single(test::untouched_picture(1)).value(),
+                     FingerSnapshot::of({}, test::flat_sensor_finger(true)).value(),
+                     PipelineSettings{});
 };
 
 double part_measured(const DepthMap& map) {
@@ -211,7 +194,7 @@ TEST_F(HardPictures, NoneGivesADepthBeyondTheLayer) {
 TEST_F(HardPictures, ADepthIsTheOneThatTheMappingWasMadeFrom) {
   ALLTACT_SKIP_IF_AWAITED();
   // The mapping of this file, as a check of the check: x of every depth and back.
-  const Mapping mapping = Mapping::create(*flat_finger().mapping).value();
+  const Mapping mapping = Mapping::create(*test::flat_sensor_finger(true).mapping).value();
   for (const double depth_mm : {0.01, 0.1, 0.5})
     EXPECT_NEAR(mapping.depth_mm(difference_of(depth_mm)), depth_mm, 1e-12);
 }

@@ -29,6 +29,24 @@ cv::Mat noisy_picture(std::uint64_t seed, Level level) {
 
 }  // namespace
 
+Finger flat_sensor_finger(bool is_calibrated) {
+  Finger finger;
+  finger.name = "flat";
+  finger.camera.model = CameraModel::kOrthographic;
+  finger.camera.width_px = FlatSensor::kWidth, finger.camera.height_px = FlatSensor::kHeight;
+  finger.camera.cx_px = 159.5, finger.camera.cy_px = 119.5;
+  finger.camera.mm_per_px = FlatSensor::kMmPerPx;
+  finger.face.kind = FaceKind::kFlat;
+  finger.face.layer_mm = FlatSensor::kLayerMm;
+  finger.face.plane_z_mm = 20;
+  if (!is_calibrated) return finger;
+  finger.mapping.emplace();
+  finger.mapping->kind = MappingKind::kMoebius;
+  finger.mapping->x_max = 0.5;
+  finger.mapping->a_mm = FlatSensor::kA, finger.mapping->b = FlatSensor::kB;
+  return finger;
+}
+
 cv::Mat_<float> ball_depth_mm(double u, double v, double depth_mm) {
   cv::Mat_<float> depth(FlatSensor::kHeight, FlatSensor::kWidth, 0.0F);
   const double r = FlatSensor::kBallRadiusMm;

@@ -2,6 +2,8 @@
 // independent of the program's own simulation.
 #pragma once
 
+#include "core/finger/finger.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -18,6 +20,9 @@ struct FlatSensor {
   /// True mapping: d = kA x / (1 + kB x).
   static constexpr double kA = 2.2, kB = 1.5;
 };
+
+/// The sensor as its finger.yaml describes it, with the true mapping where it is calibrated.
+Finger flat_sensor_finger(bool is_calibrated);
 
 /// Depth in mm of a ball pressed `depth_mm` deep at a pixel; 0 outside the contact.
 cv::Mat_<float> ball_depth_mm(double u, double v, double depth_mm);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// All that a calibration writes beside the presses and finger.yaml.
 constexpr const char* kWritten[] = {
-    CalibrationInputs::kFileName, "calibration_report.json", kReportPage, kReportPaper};
+    CalibrationInputs::kFileName, kReportFigures, kReportPage, kReportPaper};
 
 std::map<std::string, std::optional<std::string>> read_written(const fs::path& folder) {
   std::map<std::string, std::optional<std::string>> files;
@@ -133,8 +133,8 @@ CalibrationState CalibrationRun::state() const {
       from_->presses.begin(),
       from_->presses.end(),
       [](const DeskPress& press, const KeptPress& kept) { return press.name == kept.name; });
-  return same_presses && desk_.said() == from_->said ? CalibrationState::kCurrent
-                                                     : CalibrationState::kStale;
+  return same_presses && input_for(desk_.said()).said == from_->said ? CalibrationState::kCurrent
+                                                                     : CalibrationState::kStale;
 }
 
 FingerCalibrationInput CalibrationRun::input_for(const PressSet& said) const {

@@ -1,7 +1,7 @@
 // The report of a calibration, for the lab book: what it is worth, and how one can see that.
 #pragma once
 
-#include "calibration/finger/calibrate_finger.h"
+#include "calibration/finger/calibration_report.h"
 #include "core/job.h"
 #include "core/result.h"
 #include "widgets/report/document.h"
@@ -12,11 +12,9 @@
 
 namespace alltact {
 
-inline constexpr const char* kReportPage = "calibration_report.html";
-inline constexpr const char* kReportPaper = "calibration_report.pdf";
-
-/// Both, of the finger in `folder`, the same bytes for the same calibration. Needs a QApplication,
-/// on any platform, and the thread it lives in. Errors: the job was stopped; the printing failed.
+/// kReportPage and kReportPaper of the finger in `folder`, the same bytes for the same calibration.
+/// Needs a QApplication, on any platform, and the thread it lives in. Errors: the job was stopped;
+/// the printing failed.
 [[nodiscard]] Result<std::vector<ReportFile>> make_calibration_pages(
     const FingerCalibration& done, const std::filesystem::path& folder, const Job& job);
 

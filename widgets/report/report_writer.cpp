@@ -6,6 +6,7 @@
 #include "widgets/report/report_pages.h"
 
 #include <QTimer>
+#include <mutex>
 
 namespace alltact {
 
@@ -13,19 +14,30 @@ struct ReportWriter::Pages {
   std::shared_ptr<const FingerCalibration> done;
   std::filesystem::path folder;
   std::optional<ReportPages> pages = {};
+  std::mutex writing = {};
+  bool is_stopped = false;  ///< nothing is to be written any more
 };
 
 ReportWriter::ReportWriter(QObject* parent) : QObject(parent) {}
-ReportWriter::~ReportWriter() = default;
+ReportWriter::~ReportWriter() {
+  stop();
+}
 
 void ReportWriter::start(std::shared_ptr<const FingerCalibration> done,
                          const std::filesystem::path& folder) {
+  stop();
   problem_.reset();
-  pages_ = std::make_shared<Pages>(Pages{std::move(done), folder});
+  pages_ = std::make_shared<Pages>();
+  pages_->done = std::move(done);
+  pages_->folder = folder;
   prepare(pages_);
 }
 
 void ReportWriter::stop() {
+  if (pages_) {
+    const std::lock_guard lock(pages_->writing);
+    pages_->is_stopped = true;
+  }
   pages_.reset();
   work_.reset();
 }
@@ -61,9 +73,9 @@ void ReportWriter::write(const std::shared_ptr<Pages>& pages) {
     const auto written = std::make_shared<Status>();
     const auto files = files_of(pages->pages->document(), pages->done->inputs.date, job);
     if (!files) *written = files.error();
-    for (std::size_t i = 0; files && i < files->size() && *written; ++i)
-      if (!job.stop_requested())
-        *written = write_file_atomically(pages->folder / (*files)[i].name, (*files)[i].content);
+    const std::lock_guard lock(pages->writing);
+    for (std::size_t i = 0; files && i < files->size() && *written && !pages->is_stopped; ++i)
+      *written = write_file_atomically(pages->folder / (*files)[i].name, (*files)[i].content);
     return std::function<void()>([this, pages, written] {
       if (pages == pages_) end(*written);
     });

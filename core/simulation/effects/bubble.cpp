@@ -25,7 +25,7 @@ class Bubble final : public RadianceEffect {
       return Error{en::say("the bubble is wider than the layer is thick"),
                    "",
                    en::say("radius_mm up to {:g}", scene.finger.face.layer_mm / 2)};
-    return mark_fits(scene, s_, y_);
+    return place_fits(scene, s_, y_);
   }
 
   std::unique_ptr<const Rows> begin(const FrameContext& frame,

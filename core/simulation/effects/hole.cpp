@@ -20,7 +20,7 @@ class Hole final : public RadianceEffect {
   }
   bool may_be_several() const override { return true; }
 
-  Status fits(const SceneFacts& scene) const override { return mark_fits(scene, s_, y_); }
+  Status fits(const SceneFacts& scene) const override { return place_fits(scene, s_, y_); }
 
   std::unique_ptr<const Rows> begin(const FrameContext& frame,
                                     const FrameGeometry& geometry) const override {

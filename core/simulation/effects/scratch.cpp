@@ -21,7 +21,7 @@ class Scratch final : public RadianceEffect {
 
   Status fits(const SceneFacts& scene) const override {
     for (const Eigen::Vector2d& end : {from_, to_})
-      if (const Status status = mark_fits(scene, Varying(end.x()), Varying(end.y())); !status)
+      if (const Status status = place_fits(scene, Varying(end.x()), Varying(end.y())); !status)
         return status;
     return {};
   }

@@ -18,7 +18,7 @@ class Speck final : public RadianceEffect {
   Message sentence() const override { return en::say("A speck of dirt lies on the face"); }
   bool may_be_several() const override { return true; }
 
-  Status fits(const SceneFacts& scene) const override { return mark_fits(scene, s_, y_); }
+  Status fits(const SceneFacts& scene) const override { return place_fits(scene, s_, y_); }
 
   std::unique_ptr<const Rows> begin(const FrameContext& frame,
                                     const FrameGeometry& geometry) const override {

@@ -34,24 +34,9 @@ class FrameMeasurerTest : public testing::Test {
   }
 
   void save_finger(bool is_calibrated) {
-    finger_.name = "flat";
-    finger_.camera.model = CameraModel::kOrthographic;
-    finger_.camera.width_px = FlatSensor::kWidth, finger_.camera.height_px = FlatSensor::kHeight;
-    finger_.camera.cx_px = 159.5, finger_.camera.cy_px = 119.5;
-    finger_.camera.mm_per_px = FlatSensor::kMmPerPx;
-    finger_.face.kind = FaceKind::kFlat;
-    finger_.face.layer_mm = FlatSensor::kLayerMm;
-    finger_.face.plane_z_mm = 20;
+    finger_ = test::flat_sensor_finger(is_calibrated);
     finger_.reference = ReferenceFiles{};
     finger_.reference->image = "ref.png";
-    finger_.mapping.reset();
-    if (is_calibrated) {
-      MappingParameters mapping;
-      mapping.kind = MappingKind::kMoebius;
-      mapping.x_max = 0.5;
-      mapping.a_mm = FlatSensor::kA, mapping.b = FlatSensor::kB;
-      finger_.mapping = mapping;
-    }
     const Status saved = finger_.save(folder_.path());
     ASSERT_TRUE(saved.ok()) << saved.error().sentence();
   }

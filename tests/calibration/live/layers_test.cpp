@@ -16,24 +16,6 @@ constexpr int kPeriod_px = 6;  // along a row, half of it painted
 const cv::Rect kDarkReference(30, 40, 60, 48), kBrightReference(200, 30, 48, 60),
     kBrightLive(120, 150, 54, 42), kDarkLive(230, 150, 48, 48);
 
-Finger striped_finger(bool is_calibrated) {
-  Finger finger;
-  finger.name = "flat";
-  finger.camera.model = CameraModel::kOrthographic;
-  finger.camera.width_px = FlatSensor::kWidth, finger.camera.height_px = FlatSensor::kHeight;
-  finger.camera.cx_px = 159.5, finger.camera.cy_px = 119.5;
-  finger.camera.mm_per_px = FlatSensor::kMmPerPx;
-  finger.face.kind = FaceKind::kFlat;
-  finger.face.layer_mm = FlatSensor::kLayerMm;
-  finger.face.plane_z_mm = 20;
-  if (!is_calibrated) return finger;
-  finger.mapping.emplace();
-  finger.mapping->kind = MappingKind::kMoebius;
-  finger.mapping->x_max = 0.5;
-  finger.mapping->a_mm = FlatSensor::kA, finger.mapping->b = FlatSensor::kB;
-  return finger;
-}
-
 /// Patches of all levels between measurable and not, in the reference and in the live picture.
 FrameResult measured(bool is_calibrated) {
   cv::Mat reference = test::untouched_picture(1), live = test::untouched_picture(2);
@@ -45,9 +27,10 @@ FrameResult measured(bool is_calibrated) {
   fill(reference, kBrightReference, 246);  // 246 to 253
   fill(live, kBrightLive, 246);
   fill(live, kDarkLive, 0);  // 0 to 7: as dark as it likes
-  Pipeline pipeline = Pipeline::over(ReferenceLibrary::single(reference).value(),
-                                     FingerSnapshot::of({}, striped_finger(is_calibrated)).value(),
-                                     PipelineSettings{});
+  Pipeline pipeline =
+      Pipeline::over(ReferenceLibrary::single(reference).value(),
+                     FingerSnapshot::of({}, test::flat_sensor_finger(is_calibrated)).value(),
+                     PipelineSettings{});
   auto frame = std::make_shared<Frame>();
   frame->grey = live;
   frame->name = "frame";
