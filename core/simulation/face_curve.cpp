@@ -65,6 +65,26 @@ void FaceCurve::bend(double q1_mm, double q2_mm) {
   }
 }
 
+void FaceCurve::twist(double tip_rad) {
+  make_nodes();
+  is_twisted_ = true;
+  for (int i = 0; i <= kCells; ++i) {
+    Node& here = nodes_[static_cast<std::size_t>(i)];
+    here.twist += tip_rad * s_mm(i) / length_mm_;
+    here.twist_s += tip_rad / length_mm_;
+  }
+}
+
+Eigen::Vector3d FaceCurve::across(const Node& p) {
+  const double c = std::cos(p.twist), s = std::sin(p.twist);
+  return {-s * p.z_s, c, s * p.x_s};
+}
+
+Eigen::Vector3d FaceCurve::normal(const Node& p) {
+  const double c = std::cos(p.twist), s = std::sin(p.twist);
+  return {-c * p.z_s, -s, c * p.x_s};
+}
+
 void FaceCurve::integrate() {
   if (!is_bent_) return;
   static const double kOff = std::sqrt(0.15);
@@ -96,6 +116,7 @@ FaceCurve::Node FaceCurve::at(double s_mm) const {
     end.x_mm += beyond * end.x_s;
     end.z_mm += beyond * end.z_s;
     end.shift_mm += beyond * end.shift_s;
+    end.twist += beyond * end.twist_s;
     end.theta_s = 0;
     return end;
   }
@@ -105,6 +126,8 @@ FaceCurve::Node FaceCurve::at(double s_mm) const {
   Node p = along_line(s_mm);
   p.shift_mm = hermite(a.shift_mm, a.shift_s, b.shift_mm, b.shift_s, h, t);
   p.shift_s = a.shift_s + (b.shift_s - a.shift_s) * t;
+  p.twist = hermite(a.twist, a.twist_s, b.twist, b.twist_s, h, t);
+  p.twist_s = a.twist_s + (b.twist_s - a.twist_s) * t;
   if (!is_bent_) return p;
   p.theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, h, t);
   p.theta_s = a.theta_s + (b.theta_s - a.theta_s) * t;

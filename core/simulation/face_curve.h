@@ -22,6 +22,8 @@ class FaceCurve {
     double theta_s = 0;   ///< its derivative along s, rad/mm
     double shift_mm = 0;  ///< of the middle line in y
     double shift_s = 0;   ///< its derivative along s
+    double twist = 0;     ///< angle of the section about the tangent, rad: +y goes away from z = 0
+    double twist_s = 0;   ///< its derivative along s
     double x_mm = 0, z_mm = 0;
     double x_s = 1, z_s = 0;  ///< cos and sin of theta, after integrate()
   };
@@ -41,6 +43,15 @@ class FaceCurve {
   /// Shifts the middle line in y by sway t^2, t = s / length; a straight face stays straight.
   void sway(double sway_mm);
 
+  /// Turns the section at s by tip_rad s / length about the curve; the middle line stays.
+  void twist(double tip_rad);
+  [[nodiscard]] bool is_twisted() const { return is_twisted_; }
+
+  /// Unit vector across the face at a node, towards +y: cos(twist) y + sin(twist) n, n = (-z_s, 0,
+  /// x_s) the untwisted normal, away from the camera; and the normal of the twisted section.
+  [[nodiscard]] static Eigen::Vector3d across(const Node& p);
+  [[nodiscard]] static Eigen::Vector3d normal(const Node& p);
+
   /// Integrates the slope angle (three-point Gauss in each cell); needed before what follows.
   void integrate();
 
@@ -57,7 +68,7 @@ class FaceCurve {
 
   double length_mm_, cell_mm_;
   Node base_;
-  bool is_bent_ = false;
+  bool is_bent_ = false, is_twisted_ = false;
   std::vector<Node> nodes_;  // none as long as nothing moves the face
 };
 

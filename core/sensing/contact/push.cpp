@@ -15,11 +15,6 @@ PushedFace nearest_face(const Eigen::Vector2d& direction, bool base_at_low_u) {
 
 }  // namespace
 
-std::string_view to_string(PushedFace face) {
-  constexpr std::array<std::string_view, 4> words{"contact", "back", "upper", "lower"};
-  return words[static_cast<std::size_t>(face) - 1];
-}
-
 Push push_of(const Markers& markers, const ContactSettings& settings, bool base_at_low_u) {
   Push result;
   result.offset_px.setZero();

@@ -3,17 +3,14 @@
 #pragma once
 
 #include "core/finger/finger.h"
+#include "core/finger/pushed_face.h"
 #include "core/sensing/markers/markers.h"
 
 #include <optional>
-#include <string_view>
 
 #include <Eigen/Core>
 
 namespace alltact {
-
-enum class PushedFace { kContact = 1, kBack, kUpper, kLower };
-[[nodiscard]] std::string_view to_string(PushedFace face);
 
 struct Push {
   bool pushed = false;
