@@ -1,6 +1,6 @@
 #include "core/finger/pushed_face.h"
 
-#include <utility>
+#include <array>
 
 namespace alltact {
 
