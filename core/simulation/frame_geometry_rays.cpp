@@ -7,6 +7,9 @@ namespace alltact {
 
 namespace {
 
+// So far within its edges a pixel is all face, however slanted.
+constexpr double kSurePixels = 50;
+
 // Where the next pixel of a row will meet the face: along the parabola through the last three.
 class NextMeeting {
  public:
@@ -93,10 +96,15 @@ Surface FrameGeometry::fill_by_rays(RowView& row) const {
     met.luf[u] = static_cast<float>(face_.layer_mm / here->normal.z());
     met.s[u] = static_cast<float>(here->s_mm);
     met.shift[u] = met.y[u] - static_cast<float>(here->r_mm);
-    const double s_per_px = std::abs(here->s_by(ray, rays_.beside(u, row.v)));
-    const double r_per_px = std::abs(here->r_by(ray, rays_.below(u, row.v)));
     const double ends = std::min(here->s_mm, curve_->length_mm() - here->s_mm);
     const double edges = face_.width_mm / 2 - std::abs(here->r_mm);
+    const double sure_mm = kSurePixels * rays_.camera().mm_per_px_at(here->z_mm);
+    if (std::min(ends, edges) > sure_mm) {
+      met.coverage[u] = 1;
+      continue;
+    }
+    const double s_per_px = std::abs(here->s_by(ray, rays_.beside(u, row.v)));
+    const double r_per_px = std::abs(here->r_by(ray, rays_.below(u, row.v)));
     met.coverage[u] = static_cast<float>(share(ends / s_per_px) * share(edges / r_per_px));
   }
   row.face = {0,

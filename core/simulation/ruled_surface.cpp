@@ -7,7 +7,7 @@ namespace alltact {
 namespace {
 
 constexpr double kLeastSlant = 0.02;
-constexpr double kMeetingAccuracy_mm = 1e-7, kFarthestMeeting_mm = 1e5;
+constexpr double kLastStep_mm = 1e-4, kFarthestMeeting_mm = 1e5;
 constexpr int kParts = 48;  // of the curve and an eighth beyond either end, searched for a start
 
 }  // namespace
@@ -48,13 +48,14 @@ std::optional<RuledSurface::Meeting> RuledSurface::meet(const Ray& ray, double n
     const double step = -from_ray.dot(g_d) / slope;
     s += step;
     if (!(std::abs(s) < kFarthestMeeting_mm)) return std::nullopt;
-    if (std::abs(step) > kMeetingAccuracy_mm) continue;
-    // p - o = z d - r g; of the step that is left the point follows along p_s, which leaves z and
-    // r.
+    if (std::abs(step) > kLastStep_mm) continue;
+    // p - o = z d - r g at the step's end, to first order; what is left goes with its square.
+    const Eigen::Vector3d g = ruling.g + step * ruling.g_s, end_g_d = g.cross(d);
+    const Eigen::Vector3d end = from_ray + step * ruling.p_s;
     Meeting meeting;
     meeting.s_mm = s;
-    meeting.r_mm = d.cross(from_ray).dot(g_d) / g_d.squaredNorm();
-    meeting.z_mm = ruling.g.cross(from_ray).dot(g_d) / g_d.squaredNorm();
+    meeting.r_mm = d.cross(end).dot(end_g_d) / end_g_d.squaredNorm();
+    meeting.z_mm = g.cross(end).dot(end_g_d) / end_g_d.squaredNorm();
     meeting.s_way = ruling.p_s + meeting.r_mm * ruling.g_s;
     meeting.r_way = ruling.g;
     meeting.normal = meeting.s_way.cross(ruling.g).normalized();

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
@@ -194,7 +195,8 @@ void expect_the_same(const Plan& a, const Plan& b) {
   const cv::Mat_<float> left = a.render(0), right = b.render(0);
   const cv::Mat differs = cv::abs(left - right) > 0.1;
   EXPECT_LT(cv::countNonZero(differs), 0.02 * static_cast<double>(left.total()));
-  cv::Mat face = a.truth_maps(0).seen == static_cast<int>(Seen::kFace), inner;
+  const cv::Mat face = a.truth_maps(0).seen == static_cast<int>(Seen::kFace);
+  cv::Mat inner;
   cv::erode(face, inner, cv::Mat());
   EXPECT_GT(cv::countNonZero(inner), 5000);
   EXPECT_EQ(cv::countNonZero(differs & inner), 0);
@@ -204,11 +206,12 @@ void expect_the_same(const Plan& a, const Plan& b) {
   EXPECT_LT(cv::countNonZero(differs & rim), 0.2 * cv::countNonZero(rim));
 }
 
+// By columns a swaying side is as far aside as its column's point of the face: no sway here.
 // Met ray by ray a face that is hardly twisted gives the picture of one that is met by columns.
 TEST(TwistedFace, WithoutTwistIsTheFace) {
-  const TwistPose hardly{3, -2, 1.5, 1e-6};
+  const TwistPose hardly{3, -2, 0, 1e-6};
   const std::string untwisted =
-      "motion: {kind: hold, pose: {q1_mm: 3, q2_mm: -2, sway_mm: 1.5}}\n" +
+      "motion: {kind: hold, pose: {q1_mm: 3, q2_mm: -2}}\n" +
       scene_text(std::string("  - {use: bend, q1_mm: {from: -6, to: 6}, q2_mm: {from: -6, to: 6}}\n"
                              "  - {use: sway, sway_mm: {from: -4, to: 4}}\n") +
                  kWholeFinger);
