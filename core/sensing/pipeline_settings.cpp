@@ -24,11 +24,13 @@ const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
                         12),
       choice_setting<S, ReferenceMethod>(
           "reference-method",
-          en::say(
-              "which untouched picture a frame is compared with: the nearest recorded one, or one "
-              "computed from the nearest several"),
+          en::say("which untouched picture a frame is compared with: the one of the finger at "
+                  "rest, the "
+                  "nearest recorded one, or one computed from the nearest several"),
           &S::reference,
-          {{"nearest", ReferenceMethod::kNearest}, {"local", ReferenceMethod::kLocal}}),
+          {{"single", ReferenceMethod::kSingle},
+           {"nearest", ReferenceMethod::kNearest},
+           {"local", ReferenceMethod::kLocal}}),
       choice_setting<S, LightChange>(
           "light-change",
           en::say("whether a change of the light since the reference is read from the untouched "

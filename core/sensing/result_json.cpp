@@ -49,7 +49,8 @@ Json reference_json(const Reference& reference, bool searched, ReferenceMethod m
     entry["method"] = "single";
     return entry;
   }
-  entry["method"] = method == ReferenceMethod::kNearest ? "nearest" : "local";
+  constexpr std::array kWords{"single", "nearest", "local"};
+  entry["method"] = kWords[static_cast<std::size_t>(method) - 1];
   entry["frame"] = reference.frame;
   put(entry, "distance_px", reference.distance_px, 3);
   entry["known_pose"] = reference.known_pose;

@@ -28,6 +28,8 @@ struct ReferenceLibrary::Content {
   [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
                                       const std::vector<char>& without) const;
   [[nodiscard]] FaceMix mix_of(const Neighbours& neighbours) const;
+  /// The frame in the middle of all poses, and how far markers are from it.
+  [[nodiscard]] Nearest rest(const Markers& markers) const;
   /// Frames that do not show some of the skin that a frame (its warp) shows beyond the columns
   /// `shown` of the grid; empty where there is none such, or too few frames show it.
   [[nodiscard]] std::vector<char> hiding(const ChartWarp& warp,
@@ -79,6 +81,16 @@ FaceMix ReferenceLibrary::Content::mix_of(const Neighbours& neighbours) const {
     mix.weights.push_back(static_cast<float>(neighbours.weights[static_cast<Eigen::Index>(i)]));
   }
   return mix;
+}
+
+ReferenceLibrary::Nearest ReferenceLibrary::Content::rest(const Markers& markers) const {
+  Eigen::Index index = 0;
+  modes.rowwise().squaredNorm().minCoeff(&index);
+  std::vector<char> without(faces.size(), 1);
+  without[static_cast<std::size_t>(index)] = 0;
+  if (static_cast<int>(markers.size()) != model->marker_count())
+    return {static_cast<int>(index), 0.0};
+  return {static_cast<int>(index), search->nearest(markers, without).distance_px};
 }
 
 std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
@@ -335,7 +347,8 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
     return reference;
   }
   reference.relative_sd = content.error.relative_sd;
-  const Nearest found = nearest(markers, without);
+  const bool is_single = method == ReferenceMethod::kSingle;
+  const Nearest found = is_single ? content.rest(markers) : nearest(markers, without);
   reference.frame = content.frames[static_cast<std::size_t>(found.index)];
   reference.distance_px = found.distance_px;
   reference.known_pose = found.distance_px <= content.known_px;
@@ -346,6 +359,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
     lay_on(content.places, shape, markers, &*now);
   else
     now = FaceChart{};
+  if (is_single) now = content.grid.chart;
   if (!now->along_mm.empty()) reference.hidden = content.ends.beyond(*now, content.size.width);
   ChartWarp warp(*now, content.grid.chart);
   std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.index)]}, {1.0F}}};

@@ -27,8 +27,11 @@ namespace alltact {
 
 /// How the reference of a frame is made from the recording.
 enum class ReferenceMethod {
-  kNearest = 1,  ///< the one frame whose markers lie nearest (the paper)
-  kLocal,        ///< local linear regression over the nearest frames: closer by several times
+  /// The recording's rest frame for all poses, pixel by pixel, as sensors on a rigid base do it
+  /// (DTact): for comparison.
+  kSingle = 1,
+  kNearest,  ///< the one frame whose markers lie nearest (the paper)
+  kLocal,    ///< local linear regression over the nearest frames: closer by several times
 };
 
 /// The reference picture of a frame.
@@ -113,6 +116,7 @@ class ReferenceLibrary {
   /// kLocal: local linear regression over the 8 frames nearest in the finger's modes of motion.
   /// known_pose: distance_px is at most three times the median distance of the recording's frames
   /// to their nearest other, and at least 1.5 px is always allowed.
+  /// kSingle: frame and distance_px are those of the rest frame, and nothing is laid over.
   [[nodiscard]] Reference reference_for(const Markers& markers,
                                         const FaceShape& shape,
                                         ReferenceMethod method,
