@@ -4,9 +4,10 @@
 // from the lamps and the room and rho_j the mean reflectance of its face, mu what the clear body
 // absorbs (C. Goral, K. Torrance, D. Greenberg and B. Battaile, "Modeling the interaction of light
 // between diffuse surfaces", SIGGRAPH 1984, with one bounce; rho of a layer that does not absorb is
-// S t / (1 + S t)). The sum is taken on a lattice of each face, between whose points light goes
-// straight. Nothing stands in the way, and what presses changes the light that a pixel gives back
-// but not that by which its patch lights others. A side face does not light itself.
+// S t / (1 + S t)). The sum is taken on a lattice of each face, closer at its edges, between whose
+// points it goes straight. Nothing stands in the way, and what presses changes the light that a
+// pixel gives back but not that by which its patch lights others. A side face does not light
+// itself.
 #include "core/simulation/effect.h"
 #include "core/simulation/form_factor.h"
 
@@ -16,7 +17,18 @@ namespace {
 
 constexpr int kPatchesAlong = 16, kStepsAlong = 32;
 constexpr int kLitFaces = 3;
-constexpr std::array<int, kLitFaces> kPatchesAcross{4, 3, 3}, kStepsAcross{8, 5, 5};
+constexpr std::array<int, kLitFaces> kPatchesAcross{6, 4, 4}, kStepsAcross{10, 6, 6};
+
+// Steps of the lattice from 0 to 1, closer towards both ends, and where among them a part lies.
+double lattice_part(double step) {
+  return step < 0.5 ? 2 * step * step : 1 - 2 * (1 - step) * (1 - step);
+}
+inline float lattice_step(float part) {
+  const float nearer = std::min(std::max(std::min(part, 1 - part), 0.0F), 0.5F);
+  const float step = std::sqrt(nearer / 2);
+  return part < 0.5F ? step : 1 - step;
+}
+
 constexpr double kInward = 1e-4;  // points of the lattice keep off the edges by this part
 
 // The view face (0), and the side faces at -y (1) and at +y (2).
@@ -75,10 +87,11 @@ struct LitLattice {
   int across;
   std::vector<float> value;  // row by row along
 
-  // `along` and `across` in steps; those beyond the face count as its edge's.
-  [[nodiscard]] float at(float along, float side) const {
-    along = std::min(std::max(along, 0.0F), kStepsAlong - 1e-3F);
-    side = std::min(std::max(side, 0.0F), static_cast<float>(across) - 1e-3F);
+  // Parts of the face; what is beyond counts as its edge.
+  [[nodiscard]] float at(float along_part, float across_part) const {
+    const float along = std::min(kStepsAlong * lattice_step(along_part), kStepsAlong - 1e-3F);
+    const float steps = static_cast<float>(across);
+    const float side = std::min(steps * lattice_step(across_part), steps - 1e-3F);
     const auto i = static_cast<int>(along), k = static_cast<int>(side);
     const float to_i = along - static_cast<float>(i), to_k = side - static_cast<float>(k);
     const float* here = value.data() + i * (across + 1) + k;
@@ -109,9 +122,9 @@ class OnceReflected final : public IndirectLight {
       const int steps = kStepsAcross[static_cast<std::size_t>(face)];
       for (int i = 0; i <= kStepsAlong; ++i)
         for (int k = 0; k <= steps; ++k) {
-          const double along = inward(double{1} * i / kStepsAlong);
+          const double along = inward(lattice_part(double{1} * i / kStepsAlong));
           points_.push_back({face,
-                             faces.point(face, along, inward(double{1} * k / steps)),
+                             faces.point(face, along, inward(lattice_part(double{1} * k / steps))),
                              faces.normal(face, along)});
         }
     }
@@ -145,8 +158,7 @@ class OnceReflected final : public IndirectLight {
 
    private:
     void on_view_face(const FaceRow& face, const Surface& s, float* irradiance) const {
-      const float along = kStepsAlong / length_mm_;
-      const float across = static_cast<float>(kStepsAcross[0]) / width_mm_;
+      const float along = 1 / length_mm_, across = 1 / width_mm_;
       for (int u = s.first; u < s.last; ++u)
         irradiance[u] = lattices_[0].at(face.s_mm[u] * along,
                                         (s.y_mm[u] - face.shift_mm[u] + width_mm_ / 2) * across);
@@ -154,8 +166,7 @@ class OnceReflected final : public IndirectLight {
 
     // Where on its side a point lies is told by the point of the view face in the same column.
     void on_sides(const FaceRow& face, const Surface& s, float* irradiance) const {
-      const float along = kStepsAlong / length_mm_;
-      const float across = static_cast<float>(kStepsAcross[1]) / depth_mm_;
+      const float along = 1 / length_mm_, across = 1 / depth_mm_;
       for (int u = s.first; u < s.last; ++u) {
         const float dx = face.x_mm[u] - s.x_mm[u], dz = face.z_mm[u] - s.z_mm[u];
         const float behind = dz * face.cos_incline[u] - dx * face.sin_incline[u];

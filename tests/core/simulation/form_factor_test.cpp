@@ -3,8 +3,7 @@
 #include "core/simulation/form_factor.h"
 
 #include "tests/core/simulation/effects/effect_scene.h"
-
-#include <numbers>
+#include "tests/core/simulation/howell.h"
 
 #include <Eigen/Geometry>
 
@@ -42,13 +41,9 @@ TEST(FormFactor, OfARectangleOppositeIsHowellsB3) {
   for (int i = 0; i < 200; ++i) {
     const double a = random.between(0.01, 30), b = random.between(0.01, 30),
                  c = random.between(0.01, 30);
-    const long double x = static_cast<long double>(a) / c, y = static_cast<long double>(b) / c;
-    const long double w = std::sqrt(1 + x * x), h = std::sqrt(1 + y * y);
-    const long double truth = (x / w * std::atan(y / w) + y / h * std::atan(x / h)) /
-                              (2 * std::numbers::pi_v<long double>);
     const Quadrilateral above{
         Vector3d(0, 0, c), Vector3d(0, b, c), Vector3d(a, b, c), Vector3d(a, 0, c)};
-    EXPECT_NEAR(Elsewhere(random).of({0, 0, 0}, {0, 0, 1}, above), truth, 1e-13);
+    EXPECT_NEAR(Elsewhere(random).of({0, 0, 0}, {0, 0, 1}, above), howell_b3(a, b, c), 1e-13);
     Quadrilateral turned_away = above;
     std::swap(turned_away[1], turned_away[3]);
     EXPECT_EQ(Elsewhere(random).of({0, 0, 0}, {0, 0, 1}, turned_away), 0);
@@ -61,29 +56,14 @@ TEST(FormFactor, OfARectangleUprightIsHowellsB4) {
   for (int i = 0; i < 200; ++i) {
     const double height = random.between(0.01, 30), width = random.between(0.01, 30),
                  away = random.between(0.01, 30);
-    const long double x = static_cast<long double>(height) / width,
-                      y = static_cast<long double>(away) / width;
-    const long double r = std::sqrt(x * x + y * y);
-    const long double truth =
-        (std::atan(1 / y) - y / r * std::atan(1 / r)) / (2 * std::numbers::pi_v<long double>);
     // Half of it lies below the point's plane and does not count.
     const Quadrilateral wall{Vector3d(away, 0, -height),
                              Vector3d(away, 0, height),
                              Vector3d(away, width, height),
                              Vector3d(away, width, -height)};
-    EXPECT_NEAR(Elsewhere(random).of({0, 0, 0}, {0, 0, 1}, wall), truth, 1e-12);
+    EXPECT_NEAR(
+        Elsewhere(random).of({0, 0, 0}, {0, 0, 1}, wall), howell_b4(height, width, away), 1e-12);
   }
-}
-
-// Two rectangles a x b and c x b at a right angle with the edge b in common.
-long double howell_c14(long double a, long double b, long double c) {
-  const long double h = c / b, w = a / b, h2 = h * h, w2 = w * w;
-  const long double r = std::sqrt(h2 + w2);
-  const long double logs = std::log((1 + w2) * (1 + h2) / (1 + w2 + h2)) +
-                           w2 * std::log(w2 * (1 + w2 + h2) / ((1 + w2) * (w2 + h2))) +
-                           h2 * std::log(h2 * (1 + h2 + w2) / ((1 + h2) * (h2 + w2)));
-  return (w * std::atan(1 / w) + h * std::atan(1 / h) - r * std::atan(1 / r) + logs / 4) /
-         (std::numbers::pi_v<long double> * w);
 }
 
 TEST(FormFactor, AveragedOverARectangleIsHowellsC14) {

@@ -2,6 +2,7 @@
 // C-14) where all is lit evenly, and against fine quadrature in long double where lamps shine.
 #include "core/simulation/effect_costs.h"
 #include "tests/core/simulation/effects/effect_scene.h"
+#include "tests/core/simulation/howell.h"
 
 #include <numbers>
 
@@ -13,91 +14,83 @@ namespace {
 using Eigen::Vector3d;
 using testing::HasSubstr;
 
-constexpr double kLength_mm = 40, kWidth_mm = 24, kDepth_mm = 14, kLit = 100;
-constexpr double kFace = 0.5, kSides = 0.3, kSideAlbedo = 0.4;
+constexpr double kBoxLength_mm = 40, kBoxWidth_mm = 24, kBoxDepth_mm = 14, kEvenLight = 100;
+constexpr double kBounceFace = 0.5, kBounceSides = 0.3, kBoxAlbedo = 0.4;
 
 // A straight finger in the middle of the picture; without a layer its view face gives back all.
-std::string finger_text(double incline_deg, const std::string& effects) {
+std::string box_text(double incline_deg, const std::string& effects) {
   return fmt::format(
       "name: test\nwhy: a finger whose faces light each other\nfinger:\n"
       "  camera: {{model: pinhole, size: [320, 180], fx: 170, fy: 172, cx: 159.5, cy: 89.5}}\n"
       "  face: {{kind: fin_ray, width_mm: {}, layer_mm: 1.5}}\n"
       "untouched: {{x_mm: -20, z_mm: 40, incline_deg: {}, length_mm: {}}}\nframes: 3\neffects:\n{}"
       "  - {{use: sides, albedo: {}, depth_mm: {}}}\n",
-      kWidth_mm,
+      kBoxWidth_mm,
       incline_deg,
-      kLength_mm,
+      kBoxLength_mm,
       effects,
-      kSideAlbedo,
-      kDepth_mm);
+      kBoxAlbedo,
+      kBoxDepth_mm);
 }
 std::string bounce(double face, double sides) {
-  return fmt::format(
-      "  - {{use: interreflection, face: {}, sides: {}, depth_mm: {}}}\n", face, sides, kDepth_mm);
+  return fmt::format("  - {{use: interreflection, face: {}, sides: {}, depth_mm: {}}}\n",
+                     face,
+                     sides,
+                     kBoxDepth_mm);
 }
 const std::string kEvenly =
     "  - {use: leds, lamps: [{at_mm: [0, 0, 0], power: 1.0e-9}]}\n"
     "  - {use: ambient, level: 100}\n";
 
-struct Seen {
+struct SeenOfBox {
   Vector3d at;
   bool on_side;
 };
 // What a pixel's middle sees of a finger without incline.
-std::optional<Seen> seen_by(int u, int v, double margin_mm) {
+std::optional<SeenOfBox> seen_by(int u, int v, double margin_mm) {
   const Vector3d way((u - 159.5) / 170, (v - 89.5) / 172, 1);
-  const double half = kWidth_mm / 2;
-  Seen seen{40 * way, false};
+  const double half = kBoxWidth_mm / 2;
+  SeenOfBox seen{40 * way, false};
   if (std::abs(seen.at.y()) > half) seen = {way * half / std::abs(way.y()), true};
   const auto within = [&](double x, double low, double high) {
     return x > low + margin_mm && x < high - margin_mm;
   };
   if (!within(seen.at.x(), -20, 20)) return std::nullopt;
-  if (seen.on_side ? !within(40 - seen.at.z(), 0, kDepth_mm) : !within(seen.at.y(), -half, half))
+  if (seen.on_side ? !within(40 - seen.at.z(), 0, kBoxDepth_mm) : !within(seen.at.y(), -half, half))
     return std::nullopt;
   return seen;
 }
 
-// Howell B-3: a rectangle a x b opposite at distance c, a corner over the point; of either sign.
-long double opposite(long double a, long double b, long double c) {
-  const long double x = a / c, y = b / c, w = std::sqrt(1 + x * x), h = std::sqrt(1 + y * y);
-  return (x / w * std::atan(y / w) + y / h * std::atan(x / h)) /
-         (2 * std::numbers::pi_v<long double>);
-}
-// Howell B-4: an upright one, `height` x `width`, its corner `away` from the point.
-long double upright(long double height, long double width, long double away) {
-  const long double x = height / width, y = away / width, r = std::sqrt(x * x + y * y);
-  return (std::atan(1 / y) - y / r * std::atan(1 / r)) / (2 * std::numbers::pi_v<long double>);
-}
-// The same to both sides of the point, which reach to `before` and `after`.
+// An upright rectangle that reaches to `before` and `after` the point.
 long double upright(long double height, long double before, long double after, long double away) {
-  return upright(height, before, away) + upright(height, after, away);
+  return howell_b4(height, before, away) + howell_b4(height, after, away);
 }
 
-double even_truth(const Seen& seen) {
-  const long double before = seen.at.x() + 20, after = 20 - seen.at.x(), half = kWidth_mm / 2;
+double even_truth(const SeenOfBox& seen) {
+  const long double before = seen.at.x() + 20, after = 20 - seen.at.x(), half = kBoxWidth_mm / 2;
   if (!seen.on_side)
-    return static_cast<double>(kLit * kSides *
-                               (upright(kDepth_mm, before, after, half + seen.at.y()) +
-                                upright(kDepth_mm, before, after, half - seen.at.y())));
-  const long double behind = 40 - seen.at.z(), rest = kDepth_mm - behind;
-  const long double other = opposite(before, behind, kWidth_mm) +
-                            opposite(after, behind, kWidth_mm) + opposite(before, rest, kWidth_mm) +
-                            opposite(after, rest, kWidth_mm);
-  return static_cast<double>(kLit *
-                             (kFace * upright(kWidth_mm, before, after, behind) + kSides * other));
+    return static_cast<double>(kEvenLight * kBounceSides *
+                               (upright(kBoxDepth_mm, before, after, half + seen.at.y()) +
+                                upright(kBoxDepth_mm, before, after, half - seen.at.y())));
+  const long double behind = 40 - seen.at.z(), rest = kBoxDepth_mm - behind;
+  const long double other =
+      howell_b3(before, behind, kBoxWidth_mm) + howell_b3(after, behind, kBoxWidth_mm) +
+      howell_b3(before, rest, kBoxWidth_mm) + howell_b3(after, rest, kBoxWidth_mm);
+  return static_cast<double>(
+      kEvenLight *
+      (kBounceFace * upright(kBoxWidth_mm, before, after, behind) + kBounceSides * other));
 }
 
 TEST(Interreflection, OfEvenlyLitFacesIsHowells) {
-  const cv::Mat_<float> plain = rendered(finger_text(0, kEvenly));
-  const cv::Mat_<float> lit = rendered(finger_text(0, kEvenly + bounce(kFace, kSides)));
+  const cv::Mat_<float> plain = rendered(box_text(0, kEvenly));
+  const cv::Mat_<float> lit = rendered(box_text(0, kEvenly + bounce(kBounceFace, kBounceSides)));
   Moments off;
   double worst = 0;
   int on_sides = 0;
   for_pixels(plain.size(), 1, [&](int v, int u) {
     const auto seen = seen_by(u, v, 0.3);
     if (!seen) return;
-    const double gives_back = seen->on_side ? kSideAlbedo : 1;
+    const double gives_back = seen->on_side ? kBoxAlbedo : 1;
     const double error = (lit(v, u) - plain(v, u)) / gives_back - even_truth(*seen);
     off.add(error);
     worst = std::max(worst, std::abs(error));
@@ -106,31 +99,24 @@ TEST(Interreflection, OfEvenlyLitFacesIsHowells) {
   EXPECT_GT(off.n, 20000);
   EXPECT_GT(on_sides, 5000);
   // Of 100: what linear interpolation on the lattice leaves, most of it at the corners.
-  EXPECT_LT(std::abs(off.mean()), 0.05);
+  std::printf(
+      "[ figures  ] mean %.3f sd %.3f worst %.3f\n", off.mean(), std::sqrt(off.variance()), worst);
+  EXPECT_LT(std::abs(off.mean()), 0.08);
   EXPECT_LT(std::sqrt(off.variance()), 0.15);
-  EXPECT_LT(worst, 1.6);
-}
-
-// Howell C-14: rectangles a x b and c x b at a right angle, with the edge b in common.
-long double howell_c14(long double a, long double b, long double c) {
-  const long double h = c / b, w = a / b, h2 = h * h, w2 = w * w, r = std::sqrt(h2 + w2);
-  const long double logs = std::log((1 + w2) * (1 + h2) / (1 + w2 + h2)) +
-                           w2 * std::log(w2 * (1 + w2 + h2) / ((1 + w2) * (w2 + h2))) +
-                           h2 * std::log(h2 * (1 + h2 + w2) / ((1 + h2) * (h2 + w2)));
-  return (w * std::atan(1 / w) + h * std::atan(1 / h) - r * std::atan(1 / r) + logs / 4) /
-         (std::numbers::pi_v<long double> * w);
+  EXPECT_LT(worst, 0.9);
 }
 
 TEST(Interreflection, OnTheWholeViewFaceIsHowellsC14) {
-  const cv::Mat_<float> plain = rendered(finger_text(0, kEvenly));
-  const cv::Mat_<float> lit = rendered(finger_text(0, kEvenly + bounce(kFace, 1)));
+  const cv::Mat_<float> plain = rendered(box_text(0, kEvenly));
+  const cv::Mat_<float> lit = rendered(box_text(0, kEvenly + bounce(kBounceFace, 1)));
   Moments share;
   for_pixels(plain.size(), 1, [&](int v, int u) {
     const auto seen = seen_by(u, v, 0);
-    if (seen && !seen->on_side) share.add((lit(v, u) - plain(v, u)) / kLit);
+    if (seen && !seen->on_side) share.add((lit(v, u) - plain(v, u)) / kEvenLight);
   });
-  EXPECT_NEAR(
-      share.mean(), static_cast<double>(2 * howell_c14(kWidth_mm, kLength_mm, kDepth_mm)), 0.003);
+  EXPECT_NEAR(share.mean(),
+              static_cast<double>(2 * howell_c14(kBoxWidth_mm, kBoxLength_mm, kBoxDepth_mm)),
+              0.003);
 }
 
 // An independent world: the finger inclined, two lamps, the clear body absorbing; patches of
@@ -166,14 +152,14 @@ struct LampLit {
     const auto add = [&](const Vector3d& at, const Vector3d& normal, double albedo) {
       all.push_back({at, normal, albedo * direct(at, normal) * kStep * kStep});
     };
-    for (double s = kStep / 2; s < kLength_mm; s += kStep) {
-      for (double y = kStep / 2; y < kWidth_mm; y += kStep)
-        add(base + s * along() + Vector3d(0, y - kWidth_mm / 2, 0), inward(), kFace);
-      for (double d = kStep / 2; d < kDepth_mm; d += kStep)
+    for (double s = kStep / 2; s < kBoxLength_mm; s += kStep) {
+      for (double y = kStep / 2; y < kBoxWidth_mm; y += kStep)
+        add(base + s * along() + Vector3d(0, y - kBoxWidth_mm / 2, 0), inward(), kBounceFace);
+      for (double d = kStep / 2; d < kBoxDepth_mm; d += kStep)
         for (const double side : {-1.0, 1.0})
-          add(base + s * along() + d * inward() + Vector3d(0, side * kWidth_mm / 2, 0),
+          add(base + s * along() + d * inward() + Vector3d(0, side * kBoxWidth_mm / 2, 0),
               {0, -side, 0},
-              kSides);
+              kBounceSides);
     }
     return all;
   }
@@ -203,25 +189,27 @@ TEST(Interreflection, OfLampsIsTheQuadratureOfTheEquation) {
         "  - {use: leds, lamps: [{at_mm: [1, -3, -2], power: 300000}, "
         "{at_mm: [9, 4, 0], power: 200000}]}\n  - {use: ambient, level: 5}\n" +
         (per_mm > 0 ? fmt::format("  - {{use: absorption, per_mm: {}}}\n", per_mm) : "");
-    const cv::Mat_<float> plain = rendered(finger_text(incline_deg, lamps));
-    const cv::Mat_<float> lit = rendered(finger_text(incline_deg, lamps + bounce(kFace, kSides)));
+    const cv::Mat_<float> plain = rendered(box_text(incline_deg, lamps));
+    const cv::Mat_<float> lit =
+        rendered(box_text(incline_deg, lamps + bounce(kBounceFace, kBounceSides)));
     int compared = 0;
     double greatest = 0;
     for_pixels(plain.size(), 7, [&](int v, int u) {
       const Vector3d way((u - 159.5) / 170, (v - 89.5) / 172, 1);
       // The ray meets the inclined plane through the base.
       const double z = world.inward().dot(Vector3d(-20, 0, 40)) / world.inward().dot(way);
-      const bool on_side = std::abs(z * way.y()) > kWidth_mm / 2;
+      const bool on_side = std::abs(z * way.y()) > kBoxWidth_mm / 2;
       const Vector3d at =
-          on_side ? Vector3d(way * (kWidth_mm / 2 / std::abs(way.y()))) : Vector3d(way * z);
+          on_side ? Vector3d(way * (kBoxWidth_mm / 2 / std::abs(way.y()))) : Vector3d(way * z);
       const Vector3d from_base = at - Vector3d(-20, 0, 40);
       const double s = from_base.dot(world.along()), behind = from_base.dot(world.inward());
-      if (s < 1 || s > kLength_mm - 1) return;
-      if (on_side ? behind < 1 || behind > kDepth_mm - 1 : std::abs(at.y()) > kWidth_mm / 2 - 1)
+      if (s < 1 || s > kBoxLength_mm - 1) return;
+      if (on_side ? behind < 1 || behind > kBoxDepth_mm - 1
+                  : std::abs(at.y()) > kBoxWidth_mm / 2 - 1)
         return;
       const Vector3d normal =
           on_side ? Vector3d(0, way.y() > 0 ? -1 : 1, 0) : Vector3d(world.inward());
-      const double truth = world.bounce_at(at, normal, patches) * (on_side ? kSideAlbedo : 1) *
+      const double truth = world.bounce_at(at, normal, patches) * (on_side ? kBoxAlbedo : 1) *
                            std::exp(-per_mm * at.norm());
       EXPECT_NEAR(lit(v, u) - plain(v, u), truth, 0.025 * truth + 0.1) << u << ' ' << v;
       greatest = std::max(greatest, truth);
@@ -241,8 +229,8 @@ TEST(Interreflection, GivesNoMoreThanComesIn) {
                     random.between(-15, 15),
                     random.between(-8, 8),
                     random.between(0, 15));
-    const cv::Mat_<float> plain = rendered(finger_text(0, lamps));
-    const cv::Mat_<float> lit = rendered(finger_text(0, lamps + bounce(1, 1)));
+    const cv::Mat_<float> plain = rendered(box_text(0, lamps));
+    const cv::Mat_<float> lit = rendered(box_text(0, lamps + bounce(1, 1)));
     double in = 0, again = 0;
     for_pixels(plain.size(), 1, [&](int v, int u) {
       const auto seen = seen_by(u, v, 0);
@@ -250,7 +238,7 @@ TEST(Interreflection, GivesNoMoreThanComesIn) {
       // Area that the pixel sees: z^3 du dv / (fx fy |n . p|).
       const double across = seen->on_side ? std::abs(seen->at.y()) : seen->at.z();
       const double area = std::pow(seen->at.z(), 3) / (170.0 * 172.0 * across);
-      const double per_light = area / (seen->on_side ? kSideAlbedo : 1);
+      const double per_light = area / (seen->on_side ? kBoxAlbedo : 1);
       in += per_light * plain(v, u);
       again += per_light * (lit(v, u) - plain(v, u));
     });
@@ -285,7 +273,7 @@ TEST(Interreflection, NeedsFacesThatAreLit) {
   EXPECT_THAT(
       refusal(scene_text(bounce(0.5, 0.5) + "  - {use: sides, albedo: 0.2, depth_mm: 9}\n")),
       HasSubstr("sides and leds"));
-  EXPECT_THAT(refusal(finger_text(0, kEvenly + bounce(0, 0.5))), HasSubstr("leave it out"));
+  EXPECT_THAT(refusal(box_text(0, kEvenly + bounce(0, 0.5))), HasSubstr("leave it out"));
 }
 
 }  // namespace
