@@ -11,6 +11,8 @@
 #include "core/simulation/effect.h"
 #include "core/simulation/form_factor.h"
 
+#include <numbers>
+
 namespace alltact {
 
 namespace {
@@ -29,6 +31,7 @@ inline float lattice_step(float part) {
   return part < 0.5F ? step : 1 - step;
 }
 
+constexpr double kFar = 4;        // diagonals of a patch from where it counts as a point
 constexpr double kInward = 1e-4;  // points of the lattice keep off the edges by this part
 
 // The view face (0), and the side faces at -y (1) and at +y (2).
@@ -58,6 +61,7 @@ struct LitPatch {
   int face;
   Quadrilateral corners;  // counter-clockwise as seen from within the body
   Eigen::Vector3d middle, normal;
+  double area_mm2, far2_mm2;  // farther than the root of this it counts as a point
 };
 
 struct LatticePoint {
@@ -75,11 +79,24 @@ LitPatch patch_of(const LitFaces& faces, int face, int i, int k) {
                   faces.point(face, a1, c1),
                   faces.point(face, a1, c0)},
                  faces.point(face, (a0 + a1) / 2, (c0 + c1) / 2),
-                 faces.normal(face, (a0 + a1) / 2)};
+                 faces.normal(face, (a0 + a1) / 2),
+                 0,
+                 0};
   const Eigen::Vector3d turn =
       (patch.corners[2] - patch.corners[0]).cross(patch.corners[3] - patch.corners[1]);
   if (turn.dot(patch.normal) < 0) std::swap(patch.corners[1], patch.corners[3]);
+  patch.area_mm2 = turn.norm() / 2;
+  patch.far2_mm2 = kFar * kFar * (patch.corners[2] - patch.corners[0]).squaredNorm();
   return patch;
+}
+
+double factor_of(const LatticePoint& point, const LitPatch& patch) {
+  const Eigen::Vector3d way = patch.middle - point.at;
+  const double r2 = way.squaredNorm();
+  if (r2 < patch.far2_mm2) return form_factor(point.at, point.normal, patch.corners);
+  const double here = point.normal.dot(way), there = -patch.normal.dot(way);
+  if (here <= 0 || there <= 0) return 0;
+  return here * there * patch.area_mm2 / (std::numbers::pi * r2 * r2);
 }
 
 // Irradiance on one face's lattice.
@@ -212,7 +229,7 @@ class OnceReflected final : public IndirectLight {
       const LitPatch& patch = patches_[j];
       const bool is_plane = point.face > 0 || face_is_plane_;
       if (is_plane && patch.face == point.face) continue;
-      double light = radiosity[j] * form_factor(point.at, point.normal, patch.corners);
+      double light = radiosity[j] * factor_of(point, patch);
       if (absorb_per_mm_ > 0) light *= std::exp(-absorb_per_mm_ * (patch.middle - point.at).norm());
       sum += light;
     }
