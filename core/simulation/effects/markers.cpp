@@ -61,16 +61,16 @@ class Markers final : public GeometryEffect {
 
  private:
   MarkerDisc disc(const FrameGeometry& geometry, double s_mm, int side, double radius_mm) const {
-    const FaceCurve::Node p = geometry.curve()->at(s_mm);
-    const Eigen::Vector3d centre(p.x_mm + setback_mm_ * p.z_s,
-                                 p.shift_mm + side * geometry.face().width_mm / 2,
-                                 p.z_mm - setback_mm_ * p.x_s);
+    const double across = side * geometry.face().width_mm / 2;
+    const auto body = geometry.body_point(s_mm, across, setback_mm_);
+    const double incline = std::atan2(body.along.z(), body.along.x());
     const Camera& camera = geometry.rays().camera();
     std::vector<Eigen::Vector2d> outline;
     for (int i = 0; i < kCorners; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kCorners;
+      const double angle = 2 * std::numbers::pi * i / kCorners - incline;
       const auto pixel =
-          camera.project(centre + radius_mm * Eigen::Vector3d(std::cos(angle), 0, std::sin(angle)));
+          camera.project(body.point_mm + radius_mm * (std::cos(angle) * body.along +
+                                                      std::sin(angle) * body.normal));
       if (pixel) outline.push_back(*pixel);
     }
     MarkerDisc result{side, {0, 0}, outline.size() == kCorners, albedo_, {}, {}};
