@@ -159,6 +159,31 @@ TEST(ShippedScenes, HardRoundAndLong) {
   }
 }
 
+TEST(ShippedScenes, HardTwist) {
+  const Plan plan = ShippedScene("hard_twist").plan();
+  for (int frame = 0; frame < 5; ++frame) {
+    const Truth truth = plan.truth(frame);
+    const double twist = (frame - 2) * 4 * std::numbers::pi / 180;
+    EXPECT_NEAR(truth.pose.at("twist_deg"), (frame - 2) * 4, 1e-9);
+    EXPECT_EQ(region_count(deeper_than(truth, 0.05)), 1);
+    // Across the face, near its tip, z changes by the sine of the twist there.
+    const int u = 800;
+    int top = 0, bottom = 539;
+    while (std::isnan(truth.view_z_mm.at<float>(top, u))) ++top;
+    while (std::isnan(truth.view_z_mm.at<float>(bottom, u))) --bottom;
+    const double z_top = truth.view_z_mm.at<float>(top, u),
+                 z_bottom = truth.view_z_mm.at<float>(bottom, u);
+    const double across = ((bottom - 269.5) * z_bottom - (top - 269.5) * z_top) / 523.9;
+    const double slope = (z_bottom - z_top) / across;
+    if (frame == 2) {
+      EXPECT_NEAR(slope, 0, 1e-6);
+    } else {
+      EXPECT_GT(slope / std::tan(twist), 0.5) << frame;
+      EXPECT_LT(slope / std::tan(twist), 1.6) << frame;
+    }
+  }
+}
+
 TEST(ShippedScenes, HardSteepFace) {
   const Plan plan = ShippedScene("hard_steep_face").plan();
   const Truth truth = plan.truth(0);
