@@ -174,7 +174,7 @@ TEST(ShippedScenes, HardBehindAWindow) {
   const Truth behind = scene.plan().truth(0), free = scene.plan({"port"}).truth(0);
   // Snell's law for the ray to each dot: from the lens 4 mm of air, 3 mm of acrylic (1.49), then
   // silicone (1.41). What is 12 mm or more off the axis there is seen farther in without a plate.
-  const double f = 523.9, cu = 479.5, cv = 269.5;
+  const double f = 350, cu = 479.5, cv = 269.5;
   for (std::size_t i = 0; i < free.markers.size(); ++i) {
     const auto direction = [&](const Truth::Dot& dot) {
       return std::hypot((dot.u - cu) / f, (dot.v - cv) / f);
