@@ -4,10 +4,11 @@
 // from the lamps and the room and rho_j the mean reflectance of its face, mu what the clear body
 // absorbs (C. Goral, K. Torrance, D. Greenberg and B. Battaile, "Modeling the interaction of light
 // between diffuse surfaces", SIGGRAPH 1984, with one bounce; rho of a layer that does not absorb is
-// S t / (1 + S t)). The sum is taken on a lattice of each face, closer at its edges, between whose
-// points it goes straight. Nothing stands in the way, and what presses changes the light that a
-// pixel gives back but not that by which its patch lights others. A side face does not light
-// itself.
+// S t / (1 + S t)). `face` and `sides` are the mean reflectances, above 0 and up to 1, `depth_mm`
+// how deep the side faces are, as the effect sides has it. The sum is taken on a lattice of each
+// face, closer at its edges, between whose points it goes straight. Nothing stands in the way, and
+// what presses changes the light that a pixel gives back but not that by which its patch lights
+// others. A side face does not light itself.
 #include "core/simulation/effect.h"
 #include "core/simulation/form_factor.h"
 
@@ -181,7 +182,8 @@ class OnceReflected final : public IndirectLight {
                                         (s.y_mm[u] - face.shift_mm[u] + width_mm_ / 2) * across);
     }
 
-    // Where on its side a point lies is told by the point of the view face in the same column.
+    // Where on its side a point lies is told by the point of the view face in the same column, to
+    // first order in the twist.
     void on_sides(const FaceRow& face, const Surface& s, float* irradiance) const {
       const float along = 1 / length_mm_, across = 1 / depth_mm_;
       for (int u = s.first; u < s.last; ++u) {
