@@ -7490,6 +7490,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>radius_mm bis {:g}</translation>
     </message>
     <message>
+        <source>The finger&apos;s faces light each other</source>
+        <translation>Die Flächen des Fingers beleuchten einander</translation>
+    </message>
+    <message>
+        <source>the faces that light each other are the lit view face and side faces</source>
+        <translation>die Flächen, die einander beleuchten, sind die beleuchtete Sichtfläche und die Seitenflächen</translation>
+    </message>
+    <message>
+        <source>name the effects sides and leds too</source>
+        <translation>auch die Effekte sides und leds nennen</translation>
+    </message>
+    <message>
         <source>The silicone absorbs light on its way</source>
         <translation>Das Silikon absorbiert Licht auf seinem Weg</translation>
     </message>

@@ -7467,6 +7467,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>radius_mm 不超过 {:g}</translation>
     </message>
     <message>
+        <source>The finger&apos;s faces light each other</source>
+        <translation>手指的各个面互相照亮</translation>
+    </message>
+    <message>
+        <source>the faces that light each other are the lit view face and side faces</source>
+        <translation>互相照亮的是被照亮的视面和侧面</translation>
+    </message>
+    <message>
+        <source>name the effects sides and leds too</source>
+        <translation>也请写出效果 sides 和 leds</translation>
+    </message>
+    <message>
         <source>The silicone absorbs light on its way</source>
         <translation>硅胶在光路上吸收光</translation>
     </message>

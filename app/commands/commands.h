@@ -45,11 +45,14 @@ struct SimulateOptions {
   bool explain = false;  ///< tell what the scene builds, and render nothing
   int threads = 1;
   bool costs = false;  ///< run_simulate_costs() instead
+  std::string effect;  ///< run_simulate_effects() of this one; empty: of all
 };
 /// Renders a scene and writes its truth beside it.
 Status run_simulate(const SimulateOptions& options, Console& console);
 /// Prints what every effect of the simulation costs on this computer.
 Status run_simulate_costs(Console& console);
+/// Tells what effects there are, or what one takes. Error: there is no such effect.
+Status run_simulate_effects(const std::string& name, Console& console);
 
 struct LensOptions {
   std::vector<Path> inputs;

@@ -270,7 +270,15 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
   CLI::Option* scene = command->add_option("SCENE", options->scene, "Scene file (YAML)");
   CLI::Option* output = command->add_option("-o,--output", options->folder, "Folder for the frames")
                             ->type_name("DIR");
-  for (CLI::Option* option : {scene, output}) option->excludes(costs);
+  CLI::Option* effects =
+      command
+          ->add_option("--effects",
+                       options->effect,
+                       "Instead: what effects there are, or what one takes and an example of it")
+          ->type_name("[NAME]")
+          ->expected(0, 1)
+          ->excludes(costs);
+  for (CLI::Option* option : {scene, output}) option->excludes(costs)->excludes(effects);
   command
       ->add_option(
           "--frames", options->frames, "Only the first so many frames (default: all of the scene)")
@@ -290,11 +298,16 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
                  options->explain,
                  "Only tell which effects are built, in which frames, and why; without -o")
       ->excludes(output)
-      ->excludes(costs);
+      ->excludes(costs)
+      ->excludes(effects);
   add_threads_flag(*command, options->threads);
   command->callback([=, &chosen] {
     if (options->costs) {
       chosen = run_simulate_costs;
+      return;
+    }
+    if (effects->count() > 0) {
+      chosen = [=](Console& console) { return run_simulate_effects(options->effect, console); };
       return;
     }
     if (scene->count() == 0) throw CLI::RequiredError(scene->get_name());

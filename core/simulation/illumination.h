@@ -1,7 +1,10 @@
 // What is done to the lamps and to their light in one frame.
 #pragma once
 
+#include "core/simulation/indirect_light.h"
+
 #include <map>
+#include <memory>
 
 namespace alltact {
 
@@ -11,6 +14,7 @@ struct Illumination {
   std::map<int, double> single_share;  ///< and of which one lamp gives this share, by number
   double room_level = 0;     ///< light from everywhere, grey levels of a perfectly white surface
   double absorb_per_mm = 0;  ///< of the clear body, along the way from a lamp and to the camera
+  std::shared_ptr<const IndirectLight> indirect;  ///< null: nothing but lamps and room shines
 
   [[nodiscard]] double share_of(int lamp) const {
     const auto single = single_share.find(lamp);

@@ -116,6 +116,23 @@ TEST_P(Help, ShowsItsPictureAndLeavesNoMarkBehind) {
       QString::fromStdString(std::string(ALLTACT_SCREENS) + "/help_" + GetParam().name() + ".png"));
 }
 
+TEST_P(Help, OfLiveLeadsToTheEffects) {
+  if (GetParam().place != "live") GTEST_SKIP() << "speaks of no scene";
+  Studio studio;
+  Dresser dresser;
+  dresser.wear({Theme::kLight, QString::fromStdString(GetParam().language)});
+  studio.window().go_to("live");
+  QTest::keyClick(&studio.window(), Qt::Key_F1);
+  auto* page = studio.window().findChild<QTextBrowser*>();
+  ASSERT_NE(page, nullptr);
+  const QString effects =
+      QString::fromStdString("effects" + GetParam().name().substr(GetParam().place.size()) + ".md");
+  EXPECT_TRUE(page->toHtml().contains(QStringLiteral("href=\"%1\"").arg(effects)));
+  page->setSource(QUrl(effects));  // as a click does
+  EXPECT_TRUE(page->toPlainText().contains(QLatin1String("interreflection")));
+  EXPECT_TRUE(page->toHtml().contains(QLatin1String("<table")));
+}
+
 /// As pages show it: smaller, and in few shades, which is what makes its file small.
 QImage reduced(const QImage& window) {
   constexpr int kWidthPx = 720, kShades = 32;

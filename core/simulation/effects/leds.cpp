@@ -74,11 +74,13 @@ void shine_as_aimed(const Surface& s, const Lamp& lamp, float* sum) {
 }
 
 // What is left of the light of one lamp on its way through the clear body to the surface and on to
-// the camera. `spread` is 0 for an orthographic camera, whose rays run along z, else 1.
+// the camera. `spread` is 0 for an orthographic camera, whose rays run along z, else 1; `back_part`
+// is 0 for the way to the surface alone, else 1.
 ALLTACT_WIDE void absorb_on_the_way(const Surface& s,
                                     const Lamp& lamp,
                                     float per_mm,
                                     float spread,
+                                    float back_part,
                                     const float* __restrict light,
                                     float* __restrict sum) {
   const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
@@ -87,7 +89,20 @@ ALLTACT_WIDE void absorb_on_the_way(const Surface& s,
     const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
     const float there = std::sqrt(dx * dx + dy * dy + dz * dz);
     const float back = std::sqrt(spread * (x[u] * x[u] + y[u] * y[u]) + z[u] * z[u]);
-    sum[u] += light[u] * vector_exp(-per_mm * (there + back));
+    sum[u] += light[u] * vector_exp(-per_mm * (there + back_part * back));
+  }
+}
+
+// What of light that is at the surface reaches the camera.
+ALLTACT_WIDE void absorb_on_the_way_back(const Surface& s,
+                                         float per_mm,
+                                         float spread,
+                                         const float* __restrict light,
+                                         float* __restrict sum) {
+  const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
+  for (int u = s.first; u < s.last; ++u) {
+    const float back = std::sqrt(spread * (x[u] * x[u] + y[u] * y[u]) + z[u] * z[u]);
+    sum[u] += light[u] * vector_exp(-per_mm * back);
   }
 }
 
@@ -120,29 +135,52 @@ class Leds final : public RadianceEffect {
         : lamps_(std::move(lamps)),
           room_level_(static_cast<float>(now.room_level)),
           absorb_per_mm_(static_cast<float>(now.absorb_per_mm)),
-          spread_(perspective ? 1.0F : 0.0F) {}
+          spread_(perspective ? 1.0F : 0.0F) {
+      if (!now.indirect) return;
+      std::vector<float> one;
+      indirect_ = now.indirect->lit_by([&](const Surface& surface, float* irradiance) {
+        one.resize(static_cast<std::size_t>(surface.last));
+        shine_all(surface, 0, irradiance, absorb_per_mm_ > 0 ? one.data() : nullptr);
+      });
+    }
 
     void row(RowView& row) const override {
       float* sum = row.scratch.floats();
-      float* one = absorb_per_mm_ > 0 ? row.scratch.floats() : nullptr;
+      float* one = absorb_per_mm_ > 0 || indirect_ ? row.scratch.floats() : nullptr;
       for (const Surface& surface : row.surfaces) {
-        std::fill(sum + surface.first, sum + surface.last, room_level_);
-        for (const Lamp& lamp : lamps_) {
-          if (!one) {
-            shine_as_aimed(surface, lamp, sum);
-            continue;
-          }
-          std::fill(one + surface.first, one + surface.last, 0.0F);
-          shine_as_aimed(surface, lamp, one);
-          absorb_on_the_way(surface, lamp, absorb_per_mm_, spread_, one, sum);
-        }
+        shine_all(surface, 1, sum, absorb_per_mm_ > 0 ? one : nullptr);
+        if (indirect_) add_indirect(row, surface, one, sum);
         for (int u = surface.first; u < surface.last; ++u) surface.light[u] *= sum[u];
       }
     }
 
    private:
+    // Room and lamps. `one`: room for the light of one lamp, where the way absorbs; else null.
+    void shine_all(const Surface& surface, float back_part, float* sum, float* one) const {
+      std::fill(sum + surface.first, sum + surface.last, room_level_);
+      for (const Lamp& lamp : lamps_) {
+        if (!one) {
+          shine_as_aimed(surface, lamp, sum);
+          continue;
+        }
+        std::fill(one + surface.first, one + surface.last, 0.0F);
+        shine_as_aimed(surface, lamp, one);
+        absorb_on_the_way(surface, lamp, absorb_per_mm_, spread_, back_part, one, sum);
+      }
+    }
+
+    void add_indirect(const RowView& row, const Surface& surface, float* one, float* sum) const {
+      indirect_->row(row, surface, one);
+      if (absorb_per_mm_ > 0) {
+        absorb_on_the_way_back(surface, absorb_per_mm_, spread_, one, sum);
+        return;
+      }
+      for (int u = surface.first; u < surface.last; ++u) sum[u] += one[u];
+    }
+
     std::vector<Lamp> lamps_;
     float room_level_, absorb_per_mm_, spread_;
+    std::unique_ptr<const IndirectLight::Rows> indirect_;
   };
 
   static Lamp read_lamp(YamlSection& section) {

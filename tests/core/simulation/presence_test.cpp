@@ -166,6 +166,8 @@ Listed listed(const std::filesystem::path& path) {
 TEST(Presence, EveryFrameOfEveryShippedSceneBuildsWhatIsPresentAndNothingElse) {
   std::map<std::string, Stage> stages;
   for (const EffectKind* kind : effect_kinds()) stages[kind->name] = kind->stage;
+  const std::array kWholePicture{
+      "automatic-exposure", "defocus", "motion-blur", "rolling-shutter", "veil"};
   const BuildCount& count = build_count();
   int partly = 0;
   for (const auto& entry :
@@ -187,7 +189,15 @@ TEST(Presence, EveryFrameOfEveryShippedSceneBuildsWhatIsPresentAndNothingElse) {
       const long steps_before = count.steps, rows_before = count.rows;
       const cv::Mat picture = plan.render(frame, 2);
       ASSERT_EQ(count.steps - steps_before, steps) << frame;
-      ASSERT_EQ(count.rows - rows_before, rows) << frame;
+      // What works on whole pictures makes the light anew for each thread and moment, and so that
+      // of nothing else.
+      const bool in_passes =
+          std::any_of(kWholePicture.begin(), kWholePicture.end(), [&](const char* name) {
+            return scene_list.present[static_cast<std::size_t>(frame)].contains(name);
+          });
+      const long made = count.rows - rows_before;
+      ASSERT_EQ(in_passes ? made % rows : made - rows, 0) << frame;
+      ASSERT_GE(made, rows) << frame;
       std::map<std::string, int> built;
       for (const std::string& name : plan.effects(frame)) ++built[name.substr(0, name.find('#'))];
       ASSERT_EQ(built, scene_list.present[static_cast<std::size_t>(frame)]) << frame;

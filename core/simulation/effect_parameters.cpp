@@ -1,0 +1,152 @@
+#include "core/simulation/effect_parameters.h"
+
+#include "core/yaml/yaml_file.h"
+
+#include <tuple>
+
+namespace alltact {
+
+namespace {
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+// "a: 1, b: [2, 3]" by key; what stands in brackets stays together.
+Pairs pairs_of(std::string_view flow) {
+  Pairs pairs;
+  int depth = 0;
+  std::string text;
+  const auto end_pair = [&] {
+    const std::size_t colon = text.find(':');
+    if (colon == std::string::npos) return;
+    const std::size_t key = text.find_first_not_of(' ');
+    pairs.emplace_back(text.substr(key, colon - key), text.substr(colon + 1));
+    text.clear();
+  };
+  for (const char c : flow) {
+    depth += c == '[' || c == '{';
+    depth -= c == ']' || c == '}';
+    if (c == ',' && depth == 0)
+      end_pair();
+    else
+      text += c;
+  }
+  end_pair();
+  return pairs;
+}
+
+struct Made {
+  std::shared_ptr<const Effect> effect;  // null: refused
+  std::string what, where, advice;       // why
+};
+
+Made make(const EffectKind& kind, const Pairs& pairs) {
+  std::string text = fmt::format("frames: 100\neffect:\n  use: {}\n", kind.name);
+  for (const auto& [key, value] : pairs) text += fmt::format("  {}: {}\n", key, value);
+  YamlFile file("example", YamlFile::Unknown::kRefused);
+  Made made;
+  const Status read = file.read(text, [&](YamlSection& top) {
+    (void)top.whole_number("frames", 1, 100);
+    YamlSection section = top.section("effect");
+    (void)section.text("use");
+    made.effect = kind.make(section);
+  });
+  if (read) return made;
+  const Error& error = read.error();
+  return {nullptr, error.what.english(), error.where.english(), error.advice.english()};
+}
+
+void set(Pairs& pairs, const std::string& key, const std::string& value) {
+  for (auto& pair : pairs)
+    if (pair.first == key) {
+      pair.second = value;
+      return;
+    }
+  pairs.emplace_back(key, value);
+}
+
+std::string between(std::string text, std::string_view before, std::string_view after) {
+  if (text.starts_with(before)) text.erase(0, before.size());
+  const std::size_t end = text.find(after);
+  return end == std::string::npos ? text : text.substr(0, end);
+}
+
+// The keys that it looked for, as it names them to one who wrote another.
+std::vector<std::string> keys_of(const EffectKind& kind, Pairs pairs) {
+  pairs.emplace_back("0", "0");
+  const std::string advice = make(kind, pairs).advice;
+  std::vector<std::string> keys;
+  std::string key;
+  for (const char c : between(advice, "one of ", "\n") + ",") {
+    if (c == ',') {
+      if (key != "use") keys.push_back(key);
+      key.clear();
+    } else if (c != ' ') {
+      key += c;
+    }
+  }
+  return keys;
+}
+
+constexpr std::string_view kMustBe = "must be ";
+
+// "must be a number above 0, not 'x'": what it must be.
+std::string asked_in(const Made& made) {
+  std::string text = between(made.what, kMustBe, ", not '");
+  text = between(text, "holds 'x', which is not ", "\n");
+  const std::string_view to = " and up to ";
+  const std::size_t at = text.find(to);
+  if (at != std::string::npos && text.find("number from") == text.find("number"))
+    text.replace(at, to.size(), " to ");
+  return text;
+}
+
+std::string values_of(const EffectKind& kind, Pairs pairs, const std::string& key) {
+  const auto answer_to = [&](const std::string& value) {
+    set(pairs, key, value);
+    return make(kind, pairs);
+  };
+  Made to_word = answer_to("x");
+  std::string together;
+  if (to_word.what == "is missing") {  // another key that goes with it
+    const std::string other = to_word.where.substr(to_word.where.rfind('.') + 1);
+    set(pairs, other, "1");
+    to_word = answer_to("x");
+    together = ", together with " + other;
+  }
+  if (to_word.what.find("is not known here") != std::string::npos) return to_word.advice;
+  if (!to_word.what.starts_with(kMustBe)) return "a name";
+  if (to_word.what.starts_with("must be a block"))
+    return "{from: ..., to: ...}, each " + asked_in(answer_to("{from: x, to: 1}"));
+  if (to_word.what.starts_with("must be a list"))
+    for (const char* value : {"[x, x, x]", "[x, x]"})
+      if (const Made inner = answer_to(value); inner.what.find("number") != std::string::npos)
+        return "a list, each " + asked_in(inner);
+  return asked_in(to_word) + together;
+}
+
+}  // namespace
+
+EffectDescription describe(const EffectKind& kind) {
+  const Pairs pairs = pairs_of(kind.example);
+  const Made made = make(kind, pairs);
+  if (!made.effect) return {&kind, {}, false, {}};
+  EffectDescription description{&kind, made.effect->sentence(), made.effect->may_be_several(), {}};
+  for (const std::string& key : keys_of(kind, pairs)) {
+    const bool in_example = std::any_of(
+        pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.first == key; });
+    description.parameters.push_back({key, values_of(kind, pairs, key), in_example});
+  }
+  return description;
+}
+
+std::vector<EffectDescription> describe_effects() {
+  auto kinds = effect_kinds();
+  std::sort(kinds.begin(), kinds.end(), [](const auto* a, const auto* b) {
+    return std::tie(a->stage, a->rank, a->name) < std::tie(b->stage, b->rank, b->name);
+  });
+  std::vector<EffectDescription> all;
+  for (const EffectKind* kind : kinds) all.push_back(describe(*kind));
+  return all;
+}
+
+}  // namespace alltact
