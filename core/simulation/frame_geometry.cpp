@@ -86,6 +86,7 @@ void FrameGeometry::set_column(std::size_t i, double origin_x, double direction_
     const double s_per_px = px_u / std::max(0.02, p.x_s - direction_x * p.z_s);
     const double inside = std::min(s, curve_->length_mm() - s) / s_per_px + 0.5;
     end = met ? std::clamp(inside, 0.0, 1.0) : 0.0;
+    if (!met) s = kNotMet_mm;
   } else {
     p.z_mm = face_.plane_z_mm;
     p.x_mm = s = origin_x + direction_x * p.z_mm;

@@ -59,7 +59,8 @@ struct MetRow {
   void miss(int u) {
     set(u, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ());
     luf[u] = 1;
-    shift[u] = s[u] = coverage[u] = 0;
+    s[u] = kNotMet_mm;
+    shift[u] = coverage[u] = 0;
   }
 };
 

@@ -23,6 +23,9 @@ class RowScratch {
   std::vector<std::unique_ptr<float[]>> rows_;
 };
 
+/// Where rays do not meet the face; before its base by more than anything is long.
+inline constexpr float kNotMet_mm = -1e6F;
+
 /// The view face along one row, for the columns [first, last). All arrays are indexed by column;
 /// off the face they hold finite numbers and coverage is 0.
 struct FaceRow {
@@ -31,7 +34,7 @@ struct FaceRow {
   const float *sin_incline = nullptr, *cos_incline = nullptr;
   const float* luf_mm = nullptr;    ///< layer's thickness along z, t0: LUF is z_mm + luf_mm
   const float* shift_mm = nullptr;  ///< y of the face's middle line
-  const float* s_mm = nullptr;      ///< arc length from the base
+  const float* s_mm = nullptr;      ///< arc length from the base; kNotMet_mm
   const float* coverage = nullptr;  ///< part of the pixel that the face covers, 0..1
 };
 

@@ -63,7 +63,7 @@ void meet_sides_by_rays(const SideRow& r, const FrameGeometry& geometry, int v) 
     r.light[u] = r.albedo;
     r.x[u] = r.y[u] = r.coverage[u] = r.normal_x[u] = r.inward[u] = 0;
     r.z[u] = r.normal_z[u] = 1;
-    if (r.face.coverage[u] >= 1) continue;
+    if (r.face.coverage[u] >= 1 || r.face.s_mm[u] == kNotMet_mm) continue;
     const bool is_upper = r.face.y_mm[u] < r.face.shift_mm[u];
     const Ray ray = geometry.rays().ray(u, v);
     const auto here = (is_upper ? upper : lower).meet(ray, r.face.s_mm[u]);
