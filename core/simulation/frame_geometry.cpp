@@ -56,9 +56,12 @@ FrameGeometry::FrameGeometry(const PixelRays& rays,
     : rays_(rays), face_(face), curve_(std::move(curve)) {
   const cv::Size size = rays.camera().size();
   if (rays.linear()) {
-    columns_.resize(static_cast<std::size_t>(size.width));
-    for (int u = 0; u < size.width; ++u)
-      set_column(static_cast<std::size_t>(u), rays.origin_x(u), rays.direction_x(u));
+    std::vector<double> origins, directions;
+    for (int u = 0; u < size.width; ++u) {
+      origins.push_back(rays.origin_x(u));
+      directions.push_back(rays.direction_x(u));
+    }
+    set_columns(origins, directions);
     find_bands();
     return;
   }
@@ -66,28 +69,49 @@ FrameGeometry::FrameGeometry(const PixelRays& rays,
   const int cells = static_cast<int>((high - low) / kTableStep) + 3;
   table_per_direction_ = 1 / kTableStep;
   table_first_ = low - kTableStep;
-  columns_.resize(static_cast<std::size_t>(cells) + 1);
-  for (int i = 0; i <= cells; ++i)
-    set_column(static_cast<std::size_t>(i), 0, table_first_ + i * kTableStep);
+  const auto n = static_cast<std::size_t>(cells) + 1;
+  std::vector<double> directions;
+  for (std::size_t i = 0; i < n; ++i)
+    directions.push_back(table_first_ + static_cast<double>(i) * kTableStep);
+  set_columns(std::vector<double>(n, 0.0), directions);
 }
 
-void FrameGeometry::set_column(std::size_t i, double origin_x, double direction_x) {
+void FrameGeometry::set_columns(const std::vector<double>& origin_x,
+                                const std::vector<double>& direction_x) {
+  const std::size_t n = direction_x.size();
+  columns_.resize(n);
   FaceCurve::Node p;
-  double s = 0, end = 1;
+  if (!curve_) {
+    p.z_mm = face_.plane_z_mm;
+    for (std::size_t i = 0; i < n; ++i) {
+      p.x_mm = origin_x[i] + direction_x[i] * p.z_mm;
+      set_column(i, direction_x[i], p.x_mm, p);
+    }
+    return;
+  }
+  const FaceCurve::Meetings met = curve_->meet_all(origin_x, direction_x);
+  for (std::size_t i = 0; i < n; ++i) {
+    p.x_mm = met.x_mm[i], p.z_mm = met.z_mm[i];
+    p.x_s = met.x_s[i], p.z_s = met.z_s[i];
+    p.shift_mm = met.shift_mm[i];
+    set_column(i, direction_x[i], met.s_mm[i], p);
+  }
+}
+
+void FrameGeometry::set_column(std::size_t i,
+                               double direction_x,
+                               double s,
+                               const FaceCurve::Node& p) {
+  double end = 1;
   if (curve_) {
-    s = curve_->meet(origin_x, direction_x);
     const bool met = std::isfinite(s);
     // A direction that misses the face sees nothing; its numbers only have to be finite.
     if (!met) s = curve_->length_mm();
-    p = curve_->at(s);
     const CameraParameters& camera = rays_.camera().parameters();
     const double px_u = rays_.camera().is_perspective() ? p.z_mm / camera.fx_px : camera.mm_per_px;
     const double s_per_px = px_u / std::max(0.02, p.x_s - direction_x * p.z_s);
     const double inside = std::min(s, curve_->length_mm() - s) / s_per_px + 0.5;
     end = met ? std::clamp(inside, 0.0, 1.0) : 0.0;
-  } else {
-    p.z_mm = face_.plane_z_mm;
-    p.x_mm = s = origin_x + direction_x * p.z_mm;
   }
   columns_.x[i] = static_cast<float>(p.x_mm);
   columns_.z[i] = static_cast<float>(p.z_mm);

@@ -67,7 +67,8 @@ class FrameGeometry {
     std::vector<float> x, z, sin, cos, luf, shift, s, end, per_mm, normal_z, zero;
     void resize(std::size_t n);
   };
-  void set_column(std::size_t i, double origin_x, double direction_x);
+  void set_columns(const std::vector<double>& origin_x, const std::vector<double>& direction_x);
+  void set_column(std::size_t i, double direction_x, double s_mm, const FaceCurve::Node& point);
   void find_bands();
   void fill_linear(RowView& row) const;
   void fill_by_table(RowView& row) const;
