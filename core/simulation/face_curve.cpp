@@ -33,6 +33,32 @@ inline Direction turned(double cos, double sin, double by) {
   return {cos - (cos * c + sin * s), sin - (sin * c - cos * s)};
 }
 
+// Three-point Gauss on [0, 1]; kGaussAt[0] is 1/2 - sqrt(0.15).
+constexpr std::array<double, 3> kGaussAt{
+    0.5 - 0.387298334620741689, 0.5, 0.5 + 0.387298334620741689};
+constexpr std::array<double, 3> kGaussWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+// The mean cosine and sine of each cell between n + 1 nodes, where the angle turns little; and how
+// much it turns there at most.
+ALLTACT_WIDE void integrate_cells(int n,
+                                  const FaceCurve::Node* nodes,
+                                  double h,
+                                  double* __restrict x,
+                                  double* __restrict z,
+                                  double* __restrict turn) {
+  for (int i = 0; i < n; ++i) {
+    const FaceCurve::Node &a = nodes[i], &b = nodes[i + 1];
+    turn[i] =
+        std::abs(b.theta - a.theta) + h * (4.0 / 27) * (std::abs(a.theta_s) + std::abs(b.theta_s));
+    const auto toward = [&](double t) {
+      return turned(a.x_s, a.z_s, hermite(a.theta, a.theta_s, b.theta, b.theta_s, h, t) - a.theta);
+    };
+    const Direction d0 = toward(kGaussAt[0]), d1 = toward(kGaussAt[1]), d2 = toward(kGaussAt[2]);
+    x[i] = kGaussWeight[0] * d0.cos + kGaussWeight[1] * d1.cos + kGaussWeight[2] * d2.cos;
+    z[i] = kGaussWeight[0] * d0.sin + kGaussWeight[1] * d1.sin + kGaussWeight[2] * d2.sin;
+  }
+}
+
 }  // namespace
 
 FaceCurve::FaceCurve(const Eigen::Vector3d& base_mm, double incline_rad, double length_mm)
@@ -47,6 +73,7 @@ FaceCurve::FaceCurve(const Eigen::Vector3d& base_mm, double incline_rad, double 
 
 void FaceCurve::make_nodes() {
   if (!nodes_.empty()) return;
+  nodes_.reserve(kCells + 1);
   for (int i = 0; i <= kCells; ++i) nodes_.push_back(along_line(s_mm(i)));
 }
 
@@ -76,8 +103,9 @@ void FaceCurve::sway(double sway_mm) {
 void FaceCurve::bend(double q1_mm, double q2_mm) {
   for (int i = 0; i <= kCells; ++i) {
     const double t = s_mm(i) / length_mm_;
-    node(i).theta += (q1_mm * 2 * t + q2_mm * (3 * t * t - 2 * t)) / length_mm_;
-    node(i).theta_s += (q1_mm * 2 + q2_mm * (6 * t - 2)) / (length_mm_ * length_mm_);
+    Node& here = node(i);
+    here.theta += (q1_mm * 2 * t + q2_mm * (3 * t * t - 2 * t)) / length_mm_;
+    here.theta_s += (q1_mm * 2 + q2_mm * (6 * t - 2)) / (length_mm_ * length_mm_);
   }
 }
 
@@ -103,32 +131,26 @@ Eigen::Vector3d FaceCurve::normal(const Node& p) {
 
 void FaceCurve::integrate() {
   if (!is_bent_) return;
-  static const double kOff = std::sqrt(0.15);
-  const std::array<double, 3> place{0.5 - kOff, 0.5, 0.5 + kOff};
-  constexpr std::array<double, 3> kWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
   for (Node& node : nodes_) {
     node.x_s = std::cos(node.theta);
     node.z_s = std::sin(node.theta);
   }
-  turns_little_ = true;
-  for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
+  std::array<double, kCells> x, z, turn;
+  integrate_cells(kCells, nodes_.data(), cell_mm_, x.data(), z.data(), turn.data());
+  turns_little_ = *std::max_element(turn.begin(), turn.end()) <= kLittleTurn;
+  for (std::size_t i = 0; i < kCells; ++i) {
     const Node& a = nodes_[i];
     Node& b = nodes_[i + 1];
-    // No Hermite curve goes farther from its beginning than that.
-    const double turn = std::abs(b.theta - a.theta) +
-                        cell_mm_ * 4 / 27 * (std::abs(a.theta_s) + std::abs(b.theta_s));
-    const bool is_little = turn <= kLittleTurn;
-    turns_little_ = turns_little_ && is_little;
-    double x = 0, z = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, cell_mm_, place[k]);
-      const Direction d = is_little ? turned(a.x_s, a.z_s, theta - a.theta)
-                                    : Direction{std::cos(theta), std::sin(theta)};
-      x += kWeight[k] * d.cos;
-      z += kWeight[k] * d.sin;
+    if (turn[i] > kLittleTurn) {
+      x[i] = z[i] = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, cell_mm_, kGaussAt[k]);
+        x[i] += kGaussWeight[k] * std::cos(theta);
+        z[i] += kGaussWeight[k] * std::sin(theta);
+      }
     }
-    b.x_mm = a.x_mm + cell_mm_ * x;
-    b.z_mm = a.z_mm + cell_mm_ * z;
+    b.x_mm = a.x_mm + cell_mm_ * x[i];
+    b.z_mm = a.z_mm + cell_mm_ * z[i];
   }
   find_plain_directions();
 }
