@@ -34,6 +34,10 @@ ALLTACT_WIDE void cover_row(int first,
   }
 }
 
+ALLTACT_WIDE void set_to_one(int first, int last, float* __restrict light) {
+  for (int u = first; u < last; ++u) light[u] = 1.0F;
+}
+
 ALLTACT_WIDE void interpolate(int n,
                               const int* __restrict cell,
                               const float* __restrict part,
@@ -125,10 +129,15 @@ void FrameGeometry::set_column(std::size_t i,
   columns_.per_mm[i] = static_cast<float>(1 / rays_.camera().mm_per_px_at(p.z_mm));
 }
 
-// For each block of columns the rows between which the face can be, so that the rest is skipped.
+// For each row the blocks of columns that the face can be in, so that the rest is skipped.
 void FrameGeometry::find_bands() {
   const int width = static_cast<int>(columns_.x.size());
+  const auto height = static_cast<std::size_t>(rays_.camera().size().height);
+  row_first_.assign(height, 0);
+  row_last_.assign(height, 0);
+  const auto half = static_cast<float>(face_.width_mm / 2);
   const PixelRays::RowRay ray_0 = rays_.row_ray(0);
+  std::vector<float> block_top, block_bottom;
   for (int from = 0; from < width; from += kBlock) {
     float top = kNoEdge, bottom = -kNoEdge;
     for (int u = from; u < std::min(from + kBlock, width); ++u) {
@@ -136,17 +145,29 @@ void FrameGeometry::find_bands() {
       if (columns_.end[i] <= 0) continue;
       if (!curve_) {
         top = -1;
-        bottom = static_cast<float>(rays_.camera().size().height);
+        bottom = static_cast<float>(height);
         continue;
       }
-      const auto half = static_cast<float>(face_.width_mm / 2);
       const float y_0 = ray_0.origin_y + ray_0.direction_y * columns_.z[i];
       top = std::min(top, (columns_.shift[i] - half - y_0) * columns_.per_mm[i] - 1);
       bottom = std::max(bottom, (columns_.shift[i] + half - y_0) * columns_.per_mm[i] + 1);
     }
-    block_top_.push_back(top);
-    block_bottom_.push_back(bottom);
+    block_top.push_back(top);
+    block_bottom.push_back(bottom);
   }
+  // The last block that reaches a row sets its end last, the first one its beginning.
+  const auto set_rows = [&](std::size_t block, std::vector<int>& rows, int u) {
+    const auto row_at = [&](float v) {
+      return static_cast<std::ptrdiff_t>(std::clamp(v, 0.0F, static_cast<float>(height)));
+    };
+    const auto top = row_at(std::ceil(block_top[block]));
+    const auto end = row_at(std::floor(block_bottom[block]) + 1);
+    if (top < end) std::fill(rows.begin() + top, rows.begin() + end, u);
+  };
+  const std::size_t blocks = block_top.size();
+  for (std::size_t i = 0; i < blocks; ++i)
+    set_rows(i, row_last_, std::min(static_cast<int>(i + 1) * kBlock, width));
+  for (std::size_t i = blocks; i-- > 0;) set_rows(i, row_first_, static_cast<int>(i) * kBlock);
 }
 
 PressPlace FrameGeometry::press_place(double s_mm, double y_mm, double depth_mm) const {
@@ -196,7 +217,7 @@ void FrameGeometry::fill(RowView& row) const {
   face.normal_x = row.face.sin_incline;
   face.coverage = row.face.coverage;
   face.light = row.scratch.floats();
-  std::fill(face.light + face.first, face.light + face.last, 1.0F);
+  set_to_one(face.first, face.last, face.light);
   if (rays_.linear()) {
     face.normal_y = columns_.zero.data();
     face.normal_z = columns_.normal_z.data();
@@ -215,15 +236,11 @@ void FrameGeometry::fill(RowView& row) const {
 }
 
 void FrameGeometry::fill_linear(RowView& row) const {
-  int first = -1, last = -1;
-  for (std::size_t block = 0; block < block_top_.size(); ++block) {
-    if (row.v < block_top_[block] || row.v > block_bottom_[block]) continue;
-    if (first < 0) first = static_cast<int>(block) * kBlock;
-    last = std::min(static_cast<int>(block + 1) * kBlock, row.width);
-  }
+  const auto v = static_cast<std::size_t>(row.v);
+  const int first = row_first_[v], last = row_last_[v];
   float *y = row.scratch.floats(), *coverage = row.scratch.floats();
   FaceRow& face = row.face;
-  face.first = std::max(first, 0);
+  face.first = first < last ? first : 0;
   face.last = std::max(last, face.first);
   face.x_mm = columns_.x.data();
   face.y_mm = y;

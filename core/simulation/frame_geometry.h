@@ -80,7 +80,7 @@ class FrameGeometry {
   Columns columns_;  // by column, or by direction for a camera with distortion
   double table_first_ = 0, table_per_direction_ = 0;
   static constexpr int kBlock = 16;
-  std::vector<float> block_top_, block_bottom_;  // rows that the face may touch, by block
+  std::vector<int> row_first_, row_last_;  // columns that the face may be in, by row
 };
 
 }  // namespace alltact

@@ -1,5 +1,6 @@
 #include "core/simulation/plan.h"
 
+#include "core/numerics/dispatch.h"
 #include "core/numerics/philox.h"
 #include "core/simulation/frame_plan.h"
 
@@ -14,14 +15,30 @@ namespace {
 
 using RadianceRows = std::vector<std::unique_ptr<const RadianceEffect::Rows>>;
 
+ALLTACT_WIDE void set_light(int first,
+                            int last,
+                            const float* __restrict coverage,
+                            const float* __restrict light,
+                            float* __restrict value) {
+  for (int u = first; u < last; ++u) value[u] = coverage[u] * light[u];
+}
+ALLTACT_WIDE void add_light(int first,
+                            int last,
+                            const float* __restrict coverage,
+                            const float* __restrict light,
+                            float* __restrict value) {
+  for (int u = first; u < last; ++u) value[u] += coverage[u] * light[u];
+}
+
 // What reaches the sensor: every surface's light by the part of the pixel that it covers.
 void add_up_light(const RowView& row) {
-  std::fill(row.value, row.value + row.width, 0.0F);
-  for (const Surface& surface : row.surfaces) {
-    float* __restrict value = row.value;
-    const float* __restrict light = surface.light;
-    const float* __restrict coverage = surface.coverage;
-    for (int u = surface.first; u < surface.last; ++u) value[u] += coverage[u] * light[u];
+  const Surface& face = row.surfaces.front();
+  std::fill(row.value, row.value + face.first, 0.0F);
+  std::fill(row.value + face.last, row.value + row.width, 0.0F);
+  set_light(face.first, face.last, face.coverage, face.light, row.value);
+  for (std::size_t i = 1; i < row.surfaces.size(); ++i) {
+    const Surface& more = row.surfaces[i];
+    add_light(more.first, more.last, more.coverage, more.light, row.value);
   }
 }
 

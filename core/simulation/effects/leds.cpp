@@ -10,6 +10,7 @@ namespace alltact {
 
 namespace {
 
+constexpr int kPartOfRow = 256;  // pixels for which lamp after lamp shines from the nearest cache
 constexpr Limits kLampPlaceMm{-1e6, 1e6};
 
 struct Lamp {
@@ -91,6 +92,11 @@ ALLTACT_WIDE void absorb_on_the_way(const Surface& s,
   }
 }
 
+ALLTACT_WIDE void light_up(const Surface& s, const float* __restrict sum) {
+  float* __restrict light = s.light;
+  for (int u = s.first; u < s.last; ++u) light[u] *= sum[u];
+}
+
 class Leds final : public RadianceEffect {
  public:
   explicit Leds(YamlSection& p) {
@@ -125,22 +131,28 @@ class Leds final : public RadianceEffect {
     void row(RowView& row) const override {
       float* sum = row.scratch.floats();
       float* one = absorb_per_mm_ > 0 ? row.scratch.floats() : nullptr;
-      for (const Surface& surface : row.surfaces) {
-        std::fill(sum + surface.first, sum + surface.last, room_level_);
-        for (const Lamp& lamp : lamps_) {
-          if (!one) {
-            shine_as_aimed(surface, lamp, sum);
-            continue;
-          }
-          std::fill(one + surface.first, one + surface.last, 0.0F);
-          shine_as_aimed(surface, lamp, one);
-          absorb_on_the_way(surface, lamp, absorb_per_mm_, spread_, one, sum);
+      for (const Surface& surface : row.surfaces)
+        for (Surface part = surface; part.first < surface.last; part.first = part.last) {
+          part.last = std::min(part.first + kPartOfRow, surface.last);
+          light_part(part, sum, one);
         }
-        for (int u = surface.first; u < surface.last; ++u) surface.light[u] *= sum[u];
-      }
     }
 
    private:
+    void light_part(const Surface& part, float* sum, float* one) const {
+      std::fill(sum + part.first, sum + part.last, room_level_);
+      for (const Lamp& lamp : lamps_) {
+        if (!one) {
+          shine_as_aimed(part, lamp, sum);
+          continue;
+        }
+        std::fill(one + part.first, one + part.last, 0.0F);
+        shine_as_aimed(part, lamp, one);
+        absorb_on_the_way(part, lamp, absorb_per_mm_, spread_, one, sum);
+      }
+      light_up(part, sum);
+    }
+
     std::vector<Lamp> lamps_;
     float room_level_, absorb_per_mm_, spread_;
   };
