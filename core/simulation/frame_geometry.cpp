@@ -276,7 +276,7 @@ void FrameGeometry::fill_by_table(RowView& row) const {
     cell[static_cast<std::size_t>(u)] = std::clamp(static_cast<int>(at), 0, cells);
     part[u] = static_cast<float>(at - cell[static_cast<std::size_t>(u)]);
   }
-  const auto column = [&](const std::vector<float>& table) {
+  const auto column = [&](const AlignedFloats& table) {
     float* out = row.scratch.floats();
     interpolate(n, cell.data(), part, table.data(), out);
     return out;

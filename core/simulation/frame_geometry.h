@@ -64,7 +64,7 @@ class FrameGeometry {
 
  private:
   struct Columns {
-    std::vector<float> x, z, sin, cos, luf, shift, s, end, per_mm, normal_z, zero;
+    AlignedFloats x, z, sin, cos, luf, shift, s, end, per_mm, normal_z, zero;
     void resize(std::size_t n);
   };
   void set_columns(const std::vector<double>& origin_x, const std::vector<double>& direction_x);

@@ -1,11 +1,28 @@
 // One row of a picture in the making.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <new>
 #include <vector>
 
 namespace alltact {
+
+/// Memory that begins with a cache line, so that wide loads from it never straddle two.
+template <class T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kLine{64};
+  CacheLineAllocator() = default;
+  template <class U>
+  explicit CacheLineAllocator(const CacheLineAllocator<U>&) {}
+  [[nodiscard]] T* allocate(std::size_t n) {
+    return static_cast<T*>(::operator new(n * sizeof(T), kLine));
+  }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, kLine); }
+  bool operator==(const CacheLineAllocator&) const = default;
+};
+using AlignedFloats = std::vector<float, CacheLineAllocator<float>>;
 
 /// Rows of floats for one thread, handed out anew for every picture row.
 class RowScratch {
@@ -14,13 +31,13 @@ class RowScratch {
   void rewind() { next_ = 0; }
   /// `width` floats with any content.
   [[nodiscard]] float* floats() {
-    if (next_ == rows_.size()) rows_.push_back(std::make_unique<float[]>(width_));
-    return rows_[next_++].get();
+    if (next_ == rows_.size()) rows_.emplace_back(width_);
+    return rows_[next_++].data();
   }
 
  private:
   std::size_t width_, next_ = 0;
-  std::vector<std::unique_ptr<float[]>> rows_;
+  std::vector<AlignedFloats> rows_;
 };
 
 /// The view face along one row, for the columns [first, last). All arrays are indexed by column;
