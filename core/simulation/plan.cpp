@@ -30,15 +30,25 @@ ALLTACT_WIDE void add_light(int first,
   for (int u = first; u < last; ++u) value[u] += coverage[u] * light[u];
 }
 
-// What reaches the sensor: every surface's light by the part of the pixel that it covers.
-void add_up_light(const RowView& row) {
+// Where no light was added up.
+void darken_rest(const RowView& row) {
+  std::fill(row.value, row.value + row.lit_first, 0.0F);
+  std::fill(row.value + row.lit_last, row.value + row.width, 0.0F);
+}
+
+// What reaches the sensor, in the columns that row.lit_first and row.lit_last tell: every surface's
+// light by the part of the pixel that it covers.
+void add_up_light(RowView& row) {
   const Surface& face = row.surfaces.front();
-  std::fill(row.value, row.value + face.first, 0.0F);
-  std::fill(row.value + face.last, row.value + row.width, 0.0F);
+  row.lit_first = face.first;
+  row.lit_last = face.last;
   set_light(face.first, face.last, face.coverage, face.light, row.value);
+  if (row.surfaces.size() > 1) darken_rest(row);
   for (std::size_t i = 1; i < row.surfaces.size(); ++i) {
     const Surface& more = row.surfaces[i];
     add_light(more.first, more.last, more.coverage, more.light, row.value);
+    row.lit_first = std::min(row.lit_first, more.first);
+    row.lit_last = std::max(row.lit_last, more.last);
   }
 }
 
@@ -159,6 +169,12 @@ void Plan::State::render_rows(const FramePlan& plan,
     geometry_now.fill(row);
     for (const auto& effect : light) effect->row(row);
     add_up_light(row);
+    // Only counting in grey levels leaves the dark dark.
+    if (plan.sensor.empty() || !plan.sensor.front().effect->gives_bytes()) {
+      darken_rest(row);
+      row.lit_first = 0;
+      row.lit_last = row.width;
+    }
     for (const auto& step : plan.sensor) step.effect->row(step.context, row);
   }
 }
@@ -184,6 +200,7 @@ void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<flo
         geometry_now.fill(row);
         for (const auto& effect : light) effect->row(row);
         add_up_light(row);
+        darken_rest(row);
         float* sum = grey[v];
         for (int u = 0; u < grey.cols; ++u) sum[u] += share * row.value[u];
       }
@@ -207,6 +224,7 @@ cv::Mat Plan::State::render_in_passes(const FramePlan& plan,
     over_rows(size.height, threads, [&](int first, int last) {
       RowScratch scratch(size.width);
       RowView row(size.width, scratch);
+      row.lit_last = size.width;
       for (int v = first; v < last; ++v) {
         scratch.rewind();
         row.v = v;

@@ -75,9 +75,10 @@ struct RowView {
   /// What of the layer's thickness along its normal is hollow, in the face's columns; null:
   /// nothing.
   float* hollow_mm = nullptr;
-  std::vector<Surface> surfaces;  ///< the first is the view face
-  float* value = nullptr;         ///< grey levels, when the light is done
-  std::uint8_t* bytes = nullptr;  ///< what the sensor gives, if it gives bytes
+  std::vector<Surface> surfaces;    ///< the first is the view face
+  float* value = nullptr;           ///< grey levels, when the light is done
+  int lit_first = 0, lit_last = 0;  ///< columns in which `value` is set; it is dark beside them
+  std::uint8_t* bytes = nullptr;    ///< what the sensor gives, if it gives bytes
 };
 
 }  // namespace alltact

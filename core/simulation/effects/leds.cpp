@@ -92,6 +92,10 @@ ALLTACT_WIDE void absorb_on_the_way(const Surface& s,
   }
 }
 
+ALLTACT_WIDE void set_level(const Surface& s, float level, float* __restrict sum) {
+  for (int u = s.first; u < s.last; ++u) sum[u] = level;
+}
+
 ALLTACT_WIDE void light_up(const Surface& s, const float* __restrict sum) {
   float* __restrict light = s.light;
   for (int u = s.first; u < s.last; ++u) light[u] *= sum[u];
@@ -140,7 +144,7 @@ class Leds final : public RadianceEffect {
 
    private:
     void light_part(const Surface& part, float* sum, float* one) const {
-      std::fill(sum + part.first, sum + part.last, room_level_);
+      set_level(part, room_level_, sum);
       for (const Lamp& lamp : lamps_) {
         if (!one) {
           shine_as_aimed(part, lamp, sum);
