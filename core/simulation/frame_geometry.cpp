@@ -25,17 +25,15 @@ ALLTACT_WIDE void cover_row(int first,
                             const float* __restrict per_mm,
                             const float* __restrict end,
                             float* __restrict y,
-                            float* __restrict coverage) {
+                            float* __restrict coverage,
+                            float* __restrict light) {
   for (int u = first; u < last; ++u) {
     y[u] = origin_y + direction_y * z[u];
     const float inside = (half_width - std::abs(y[u] - shift[u])) * per_mm[u] + 0.5F;
     const float part = std::min(std::max(inside, 0.0F), 1.0F);
     coverage[u] = part * end[u];
+    light[u] = 1.0F;
   }
-}
-
-ALLTACT_WIDE void set_to_one(int first, int last, float* __restrict light) {
-  for (int u = first; u < last; ++u) light[u] = 1.0F;
 }
 
 ALLTACT_WIDE void interpolate(int n,
@@ -197,10 +195,11 @@ double FrameGeometry::greatest_t0_mm() const {
 }
 
 void FrameGeometry::fill(RowView& row) const {
+  float* light = row.scratch.floats();
   if (rays_.linear())
-    fill_linear(row);
+    fill_linear(row, light);
   else
-    fill_by_table(row);
+    fill_by_table(row, light);
   if (!layer_changes.empty()) {
     float* luf = row.scratch.floats();
     std::copy(
@@ -216,8 +215,7 @@ void FrameGeometry::fill(RowView& row) const {
   face.z_mm = row.face.z_mm;
   face.normal_x = row.face.sin_incline;
   face.coverage = row.face.coverage;
-  face.light = row.scratch.floats();
-  set_to_one(face.first, face.last, face.light);
+  face.light = light;
   if (rays_.linear()) {
     face.normal_y = columns_.zero.data();
     face.normal_z = columns_.normal_z.data();
@@ -235,7 +233,7 @@ void FrameGeometry::fill(RowView& row) const {
   fill_presses(row);
 }
 
-void FrameGeometry::fill_linear(RowView& row) const {
+void FrameGeometry::fill_linear(RowView& row, float* light) const {
   const auto v = static_cast<std::size_t>(row.v);
   const int first = row_first_[v], last = row_last_[v];
   float *y = row.scratch.floats(), *coverage = row.scratch.floats();
@@ -262,10 +260,11 @@ void FrameGeometry::fill_linear(RowView& row) const {
             columns_.per_mm.data(),
             columns_.end.data(),
             y,
-            coverage);
+            coverage,
+            light);
 }
 
-void FrameGeometry::fill_by_table(RowView& row) const {
+void FrameGeometry::fill_by_table(RowView& row, float* light) const {
   const int n = row.width;
   std::vector<int> cell(static_cast<std::size_t>(n));
   float* part = row.scratch.floats();
@@ -299,6 +298,7 @@ void FrameGeometry::fill_by_table(RowView& row) const {
     const float step = rays.step_y[u] * z[u];
     const float inside = (half - std::abs(y[u] - face.shift_mm[u])) / step + 0.5F;
     coverage[u] = std::clamp(inside, 0.0F, 1.0F) * end[u];
+    light[u] = 1.0F;
   }
   face.y_mm = y;
   face.coverage = coverage;

@@ -70,8 +70,8 @@ class FrameGeometry {
   void set_columns(const std::vector<double>& origin_x, const std::vector<double>& direction_x);
   void set_column(std::size_t i, double direction_x, double s_mm, const FaceCurve::Node& point);
   void find_bands();
-  void fill_linear(RowView& row) const;
-  void fill_by_table(RowView& row) const;
+  void fill_linear(RowView& row, float* light) const;
+  void fill_by_table(RowView& row, float* light) const;
   void fill_presses(RowView& row) const;
 
   const PixelRays& rays_;
