@@ -37,6 +37,9 @@ CameraParameters read_camera(YamlSection section) {
   }
   if (section.has("distortion"))
     camera.distortion = section.numbers("distortion", 0, 5, {-1e6, 1e6});
+  if (const auto made = Camera::create(camera); !made)
+    section.refuse(
+        section.has("distortion") ? "distortion" : "", made.error().what, made.error().advice);
   return camera;
 }
 
