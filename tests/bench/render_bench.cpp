@@ -11,15 +11,18 @@
 namespace alltact {
 namespace {
 
-void render_scene(benchmark::State& state, const char* name, int threads) {
-  const auto scene =
-      Scene::load(std::string(ALLTACT_SOURCE_DIR "/resources/scenes/") + name + ".yaml");
+void render_file(benchmark::State& state, const std::string& file, int threads) {
+  const auto scene = Scene::load(ALLTACT_SOURCE_DIR "/" + file);
   if (!scene) return state.SkipWithError(scene.error().sentence().c_str());
   const auto plan = Plan::compile(*scene, 1);
   if (!plan) return state.SkipWithError(plan.error().sentence().c_str());
   int frame = 0;
   for (auto _ : state)
     benchmark::DoNotOptimize(plan->render(frame++ % plan->frame_count(), threads));
+}
+
+void render_scene(benchmark::State& state, const char* name, int threads) {
+  render_file(state, std::string("resources/scenes/") + name + ".yaml", threads);
 }
 
 template <class Render>
@@ -59,7 +62,8 @@ void two_effects_beside_a_loop(benchmark::State& state) {
 
 BENCHMARK(two_effects_beside_a_loop)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK_CAPTURE(render_scene, five_effects, "five_effects", 1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(render_scene, sensor_effects, "sensor_effects", 1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(render_file, sensor_effects, "tests/bench/sensor_effects.yaml", 1)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(render_scene, two_effects, "two_effects", 1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(render_scene, two_effects_2_threads, "two_effects", 2)
     ->Unit(benchmark::kMillisecond)
