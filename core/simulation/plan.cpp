@@ -22,6 +22,12 @@ ALLTACT_WIDE void set_light(int first,
                             float* __restrict value) {
   for (int u = first; u < last; ++u) value[u] = coverage[u] * light[u];
 }
+ALLTACT_WIDE void cover_light(int first,
+                              int last,
+                              const float* __restrict coverage,
+                              float* __restrict light) {
+  for (int u = first; u < last; ++u) light[u] *= coverage[u];
+}
 ALLTACT_WIDE void add_light(int first,
                             int last,
                             const float* __restrict coverage,
@@ -37,11 +43,17 @@ void darken_rest(const RowView& row) {
 }
 
 // What reaches the sensor, in the columns that row.lit_first and row.lit_last tell: every surface's
-// light by the part of the pixel that it covers.
+// light by the part of the pixel that it covers. Where row.value is not given it becomes a row of
+// scratch: that of the light, if there is one surface only.
 void add_up_light(RowView& row) {
   const Surface& face = row.surfaces.front();
   row.lit_first = face.first;
   row.lit_last = face.last;
+  if (!row.value && row.surfaces.size() == 1) {
+    row.value = face.light;
+    return cover_light(face.first, face.last, face.coverage, face.light);
+  }
+  if (!row.value) row.value = row.scratch.floats();
   set_light(face.first, face.last, face.coverage, face.light, row.value);
   if (row.surfaces.size() > 1) darken_rest(row);
   for (std::size_t i = 1; i < row.surfaces.size(); ++i) {
@@ -164,7 +176,7 @@ void Plan::State::render_rows(const FramePlan& plan,
   for (int v = first; v < last; ++v) {
     scratch.rewind();
     row.v = v;
-    row.value = gives_bytes ? scratch.floats() : picture.ptr<float>(v);
+    row.value = gives_bytes ? nullptr : picture.ptr<float>(v);
     row.bytes = gives_bytes ? picture.ptr<std::uint8_t>(v) : nullptr;
     geometry_now.fill(row);
     for (const auto& effect : light) effect->row(row);
@@ -196,7 +208,7 @@ void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<flo
       for (int v = top; v < bottom; ++v) {
         scratch.rewind();
         row.v = v;
-        row.value = scratch.floats();
+        row.value = nullptr;
         geometry_now.fill(row);
         for (const auto& effect : light) effect->row(row);
         add_up_light(row);
