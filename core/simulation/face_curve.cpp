@@ -38,20 +38,25 @@ constexpr std::array<double, 3> kGaussAt{
     0.5 - 0.387298334620741689, 0.5, 0.5 + 0.387298334620741689};
 constexpr std::array<double, 3> kGaussWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
+using NodeNumbers = std::array<double, FaceCurve::kCells + 1>;
+
 // The mean cosine and sine of each cell between n + 1 nodes, where the angle turns little; and how
 // much it turns there at most.
 ALLTACT_WIDE void integrate_cells(int n,
-                                  const FaceCurve::Node* nodes,
+                                  const double* __restrict theta,
+                                  const double* __restrict theta_s,
+                                  const double* __restrict cos,
+                                  const double* __restrict sin,
                                   double h,
                                   double* __restrict x,
                                   double* __restrict z,
                                   double* __restrict turn) {
   for (int i = 0; i < n; ++i) {
-    const FaceCurve::Node &a = nodes[i], &b = nodes[i + 1];
-    turn[i] =
-        std::abs(b.theta - a.theta) + h * (4.0 / 27) * (std::abs(a.theta_s) + std::abs(b.theta_s));
+    turn[i] = std::abs(theta[i + 1] - theta[i]) +
+              h * (4.0 / 27) * (std::abs(theta_s[i]) + std::abs(theta_s[i + 1]));
     const auto toward = [&](double t) {
-      return turned(a.x_s, a.z_s, hermite(a.theta, a.theta_s, b.theta, b.theta_s, h, t) - a.theta);
+      const double there = hermite(theta[i], theta_s[i], theta[i + 1], theta_s[i + 1], h, t);
+      return turned(cos[i], sin[i], there - theta[i]);
     };
     const Direction d0 = toward(kGaussAt[0]), d1 = toward(kGaussAt[1]), d2 = toward(kGaussAt[2]);
     x[i] = kGaussWeight[0] * d0.cos + kGaussWeight[1] * d1.cos + kGaussWeight[2] * d2.cos;
@@ -131,12 +136,25 @@ Eigen::Vector3d FaceCurve::normal(const Node& p) {
 
 void FaceCurve::integrate() {
   if (!is_bent_) return;
-  for (Node& node : nodes_) {
-    node.x_s = std::cos(node.theta);
-    node.z_s = std::sin(node.theta);
+  NodeNumbers theta, theta_s, cos, sin;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    Node& node = nodes_[i];
+    const double c = std::cos(node.theta), s = std::sin(node.theta);
+    cos[i] = node.x_s = c;
+    sin[i] = node.z_s = s;
+    theta[i] = node.theta;
+    theta_s[i] = node.theta_s;
   }
   std::array<double, kCells> x, z, turn;
-  integrate_cells(kCells, nodes_.data(), cell_mm_, x.data(), z.data(), turn.data());
+  integrate_cells(kCells,
+                  theta.data(),
+                  theta_s.data(),
+                  cos.data(),
+                  sin.data(),
+                  cell_mm_,
+                  x.data(),
+                  z.data(),
+                  turn.data());
   turns_little_ = *std::max_element(turn.begin(), turn.end()) <= kLittleTurn;
   for (std::size_t i = 0; i < kCells; ++i) {
     const Node& a = nodes_[i];

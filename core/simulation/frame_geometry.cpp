@@ -36,6 +36,10 @@ ALLTACT_WIDE void cover_row(int first,
   }
 }
 
+ALLTACT_WIDE void set_all(int n, int value, int* __restrict numbers) {
+  for (int i = 0; i < n; ++i) numbers[i] = value;
+}
+
 ALLTACT_WIDE void interpolate(int n,
                               const int* __restrict cell,
                               const float* __restrict part,
@@ -160,7 +164,7 @@ void FrameGeometry::find_bands() {
     };
     const auto top = row_at(std::ceil(block_top[block]));
     const auto end = row_at(std::floor(block_bottom[block]) + 1);
-    if (top < end) std::fill(rows.begin() + top, rows.begin() + end, u);
+    if (top < end) set_all(static_cast<int>(end - top), u, rows.data() + top);
   };
   const std::size_t blocks = block_top.size();
   for (std::size_t i = 0; i < blocks; ++i)
