@@ -141,7 +141,7 @@ class RadianceEffect : public Effect {
 /// picture at once, for which a scene pays that names such an effect.
 class SensorEffect : public Effect {
  public:
-  /// Only v, width, scratch, value and bytes of the row are set.
+  /// Only v, width, scratch, value, lit_first, lit_last and bytes of the row are set.
   virtual void row(const FrameContext&, RowView&) const {}
   /// True: picture() is called and row() is not.
   [[nodiscard]] virtual bool needs_picture() const { return false; }

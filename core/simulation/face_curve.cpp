@@ -1,5 +1,7 @@
 #include "core/simulation/face_curve.h"
 
+#include "core/numerics/dispatch.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +19,51 @@ double hermite(double f0, double d0, double f1, double d1, double h, double t) {
   return u * u * (f0 * (1 + 2 * t) + h * d0 * t) + t * t * (f1 * (3 - 2 * t) - h * d1 * u);
 }
 
+// Cosine and sine of an angle `by` beyond that of a node, |by| <= kLittleTurn: the series, within
+// 3e-17, and the addition theorems.
+constexpr double kLittleTurn = 0.1;
+struct Direction {
+  double cos, sin;
+};
+inline Direction turned(double cos, double sin, double by) {
+  const double by2 = by * by;
+  const double s =
+      by - by * by2 * (1.0 / 6 - by2 * (1.0 / 120 - by2 * (1.0 / 5040 - by2 / 362880)));
+  const double c = by2 * (1.0 / 2 - by2 * (1.0 / 24 - by2 * (1.0 / 720 - by2 / 40320)));  // 1 - cos
+  return {cos - (cos * c + sin * s), sin - (sin * c - cos * s)};
+}
+
+// Three-point Gauss on [0, 1]; kGaussAt[0] is 1/2 - sqrt(0.15).
+constexpr std::array<double, 3> kGaussAt{
+    0.5 - 0.387298334620741689, 0.5, 0.5 + 0.387298334620741689};
+constexpr std::array<double, 3> kGaussWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+using NodeNumbers = std::array<double, FaceCurve::kCells + 1>;
+
+// The mean cosine and sine of each cell between n + 1 nodes, where the angle turns little; and how
+// much it turns there at most.
+ALLTACT_WIDE void integrate_cells(int n,
+                                  const double* __restrict theta,
+                                  const double* __restrict theta_s,
+                                  const double* __restrict cos,
+                                  const double* __restrict sin,
+                                  double h,
+                                  double* __restrict x,
+                                  double* __restrict z,
+                                  double* __restrict turn) {
+  for (int i = 0; i < n; ++i) {
+    turn[i] = std::abs(theta[i + 1] - theta[i]) +
+              h * (4.0 / 27) * (std::abs(theta_s[i]) + std::abs(theta_s[i + 1]));
+    const auto toward = [&](double t) {
+      const double there = hermite(theta[i], theta_s[i], theta[i + 1], theta_s[i + 1], h, t);
+      return turned(cos[i], sin[i], there - theta[i]);
+    };
+    const Direction d0 = toward(kGaussAt[0]), d1 = toward(kGaussAt[1]), d2 = toward(kGaussAt[2]);
+    x[i] = kGaussWeight[0] * d0.cos + kGaussWeight[1] * d1.cos + kGaussWeight[2] * d2.cos;
+    z[i] = kGaussWeight[0] * d0.sin + kGaussWeight[1] * d1.sin + kGaussWeight[2] * d2.sin;
+  }
+}
+
 }  // namespace
 
 FaceCurve::FaceCurve(const Eigen::Vector3d& base_mm, double incline_rad, double length_mm)
@@ -31,6 +78,7 @@ FaceCurve::FaceCurve(const Eigen::Vector3d& base_mm, double incline_rad, double 
 
 void FaceCurve::make_nodes() {
   if (!nodes_.empty()) return;
+  nodes_.reserve(kCells + 1);
   for (int i = 0; i <= kCells; ++i) nodes_.push_back(along_line(s_mm(i)));
 }
 
@@ -60,8 +108,9 @@ void FaceCurve::sway(double sway_mm) {
 void FaceCurve::bend(double q1_mm, double q2_mm) {
   for (int i = 0; i <= kCells; ++i) {
     const double t = s_mm(i) / length_mm_;
-    node(i).theta += (q1_mm * 2 * t + q2_mm * (3 * t * t - 2 * t)) / length_mm_;
-    node(i).theta_s += (q1_mm * 2 + q2_mm * (6 * t - 2)) / (length_mm_ * length_mm_);
+    Node& here = node(i);
+    here.theta += (q1_mm * 2 * t + q2_mm * (3 * t * t - 2 * t)) / length_mm_;
+    here.theta_s += (q1_mm * 2 + q2_mm * (6 * t - 2)) / (length_mm_ * length_mm_);
   }
 }
 
@@ -87,24 +136,54 @@ Eigen::Vector3d FaceCurve::normal(const Node& p) {
 
 void FaceCurve::integrate() {
   if (!is_bent_) return;
-  static const double kOff = std::sqrt(0.15);
-  const std::array<double, 3> place{0.5 - kOff, 0.5, 0.5 + kOff};
-  constexpr std::array<double, 3> kWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
-  for (Node& node : nodes_) {
-    node.x_s = std::cos(node.theta);
-    node.z_s = std::sin(node.theta);
+  NodeNumbers theta, theta_s, cos, sin;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    Node& node = nodes_[i];
+    const double c = std::cos(node.theta), s = std::sin(node.theta);
+    cos[i] = node.x_s = c;
+    sin[i] = node.z_s = s;
+    theta[i] = node.theta;
+    theta_s[i] = node.theta_s;
   }
-  for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
+  std::array<double, kCells> x, z, turn;
+  integrate_cells(kCells,
+                  theta.data(),
+                  theta_s.data(),
+                  cos.data(),
+                  sin.data(),
+                  cell_mm_,
+                  x.data(),
+                  z.data(),
+                  turn.data());
+  turns_little_ = *std::max_element(turn.begin(), turn.end()) <= kLittleTurn;
+  for (std::size_t i = 0; i < kCells; ++i) {
     const Node& a = nodes_[i];
     Node& b = nodes_[i + 1];
-    double x = 0, z = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, cell_mm_, place[k]);
-      x += kWeight[k] * std::cos(theta);
-      z += kWeight[k] * std::sin(theta);
+    if (turn[i] > kLittleTurn) {
+      x[i] = z[i] = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, cell_mm_, kGaussAt[k]);
+        x[i] += kGaussWeight[k] * std::cos(theta);
+        z[i] += kGaussWeight[k] * std::sin(theta);
+      }
     }
-    b.x_mm = a.x_mm + cell_mm_ * x;
-    b.z_mm = a.z_mm + cell_mm_ * z;
+    b.x_mm = a.x_mm + cell_mm_ * x[i];
+    b.z_mm = a.z_mm + cell_mm_ * z[i];
+  }
+  find_plain_directions();
+}
+
+// From node to node a line's distance x - origin - direction z grows by dx - direction dz.
+void FaceCurve::find_plain_directions() {
+  constexpr double kLeastGrowth = 1e-6;  // mm; far above what rounding does
+  plain_low_ = std::numeric_limits<double>::lowest();
+  plain_high_ = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
+    const double dx = nodes_[i + 1].x_mm - nodes_[i].x_mm - kLeastGrowth;
+    const double dz = nodes_[i + 1].z_mm - nodes_[i].z_mm;
+    if (dz > 0) plain_high_ = std::min(plain_high_, dx / dz);
+    if (dz < 0) plain_low_ = std::max(plain_low_, dx / dz);
+    if (dz == 0 && dx <= 0) plain_high_ = std::numeric_limits<double>::lowest();
   }
 }
 
@@ -133,16 +212,31 @@ FaceCurve::Node FaceCurve::at(double s_mm) const {
   p.theta_s = a.theta_s + (b.theta_s - a.theta_s) * t;
   p.x_mm = hermite(a.x_mm, a.x_s, b.x_mm, b.x_s, h, t);
   p.z_mm = hermite(a.z_mm, a.z_s, b.z_mm, b.z_s, h, t);
-  p.x_s = std::cos(p.theta);
-  p.z_s = std::sin(p.theta);
+  if (!turns_little_) {
+    p.x_s = std::cos(p.theta);
+    p.z_s = std::sin(p.theta);
+    return p;
+  }
+  const Direction d = turned(a.x_s, a.z_s, p.theta - a.theta);
+  p.x_s = d.cos;
+  p.z_s = d.sin;
   return p;
+}
+
+// at(s_mm).z_mm alone.
+double FaceCurve::z_at(double s_mm) const {
+  if (!is_bent_ || s_mm < 0 || s_mm > length_mm_) return at(s_mm).z_mm;
+  const auto i = static_cast<std::size_t>(std::min(static_cast<int>(s_mm / cell_mm_), kCells - 1));
+  const Node &a = nodes_[i], &b = nodes_[i + 1];
+  const double t = s_mm / cell_mm_ - static_cast<double>(i);
+  return hermite(a.z_mm, a.z_s, b.z_mm, b.z_s, cell_mm_, t);
 }
 
 double FaceCurve::meet(double origin_x_mm, double direction_x) const {
   const auto gap = [&](const Node& n) { return n.x_mm - origin_x_mm - direction_x * n.z_mm; };
   const auto slope = [&](const Node& n) { return n.x_s - direction_x * n.z_s; };
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const auto seen = [&](double s) { return at(s).z_mm > 0 ? s : kNone; };
+  const auto seen = [&](double s) { return z_at(s) > 0 ? s : kNone; };
   if (!is_bent_) return slope(base_) <= kLeastCrossing ? kNone : seen(-gap(base_) / slope(base_));
   if (gap(nodes_.front()) >= 0 || gap(nodes_.back()) <= 0) {
     const bool before = gap(nodes_.front()) >= 0;
@@ -165,6 +259,98 @@ double FaceCurve::meet(double origin_x_mm, double direction_x) const {
     t -= f / f_t;
   }
   return seen(cell_mm_ * (static_cast<double>(above - nodes_.begin() - 1) + t));
+}
+
+// The cell in which each line crosses the curve; -1 where meet() has to see. Lines side by side
+// cross in the same cell or the next ones, so that each is looked for from the one before.
+std::vector<int> FaceCurve::cells_met(const std::vector<double>& origin_x_mm,
+                                      const std::vector<double>& direction_x) const {
+  std::vector<int> cells(direction_x.size(), -1);
+  if (!is_bent_ || !turns_little_) return cells;
+  const Node* node = nodes_.data();
+  int cell = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double origin = origin_x_mm[i], direction = direction_x[i];
+    const auto gap = [&](const Node& n) { return n.x_mm - origin - direction * n.z_mm; };
+    const auto slope = [&](const Node& n) { return n.x_s - direction * n.z_s; };
+    if (!(direction > plain_low_ && direction < plain_high_)) continue;
+    if (gap(node[0]) >= 0 || gap(node[kCells]) <= 0) continue;
+    while (gap(node[cell]) >= 0) --cell;
+    while (gap(node[cell + 1]) < 0) ++cell;
+    if (std::min(slope(node[cell]), slope(node[cell + 1])) > kLeastCrossing) cells[i] = cell;
+  }
+  return cells;
+}
+
+namespace {
+
+// The steps of meet() and at(), for lines whose cells are known.
+ALLTACT_WIDE void meet_in_cells(int n,
+                                const FaceCurve::Node* nodes,
+                                const int* __restrict cells,
+                                const double* __restrict origins,
+                                const double* __restrict directions,
+                                double h,
+                                double* __restrict s,
+                                double* __restrict x,
+                                double* __restrict z,
+                                double* __restrict x_s,
+                                double* __restrict z_s,
+                                double* __restrict shift) {
+  for (int i = 0; i < n; ++i) {
+    const int cell = std::max(cells[i], 0);
+    const FaceCurve::Node &a = nodes[cell], &b = nodes[cell + 1];
+    const double origin = origins[i], direction = directions[i];
+    const double f0 = a.x_mm - origin - direction * a.z_mm,
+                 f1 = b.x_mm - origin - direction * b.z_mm;
+    const double d0 = h * (a.x_s - direction * a.z_s), d1 = h * (b.x_s - direction * b.z_s);
+    const double c2 = 3 * (f1 - f0) - 2 * d0 - d1, c3 = 2 * (f0 - f1) + d0 + d1;
+    double t = f0 / (f0 - f1);
+    for (int k = 0; k < 3; ++k)
+      t -= (f0 + t * (d0 + t * (c2 + t * c3))) / (d0 + t * (2 * c2 + 3 * t * c3));
+    const double theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, h, t);
+    const Direction d = turned(a.x_s, a.z_s, theta - a.theta);
+    s[i] = h * (cell + t);
+    x[i] = hermite(a.x_mm, a.x_s, b.x_mm, b.x_s, h, t);
+    z[i] = hermite(a.z_mm, a.z_s, b.z_mm, b.z_s, h, t);
+    x_s[i] = d.cos;
+    z_s[i] = d.sin;
+    shift[i] = hermite(a.shift_mm, a.shift_s, b.shift_mm, b.shift_s, h, t);
+  }
+}
+
+}  // namespace
+
+FaceCurve::Meetings FaceCurve::meet_all(const std::vector<double>& origin_x_mm,
+                                        const std::vector<double>& direction_x) const {
+  const std::size_t n = direction_x.size();
+  const std::vector<int> cells = cells_met(origin_x_mm, direction_x);
+  Meetings m;
+  for (auto* numbers : {&m.s_mm, &m.x_mm, &m.z_mm, &m.x_s, &m.z_s, &m.shift_mm}) numbers->resize(n);
+  if (is_bent_)
+    meet_in_cells(static_cast<int>(n),
+                  nodes_.data(),
+                  cells.data(),
+                  origin_x_mm.data(),
+                  direction_x.data(),
+                  cell_mm_,
+                  m.s_mm.data(),
+                  m.x_mm.data(),
+                  m.z_mm.data(),
+                  m.x_s.data(),
+                  m.z_s.data(),
+                  m.shift_mm.data());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (cells[i] >= 0 && m.z_mm[i] > 0) continue;
+    const double s = meet(origin_x_mm[i], direction_x[i]);
+    // A line that misses the curve gets some point of it, so that its numbers are finite.
+    const Node p = at(std::isfinite(s) ? s : length_mm_);
+    m.s_mm[i] = s;
+    m.x_mm[i] = p.x_mm, m.z_mm[i] = p.z_mm;
+    m.x_s[i] = p.x_s, m.z_s[i] = p.z_s;
+    m.shift_mm[i] = p.shift_mm;
+  }
+  return m;
 }
 
 }  // namespace alltact

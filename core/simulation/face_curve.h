@@ -55,6 +55,15 @@ class FaceCurve {
   /// Integrates the slope angle (three-point Gauss in each cell); needed before what follows.
   void integrate();
 
+  /// Where lines meet it, line by line; s_mm is NaN where one does not.
+  struct Meetings {
+    std::vector<double> s_mm, x_mm, z_mm, x_s, z_s, shift_mm;
+  };
+  /// meet() and at() of the lines x = origin_x_mm[i] + z * direction_x[i]: the same points within
+  /// 1e-12 mm, many at a time. Made for lines side by side, as the columns of a picture.
+  [[nodiscard]] Meetings meet_all(const std::vector<double>& origin_x_mm,
+                                  const std::vector<double>& direction_x) const;
+
   /// Anything at arc length s, any s.
   [[nodiscard]] Node at(double s_mm) const;
 
@@ -64,11 +73,19 @@ class FaceCurve {
 
  private:
   void make_nodes();
+  void find_plain_directions();
   [[nodiscard]] Node along_line(double s_mm) const;
+  [[nodiscard]] double z_at(double s_mm) const;
+  [[nodiscard]] std::vector<int> cells_met(const std::vector<double>& origin_x_mm,
+                                           const std::vector<double>& direction_x) const;
 
   double length_mm_, cell_mm_;
   Node base_;
   bool is_bent_ = false, is_twisted_ = false;
+  bool turns_little_ = true;  // within every cell
+  // Lines of a direction between these two meet the curve at most once, and so do their distances
+  // from the nodes change sign.
+  double plain_low_ = 0, plain_high_ = 0;
   std::vector<Node> nodes_;  // none as long as nothing moves the face
 };
 

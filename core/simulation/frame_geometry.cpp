@@ -25,13 +25,19 @@ ALLTACT_WIDE void cover_row(int first,
                             const float* __restrict per_mm,
                             const float* __restrict end,
                             float* __restrict y,
-                            float* __restrict coverage) {
+                            float* __restrict coverage,
+                            float* __restrict light) {
   for (int u = first; u < last; ++u) {
     y[u] = origin_y + direction_y * z[u];
     const float inside = (half_width - std::abs(y[u] - shift[u])) * per_mm[u] + 0.5F;
     const float part = std::min(std::max(inside, 0.0F), 1.0F);
     coverage[u] = part * end[u];
+    light[u] = 1.0F;
   }
+}
+
+ALLTACT_WIDE void set_all(int n, int value, int* __restrict numbers) {
+  for (int i = 0; i < n; ++i) numbers[i] = value;
 }
 
 ALLTACT_WIDE void interpolate(int n,
@@ -57,9 +63,12 @@ FrameGeometry::FrameGeometry(const PixelRays& rays,
   const cv::Size size = rays.camera().size();
   if (!meets_columns()) return;
   if (rays.linear()) {
-    columns_.resize(static_cast<std::size_t>(size.width));
-    for (int u = 0; u < size.width; ++u)
-      set_column(static_cast<std::size_t>(u), rays.origin_x(u), rays.direction_x(u));
+    std::vector<double> origins, directions;
+    for (int u = 0; u < size.width; ++u) {
+      origins.push_back(rays.origin_x(u));
+      directions.push_back(rays.direction_x(u));
+    }
+    set_columns(origins, directions);
     find_bands();
     return;
   }
@@ -67,29 +76,50 @@ FrameGeometry::FrameGeometry(const PixelRays& rays,
   const int cells = static_cast<int>((high - low) / kTableStep) + 3;
   table_per_direction_ = 1 / kTableStep;
   table_first_ = low - kTableStep;
-  columns_.resize(static_cast<std::size_t>(cells) + 1);
-  for (int i = 0; i <= cells; ++i)
-    set_column(static_cast<std::size_t>(i), 0, table_first_ + i * kTableStep);
+  const auto n = static_cast<std::size_t>(cells) + 1;
+  std::vector<double> directions;
+  for (std::size_t i = 0; i < n; ++i)
+    directions.push_back(table_first_ + static_cast<double>(i) * kTableStep);
+  set_columns(std::vector<double>(n, 0.0), directions);
 }
 
-void FrameGeometry::set_column(std::size_t i, double origin_x, double direction_x) {
+void FrameGeometry::set_columns(const std::vector<double>& origin_x,
+                                const std::vector<double>& direction_x) {
+  const std::size_t n = direction_x.size();
+  columns_.resize(n);
   FaceCurve::Node p;
-  double s = 0, end = 1;
+  if (!curve_) {
+    p.z_mm = face_.plane_z_mm;
+    for (std::size_t i = 0; i < n; ++i) {
+      p.x_mm = origin_x[i] + direction_x[i] * p.z_mm;
+      set_column(i, direction_x[i], p.x_mm, p);
+    }
+    return;
+  }
+  const FaceCurve::Meetings met = curve_->meet_all(origin_x, direction_x);
+  for (std::size_t i = 0; i < n; ++i) {
+    p.x_mm = met.x_mm[i], p.z_mm = met.z_mm[i];
+    p.x_s = met.x_s[i], p.z_s = met.z_s[i];
+    p.shift_mm = met.shift_mm[i];
+    set_column(i, direction_x[i], met.s_mm[i], p);
+  }
+}
+
+void FrameGeometry::set_column(std::size_t i,
+                               double direction_x,
+                               double s,
+                               const FaceCurve::Node& p) {
+  double end = 1;
   if (curve_) {
-    s = curve_->meet(origin_x, direction_x);
     const bool met = std::isfinite(s);
     // A direction that misses the face sees nothing; its numbers only have to be finite.
     if (!met) s = curve_->length_mm();
-    p = curve_->at(s);
     const CameraParameters& camera = rays_.camera().parameters();
     const double px_u = rays_.camera().is_perspective() ? p.z_mm / camera.fx_px : camera.mm_per_px;
     const double s_per_px = px_u / std::max(0.02, p.x_s - direction_x * p.z_s);
     const double inside = std::min(s, curve_->length_mm() - s) / s_per_px + 0.5;
     end = met ? std::clamp(inside, 0.0, 1.0) : 0.0;
     if (!met) s = kNotMet_mm;
-  } else {
-    p.z_mm = face_.plane_z_mm;
-    p.x_mm = s = origin_x + direction_x * p.z_mm;
   }
   columns_.x[i] = static_cast<float>(p.x_mm);
   columns_.z[i] = static_cast<float>(p.z_mm);
@@ -103,10 +133,15 @@ void FrameGeometry::set_column(std::size_t i, double origin_x, double direction_
   columns_.per_mm[i] = static_cast<float>(1 / rays_.camera().mm_per_px_at(p.z_mm));
 }
 
-// For each block of columns the rows between which the face can be, so that the rest is skipped.
+// For each row the blocks of columns that the face can be in, so that the rest is skipped.
 void FrameGeometry::find_bands() {
   const int width = static_cast<int>(columns_.x.size());
+  const auto height = static_cast<std::size_t>(rays_.camera().size().height);
+  row_first_.assign(height, 0);
+  row_last_.assign(height, 0);
+  const auto half = static_cast<float>(face_.width_mm / 2);
   const PixelRays::RowRay ray_0 = rays_.row_ray(0);
+  std::vector<float> block_top, block_bottom;
   for (int from = 0; from < width; from += kBlock) {
     float top = kNoEdge, bottom = -kNoEdge;
     for (int u = from; u < std::min(from + kBlock, width); ++u) {
@@ -114,17 +149,29 @@ void FrameGeometry::find_bands() {
       if (columns_.end[i] <= 0) continue;
       if (!curve_) {
         top = -1;
-        bottom = static_cast<float>(rays_.camera().size().height);
+        bottom = static_cast<float>(height);
         continue;
       }
-      const auto half = static_cast<float>(face_.width_mm / 2);
       const float y_0 = ray_0.origin_y + ray_0.direction_y * columns_.z[i];
       top = std::min(top, (columns_.shift[i] - half - y_0) * columns_.per_mm[i] - 1);
       bottom = std::max(bottom, (columns_.shift[i] + half - y_0) * columns_.per_mm[i] + 1);
     }
-    block_top_.push_back(top);
-    block_bottom_.push_back(bottom);
+    block_top.push_back(top);
+    block_bottom.push_back(bottom);
   }
+  // The last block that reaches a row sets its end last, the first one its beginning.
+  const auto set_rows = [&](std::size_t block, std::vector<int>& rows, int u) {
+    const auto row_at = [&](float v) {
+      return static_cast<std::ptrdiff_t>(std::clamp(v, 0.0F, static_cast<float>(height)));
+    };
+    const auto top = row_at(std::ceil(block_top[block]));
+    const auto end = row_at(std::floor(block_bottom[block]) + 1);
+    if (top < end) set_all(static_cast<int>(end - top), u, rows.data() + top);
+  };
+  const std::size_t blocks = block_top.size();
+  for (std::size_t i = 0; i < blocks; ++i)
+    set_rows(i, row_last_, std::min(static_cast<int>(i + 1) * kBlock, width));
+  for (std::size_t i = blocks; i-- > 0;) set_rows(i, row_first_, static_cast<int>(i) * kBlock);
 }
 
 bool FrameGeometry::meets_columns() const {
@@ -146,10 +193,11 @@ void FrameGeometry::fill(RowView& row) const {
 }
 
 Surface FrameGeometry::fill_by_columns(RowView& row) const {
+  float* light = row.scratch.floats();
   if (rays_.linear())
-    fill_linear(row);
+    fill_linear(row, light);
   else
-    fill_by_table(row);
+    fill_by_table(row, light);
   Surface face;
   face.first = row.face.first;
   face.last = row.face.last;
@@ -158,8 +206,7 @@ Surface FrameGeometry::fill_by_columns(RowView& row) const {
   face.z_mm = row.face.z_mm;
   face.normal_x = row.face.sin_incline;
   face.coverage = row.face.coverage;
-  face.light = row.scratch.floats();
-  std::fill(face.light + face.first, face.light + face.last, 1.0F);
+  face.light = light;
   if (rays_.linear()) {
     face.normal_y = columns_.zero.data();
     face.normal_z = columns_.normal_z.data();
@@ -175,16 +222,12 @@ Surface FrameGeometry::fill_by_columns(RowView& row) const {
   return face;
 }
 
-void FrameGeometry::fill_linear(RowView& row) const {
-  int first = -1, last = -1;
-  for (std::size_t block = 0; block < block_top_.size(); ++block) {
-    if (row.v < block_top_[block] || row.v > block_bottom_[block]) continue;
-    if (first < 0) first = static_cast<int>(block) * kBlock;
-    last = std::min(static_cast<int>(block + 1) * kBlock, row.width);
-  }
+void FrameGeometry::fill_linear(RowView& row, float* light) const {
+  const auto v = static_cast<std::size_t>(row.v);
+  const int first = row_first_[v], last = row_last_[v];
   float *y = row.scratch.floats(), *coverage = row.scratch.floats();
   FaceRow& face = row.face;
-  face.first = std::max(first, 0);
+  face.first = first < last ? first : 0;
   face.last = std::max(last, face.first);
   face.x_mm = columns_.x.data();
   face.y_mm = y;
@@ -206,10 +249,11 @@ void FrameGeometry::fill_linear(RowView& row) const {
             columns_.per_mm.data(),
             columns_.end.data(),
             y,
-            coverage);
+            coverage,
+            light);
 }
 
-void FrameGeometry::fill_by_table(RowView& row) const {
+void FrameGeometry::fill_by_table(RowView& row, float* light) const {
   const int n = row.width;
   std::vector<int> cell(static_cast<std::size_t>(n));
   float* part = row.scratch.floats();
@@ -220,7 +264,7 @@ void FrameGeometry::fill_by_table(RowView& row) const {
     cell[static_cast<std::size_t>(u)] = std::clamp(static_cast<int>(at), 0, cells);
     part[u] = static_cast<float>(at - cell[static_cast<std::size_t>(u)]);
   }
-  const auto column = [&](const std::vector<float>& table) {
+  const auto column = [&](const AlignedFloats& table) {
     float* out = row.scratch.floats();
     interpolate(n, cell.data(), part, table.data(), out);
     return out;
@@ -243,6 +287,7 @@ void FrameGeometry::fill_by_table(RowView& row) const {
     const float step = rays.step_y[u] * z[u];
     const float inside = (half - std::abs(y[u] - face.shift_mm[u])) / step + 0.5F;
     coverage[u] = std::clamp(inside, 0.0F, 1.0F) * end[u];
+    light[u] = 1.0F;
   }
   face.y_mm = y;
   face.coverage = coverage;

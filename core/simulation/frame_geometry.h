@@ -78,13 +78,14 @@ class FrameGeometry {
 
  private:
   struct Columns {
-    std::vector<float> x, z, sin, cos, luf, shift, s, end, per_mm, normal_z, zero;
+    AlignedFloats x, z, sin, cos, luf, shift, s, end, per_mm, normal_z, zero;
     void resize(std::size_t n);
   };
-  void set_column(std::size_t i, double origin_x, double direction_x);
+  void set_columns(const std::vector<double>& origin_x, const std::vector<double>& direction_x);
+  void set_column(std::size_t i, double direction_x, double s_mm, const FaceCurve::Node& point);
   void find_bands();
-  void fill_linear(RowView& row) const;
-  void fill_by_table(RowView& row) const;
+  void fill_linear(RowView& row, float* light) const;
+  void fill_by_table(RowView& row, float* light) const;
   [[nodiscard]] Surface fill_by_columns(RowView& row) const;
   [[nodiscard]] Surface fill_by_rays(RowView& row) const;
   void fill_presses(RowView& row) const;
@@ -97,7 +98,7 @@ class FrameGeometry {
   Columns columns_;
   double table_first_ = 0, table_per_direction_ = 0;
   static constexpr int kBlock = 16;
-  std::vector<float> block_top_, block_bottom_;  // rows that the face may touch, by block
+  std::vector<int> row_first_, row_last_;  // columns that the face may be in, by row
 };
 
 }  // namespace alltact

@@ -1,5 +1,6 @@
 #include "core/simulation/plan.h"
 
+#include "core/numerics/dispatch.h"
 #include "core/numerics/philox.h"
 #include "core/simulation/frame_plan.h"
 #include "core/simulation/plan_truth.h"
@@ -15,14 +16,52 @@ namespace {
 
 using RadianceRows = std::vector<std::unique_ptr<const RadianceEffect::Rows>>;
 
-// What reaches the sensor: every surface's light by the part of the pixel that it covers.
-void add_up_light(const RowView& row) {
-  std::fill(row.value, row.value + row.width, 0.0F);
-  for (const Surface& surface : row.surfaces) {
-    float* __restrict value = row.value;
-    const float* __restrict light = surface.light;
-    const float* __restrict coverage = surface.coverage;
-    for (int u = surface.first; u < surface.last; ++u) value[u] += coverage[u] * light[u];
+ALLTACT_WIDE void set_light(int first,
+                            int last,
+                            const float* __restrict coverage,
+                            const float* __restrict light,
+                            float* __restrict value) {
+  for (int u = first; u < last; ++u) value[u] = coverage[u] * light[u];
+}
+ALLTACT_WIDE void cover_light(int first,
+                              int last,
+                              const float* __restrict coverage,
+                              float* __restrict light) {
+  for (int u = first; u < last; ++u) light[u] *= coverage[u];
+}
+ALLTACT_WIDE void add_light(int first,
+                            int last,
+                            const float* __restrict coverage,
+                            const float* __restrict light,
+                            float* __restrict value) {
+  for (int u = first; u < last; ++u) value[u] += coverage[u] * light[u];
+}
+
+// Where no light was added up.
+void darken_rest(const RowView& row) {
+  std::fill(row.value, row.value + row.lit_first, 0.0F);
+  std::fill(row.value + row.lit_last, row.value + row.width, 0.0F);
+}
+
+// What reaches the sensor, in the columns that row.lit_first and row.lit_last tell: every surface's
+// light by the part of the pixel that it covers. Where row.value is not given it becomes a row of
+// scratch: that of the light, if there is one surface only.
+void add_up_light(RowView& row) {
+  const Surface& face = row.surfaces.front();
+  row.lit_first = face.first;
+  row.lit_last = face.last;
+  if (!row.value && row.surfaces.size() == 1) {
+    row.value = face.light;
+    return cover_light(face.first, face.last, face.coverage, face.light);
+  }
+  if (!row.value) row.value = row.scratch.floats();
+  set_light(face.first, face.last, face.coverage, face.light, row.value);
+  if (row.surfaces.size() > 1) darken_rest(row);
+  for (std::size_t i = 1; i < row.surfaces.size(); ++i) {
+    const Surface& more = row.surfaces[i];
+    add_light(more.first, more.last, more.coverage, more.light, row.value);
+    row.lit_first = std::min(row.lit_first, more.first);
+    row.lit_last = std::max(row.lit_last, more.last);
   }
 }
 
@@ -148,11 +187,17 @@ void Plan::State::render_rows(const FramePlan& plan,
   for (int v = first; v < last; ++v) {
     scratch.rewind();
     row.v = v;
-    row.value = gives_bytes ? scratch.floats() : picture.ptr<float>(v);
+    row.value = gives_bytes ? nullptr : picture.ptr<float>(v);
     row.bytes = gives_bytes ? picture.ptr<std::uint8_t>(v) : nullptr;
     geometry_now.fill(row);
     for (const auto& effect : light) effect->row(row);
     add_up_light(row);
+    // Only counting in grey levels leaves the dark dark.
+    if (plan.sensor.empty() || !plan.sensor.front().effect->gives_bytes()) {
+      darken_rest(row);
+      row.lit_first = 0;
+      row.lit_last = row.width;
+    }
     for (const auto& step : plan.sensor) step.effect->row(step.context, row);
   }
 }
@@ -198,10 +243,11 @@ void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<flo
       for (int v = top; v < bottom; ++v) {
         scratch.rewind();
         row.v = v;
-        row.value = scratch.floats();
+        row.value = nullptr;
         geometry_now.fill(row);
         for (const auto& effect : light) effect->row(row);
         add_up_light(row);
+        darken_rest(row);
         float* sum = grey[v];
         for (int u = 0; u < grey.cols; ++u) sum[u] += share * row.value[u];
       }
@@ -225,6 +271,7 @@ cv::Mat Plan::State::render_in_passes(const FramePlan& plan,
     over_rows(size.height, threads, [&](int first, int last) {
       RowScratch scratch(size.width);
       RowView row(size.width, scratch);
+      row.lit_last = size.width;
       for (int v = first; v < last; ++v) {
         scratch.rewind();
         row.v = v;

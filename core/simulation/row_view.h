@@ -1,11 +1,28 @@
 // One row of a picture in the making.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <new>
 #include <vector>
 
 namespace alltact {
+
+/// Memory that begins with a cache line, so that wide loads from it never straddle two.
+template <class T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kLine{64};
+  CacheLineAllocator() = default;
+  template <class U>
+  explicit CacheLineAllocator(const CacheLineAllocator<U>&) {}
+  [[nodiscard]] T* allocate(std::size_t n) {
+    return static_cast<T*>(::operator new(n * sizeof(T), kLine));
+  }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, kLine); }
+  bool operator==(const CacheLineAllocator&) const = default;
+};
+using AlignedFloats = std::vector<float, CacheLineAllocator<float>>;
 
 /// Rows of floats for one thread, handed out anew for every picture row.
 class RowScratch {
@@ -14,13 +31,13 @@ class RowScratch {
   void rewind() { next_ = 0; }
   /// `width` floats with any content.
   [[nodiscard]] float* floats() {
-    if (next_ == rows_.size()) rows_.push_back(std::make_unique<float[]>(width_));
-    return rows_[next_++].get();
+    if (next_ == rows_.size()) rows_.emplace_back(width_);
+    return rows_[next_++].data();
   }
 
  private:
   std::size_t width_, next_ = 0;
-  std::vector<std::unique_ptr<float[]>> rows_;
+  std::vector<AlignedFloats> rows_;
 };
 
 /// Where rays do not meet the face; before its base by more than anything is long.
@@ -61,9 +78,10 @@ struct RowView {
   /// What of the layer's thickness along its normal is hollow, in the face's columns; null:
   /// nothing.
   float* hollow_mm = nullptr;
-  std::vector<Surface> surfaces;  ///< the first is the view face
-  float* value = nullptr;         ///< grey levels, when the light is done
-  std::uint8_t* bytes = nullptr;  ///< what the sensor gives, if it gives bytes
+  std::vector<Surface> surfaces;    ///< the first is the view face
+  float* value = nullptr;           ///< grey levels, when the light is done
+  int lit_first = 0, lit_last = 0;  ///< columns in which `value` is set; it is dark beside them
+  std::uint8_t* bytes = nullptr;    ///< what the sensor gives, if it gives bytes
 };
 
 }  // namespace alltact

@@ -44,6 +44,26 @@ Message in_words(const Limits& l) {
   return en::say("a number {} {:g} and {} {:g}", from, l.low, to, l.high);
 }
 
+std::string in_small_letters(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// What was written where `key` was meant: letter for letter but for capitals, without its unit
+/// ('radius' for 'radius_mm') or with one too many; else the nearest that begins alike ('fx' is no
+/// slip for 'fy'). Empty where there is none.
+std::string slip_for(const std::string& key, const std::vector<std::string>& written) {
+  const auto without_unit = [](const std::string& k) { return k.substr(0, k.rfind('_')); };
+  std::vector<std::string> alike;
+  for (const std::string& word : written) {
+    const std::string small = in_small_letters(word);
+    if (small == key || small == without_unit(key) || without_unit(small) == key) return word;
+    if (small.substr(0, 2) == key.substr(0, 2)) alike.push_back(word);
+  }
+  return nearest_word(key, alike);
+}
+
 Message number_advice() {
   return en::say("a number such as 24.0, with a point and without a unit");
 }
@@ -150,11 +170,10 @@ YamlSection::Entry& YamlSection::required(const std::string& key) {
   if (has(key))
     for (Entry& entry : here_->entries)
       if (entry.key == key) return entry.is_read = true, entry;
-  // Keys that begin alike; 'fx' is no slip for 'fy'.
   std::vector<std::string> others;
   for (const Entry& entry : here_->entries)
-    if (!entry.is_read && entry.key.substr(0, 2) == key.substr(0, 2)) others.push_back(entry.key);
-  const std::string meant = nearest_word(key, others);
+    if (!entry.is_read) others.push_back(entry.key);
+  const std::string meant = slip_for(key, others);
   const Message add = name().empty() ? en::say("add '{}: ...'", key)
                                      : en::say("add '{}: ...' under '{}:'", key, name());
   throw RefusedYaml{file_->error(en::say("is missing"),

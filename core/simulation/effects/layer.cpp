@@ -23,6 +23,19 @@ ALLTACT_WIDE void reflect(int first,
   }
 }
 
+// Along the normal: `cos` of the face's incline.
+ALLTACT_WIDE void reflect_by_normal(int first,
+                                    int last,
+                                    float scatter,
+                                    const float* __restrict luf,
+                                    const float* __restrict cos,
+                                    float* __restrict light) {
+  for (int u = first; u < last; ++u) {
+    const float t = scatter * (luf[u] * cos[u]);
+    light[u] *= t / (1.0F + t);
+  }
+}
+
 class Layer final : public RadianceEffect {
  public:
   explicit Layer(YamlSection& p)
@@ -47,6 +60,11 @@ class Layer final : public RadianceEffect {
     explicit LayerRows(bool along_z) : along_z_(along_z) {}
 
    protected:
+    // Something presses here or is hollow.
+    [[nodiscard]] static bool is_changed(const RowView& row) {
+      return row.press_first < row.press_last || row.hollow_mm;
+    }
+    [[nodiscard]] bool along_z() const { return along_z_; }
     [[nodiscard]] const float* thickness(RowView& row) const {
       const FaceRow& face = row.face;
       float* thickness = row.scratch.floats();
@@ -70,7 +88,14 @@ class Layer final : public RadianceEffect {
     explicit Scattering(const Layer& layer)
         : LayerRows(layer.along_z_), scatter_(static_cast<float>(layer.scatter_per_mm_)) {}
     void row(RowView& row) const override {
-      reflect(row.face.first, row.face.last, scatter_, thickness(row), row.surfaces[0].light);
+      const FaceRow& face = row.face;
+      float* light = row.surfaces[0].light;
+      if (!is_changed(row) && along_z())
+        reflect(face.first, face.last, scatter_, face.luf_mm, light);
+      else if (!is_changed(row))
+        reflect_by_normal(face.first, face.last, scatter_, face.luf_mm, face.cos_incline, light);
+      else
+        reflect(face.first, face.last, scatter_, thickness(row), light);
     }
 
    private:

@@ -19,73 +19,68 @@ struct Lamp {
   int squarings;  // lobe = 2^squarings
 };
 
-ALLTACT_WIDE void shine(const Surface& s, const Lamp& lamp, float* __restrict sum) {
-  const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
-  const float* __restrict nx = s.normal_x, * __restrict ny = s.normal_y, * __restrict nz = s.normal_z;
-  const float lx = lamp.x, ly = lamp.y, lz = lamp.z, power = lamp.power;
-  for (int u = s.first; u < s.last; ++u) {
-    const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
-    const float r2 = dx * dx + dy * dy + dz * dz;
-    const float facing = nx[u] * dx + ny[u] * dy + nz[u] * dz;
-    sum[u] += power * std::max(facing, 0.0F) / (r2 * std::sqrt(r2));
-  }
-}
+// Pixels of a row for which lamp after lamp shines, few enough to stay in the nearest cache.
+constexpr int kPartOfRow = 256;
+struct PartOfRow {
+  int n;
+  const float *x, *y, *z, *nx, *ny, *nz;
+};
 
-// For a lobe of 2^kSquarings, known when compiled, so that the loop computes that one and no other.
+// Adds the light of a lamp without a lobe, or of one of 2^kSquarings, known when compiled, so that
+// the loop computes that one and no other.
+constexpr int kNoLobe = -1;
 template <int kSquarings>
-[[gnu::always_inline]] inline void shine_by_lobe(const Surface& s,
-                                                 const Lamp& lamp,
-                                                 float* __restrict sum) {
-  const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
-  const float* __restrict nx = s.normal_x, * __restrict ny = s.normal_y, * __restrict nz = s.normal_z;
+[[gnu::always_inline]] inline void shine(const PartOfRow& p,
+                                         const Lamp& lamp,
+                                         float* __restrict sum) {
+  const float* __restrict x = p.x, * __restrict y = p.y, * __restrict z = p.z;
+  const float* __restrict nx = p.nx, * __restrict ny = p.ny, * __restrict nz = p.nz;
   const float lx = lamp.x, ly = lamp.y, lz = lamp.z, power = lamp.power;
   const float ax = lamp.aim_x, ay = lamp.aim_y, az = lamp.aim_z;
-  for (int u = s.first; u < s.last; ++u) {
+  for (int u = 0; u < p.n; ++u) {
     const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
     const float r2 = dx * dx + dy * dy + dz * dz;
     const float r = std::sqrt(r2);
     const float facing = nx[u] * dx + ny[u] * dy + nz[u] * dz;
-    float lobe = std::max(-(ax * dx + ay * dy + az * dz) / r, 0.0F);
-    for (int i = 0; i < kSquarings; ++i) lobe *= lobe;
-    sum[u] += power * lobe * std::max(facing, 0.0F) / (r2 * r);
+    if constexpr (kSquarings == kNoLobe) {
+      sum[u] += power * std::max(facing, 0.0F) / (r2 * r);
+    } else {
+      float lobe = std::max(-(ax * dx + ay * dy + az * dz) / r, 0.0F);
+      for (int i = 0; i < kSquarings; ++i) lobe *= lobe;
+      sum[u] += power * lobe * std::max(facing, 0.0F) / (r2 * r);
+    }
   }
 }
 
-ALLTACT_WIDE void shine_lobe_1(const Surface& s, const Lamp& lamp, float* __restrict sum) {
-  shine_by_lobe<0>(s, lamp, sum);
-}
-ALLTACT_WIDE void shine_lobe_2(const Surface& s, const Lamp& lamp, float* __restrict sum) {
-  shine_by_lobe<1>(s, lamp, sum);
-}
-ALLTACT_WIDE void shine_lobe_4(const Surface& s, const Lamp& lamp, float* __restrict sum) {
-  shine_by_lobe<2>(s, lamp, sum);
-}
-ALLTACT_WIDE void shine_lobe_8(const Surface& s, const Lamp& lamp, float* __restrict sum) {
-  shine_by_lobe<3>(s, lamp, sum);
-}
-
-// What a lamp needs and no more: without a lobe none is computed.
-void shine_as_aimed(const Surface& s, const Lamp& lamp, float* sum) {
-  constexpr std::array kByLobe{shine_lobe_1, shine_lobe_2, shine_lobe_4, shine_lobe_8};
-  if (lamp.aimed)
-    kByLobe[static_cast<std::size_t>(lamp.squarings)](s, lamp, sum);
-  else
-    shine(s, lamp, sum);
+[[gnu::always_inline]] inline void shine_as_aimed(const PartOfRow& p,
+                                                  const Lamp& lamp,
+                                                  float* __restrict sum) {
+  if (!lamp.aimed) return shine<kNoLobe>(p, lamp, sum);
+  switch (lamp.squarings) {
+    case 0:
+      return shine<0>(p, lamp, sum);
+    case 1:
+      return shine<1>(p, lamp, sum);
+    case 2:
+      return shine<2>(p, lamp, sum);
+    default:
+      return shine<3>(p, lamp, sum);
+  }
 }
 
 // What is left of the light of one lamp on its way through the clear body to the surface and on to
 // the camera. `spread` is 0 for an orthographic camera, whose rays run along z, else 1; `back_part`
 // is 0 for the way to the surface alone, else 1.
-ALLTACT_WIDE void absorb_on_the_way(const Surface& s,
-                                    const Lamp& lamp,
-                                    float per_mm,
-                                    float spread,
-                                    float back_part,
-                                    const float* __restrict light,
-                                    float* __restrict sum) {
-  const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
+[[gnu::always_inline]] inline void absorb_on_the_way(const PartOfRow& p,
+                                                     const Lamp& lamp,
+                                                     float per_mm,
+                                                     float spread,
+                                                     float back_part,
+                                                     const float* __restrict light,
+                                                     float* __restrict sum) {
+  const float* __restrict x = p.x, * __restrict y = p.y, * __restrict z = p.z;
   const float lx = lamp.x, ly = lamp.y, lz = lamp.z;
-  for (int u = s.first; u < s.last; ++u) {
+  for (int u = 0; u < p.n; ++u) {
     const float dx = lx - x[u], dy = ly - y[u], dz = lz - z[u];
     const float there = std::sqrt(dx * dx + dy * dy + dz * dz);
     const float back = std::sqrt(spread * (x[u] * x[u] + y[u] * y[u]) + z[u] * z[u]);
@@ -94,16 +89,71 @@ ALLTACT_WIDE void absorb_on_the_way(const Surface& s,
 }
 
 // What of light that is at the surface reaches the camera.
-ALLTACT_WIDE void absorb_on_the_way_back(const Surface& s,
-                                         float per_mm,
-                                         float spread,
-                                         const float* __restrict light,
-                                         float* __restrict sum) {
-  const float* __restrict x = s.x_mm, * __restrict y = s.y_mm, * __restrict z = s.z_mm;
-  for (int u = s.first; u < s.last; ++u) {
+[[gnu::always_inline]] inline void absorb_on_the_way_back(const PartOfRow& p,
+                                                          float per_mm,
+                                                          float spread,
+                                                          const float* __restrict light,
+                                                          float* __restrict sum) {
+  const float* __restrict x = p.x, * __restrict y = p.y, * __restrict z = p.z;
+  for (int u = 0; u < p.n; ++u) {
     const float back = std::sqrt(spread * (x[u] * x[u] + y[u] * y[u]) + z[u] * z[u]);
     sum[u] += light[u] * vector_exp(-per_mm * back);
   }
+}
+
+// All lamps as they are in one frame.
+struct Lamps {
+  std::vector<Lamp> lamps;
+  float room_level, absorb_per_mm;
+  float spread;
+};
+
+PartOfRow part_of(const Surface& s, int first) {
+  return {std::min(kPartOfRow, s.last - first),
+          s.x_mm + first,
+          s.y_mm + first,
+          s.z_mm + first,
+          s.normal_x + first,
+          s.normal_y + first,
+          s.normal_z + first};
+}
+
+// Room and lamps. `one`: room for the light of one lamp.
+[[gnu::always_inline]] inline void shine_all(
+    const PartOfRow& p, const Lamps& all, float back_part, float* one, float* sum) {
+  for (int i = 0; i < p.n; ++i) sum[i] = all.room_level;
+  for (const Lamp& lamp : all.lamps) {
+    if (all.absorb_per_mm == 0) {
+      shine_as_aimed(p, lamp, sum);
+      continue;
+    }
+    for (int i = 0; i < p.n; ++i) one[i] = 0;
+    shine_as_aimed(p, lamp, one);
+    absorb_on_the_way(p, lamp, all.absorb_per_mm, all.spread, back_part, one, sum);
+  }
+}
+
+// `indirect`: what comes to the surface besides, by column; null: nothing.
+ALLTACT_WIDE void light_up(const Surface& s, const Lamps& all, const float* indirect) {
+  alignas(64) float sum[kPartOfRow], one[kPartOfRow];
+  for (int first = s.first; first < s.last; first += kPartOfRow) {
+    const PartOfRow p = part_of(s, first);
+    shine_all(p, all, 1, one, sum);
+    if (indirect && all.absorb_per_mm > 0) {
+      absorb_on_the_way_back(p, all.absorb_per_mm, all.spread, indirect + first, sum);
+    } else if (indirect) {
+      for (int i = 0; i < p.n; ++i) sum[i] += indirect[first + i];
+    }
+    float* __restrict light = s.light + first;
+    for (int i = 0; i < p.n; ++i) light[i] *= sum[i];
+  }
+}
+
+// What falls on the surface straight from the lamps and the room.
+ALLTACT_WIDE void irradiate(const Surface& s, const Lamps& all, float* irradiance) {
+  alignas(64) float one[kPartOfRow];
+  for (int first = s.first; first < s.last; first += kPartOfRow)
+    shine_all(part_of(s, first), all, 0, one, irradiance + first);
 }
 
 class Leds final : public RadianceEffect {
@@ -124,62 +174,37 @@ class Leds final : public RadianceEffect {
     std::vector<Lamp> lamps = lamps_;
     for (std::size_t i = 0; i < lamps.size(); ++i)
       lamps[i].power *= static_cast<float>(now.share_of(static_cast<int>(i)));
-    return std::make_unique<LedRows>(
-        std::move(lamps), now, geometry.rays().camera().is_perspective());
+    return std::make_unique<LedRows>(Lamps{std::move(lamps),
+                                           static_cast<float>(now.room_level),
+                                           static_cast<float>(now.absorb_per_mm),
+                                           geometry.rays().camera().is_perspective() ? 1.0F : 0.0F},
+                                     now.indirect.get());
   }
 
  private:
   class LedRows final : public Rows {
    public:
-    LedRows(std::vector<Lamp> lamps, const Illumination& now, bool perspective)
-        : lamps_(std::move(lamps)),
-          room_level_(static_cast<float>(now.room_level)),
-          absorb_per_mm_(static_cast<float>(now.absorb_per_mm)),
-          spread_(perspective ? 1.0F : 0.0F) {
-      if (!now.indirect) return;
-      std::vector<float> one;
-      indirect_ = now.indirect->lit_by([&](const Surface& surface, float* irradiance) {
-        one.resize(static_cast<std::size_t>(surface.last));
-        shine_all(surface, 0, irradiance, absorb_per_mm_ > 0 ? one.data() : nullptr);
+    LedRows(Lamps lamps, const IndirectLight* indirect) : lamps_(std::move(lamps)) {
+      if (!indirect) return;
+      indirect_ = indirect->lit_by([&](const Surface& surface, float* irradiance) {
+        irradiate(surface, lamps_, irradiance);
       });
     }
 
     void row(RowView& row) const override {
-      float* sum = row.scratch.floats();
-      float* one = absorb_per_mm_ > 0 || indirect_ ? row.scratch.floats() : nullptr;
+      if (!indirect_) {
+        for (const Surface& surface : row.surfaces) light_up(surface, lamps_, nullptr);
+        return;
+      }
+      float* indirect = row.scratch.floats();
       for (const Surface& surface : row.surfaces) {
-        shine_all(surface, 1, sum, absorb_per_mm_ > 0 ? one : nullptr);
-        if (indirect_) add_indirect(row, surface, one, sum);
-        for (int u = surface.first; u < surface.last; ++u) surface.light[u] *= sum[u];
+        indirect_->row(row, surface, indirect);
+        light_up(surface, lamps_, indirect);
       }
     }
 
    private:
-    // Room and lamps. `one`: room for the light of one lamp, where the way absorbs; else null.
-    void shine_all(const Surface& surface, float back_part, float* sum, float* one) const {
-      std::fill(sum + surface.first, sum + surface.last, room_level_);
-      for (const Lamp& lamp : lamps_) {
-        if (!one) {
-          shine_as_aimed(surface, lamp, sum);
-          continue;
-        }
-        std::fill(one + surface.first, one + surface.last, 0.0F);
-        shine_as_aimed(surface, lamp, one);
-        absorb_on_the_way(surface, lamp, absorb_per_mm_, spread_, back_part, one, sum);
-      }
-    }
-
-    void add_indirect(const RowView& row, const Surface& surface, float* one, float* sum) const {
-      indirect_->row(row, surface, one);
-      if (absorb_per_mm_ > 0) {
-        absorb_on_the_way_back(surface, absorb_per_mm_, spread_, one, sum);
-        return;
-      }
-      for (int u = surface.first; u < surface.last; ++u) sum[u] += one[u];
-    }
-
-    std::vector<Lamp> lamps_;
-    float room_level_, absorb_per_mm_, spread_;
+    Lamps lamps_;
     std::unique_ptr<const IndirectLight::Rows> indirect_;
   };
 

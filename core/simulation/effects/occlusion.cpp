@@ -2,6 +2,7 @@
 // `count` says, drawn anew for each frame.
 #include "core/numerics/philox.h"
 #include "core/simulation/effect.h"
+#include "core/simulation/marker_numbers.h"
 
 #include <numeric>
 
@@ -20,13 +21,7 @@ class Occlusion final : public GeometryEffect {
                  en::say("leave occlusion out, or 1 and more"));
       return;
     }
-    for (const double number : p.numbers("markers", 1, 128, {-1e6, 1e6})) {
-      if (number < 0 || number != std::floor(number))
-        p.refuse(
-            "markers", en::say("{:g} is not a marker's number", number), en::say("0, 1, 2, ..."));
-      else
-        markers_.push_back(static_cast<std::size_t>(number));
-    }
+    markers_ = read_marker_numbers(p);
   }
 
   Message sentence() const override { return en::say("Folds of the side faces hide dots"); }

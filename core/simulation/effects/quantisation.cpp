@@ -6,8 +6,11 @@ namespace alltact {
 
 namespace {
 
-ALLTACT_WIDE void quantise(int n, const float* __restrict value, std::uint8_t* __restrict bytes) {
-  for (int u = 0; u < n; ++u) {
+ALLTACT_WIDE void quantise(int first,
+                           int last,
+                           const float* __restrict value,
+                           std::uint8_t* __restrict bytes) {
+  for (int u = first; u < last; ++u) {
     const float level = std::min(std::max(value[u], 0.0F), 255.0F);
     bytes[u] = static_cast<std::uint8_t>(static_cast<int>(level + 0.5F));
   }
@@ -21,7 +24,9 @@ class Quantisation final : public SensorEffect {
   }
   bool gives_bytes() const override { return true; }
   void row(const FrameContext&, RowView& row) const override {
-    quantise(row.width, row.value, row.bytes);
+    std::fill(row.bytes, row.bytes + row.lit_first, std::uint8_t{0});
+    quantise(row.lit_first, row.lit_last, row.value, row.bytes);
+    std::fill(row.bytes + row.lit_last, row.bytes + row.width, std::uint8_t{0});
   }
 };
 

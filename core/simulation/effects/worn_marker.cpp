@@ -2,6 +2,7 @@
 // - side), so a wear of 1 leaves nothing to see. Where they are stays true and visible, unlike what
 // occlusion hides.
 #include "core/simulation/effect.h"
+#include "core/simulation/marker_numbers.h"
 
 namespace alltact {
 
@@ -10,12 +11,7 @@ namespace {
 class WornMarker final : public GeometryEffect {
  public:
   explicit WornMarker(YamlSection& p) : wear_(Varying::read(p, "wear", strength_up_to(1))) {
-    for (const double number : p.numbers("markers", 1, 128, {0, 127})) {
-      if (number != std::floor(number))
-        p.refuse(
-            "markers", en::say("{:g} is not a marker's number", number), en::say("0, 1, 2, ..."));
-      markers_.push_back(static_cast<std::size_t>(number));
-    }
+    markers_ = read_marker_numbers(p);
   }
 
   Message sentence() const override { return en::say("Dots are worn and fainter"); }
