@@ -8,6 +8,7 @@
 #include "core/result.h"
 #include "core/simulation/exposure.h"
 #include "core/simulation/frame_geometry.h"
+#include "core/simulation/mechanics/elastic_finger.h"
 #include "core/simulation/motion.h"
 #include "core/simulation/row_view.h"
 #include "core/simulation/sent_picture.h"
@@ -68,6 +69,7 @@ struct SceneFacts {
   const std::vector<std::string>& named;  ///< effects that are present
   double frames_per_s;
   int lamp_count;
+  const ElasticFinger* elastic;  ///< nullptr: the finger stands firm
   [[nodiscard]] bool names(std::string_view effect) const {
     return std::find(named.begin(), named.end(), effect) != named.end();
   }
@@ -98,6 +100,8 @@ class Effect {
   [[nodiscard]] virtual std::vector<DegreeOfFreedom> degrees_of_freedom() const { return {}; }
   /// How many lamps it brings.
   [[nodiscard]] virtual int lamp_count() const { return 0; }
+  /// The body that it makes of the finger.
+  [[nodiscard]] virtual const ElasticFinger* elastic() const { return nullptr; }
 };
 
 /// Once a frame, in two passes over all geometry effects: first the face gets its shape, then

@@ -3,11 +3,13 @@
 
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
+#include "core/simulation/contact_truth.h"
 #include "core/simulation/face_curve.h"
 #include "core/simulation/illumination.h"
 #include "core/simulation/pixel_rays.h"
 #include "core/simulation/press.h"
 #include "core/simulation/row_view.h"
+#include "core/simulation/side_drag.h"
 
 #include <memory>
 #include <optional>
@@ -55,7 +57,9 @@ class FrameGeometry {
   [[nodiscard]] double greatest_t0_mm() const;
 
   std::vector<std::variant<BallPress, ReliefPress>> presses;
-  std::vector<MarkerDisc> discs;  ///< by number
+  std::vector<ContactTruth> contacts;  ///< what presses on the finger
+  std::vector<SideDrag> drags;         ///< what drags the side faces
+  std::vector<MarkerDisc> discs;       ///< by number
   std::vector<std::shared_ptr<const LayerChange>> layer_changes;
   Illumination illumination;
 

@@ -42,8 +42,9 @@ class FramePlan {
     double length_mm, frames_per_s;
     std::vector<std::string> named;
     int lamp_count;
+    const ElasticFinger* elastic;
     [[nodiscard]] SceneFacts scene() const {
-      return {finger, length_mm, named, frames_per_s, lamp_count};
+      return {finger, length_mm, named, frames_per_s, lamp_count, elastic};
     }
   };
   [[nodiscard]] Facts facts(const Scene::Content& content) const;

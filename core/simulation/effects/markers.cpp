@@ -62,9 +62,10 @@ class Markers final : public GeometryEffect {
  private:
   MarkerDisc disc(const FrameGeometry& geometry, double s_mm, int side, double radius_mm) const {
     const FaceCurve::Node p = geometry.curve()->at(s_mm);
-    const Eigen::Vector3d centre(p.x_mm + setback_mm_ * p.z_s,
-                                 p.shift_mm + side * geometry.face().width_mm / 2,
-                                 p.z_mm - setback_mm_ * p.x_s);
+    Eigen::Vector3d centre(p.x_mm + setback_mm_ * p.z_s,
+                           p.shift_mm + side * geometry.face().width_mm / 2,
+                           p.z_mm - setback_mm_ * p.x_s);
+    centre += side_displacement_mm(geometry.drags, side, centre);
     const Camera& camera = geometry.rays().camera();
     std::vector<Eigen::Vector2d> outline;
     for (int i = 0; i < kCorners; ++i) {
