@@ -53,7 +53,7 @@ class Push final : public GeometryEffect {
       return Error{en::say("a flat sensor has a contact face only"), "", en::say("face: contact")};
     if (const Status status = is_on_face(scene); !status) return status;
     if (const Status status = contact_fits(scene); !status) return status;
-    if (scene.elastic == nullptr) return {};
+    if (scene.elastic == nullptr || scene.finger.face.kind == FaceKind::kFlat) return {};
     if (scene.elastic->chain.remembers() && presence_.end < frames_)
       return Error{en::say("a body that creeps or is damped remembers a push that is over"),
                    "",
