@@ -4,6 +4,7 @@
 
 #include "core/simulation/face_load.h"
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -56,6 +57,8 @@ class FaceCurve {
 
   /// What pushes on the finger, until it is borne.
   std::vector<FaceLoad> loads;
+  /// How they moved it: q1, q2 and sway in mm, and the twist in rad.
+  std::optional<Eigen::Vector4d> borne;
 
   /// Integrates the slope angle (three-point Gauss in each cell); needed before what follows.
   void integrate();

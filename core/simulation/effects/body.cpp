@@ -70,6 +70,7 @@ class Body final : public GeometryEffect {
     curve.sway(rest.q[2]);
     if (rest.q[3] != 0) curve.twist(rest.q[3]);
     curve.loads = std::move(loads);
+    curve.borne = rest.q;
   }
 
  private:

@@ -19,6 +19,8 @@ namespace alltact {
 namespace {
 
 constexpr double kGreatestForce_N = 10000;
+// Below this the camera sees the face edge on, and depth along z means nothing.
+constexpr double kLeastUpright = 0.05;
 
 class Push final : public GeometryEffect {
  public:
@@ -136,6 +138,7 @@ class Push final : public GeometryEffect {
     const Eigen::Vector2d at =
         place_of(geometry, borne.surface.point_mm, {truth.along_mm, truth.across_mm});
     PressPlace place = geometry.press_place(at.x(), at.y(), 0);
+    if (place.normal.z() < kLeastUpright) return;
     place.depth_mm = depth_mm / place.normal.z();
     truth.along_mm = at.x();
     truth.across_mm = at.y();

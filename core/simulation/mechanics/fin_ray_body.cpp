@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -60,6 +61,24 @@ MaterialPoint material_point(const FinRayGeometry& g, const PointForce& at) {
   return {g.width_mm / 2, at.across_mm - depth / 2};
 }
 
+// The face without the forces, from its base to a section: what all q have in common.
+struct RestWay {
+  double s_mm, length_mm;
+  Eigen::Vector3d middle_mm;  // x and z of the base, y of the section
+  double theta, twist;        // of the section
+  std::array<double, 2 * kGaussPlace.size()> way_theta;
+  [[nodiscard]] double t() const { return s_mm / length_mm; }
+};
+
+RestWay rest_way(const FaceCurve& rest, double s_mm) {
+  const FaceCurve::Node base = rest.at(0), here = rest.at(s_mm);
+  RestWay way{
+      s_mm, rest.length_mm(), {base.x_mm, here.shift_mm, base.z_mm}, here.theta, here.twist, {}};
+  auto* next = way.way_theta.data();
+  for_gauss_points([&](double part, double) { *next++ = rest.at(part * s_mm).theta; });
+  return way;
+}
+
 // A section of the deformed finger, the way there, and how both change with q1 and q2.
 struct Section {
   Eigen::Vector3d middle_mm, along, across, out;
@@ -67,27 +86,26 @@ struct Section {
   Eigen::Vector2d turn_q;
 };
 
-Section section_at(const FaceCurve& rest, double s_mm, const BodyModes& q) {
-  const double length = rest.length_mm(), t = s_mm / length;
-  const auto theta = [&](double s) {
-    return rest.at(s).theta + turn_of_bend(s / length).dot(q.head<2>()) / length;
-  };
+Section section_at(const RestWay& rest, const BodyModes& q) {
+  const double length = rest.length_mm, t = rest.t();
+  const Eigen::Vector2d bend = q.head<2>() / length;
   Section result;
-  const FaceCurve::Node base = rest.at(0);
-  result.middle_mm = {base.x_mm, rest.at(s_mm).shift_mm + q[2] * t * t, base.z_mm};
+  result.middle_mm = rest.middle_mm + q[2] * t * t * Eigen::Vector3d::UnitY();
   result.middle_q.setZero();
+  const auto* theta = rest.way_theta.data();
   for_gauss_points([&](double part, double weight) {
-    const double angle = theta(part * s_mm), step = weight * s_mm;
+    const Eigen::Vector2d turn = turn_of_bend(part * t);
+    const double angle = *theta++ + turn.dot(bend), step = weight * rest.s_mm;
     const Eigen::Vector3d way(std::cos(angle), 0, std::sin(angle));
-    result.middle_mm += step * way;
     const Eigen::Vector3d turned(-way.z(), 0, way.x());
-    result.middle_q += step / length * turned * turn_of_bend(part * t).transpose();
+    result.middle_mm += step * way;
+    result.middle_q += step / length * turned * turn.transpose();
   });
   FaceCurve::Node here;
-  const double angle = theta(s_mm);
+  const double angle = rest.theta + turn_of_bend(t).dot(bend);
   here.x_s = std::cos(angle);
   here.z_s = std::sin(angle);
-  here.twist = rest.at(s_mm).twist + q[3] * t;
+  here.twist = rest.twist + q[3] * t;
   result.along = {here.x_s, 0, here.z_s};
   result.across = FaceCurve::across(here);
   result.out = FaceCurve::normal(here);
@@ -109,16 +127,88 @@ SurfaceFrame frame_of(const Section& section, const MaterialPoint& at, PushedFac
 
 // d(point)/dq. The section's axes turn about y with theta and about the tangent with the twist.
 Eigen::Matrix<double, 3, 4> point_q(const Section& section, const MaterialPoint& at, double t) {
+  const Eigen::Vector3d untwisted(-section.along.z(), 0, section.along.x());
+  const double out_mm =
+      at.across_mm * section.across.dot(untwisted) + at.out_mm * section.out.dot(untwisted);
   Eigen::Matrix<double, 3, 4> result;
-  const Eigen::Vector3d by_turn =
-      (at.across_mm *
-           -section.across.dot(Eigen::Vector3d(-section.along.z(), 0, section.along.x())) +
-       at.out_mm * -section.out.dot(Eigen::Vector3d(-section.along.z(), 0, section.along.x()))) *
-      section.along;
-  result.leftCols<2>() = section.middle_q + by_turn * section.turn_q.transpose();
+  result.leftCols<2>() = section.middle_q - out_mm * section.along * section.turn_q.transpose();
   result.col(2) = t * t * Eigen::Vector3d::UnitY();
   result.col(3) = t * (at.across_mm * section.out - at.out_mm * section.across);
   return result;
+}
+
+// A force with all that does not depend on q.
+struct StandingForce {
+  PointForce force;
+  MaterialPoint at;
+  RestWay rest;
+};
+
+std::vector<StandingForce> standing(std::span<const PointForce> forces,
+                                    const FinRayGeometry& geometry,
+                                    const FaceCurve& rest) {
+  std::vector<StandingForce> result;
+  for (const PointForce& force : forces)
+    result.push_back({force, material_point(geometry, force), rest_way(rest, force.s_mm)});
+  return result;
+}
+
+BodyModes sum_of(const std::vector<StandingForce>& forces, const BodyModes& q) {
+  BodyModes sum = BodyModes::Zero();
+  for (const StandingForce& standing : forces) {
+    const Section section = section_at(standing.rest, q);
+    const SurfaceFrame frame = frame_of(section, standing.at, standing.force.face);
+    sum += point_q(section, standing.at, standing.rest.t()).transpose() *
+           frame.vector_N(standing.force);
+  }
+  return sum;
+}
+
+bool is_within_limits(const BodyModes& q, double length_mm) {
+  if (!q.allFinite() || std::abs(q[3]) > PushedFinger::kGreatestTwist ||
+      std::abs(q[2]) > PushedFinger::kGreatestSway * length_mm)
+    return false;
+  // The turn is a parabola over t; eight places see its greatest value closely enough.
+  for (int i = 1; i <= 8; ++i)
+    if (std::abs(turn_of_bend(i / 8.0).dot(q.head<2>())) > PushedFinger::kGreatestTurn * length_mm)
+      return false;
+  return true;
+}
+
+// Lengths in units of the finger's.
+double size_of(const BodyModes& q, double length_mm) {
+  return q.cwiseQuotient(BodyModes(length_mm, length_mm, length_mm, 1)).cwiseAbs().maxCoeff();
+}
+
+// K (q - before) = weight * share * forces, by Newton's method with differences for the derivatives
+// of the forces, from q on. False: not found within the limits; q is as it was.
+bool find_equilibrium(const Eigen::Matrix4d& stiffness,
+                      const std::vector<StandingForce>& forces,
+                      double length_mm,
+                      double weight,
+                      const BodyModes& before,
+                      BodyModes& q) {
+  BodyModes x = q;
+  for (int i = 0; i < 40; ++i) {
+    Eigen::Matrix4d slope = stiffness;
+    for (int j = 0; j < 4; ++j) {
+      BodyModes step = BodyModes::Zero();
+      step[j] = 1e-5 * (j < 3 ? length_mm : 1.0);
+      slope.col(j) -=
+          weight / (2 * step[j]) * (sum_of(forces, x + step) - sum_of(forces, x - step));
+    }
+    const BodyModes change =
+        slope.partialPivLu().solve(stiffness * (x - before) - weight * sum_of(forces, x));
+    if (!change.allFinite()) return false;
+    const double size = size_of(change, length_mm);
+    x -= change * std::min(1.0, 0.2 / std::max(size, 1e-300));
+    if (!is_within_limits(x, length_mm)) return false;
+    if (size < 1e-11) {
+      q = x;
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -168,62 +258,13 @@ Result<FinRayBody> FinRayBody::create(const FinRayGeometry& g, double modulus_MP
 }
 
 SurfaceFrame PushedFinger::surface(const PointForce& at, const BodyModes& q) const {
-  return frame_of(section_at(rest_, at.s_mm, q), material_point(body_.geometry(), at), at.face);
+  return frame_of(
+      section_at(rest_way(rest_, at.s_mm), q), material_point(body_.geometry(), at), at.face);
 }
 
 BodyModes PushedFinger::generalised_force(std::span<const PointForce> forces,
                                           const BodyModes& q) const {
-  BodyModes sum = BodyModes::Zero();
-  for (const PointForce& force : forces) {
-    const Section section = section_at(rest_, force.s_mm, q);
-    const MaterialPoint at = material_point(body_.geometry(), force);
-    const SurfaceFrame frame = frame_of(section, at, force.face);
-    sum += point_q(section, at, force.s_mm / rest_.length_mm()).transpose() * frame.vector_N(force);
-  }
-  return sum;
-}
-
-bool PushedFinger::is_within(const BodyModes& q) const {
-  const double length = rest_.length_mm();
-  if (!q.allFinite() || std::abs(q[3]) > kGreatestTwist || std::abs(q[2]) > kGreatestSway * length)
-    return false;
-  // The turn is a parabola over t; nine places see its greatest value closely enough.
-  for (int i = 1; i <= 8; ++i)
-    if (std::abs(turn_of_bend(i / 8.0).dot(q.head<2>())) > kGreatestTurn * length) return false;
-  return true;
-}
-
-// Newton's method with differences for the derivatives of the forces, from q on.
-bool PushedFinger::solve(std::span<const PointForce> forces,
-                         double weight,
-                         const BodyModes& before,
-                         BodyModes& q) const {
-  const Eigen::Matrix4d& k = body_.stiffness();
-  const double length = rest_.length_mm();
-  const BodyModes unit(length, length, length, 1);
-  const auto residual = [&](const BodyModes& at) -> BodyModes {
-    return k * (at - before) - weight * generalised_force(forces, at);
-  };
-  BodyModes x = q;
-  for (int i = 0; i < 40; ++i) {
-    Eigen::Matrix4d slope = k;
-    for (int j = 0; j < 4; ++j) {
-      BodyModes step = BodyModes::Zero();
-      step[j] = 1e-5 * unit[j];
-      slope.col(j) -= weight / (2 * step[j]) *
-                      (generalised_force(forces, x + step) - generalised_force(forces, x - step));
-    }
-    const BodyModes change = slope.partialPivLu().solve(residual(x));
-    if (!change.allFinite()) return false;
-    const double size = change.cwiseQuotient(unit).cwiseAbs().maxCoeff();
-    x -= change * std::min(1.0, 0.2 / std::max(size, 1e-300));
-    if (!is_within(x)) return false;
-    if (size < 1e-13) {
-      q = x;
-      return true;
-    }
-  }
-  return false;
+  return sum_of(standing(forces, body_.geometry(), rest_), q);
 }
 
 PushedFinger::Equilibrium PushedFinger::equilibrium(std::span<const PointForce> forces,
@@ -231,25 +272,18 @@ PushedFinger::Equilibrium PushedFinger::equilibrium(std::span<const PointForce> 
                                                     const BodyModes& before) const {
   // Large forces grow bit by bit, so that Newton's method stays with the shape that began at rest.
   constexpr double kLeastStep = 1.0 / 256, kShareOfLarge = 0.25, kSmallTurn = 0.3;
-  Equilibrium result{before, 0};
-  if (!is_within(before)) return result;
-  const BodyModes linear =
-      body_.stiffness().ldlt().solve(weight * generalised_force(forces, before));
   const double length = rest_.length_mm();
-  const double turn =
-      linear.cwiseQuotient(BodyModes(length, length, length, 1)).cwiseAbs().maxCoeff();
-  double step = turn < kSmallTurn ? 1.0 : kShareOfLarge;
-  std::vector<PointForce> part(forces.size());
+  Equilibrium result{before, 0};
+  if (!is_within_limits(before, length)) return result;
+  const std::vector<StandingForce> all = standing(forces, body_.geometry(), rest_);
+  const BodyModes linear = body_.stiffness().ldlt().solve(weight * sum_of(all, before));
+  double step = size_of(linear, length) < kSmallTurn ? 1.0 : kShareOfLarge;
   while (result.share < 1) {
     const double share = std::min(1.0, result.share + step);
-    std::transform(forces.begin(), forces.end(), part.begin(), [&](const PointForce& force) {
-      return force.times(share);
-    });
-    if (solve(part, weight, before, result.q)) {
+    if (find_equilibrium(body_.stiffness(), all, length, weight * share, before, result.q))
       result.share = share;
-    } else if ((step /= 2) < kLeastStep) {
+    else if ((step /= 2) < kLeastStep)
       break;
-    }
   }
   return result;
 }

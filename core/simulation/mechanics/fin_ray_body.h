@@ -44,7 +44,7 @@ using BodyModes = Eigen::Vector4d;
 ///
 /// Left out: shear of the layer and of the walls, ribs that bend, the clear filling between the
 /// ribs, local buckling. Two modes bend a little less than the beam does: a tapered body's tip
-/// under a force there by some per cent, an even one's not at all.
+/// under a force there by up to 5 %, an even one's not at all.
 class FinRayBody {
  public:
   /// Modulus in MPa. Error: a length or the modulus is not above 0, the walls overlap, or the
@@ -96,12 +96,6 @@ class PushedFinger {
                                         const BodyModes& before = BodyModes::Zero()) const;
 
  private:
-  [[nodiscard]] bool is_within(const BodyModes& q) const;
-  [[nodiscard]] bool solve(std::span<const PointForce> forces,
-                           double weight,
-                           const BodyModes& before,
-                           BodyModes& q) const;
-
   const FinRayBody& body_;
   const FaceCurve& rest_;
 };

@@ -93,9 +93,9 @@ TEST(Push, DentsTheLayerAsItsForceAndSoftnessSay) {
   }
 }
 
-// Loaded and unloaded along another way, the finger gives all the work back: the balls' middles
-// against the forces that the truth tells.
-TEST(Push, TakesNoWorkInARound) {
+// The work that the balls do, their middles against the forces that the truth tells, is what finger
+// and layer hold, and they give all of it back.
+TEST(Push, HoldsTheWorkAndGivesItBack) {
   const int n = 240;
   const std::string effects =
       pushing(
@@ -115,7 +115,11 @@ TEST(Push, TakesNoWorkInARound) {
     Eigen::Vector3d centre, force_N;
   };
   std::map<PushedFace, Ball> before;
-  double work = 0, most = 0;
+  const FinRayBody body = ElasticFinger{modulus_from_shore_a(40).value(), 4, 34, 12, 0.6, {}}
+                              .body({FaceKind::kFinRay, 24, 1.5}, 116)
+                              .value();
+  const auto layer = BondedLayerContact::create(modulus_from_shore_a(5).value(), 1.5, 4).value();
+  double work = 0, most = 0, greatest_error = 0;
   for (int frame = 0; frame < n; ++frame) {
     const FrameGeometry geometry = placed.at(frame);
     std::map<PushedFace, Ball> now;
@@ -131,9 +135,15 @@ TEST(Push, TakesNoWorkInARound) {
       }
     }
     before = now;
+    const double dent = geometry.presses.empty()
+                            ? 0
+                            : std::get<BallPress>(geometry.presses[0]).place.normal_depth_mm();
+    const double held = body.energy_Nmm(*geometry.curve()->borne) + layer.energy_Nmm(dent);
+    greatest_error = std::max(greatest_error, std::abs(work - held));
     most = std::max(most, work);
   }
   EXPECT_GT(most, 3);
+  EXPECT_LT(greatest_error / most, 0.01);
   EXPECT_NEAR(work / most, 0, 0.01);
 }
 
@@ -300,6 +310,33 @@ TEST(Push, GoesWithBendingAndOtherPresses) {
                            tip_of(PlacedScene(scene_text("")).at(0)))
                               .norm();
   EXPECT_NEAR(moved / straight, 1, 0.1);
+}
+
+// Each of them the finger bears, both of them not: the truth tells what it bears, and that is what
+// its bending holds against.
+TEST(Push, CountsForWhatTheFingerBears) {
+  const auto push = [](double force, double s) {
+    return pushing(fmt::format("s_mm: {}, radius_mm: 40, force_N: {}", s, force), "back");
+  };
+  double most = 1;
+  while (refusal(scene_text(push(most, 110) + kBody)).empty()) most *= 1.1;
+  const double force = 0.85 * most / 1.1;
+  const FrameGeometry geometry =
+      PlacedScene(scene_text(push(force, 110) + push(force, 100) + kBody)).at(0);
+  ASSERT_EQ(geometry.contacts.size(), 2U);
+  const double borne = geometry.contacts[0].force_N->norm();
+  EXPECT_LT(borne, 0.95 * force);
+  EXPECT_GT(borne, 0.4 * force);
+  EXPECT_NEAR(geometry.contacts[1].force_N->norm(), borne, 1e-9 * borne);
+  const FinRayBody body = ElasticFinger{modulus_from_shore_a(40).value(), 4, 34, 12, 0.6, {}}
+                              .body({FaceKind::kFinRay, 24, 1.5}, 116)
+                              .value();
+  const FaceCurve rest({-25, 0, 28}, 34 * M_PI / 180, 116);
+  const std::vector<PointForce> forces{{PushedFace::kBack, 110, 0, borne, 0, 0},
+                                       {PushedFace::kBack, 100, 0, borne, 0, 0}};
+  const BodyModes q = *geometry.curve()->borne;
+  const BodyModes load = PushedFinger(body, rest).generalised_force(forces, q);
+  EXPECT_NEAR((body.stiffness() * q - load).norm() / load.norm(), 0, 1e-6);
 }
 
 TEST(Push, SaysWhatIsWrong) {
