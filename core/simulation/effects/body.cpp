@@ -96,13 +96,16 @@ class Body final : public GeometryEffect {
     return forces;
   }
 
-  // Goes through the frames from the first one with this body on, as a pass through the scene does.
+  // Goes through the frames from the first one with this body on, as a pass through the scene does,
+  // as far back as it remembers.
   Answer after_all_before(const FrameContext& frame,
                           const FaceCurve& curve,
                           const FinRayBody& body,
                           const PushedFinger& finger) const {
-    const int first = frame.frame - frame.frame % frames_ + presence_.first;
-    const double end = std::max<double>(first, frame.frame + frame.later);
+    const int begin = frame.frame - frame.frame % frames_ + presence_.first;
+    const double end = std::max<double>(begin, frame.frame + frame.later);
+    const double remembered = std::floor(end - elastic_.chain.memory_s() * frame.frames_per_s);
+    const double first = std::max<double>(begin, remembered);
     const auto compliance = body.stiffness().ldlt();
     KelvinChain::History history(elastic_.chain);
     double step_s = 0;

@@ -1,5 +1,6 @@
 #include "core/simulation/mechanics/kelvin_chain.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace alltact {
@@ -27,6 +28,12 @@ double KelvinChain::compliance(double time_s) const {
   double sum = instant_;
   for (const KelvinUnit& unit : units_) sum -= unit.share * std::expm1(-time_s / unit.time_s);
   return sum;
+}
+
+double KelvinChain::memory_s() const {
+  double longest_s = 0;
+  for (const KelvinUnit& unit : units_) longest_s = std::max(longest_s, unit.time_s);
+  return 40 * longest_s;
 }
 
 Eigen::Vector4d KelvinChain::History::before(double step_s) const {

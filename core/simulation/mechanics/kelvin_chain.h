@@ -29,6 +29,8 @@ class KelvinChain {
   /// False: deflections follow from the loads of the moment alone.
   [[nodiscard]] bool remembers() const { return !units_.empty(); }
   [[nodiscard]] double compliance(double time_s) const;
+  /// What was longer ago counts for less than rounding does: 40 of the longest time constants.
+  [[nodiscard]] double memory_s() const;
 
   /// The deflection q(t), the integral of j(t - t') dX/dt' with X(t) the deflection of an elastic
   /// body under the loads at t: step by step, exactly for X that goes straight in each step. At
