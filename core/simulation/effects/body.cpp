@@ -25,9 +25,9 @@ KelvinChain read_chain(YamlSection& p) {
   return {is_damped ? 0.0 : 1.0, std::move(units)};
 }
 
-class Body final : public GeometryEffect {
+class ElasticBody final : public GeometryEffect {
  public:
-  explicit Body(YamlSection& p)
+  explicit ElasticBody(YamlSection& p)
       : frames_(SceneTime::of(p).frames), presence_(Presence::read(p, SceneTime::of(p))) {
     const auto modulus =
         modulus_from_shore_a(p.number("shore_a", {kSoftestShoreA, kHardestShoreA}));
@@ -133,7 +133,9 @@ const EffectKind& effect_body() {
       "body",
       Stage::kGeometry,
       35,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Body>(p); },
+      [](YamlSection& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<ElasticBody>(p);
+      },
       "shore_a: 40, wall_mm: 4, base_depth_mm: 30, tip_depth_mm: 10, coupling: 0.5",
       {"push"}};
   return kKind;

@@ -22,9 +22,9 @@ constexpr double kGreatestForce_N = 10000;
 // Below this the camera sees the face edge on, and depth along z means nothing.
 constexpr double kLeastUpright = 0.05;
 
-class Push final : public GeometryEffect {
+class PushedBall final : public GeometryEffect {
  public:
-  explicit Push(YamlSection& p)
+  explicit PushedBall(YamlSection& p)
       : face_(static_cast<PushedFace>(p.choice("face",
                                                {to_string(PushedFace::kContact),
                                                 to_string(PushedFace::kBack),
@@ -250,7 +250,9 @@ const EffectKind& effect_push() {
       "push",
       Stage::kGeometry,
       31,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Push>(p); },
+      [](YamlSection& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<PushedBall>(p);
+      },
       "face: contact, s_mm: 60, y_mm: 2, radius_mm: 4, force_N: 1.5, layer_shore_a: 5"};
   return kKind;
 }

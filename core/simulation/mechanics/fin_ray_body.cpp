@@ -80,16 +80,16 @@ RestWay rest_way(const FaceCurve& rest, double s_mm) {
 }
 
 // A section of the deformed finger, the way there, and how both change with q1 and q2.
-struct Section {
+struct DeformedSection {
   Eigen::Vector3d middle_mm, along, across, out;
   Eigen::Matrix<double, 3, 2> middle_q;
   Eigen::Vector2d turn_q;
 };
 
-Section section_at(const RestWay& rest, const BodyModes& q) {
+DeformedSection section_at(const RestWay& rest, const BodyModes& q) {
   const double length = rest.length_mm, t = rest.t();
   const Eigen::Vector2d bend = q.head<2>() / length;
-  Section result;
+  DeformedSection result;
   result.middle_mm = rest.middle_mm + q[2] * t * t * Eigen::Vector3d::UnitY();
   result.middle_q.setZero();
   const auto* theta = rest.way_theta.data();
@@ -113,7 +113,7 @@ Section section_at(const RestWay& rest, const BodyModes& q) {
   return result;
 }
 
-SurfaceFrame frame_of(const Section& section, const MaterialPoint& at, PushedFace face) {
+SurfaceFrame frame_of(const DeformedSection& section, const MaterialPoint& at, PushedFace face) {
   SurfaceFrame frame;
   frame.point_mm = section.middle_mm + at.across_mm * section.across + at.out_mm * section.out;
   frame.along = section.along;
@@ -126,7 +126,9 @@ SurfaceFrame frame_of(const Section& section, const MaterialPoint& at, PushedFac
 }
 
 // d(point)/dq. The section's axes turn about y with theta and about the tangent with the twist.
-Eigen::Matrix<double, 3, 4> point_q(const Section& section, const MaterialPoint& at, double t) {
+Eigen::Matrix<double, 3, 4> point_q(const DeformedSection& section,
+                                    const MaterialPoint& at,
+                                    double t) {
   const Eigen::Vector3d untwisted(-section.along.z(), 0, section.along.x());
   const double out_mm =
       at.across_mm * section.across.dot(untwisted) + at.out_mm * section.out.dot(untwisted);
@@ -156,7 +158,7 @@ std::vector<StandingForce> standing(std::span<const PointForce> forces,
 BodyModes sum_of(const std::vector<StandingForce>& forces, const BodyModes& q) {
   BodyModes sum = BodyModes::Zero();
   for (const StandingForce& standing : forces) {
-    const Section section = section_at(standing.rest, q);
+    const DeformedSection section = section_at(standing.rest, q);
     const SurfaceFrame frame = frame_of(section, standing.at, standing.force.face);
     sum += point_q(section, standing.at, standing.rest.t()).transpose() *
            frame.vector_N(standing.force);
@@ -176,7 +178,7 @@ bool is_within_limits(const BodyModes& q, double length_mm) {
 }
 
 // Lengths in units of the finger's.
-double size_of(const BodyModes& q, double length_mm) {
+double relative_size(const BodyModes& q, double length_mm) {
   return q.cwiseQuotient(BodyModes(length_mm, length_mm, length_mm, 1)).cwiseAbs().maxCoeff();
 }
 
@@ -200,7 +202,7 @@ bool find_equilibrium(const Eigen::Matrix4d& stiffness,
     const BodyModes change =
         slope.partialPivLu().solve(stiffness * (x - before) - weight * sum_of(forces, x));
     if (!change.allFinite()) return false;
-    const double size = size_of(change, length_mm);
+    const double size = relative_size(change, length_mm);
     x -= change * std::min(1.0, 0.2 / std::max(size, 1e-300));
     if (!is_within_limits(x, length_mm)) return false;
     if (size < 1e-11) {
@@ -277,7 +279,7 @@ PushedFinger::Equilibrium PushedFinger::equilibrium(std::span<const PointForce> 
   if (!is_within_limits(before, length)) return result;
   const std::vector<StandingForce> all = standing(forces, body_.geometry(), rest_);
   const BodyModes linear = body_.stiffness().ldlt().solve(weight * sum_of(all, before));
-  double step = size_of(linear, length) < kSmallTurn ? 1.0 : kShareOfLarge;
+  double step = relative_size(linear, length) < kSmallTurn ? 1.0 : kShareOfLarge;
   while (result.share < 1) {
     const double share = std::min(1.0, result.share + step);
     if (find_equilibrium(body_.stiffness(), all, length, weight * share, before, result.q))

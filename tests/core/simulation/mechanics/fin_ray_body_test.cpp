@@ -19,7 +19,7 @@ FinRayBody body_of(const FinRayGeometry& geometry, double modulus = kModulus_MPa
 FinRayGeometry even(double coupling) {
   return {100, 24, 1.5, 4, 20, 20, coupling};
 }
-FaceCurve straight(double length = 100, double incline = 0.6) {
+FaceCurve straight_face(double length = 100, double incline = 0.6) {
   return {{-25, 1, 28}, incline, length};
 }
 
@@ -64,7 +64,7 @@ struct RandomFinger {
 TEST(FinRayBody, BendsAsACantilever) {
   for (const double coupling : {0.0, 0.3, 1.0}) {
     const FinRayBody body = body_of(even(coupling));
-    const FaceCurve rest = straight();
+    const FaceCurve rest = straight_face();
     const double inertia = 24 * 4.0 * 4 * 4 / 12 * 2 + coupling * 2 * 24 * 4 * 8.0 * 8.0;
     const double f = 1e-4 * kModulus_MPa * inertia / 1e4, ei = kModulus_MPa * inertia;
     const PointForce force{PushedFace::kContact, 100, 0, f, 0, 0};
@@ -96,7 +96,7 @@ TEST(FinRayBody, BendsAlmostAsATaperedCantilever) {
                            random.between(24, 45),
                            random.between(10, 24),
                            random.between(0.1, 1)};
-    const FaceCurve rest = straight(116);
+    const FaceCurve rest = straight_face(116);
     const FinRayBody body = body_of(g);
     const PushedFinger finger(body, rest);
     double compliance = 0;
@@ -119,7 +119,7 @@ TEST(FinRayBody, BendsAlmostAsATaperedCantilever) {
 TEST(FinRayBody, LeansAndTwistsAsABeam) {
   for (const double coupling : {0.0, 0.5}) {
     const FinRayBody body = body_of(even(coupling));
-    const FaceCurve rest = straight();
+    const FaceCurve rest = straight_face();
     const PushedFinger finger(body, rest);
     const double edge = kModulus_MPa * 2 * 4 * 24.0 * 24 * 24 / 12, f = 1e-6 * edge / 1e4;
     const PointForce aside{PushedFace::kUpper, 100, 0, f, 0, 0};

@@ -5,18 +5,18 @@
 namespace alltact {
 namespace {
 
-using Vector = Eigen::Vector4d;
+using Deflection = Eigen::Vector4d;
 
 // One step, and the deflection after it.
-Vector stepped(KelvinChain::History& history, double step_s, const Vector& elastic) {
-  const Vector q = history.before(step_s) + history.weight(step_s) * elastic;
+Deflection stepped(KelvinChain::History& history, double step_s, const Deflection& elastic) {
+  const Deflection q = history.before(step_s) + history.weight(step_s) * elastic;
   history.step(step_s, elastic);
   return q;
 }
 
 TEST(KelvinChain, FollowsTheCreepComplianceOfASteadyLoad) {
   Parameters random(6);
-  const Vector load(1, -2, 0.5, 0.1);
+  const Deflection load(1, -2, 0.5, 0.1);
   for (int i = 0; i < 20; ++i) {
     const double instant = i % 2, a = random.between(0.1, 2), b = random.between(0.1, 2);
     const double fast = random.between(0.05, 1), slow = random.between(2, 50);
@@ -43,7 +43,7 @@ TEST(KelvinChain, ObeysTheUnitsOwnLawForAnyLoad) {
   for (const double time : {0.03, 0.7, 400.0}) {
     const KelvinChain chain(1, {{0.8, time}});
     KelvinChain::History history(chain);
-    stepped(history, 0, Vector::Zero());
+    stepped(history, 0, Deflection::Zero());
     long double late = 0;
     double from = 0;
     for (int k = 0; k < 20; ++k) {
@@ -57,7 +57,7 @@ TEST(KelvinChain, ObeysTheUnitsOwnLawForAnyLoad) {
         const long double first = rate(late, i);
         late += h / 2 * (first + rate(late + h * first, i + 1));
       }
-      const Vector q = stepped(history, step, Vector(to, 0, 0, 0));
+      const Deflection q = stepped(history, step, Deflection(to, 0, 0, 0));
       EXPECT_NEAR(q[0], to + static_cast<double>(late), 1e-6);
       from = to;
     }
@@ -67,11 +67,11 @@ TEST(KelvinChain, ObeysTheUnitsOwnLawForAnyLoad) {
 // A load of straight pieces may be cut into steps anywhere.
 TEST(KelvinChain, DoesNotDependOnTheSteps) {
   const KelvinChain chain(0, {{1, 0.2}, {0.3, 5}});
-  const auto load = [](double t) { return Vector(t, 1 - t, 2 * t, 0); };
+  const auto load = [](double t) { return Deflection(t, 1 - t, 2 * t, 0); };
   KelvinChain::History whole(chain), cut(chain);
   stepped(whole, 0, load(0)), stepped(cut, 0, load(0));
-  const Vector at_once = stepped(whole, 1.7, load(1.7));
-  Vector bit_by_bit;
+  const Deflection at_once = stepped(whole, 1.7, load(1.7));
+  Deflection bit_by_bit;
   for (int i = 1; i <= 1700; ++i) bit_by_bit = stepped(cut, 0.001, load(0.001 * i));
   EXPECT_NEAR((at_once - bit_by_bit).norm(), 0, 1e-11);
   EXPECT_FALSE(KelvinChain().remembers());
