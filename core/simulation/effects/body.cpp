@@ -132,7 +132,7 @@ const EffectKind& effect_body() {
   static const EffectKind kKind{
       "body",
       Stage::kGeometry,
-      35,
+      54,
       [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<ElasticBody>(p);
       },

@@ -48,10 +48,9 @@ class Bulge final : public GeometryEffect {
   Message sentence() const override { return en::say("The layer swells around what presses"); }
 
   Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("ball") && !scene.names("relief") && !scene.names("push"))
-      return Error{en::say("nothing presses, so nothing bulges"),
-                   "",
-                   en::say("name ball, relief or push too")};
+    if (!scene.names("ball") && !scene.names("relief"))
+      return Error{
+          en::say("nothing presses, so nothing bulges"), "", en::say("name ball or relief too")};
     return {};
   }
 

@@ -4,11 +4,12 @@
 // on `friction` * force_N at most, and slides beyond that. `y_mm` is measured across the face from
 // its middle line. In frames in which the force is 0 nothing touches.
 //   On the contact face the layer, of hardness `layer_shore_a`, gives way as BondedLayerContact
-// has it, and s_mm and y_mm are as those of `ball`. With the effect `body` the finger gives way
-// too, on all faces, and on the side faces the dots near the ball move with the skin
-// (HalfSpaceContact).
+// and dented_surface_mm have it, bulge and all, and s_mm and y_mm are as those of `ball`. With the
+// effect `body` the finger gives way too, on all faces, and on the side faces the dots near the
+// ball move with the skin (HalfSpaceContact).
 #include "core/simulation/effect.h"
 #include "core/simulation/mechanics/bonded_layer.h"
+#include "core/simulation/mechanics/dented_surface.h"
 #include "core/simulation/mechanics/shore.h"
 #include "core/simulation/scene_time.h"
 
@@ -143,7 +144,10 @@ class PushedBall final : public GeometryEffect {
     truth.along_mm = at.x();
     truth.across_mm = at.y();
     truth.depth_mm = place.depth_mm;
-    geometry.presses.emplace_back(make_ball_press(place, radius_mm));
+    BallPress press = make_ball_press(place, radius_mm);
+    press.contact_radius_mm = press.rim_mm = layer->contact_radius_mm(depth_mm);
+    press.profile_mm = dented_surface_mm(*layer, depth_mm, BallPress::kStep_mm);
+    geometry.presses.emplace_back(std::move(press));
   }
 
   // The s and y of a press whose place has the x and y of a point of the outer side.
@@ -249,7 +253,7 @@ const EffectKind& effect_push() {
   static const EffectKind kKind{
       "push",
       Stage::kGeometry,
-      31,
+      52,  // after rolloff and bulge, which are for dents whose depth is told
       [](YamlSection& p) -> std::shared_ptr<const Effect> {
         return std::make_shared<PushedBall>(p);
       },

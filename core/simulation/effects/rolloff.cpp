@@ -101,10 +101,9 @@ class Rolloff final : public GeometryEffect {
   }
 
   Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("ball") && !scene.names("relief") && !scene.names("push"))
-      return Error{en::say("nothing presses, so nothing rolls off"),
-                   "",
-                   en::say("name ball, relief or push too")};
+    if (!scene.names("ball") && !scene.names("relief"))
+      return Error{
+          en::say("nothing presses, so nothing rolls off"), "", en::say("name ball or relief too")};
     if (hertz_ && scene.names("relief"))
       return Error{
           en::say("kind hertz is for balls only"), "", en::say("kind: smooth with a length_mm")};

@@ -80,12 +80,15 @@ double BondedLayerContact::contact_radius_mm(double indentation_mm) const {
   return std::sqrt(radius_mm_ * d) * series(kRadiusSeries, chi(d));
 }
 
+double BondedLayerContact::pressure_exponent(double indentation_mm) const {
+  return std::max(0.5, series(kExponentSeries, chi(within(indentation_mm))));
+}
+
 double BondedLayerContact::pressure_MPa(double indentation_mm, double r_mm) const {
   const double d = within(indentation_mm);
   const double a = contact_radius_mm(d), r = std::abs(r_mm);
   if (!(r < a)) return 0;
-  const double m = std::max(0.5, series(kExponentSeries, chi(d)));
-  const double q = r / a;
+  const double m = pressure_exponent(d), q = r / a;
   return (m + 1) * force_N(d) / (std::numbers::pi * a * a) * std::pow((1 - q) * (1 + q), m);
 }
 

@@ -29,6 +29,10 @@ class BondedLayerContact {
   /// Error: a length or the modulus is not above 0.
   static Result<BondedLayerContact> create(double modulus_MPa, double layer_mm, double radius_mm);
 
+  [[nodiscard]] double modulus_MPa() const { return modulus_MPa_; }
+  [[nodiscard]] double layer_mm() const { return layer_mm_; }
+  [[nodiscard]] double radius_mm() const { return radius_mm_; }
+
   /// The greatest indentation and force within the range.
   [[nodiscard]] double greatest_indentation_mm() const { return greatest_mm_; }
   [[nodiscard]] double greatest_force_N() const { return force_N(greatest_mm_); }
@@ -38,6 +42,7 @@ class BondedLayerContact {
   [[nodiscard]] double stiffness_N_per_mm(double indentation_mm) const;  ///< dF/dd
   [[nodiscard]] double energy_Nmm(double indentation_mm) const;
   [[nodiscard]] double contact_radius_mm(double indentation_mm) const;
+  [[nodiscard]] double pressure_exponent(double indentation_mm) const;  ///< m above
   /// At a distance from the contact's middle; 0 from its rim on, and where nothing presses.
   [[nodiscard]] double pressure_MPa(double indentation_mm, double r_mm) const;
 

@@ -1,5 +1,6 @@
 #include "core/simulation/mechanics/bonded_layer.h"
 
+#include "core/simulation/mechanics/dented_surface.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 
 #include <Eigen/Dense>
@@ -26,6 +27,7 @@ struct GaussRule {
 //   F = pi E* int g,  p(0) = -E* / 2 int g'(t) / t dt,  E* = E / 0.75.
 struct LayerTruth {
   double d, force, p_0;
+  std::vector<std::array<double, 2>> surface;  // beside the contact: r, w
 
   explicit LayerTruth(double a) {
     const GaussRule t(40, a), k(160, 20);
@@ -56,6 +58,14 @@ struct LayerTruth {
     const Eigen::VectorXd moments = weight.cwiseProduct(cos.transpose() * t.w.cwiseProduct(g));
     const Eigen::VectorXd g_t = -4 / M_PI * t.x - sin * k.x.cwiseProduct(moments);
     p_0 = -0.5 / 0.75 * t.w.dot(g_t.cwiseQuotient(t.x));
+    for (const double off : {0.05, 0.2, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0}) {
+      const double r = a + off;
+      double w = t.w.dot(g.cwiseQuotient((r * r - t.x.array().square()).sqrt().matrix()));
+      for (int j = 0; j < k.x.size(); ++j)
+        w -= M_PI / 2 * weight[j] * t.w.dot(cos.col(j).cwiseProduct(g)) *
+             std::cyl_bessel_j(0, k.x[j] * r);
+      surface.push_back({r, w});
+    }
   }
 };
 
@@ -74,6 +84,40 @@ TEST(BondedLayer, IsTheSolutionOfTheContactsIntegralEquation) {
     EXPECT_NEAR(contact.force_N(d) / (truth.force * modulus * h * h * h / radius), 1, 2.5e-3) << a;
     EXPECT_NEAR(contact.contact_radius_mm(d) / (a * h), 1, 2.5e-3) << a;
     EXPECT_NEAR(contact.pressure_MPa(d, 0) / (truth.p_0 * modulus * h / radius), 1, 0.01) << a;
+  }
+}
+
+// Beside the ball, too; and the layer keeps its volume.
+TEST(BondedLayer, BendsItsSurfaceAsItsPressureDoes) {
+  for (const double a : {0.1, 0.4, 0.8, 1.2, 1.6, 2.2}) {
+    const LayerTruth truth(a);
+    const double h = 1.5, radius = h * 40, d = truth.d * h * h / radius;
+    const BondedLayerContact contact = layer_of(0.28, h, radius);
+    ASSERT_LT(d, contact.greatest_indentation_mm());
+    const double step = 0.005;
+    const std::vector<float> profile = dented_surface_mm(contact, d, step);
+    EXPECT_FLOAT_EQ(profile[0], static_cast<float>(d));
+    EXPECT_EQ(profile.back(), 0);
+    for (const auto& [r, w] : truth.surface) {
+      const double at = r * h / step;
+      const auto i = static_cast<std::size_t>(at);
+      const double got = i + 1 < profile.size() ? profile[i] + (at - static_cast<double>(i)) *
+                                                                   (profile[i + 1] - profile[i])
+                                                : 0;
+      EXPECT_NEAR(got, w * h * h / radius, 0.01 * d) << a << ' ' << r;
+    }
+  }
+  for (const double chi : {0.9, 1.2, 1.5, 1.8}) {
+    const double radius = 10, d = chi * chi * 1.5 * 1.5 / radius, step = 0.005;
+    const BondedLayerContact contact = layer_of(0.28, 1.5, radius);
+    const std::vector<float> profile = dented_surface_mm(contact, d, step);
+    double volume = 0, dent = 0;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+      const double ring = 2 * M_PI * static_cast<double>(i) * step * step * double{profile[i]};
+      volume += ring;
+      dent += std::max(0.0, ring);
+    }
+    EXPECT_NEAR(volume / dent, 0, 0.04) << chi;
   }
 }
 
