@@ -41,6 +41,7 @@ struct SimulateOptions {
   std::optional<int> frames;  ///< the first so many; empty: all
   std::uint64_t seed = 1;
   bool video = false;
+  bool maps = false;  ///< also the truth of every pixel
   bool explain = false;  ///< tell what the scene builds, and render nothing
   int threads = 1;
   bool costs = false;  ///< run_simulate_costs() instead

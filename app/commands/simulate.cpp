@@ -59,6 +59,12 @@ std::string camera_yaml(const CameraParameters& camera) {
                       camera.cy_px,
                       fmt::join(camera.distortion, ", "),
                       to_string(camera.orientation));
+  if (camera.port)
+    text += fmt::format("port: {{gap_mm: {}, plate_mm: {}, plate_index: {}, medium_index: {}}}\n",
+                        camera.port->gap_mm,
+                        camera.port->plate_mm,
+                        camera.port->plate_index,
+                        camera.port->medium_index);
   return text;
 }
 
@@ -115,6 +121,19 @@ Status write_truth_pictures(const Path& folder, const std::string& name, const T
   return write_picture(folder / (name + ".z.tiff"), truth.untouched_z_mm);
 }
 
+Status write_truth_maps(const Path& folder, const std::string& name, const TruthMaps& maps) {
+  const std::pair<std::string_view, const cv::Mat*> pictures[] = {
+      {".contact.png", &maps.contact},
+      {".seen.png", &maps.seen},
+      {".normal.tiff", &maps.normal},
+      {".untouched.tiff", &maps.untouched_grey}};
+  for (const auto& [end, picture] : pictures) {
+    const Status status = write_picture(folder / (name + std::string(end)), *picture);
+    if (!status) return status;
+  }
+  return {};
+}
+
 /// Renders every frame that arrives, gives it to `take`, writes its truth and adds it to `frames`.
 template <class Take>
 Status render_all(const SimulateOptions& options,
@@ -135,6 +154,10 @@ Status render_all(const SimulateOptions& options,
     const Truth truth = plan.truth(frame);
     if (const Status status = write_truth_pictures(options.folder, name, truth); !status)
       return status;
+    if (options.maps) {
+      const Status status = write_truth_maps(options.folder, name, plan.truth_maps(frame));
+      if (!status) return status;
+    }
     Console::Json entry = Console::Json::parse(truth.to_json());
     entry["frame"] = name;
     frames.push_back(std::move(entry));
@@ -257,6 +280,11 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
       ->type_name("S");
   command->add_flag(
       "--video", options->video, "One lossless video, frames.mkv, instead of pictures");
+  command->add_flag("--maps",
+                    options->maps,
+                    "Also the truth of every pixel: what touches (.contact.png, 1 + its number), "
+                    "normals and the light without presses (.normal.tiff, .untouched.tiff), and "
+                    "what is seen (.seen.png: 1 face, 2 side, 3 dot, 4 hidden dot)");
   command
       ->add_flag("--explain",
                  options->explain,

@@ -20,6 +20,8 @@ struct ContactTruth {
   Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();  ///< of the untouched outer side there
   /// Unit, into the finger: the way in which it is pushed.
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  /// Of a body that has a direction: from the finger's length towards +y, about the normal.
+  std::optional<double> angle_deg;
   std::optional<Eigen::Vector3d> force_N;  ///< on the finger, where the scene tells
   std::optional<Eigen::Isometry3d> camera_from_object;
 };

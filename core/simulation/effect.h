@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,9 @@ struct FrameContext {
   }
 };
 
+/// What can be pressed into the face.
+enum class PressKind { kBall = 1, kBody };
+
 /// What an effect may ask of the rest of its scene before anything is rendered. It is asked for
 /// each stretch of frames that hold the same effects, itself among them.
 struct SceneFacts {
@@ -69,7 +73,11 @@ struct SceneFacts {
   const std::vector<std::string>& named;  ///< effects that are present
   double frames_per_s;
   int lamp_count;
-  const ElasticFinger* elastic;  ///< nullptr: the finger stands firm
+  const std::vector<PressKind>& pressed;  ///< what presses into the face
+  const ElasticFinger* elastic;           ///< nullptr: the finger stands firm
+  [[nodiscard]] bool presses(PressKind kind) const {
+    return std::find(pressed.begin(), pressed.end(), kind) != pressed.end();
+  }
   [[nodiscard]] bool names(std::string_view effect) const {
     return std::find(named.begin(), named.end(), effect) != named.end();
   }
@@ -98,6 +106,11 @@ class Effect {
   [[nodiscard]] virtual Status fits(const SceneFacts&) const { return {}; }
   /// What the scene's motion may move.
   [[nodiscard]] virtual std::vector<DegreeOfFreedom> degrees_of_freedom() const { return {}; }
+  /// What it presses into the face, if anything.
+  [[nodiscard]] virtual std::optional<PressKind> presses() const { return std::nullopt; }
+  /// What it makes of the camera's lens, for all frames of the scene.
+  virtual void change_lens(CameraParameters&) const {}
+  [[nodiscard]] virtual bool changes_lens() const { return false; }
   /// How many lamps it brings.
   [[nodiscard]] virtual int lamp_count() const { return 0; }
   /// The body that it makes of the finger.
@@ -154,7 +167,7 @@ class TransportEffect : public Effect {
 /// a flat sensor's face goes as far as the picture.
 [[nodiscard]] Status place_fits(const SceneFacts& scene, const Varying& s_mm, const Varying& y_mm);
 
-/// What ball and relief ask alike: on the face, and not through the layer.
+/// What all presses of a given depth ask alike: on the face, and not through the layer.
 [[nodiscard]] Status press_fits(const SceneFacts& scene,
                                 const Varying& depth_mm,
                                 const Varying& s_mm,

@@ -55,6 +55,7 @@ FrameGeometry::FrameGeometry(const PixelRays& rays,
                              std::optional<FaceCurve> curve)
     : rays_(rays), face_(face), curve_(std::move(curve)) {
   const cv::Size size = rays.camera().size();
+  if (!meets_columns()) return;
   if (rays.linear()) {
     columns_.resize(static_cast<std::size_t>(size.width));
     for (int u = 0; u < size.width; ++u)
@@ -125,37 +126,12 @@ void FrameGeometry::find_bands() {
   }
 }
 
-PressPlace FrameGeometry::press_place(double s_mm, double y_mm, double depth_mm) const {
-  PressPlace place;
-  place.s_mm = s_mm;
-  place.y_mm = y_mm;
-  place.depth_mm = depth_mm;
-  place.layer_mm = face_.layer_mm;
-  if (!curve_) {
-    place.luf_mm = {s_mm, y_mm, face_.plane_z_mm + face_.layer_mm};
-    place.normal = Eigen::Vector3d::UnitZ();
-    place.along = Eigen::Vector3d::UnitX();
-    return place;
-  }
-  const FaceCurve::Node p = curve_->at(s_mm);
-  const double sin = p.z_s, cos = p.x_s;
-  place.luf_mm = {p.x_mm, p.shift_mm + y_mm, p.z_mm + face_.layer_mm / cos};
-  // dz/dx of the LUF: the view face's, and the layer's growth along z where the face bends.
-  const double slope = sin / cos + face_.layer_mm * sin * p.theta_s / (cos * cos * cos);
-  place.normal = Eigen::Vector3d(-slope, 0, 1).normalized();
-  place.along = Eigen::Vector3d(1, 0, slope).normalized();
-  return place;
-}
-
-double FrameGeometry::greatest_t0_mm() const {
-  return *std::max_element(columns_.luf.begin(), columns_.luf.end());
+bool FrameGeometry::meets_columns() const {
+  return rays_.are_simple() && !(curve_ && curve_->is_twisted());
 }
 
 void FrameGeometry::fill(RowView& row) const {
-  if (rays_.linear())
-    fill_linear(row);
-  else
-    fill_by_table(row);
+  const Surface face = meets_columns() ? fill_by_columns(row) : fill_by_rays(row);
   if (!layer_changes.empty()) {
     float* luf = row.scratch.floats();
     std::copy(
@@ -163,6 +139,16 @@ void FrameGeometry::fill(RowView& row) const {
     for (const auto& change : layer_changes) change->row(row.face, row.scratch, luf);
     row.face.luf_mm = luf;
   }
+  row.surfaces.assign(1, face);
+  row.hollow_mm = nullptr;
+  fill_presses(row);
+}
+
+Surface FrameGeometry::fill_by_columns(RowView& row) const {
+  if (rays_.linear())
+    fill_linear(row);
+  else
+    fill_by_table(row);
   Surface face;
   face.first = row.face.first;
   face.last = row.face.last;
@@ -176,18 +162,16 @@ void FrameGeometry::fill(RowView& row) const {
   if (rays_.linear()) {
     face.normal_y = columns_.zero.data();
     face.normal_z = columns_.normal_z.data();
-  } else {
-    float *zero = row.scratch.floats(), *normal_z = row.scratch.floats();
-    for (int u = 0; u < row.width; ++u) {
-      zero[u] = 0;
-      normal_z[u] = -row.face.cos_incline[u];
-    }
-    face.normal_y = zero;
-    face.normal_z = normal_z;
+    return face;
   }
-  row.surfaces.assign(1, face);
-  row.hollow_mm = nullptr;
-  fill_presses(row);
+  float *zero = row.scratch.floats(), *normal_z = row.scratch.floats();
+  for (int u = 0; u < row.width; ++u) {
+    zero[u] = 0;
+    normal_z[u] = -row.face.cos_incline[u];
+  }
+  face.normal_y = zero;
+  face.normal_z = normal_z;
+  return face;
 }
 
 void FrameGeometry::fill_linear(RowView& row) const {

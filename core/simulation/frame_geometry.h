@@ -50,19 +50,31 @@ class FrameGeometry {
   /// nullptr for a flat sensor.
   [[nodiscard]] const FaceCurve* curve() const { return curve_ ? &*curve_ : nullptr; }
 
+  /// A point of the body, by its place along and across the view face and how far it lies behind
+  /// that (towards the camera), and the directions along the face and away from the camera there.
+  struct BodyPoint {
+    Eigen::Vector3d point_mm, along, normal;
+  };
+  [[nodiscard]] BodyPoint body_point(double s_mm, double across_mm, double behind_mm) const;
+
+  /// The LUF over a place of the view face.
+  [[nodiscard]] Eigen::Vector3d luf_point_mm(double s_mm, double across_mm) const;
+
   /// A place for a press; for a flat sensor s is x and y is y.
   [[nodiscard]] PressPlace press_place(double s_mm, double y_mm, double depth_mm) const;
 
   /// The layer's greatest thickness along z over the picture, untouched.
   [[nodiscard]] double greatest_t0_mm() const;
 
-  std::vector<std::variant<BallPress, ReliefPress>> presses;
+  std::vector<std::variant<BallPress, BodyPress, SampledPress>> presses;
   std::vector<ContactTruth> contacts;  ///< what presses on the finger
   std::vector<SideDrag> drags;         ///< what drags the side faces
   std::vector<MarkerDisc> discs;       ///< by number
   std::vector<std::shared_ptr<const LayerChange>> layer_changes;
   Illumination illumination;
 
+  /// False: rows are met ray by ray, because the face is twisted or seen through a window.
+  [[nodiscard]] bool meets_columns() const;
   /// Fills row.face, the press depth and the view face's surface.
   void fill(RowView& row) const;
 
@@ -75,12 +87,16 @@ class FrameGeometry {
   void find_bands();
   void fill_linear(RowView& row) const;
   void fill_by_table(RowView& row) const;
+  [[nodiscard]] Surface fill_by_columns(RowView& row) const;
+  [[nodiscard]] Surface fill_by_rays(RowView& row) const;
   void fill_presses(RowView& row) const;
 
   const PixelRays& rays_;
   Face face_;
   std::optional<FaceCurve> curve_;
-  Columns columns_;  // by column, or by direction for a camera with distortion
+  // By column, or by direction for a camera with distortion; empty where it takes more than the
+  // column to know what is met: see meets_columns().
+  Columns columns_;
   double table_first_ = 0, table_per_direction_ = 0;
   static constexpr int kBlock = 16;
   std::vector<float> block_top_, block_bottom_;  // rows that the face may touch, by block

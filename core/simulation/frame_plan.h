@@ -42,9 +42,10 @@ class FramePlan {
     double length_mm, frames_per_s;
     std::vector<std::string> named;
     int lamp_count;
+    std::vector<PressKind> pressed;
     const ElasticFinger* elastic;
     [[nodiscard]] SceneFacts scene() const {
-      return {finger, length_mm, named, frames_per_s, lamp_count, elastic};
+      return {finger, length_mm, named, frames_per_s, lamp_count, pressed, elastic};
     }
   };
   [[nodiscard]] Facts facts(const Scene::Content& content) const;

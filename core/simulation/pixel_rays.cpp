@@ -16,10 +16,14 @@ PixelRays::PixelRays(const Camera& camera) : camera_(camera) {
   const CameraParameters& p = camera.parameters();
   if (!camera.is_linear()) {
     map_.create(size);
+    if (camera.parameters().port) origins_.create(size);
     for (int v = 0; v < size.height; ++v)
       for (int u = 0; u < size.width; ++u) {
         const Ray ray = ray_of(camera, u, v);
         map_(v, u) = {static_cast<float>(ray.direction.x()), static_cast<float>(ray.direction.y())};
+        if (origins_.empty()) continue;
+        origins_(v, u) = {static_cast<float>(ray.origin_mm.x()),
+                          static_cast<float>(ray.origin_mm.y())};
       }
     return;
   }
@@ -32,6 +36,17 @@ PixelRays::PixelRays(const Camera& camera) : camera_(camera) {
     const Ray ray = ray_of(camera, p.cx_px, v);
     rows_.push_back({static_cast<float>(ray.origin_mm.y()), static_cast<float>(ray.direction.y())});
   }
+}
+
+Ray PixelRays::ray(int u, int v) const {
+  if (linear()) {
+    const RowRay row = row_ray(v);
+    return {{origin_x(u), row.origin_y, 0}, {direction_x(u), row.direction_y, 1}};
+  }
+  Ray ray;
+  ray.direction = {map_(v, u)[0], map_(v, u)[1], 1};
+  if (!origins_.empty()) ray.origin_mm = {origins_(v, u)[0], origins_(v, u)[1], 0};
+  return ray;
 }
 
 RayRow PixelRays::row(int v, RowScratch& scratch) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/camera/camera.h"
+#include "core/camera/ray.h"
 #include "core/simulation/row_view.h"
 
 #include <utility>
@@ -25,6 +26,18 @@ class PixelRays {
 
   [[nodiscard]] const Camera& camera() const { return camera_; }
 
+  /// True: all rays of a perspective camera start at its centre, or those of an orthographic one
+  /// run along z; not so behind a window.
+  [[nodiscard]] bool are_simple() const { return origins_.empty(); }
+  [[nodiscard]] Ray ray(int u, int v) const;
+  /// The ray of the next pixel to the right, or below; at the picture's edge of the one before.
+  [[nodiscard]] Ray beside(int u, int v) const {
+    return ray(u + 1 < camera_.size().width ? u + 1 : u - 1, v);
+  }
+  [[nodiscard]] Ray below(int u, int v) const {
+    return ray(u, v + 1 < camera_.size().height ? v + 1 : v - 1);
+  }
+
   /// True: the ray's x depends on the column only, its y on the row only.
   [[nodiscard]] bool linear() const { return map_.empty(); }
   // Of a linear camera:
@@ -44,7 +57,8 @@ class PixelRays {
   Camera camera_;
   std::vector<float> origin_x_, direction_x_;
   std::vector<RowRay> rows_;
-  cv::Mat_<cv::Vec2f> map_;  // directions, of a camera with distortion
+  cv::Mat_<cv::Vec2f> map_;      // directions, of a camera with distortion or behind a window
+  cv::Mat_<cv::Vec2f> origins_;  // behind a window
 };
 
 }  // namespace alltact

@@ -2,6 +2,7 @@
 
 #include "core/numerics/philox.h"
 #include "core/simulation/frame_plan.h"
+#include "core/simulation/plan_truth.h"
 
 #include <limits>
 #include <optional>
@@ -69,6 +70,9 @@ struct Plan::State {
                    int first,
                    int last,
                    cv::Mat& picture) const;
+  [[nodiscard]] cv::Mat light_before_sensor(const FramePlan& plan,
+                                            const FrameGeometry& geometry,
+                                            TruthMaps& maps) const;
   void render_light(FramePlan plan, int first, int last, cv::Mat_<float>& grey) const;
   [[nodiscard]] cv::Mat render_in_passes(const FramePlan& plan,
                                          const FrameGeometry& geometry,
@@ -121,7 +125,14 @@ FrameGeometry Plan::State::geometry_of(const FramePlan& plan) const {
     curve->integrate();
   }
   FrameGeometry result(rays, content.finger.face, std::move(curve));
-  for (const auto& step : plan.geometry) step.effect->place(step.context, result);
+  for (const auto& step : plan.geometry) {
+    const std::size_t known = result.contacts.size(), pressed = result.presses.size();
+    step.effect->place(step.context, result);
+    for (std::size_t i = pressed; i < result.presses.size(); ++i)
+      std::visit([&](auto& press) { press.place.contact = known; }, result.presses[i]);
+    for (std::size_t i = known; i < result.contacts.size(); ++i)
+      result.contacts[i].name = step.named->name;
+  }
   return result;
 }
 
@@ -144,6 +155,30 @@ void Plan::State::render_rows(const FramePlan& plan,
     add_up_light(row);
     for (const auto& step : plan.sensor) step.effect->row(step.context, row);
   }
+}
+
+// At the frame's own moment; marks in `maps` what is seen of surfaces beside the face.
+cv::Mat Plan::State::light_before_sensor(const FramePlan& plan,
+                                         const FrameGeometry& geometry_now,
+                                         TruthMaps& maps) const {
+  const RadianceRows light = light_of(plan, geometry_now);
+  cv::Mat_<float> grey(rays.camera().size());
+  RowScratch scratch(grey.cols);
+  RowView row(grey.cols, scratch);
+  for (int v = 0; v < grey.rows; ++v) {
+    scratch.rewind();
+    row.v = v;
+    row.value = grey[v];
+    geometry_now.fill(row);
+    for (const auto& effect : light) effect->row(row);
+    add_up_light(row);
+    for (std::size_t i = 1; i < row.surfaces.size(); ++i)
+      for (int u = row.surfaces[i].first; u < row.surfaces[i].last; ++u)
+        if (row.surfaces[i].coverage[u] >= 0.5F)
+          maps.seen.at<std::uint8_t>(v, u) = static_cast<std::uint8_t>(Seen::kSide);
+  }
+  mark_dots(geometry_now, maps.seen);
+  return grey;
 }
 
 // Adds up the light of every moment of the rows' exposure.
@@ -295,39 +330,18 @@ SentPicture Plan::send(int frame, int threads) const {
 }
 
 Truth Plan::truth(int frame) const {
-  const State& s = *state_;
-  const FramePlan plan = s.compiled(frame);
-  const FrameGeometry geometry = s.geometry_of(plan);
-  const cv::Size size = s.rays.camera().size();
-  constexpr float kOff = std::numeric_limits<float>::quiet_NaN();
-  Truth truth;
-  truth.depth_mm = cv::Mat(size, CV_32FC1, cv::Scalar::all(kOff));
-  truth.view_z_mm = truth.depth_mm.clone();
-  truth.untouched_z_mm = truth.depth_mm.clone();
-  RowScratch scratch(size.width);
-  RowView row(size.width, scratch);
-  for (int v = 0; v < size.height; ++v) {
-    scratch.rewind();
-    row.v = v;
-    geometry.fill(row);
-    for (int u = row.face.first; u < row.face.last; ++u) {
-      if (row.face.coverage[u] < 0.5F) continue;  // the pixel's middle is off the face
-      const bool pressed = u >= row.press_first && u < row.press_last;
-      truth.depth_mm.at<float>(v, u) = pressed ? row.press_depth_mm[u] : 0.0F;
-      truth.view_z_mm.at<float>(v, u) = row.face.z_mm[u];
-      truth.untouched_z_mm.at<float>(v, u) = row.face.z_mm[u] + row.face.luf_mm[u];
-    }
-  }
-  for (const MarkerDisc& disc : geometry.discs)
-    truth.markers.push_back({disc.centre_px.x(), disc.centre_px.y(), disc.visible});
-  for (const auto& press : geometry.presses)
-    if (const auto* ball = std::get_if<BallPress>(&press))
-      truth.balls.push_back({ball->centre_mm, ball->radius_mm, ball->place.depth_mm});
-  if (!truth.balls.empty()) truth.ball = truth.balls.front();
-  for (const auto& step : plan.geometry)
-    for (const DegreeOfFreedom& dof : step.effect->degrees_of_freedom())
-      truth.pose[dof.name] = step.context(dof);
-  return truth;
+  const FramePlan plan = state_->compiled(frame);
+  return truth_of(plan, state_->geometry_of(plan));
+}
+
+TruthMaps Plan::truth_maps(int frame) const {
+  const FramePlan plan = state_->compiled(frame);
+  FrameGeometry geometry = state_->geometry_of(plan);
+  TruthMaps maps = truth_maps_of(geometry);
+  // What stands on the face stays; only the presses go.
+  geometry.presses.clear();
+  maps.untouched_grey = state_->light_before_sensor(plan, geometry, maps);
+  return maps;
 }
 
 }  // namespace alltact

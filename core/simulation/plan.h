@@ -57,6 +57,8 @@ class Plan {
   /// Whether and when it comes; costs no rendering.
   [[nodiscard]] Arrival arrival(int frame) const;
   [[nodiscard]] Truth truth(int frame) const;
+  /// The same for every pixel; costs as much as a few frames.
+  [[nodiscard]] TruthMaps truth_maps(int frame) const;
 
   /// The finger as a newcomer would describe it: camera, face, markers; nothing calibrated.
   [[nodiscard]] const Finger& finger() const;

@@ -18,36 +18,53 @@ float combined(float a, float b) {
 // axis or away from it where the face is inclined.
 double ball_depth(const BallPress& press, const Eigen::Vector3d& luf) {
   const Eigen::Vector3d from_centre = luf - press.centre_mm;
-  const double a = from_centre.dot(press.place.along);
-  const double y = from_centre.y();
-  const double tilt = press.place.along.z(), upright = press.place.normal.z();
-  const double across2 = y * y;
-  const double reach = press.reach_mm();
+  const double a = from_centre.dot(press.place.along), y = from_centre.dot(press.place.across);
+  const double tilt = press.place.along.z(), tilt_across = press.place.across.z();
+  const double upright = press.place.normal.z();
+  const double reach = press.reach_mm() + 2 * press.place.depth_mm * std::abs(tilt_across);
   if (std::abs(y) > reach || std::abs(a) > reach + 2 * press.place.depth_mm) return 0;
 
   const double contact = press.contact_radius_mm;
   if (contact > 0) {
-    const double h2 =
-        press.radius_mm * press.radius_mm - from_centre.x() * from_centre.x() - across2;
+    const double h2 = press.radius_mm * press.radius_mm - from_centre.x() * from_centre.x() -
+                      from_centre.y() * from_centre.y();
     if (h2 > 0) {
       const double d = from_centre.z() + std::sqrt(h2);
-      const double along = a - d * tilt;
-      if (d > 0 && along * along + across2 <= contact * contact) return d;
+      const double along = a - d * tilt, across = y - d * tilt_across;
+      if (d > 0 && along * along + across * across <= contact * contact) return d;
     }
   }
   if (press.profile_mm.empty()) return 0;
   double d = press.profile_at(std::hypot(a, y)) / upright;
   for (int i = 0; i < 6; ++i) {
-    const double along = a - d * tilt;
-    const double r = std::sqrt(along * along + across2);
+    const double along = a - d * tilt, across = y - d * tilt_across;
+    const double r = std::sqrt(along * along + across * across);
     const double h = press.profile_at(r);
     const double h_r = (press.profile_at(r + BallPress::kStep_mm) - h) / BallPress::kStep_mm;
-    const double slope = upright + (r > 0 ? h_r * along / r * tilt : 0.0);
+    const double slope = upright + (r > 0 ? h_r * (along * tilt + across * tilt_across) / r : 0.0);
     const double step = (d * upright - h) / std::max(slope, 0.2);
     d -= step;
     if (std::abs(step) < 1e-9) break;
   }
   return d;
+}
+
+Eigen::Vector3d luf_of(const FaceRow& face, int u) {
+  return {face.x_mm[u], face.y_mm[u], double{face.z_mm[u]} + face.luf_mm[u]};
+}
+
+double body_depth(const BodyPress& press, const Eigen::Vector3d& luf) {
+  const double lowest = press.posed->lowest_z_mm(luf.x(), luf.y(), luf.z());
+  return std::isfinite(lowest) ? luf.z() - lowest : 0.0;
+}
+
+// Column and row of the grid over a point of the face.
+Eigen::Vector2d grid_place(const SampledPress& press, const FaceRow& face, int u) {
+  const double c = std::cos(press.rotation_rad), s = std::sin(press.rotation_rad);
+  const double along = double{face.s_mm[u]} - press.place.s_mm;
+  const double across = double{face.y_mm[u]} - face.shift_mm[u] - press.place.y_mm;
+  return {(c * along + s * across) / press.step_mm + 0.5 * (press.depth_mm.cols - 1),
+          (c * across - s * along) / press.step_mm + 0.5 * (press.depth_mm.rows - 1)};
 }
 
 }  // namespace
@@ -77,36 +94,59 @@ BallPress make_ball_press(const PressPlace& place, double radius_mm) {
   return press;
 }
 
-double ReliefPress::reach_mm() const {
+double BodyPress::reach_mm() const {
+  return body->reach_mm();
+}
+
+double SampledPress::reach_mm() const {
   return 0.5 * step_mm * std::hypot(depth_mm.cols, depth_mm.rows);
 }
 
 void press_row(const BallPress& press, const FaceRow& face, int first, int last, float* depth_mm) {
-  for (int u = first; u < last; ++u) {
-    if (face.coverage[u] <= 0) continue;
-    const Eigen::Vector3d luf(face.x_mm[u], face.y_mm[u], double{face.z_mm[u]} + face.luf_mm[u]);
-    depth_mm[u] = combined(depth_mm[u], static_cast<float>(ball_depth(press, luf)));
-  }
+  for (int u = first; u < last; ++u)
+    if (face.coverage[u] > 0)
+      depth_mm[u] = combined(depth_mm[u], static_cast<float>(ball_depth(press, luf_of(face, u))));
+}
+
+void press_row(const BodyPress& press, const FaceRow& face, int first, int last, float* depth_mm) {
+  for (int u = first; u < last; ++u)
+    if (face.coverage[u] > 0)
+      depth_mm[u] = combined(depth_mm[u], static_cast<float>(body_depth(press, luf_of(face, u))));
 }
 
 void press_row(
-    const ReliefPress& press, const FaceRow& face, int first, int last, float* depth_mm) {
-  const double c = std::cos(press.rotation_rad), s = std::sin(press.rotation_rad);
+    const SampledPress& press, const FaceRow& face, int first, int last, float* depth_mm) {
   const cv::Mat_<float>& grid = press.depth_mm;
   for (int u = first; u < last; ++u) {
     if (face.coverage[u] <= 0) continue;
-    const double along = double{face.s_mm[u]} - press.place.s_mm;
-    const double across = double{face.y_mm[u]} - face.shift_mm[u] - press.place.y_mm;
-    const double column = (c * along + s * across) / press.step_mm + 0.5 * (grid.cols - 1);
-    const double row = (c * across - s * along) / press.step_mm + 0.5 * (grid.rows - 1);
-    if (!(column >= 0 && row >= 0 && column < grid.cols - 1 && row < grid.rows - 1)) continue;
-    const int i = static_cast<int>(column), j = static_cast<int>(row);
-    const double tx = column - i, ty = row - j;
+    const Eigen::Vector2d at = grid_place(press, face, u);
+    if (!(at.x() >= 0 && at.y() >= 0 && at.x() < grid.cols - 1 && at.y() < grid.rows - 1)) continue;
+    const int i = static_cast<int>(at.x()), j = static_cast<int>(at.y());
+    const double tx = at.x() - i, ty = at.y() - j;
     const double upper = grid(j, i) + tx * (double{grid(j, i + 1)} - grid(j, i));
     const double lower = grid(j + 1, i) + tx * (double{grid(j + 1, i + 1)} - grid(j + 1, i));
-    const double normal_depth = upper + ty * (lower - upper);
-    depth_mm[u] = combined(depth_mm[u], static_cast<float>(normal_depth / press.place.normal.z()));
+    depth_mm[u] = combined(depth_mm[u], static_cast<float>(upper + ty * (lower - upper)));
   }
+}
+
+bool touches(const BallPress& press, const FaceRow& face, int u) {
+  const Eigen::Vector3d luf = luf_of(face, u);
+  const double depth = ball_depth(press, luf);
+  const Eigen::Vector3d from_centre = luf - Eigen::Vector3d(0, 0, depth) - press.centre_mm;
+  const double from_axis =
+      std::hypot(from_centre.dot(press.place.along), from_centre.dot(press.place.across));
+  return depth > 0 && from_axis <= press.rim_mm;
+}
+
+bool touches(const BodyPress& press, const FaceRow& face, int u) {
+  return body_depth(press, luf_of(face, u)) > 0;
+}
+
+bool touches(const SampledPress& press, const FaceRow& face, int u) {
+  const Eigen::Vector2d at = grid_place(press, face, u);
+  const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y()));
+  return i >= 0 && j >= 0 && i < press.touched.cols && j < press.touched.rows &&
+         press.touched(j, i) > 0;
 }
 
 }  // namespace alltact

@@ -1,8 +1,10 @@
 // What presses into the face in one frame, and how deep it goes where.
 #pragma once
 
+#include "core/simulation/bodies/body.h"
 #include "core/simulation/row_view.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -17,8 +19,10 @@ struct PressPlace {
   double depth_mm = 0;        ///< along z, at the deepest point
   Eigen::Vector3d luf_mm;     ///< the LUF point above the deepest point
   Eigen::Vector3d normal;     ///< of the LUF there, away from the camera
-  Eigen::Vector3d along;      ///< unit tangent towards the tip, in the x-z plane
+  Eigen::Vector3d along;      ///< unit tangent towards the tip
+  Eigen::Vector3d across;     ///< normal x along: unit tangent towards +y
   double layer_mm = 0;        ///< thickness along the normal
+  std::size_t contact = 0;    ///< its number in FrameGeometry::contacts
 
   [[nodiscard]] double normal_depth_mm() const { return depth_mm * normal.z(); }
 };
@@ -46,13 +50,26 @@ struct BallPress {
   }
 };
 
-/// Anything else: normal depth on a grid in the face's own coordinates (along, across), about the
-/// press's place; it follows the face where that is bent.
-struct ReliefPress {
+/// A rigid body that keeps its shape whatever the face's is: the outer side lies on it wherever it
+/// would be below it, and is untouched beside it.
+struct BodyPress {
   PressPlace place;
-  double rotation_rad = 0;   ///< from the finger's length towards +y
+  std::shared_ptr<const Body> body;
+  Eigen::Isometry3d camera_from_object;
+  double rotation_rad = 0;  ///< of the object about the normal, from along towards across
+  std::shared_ptr<const PosedBody> posed;
+
+  [[nodiscard]] double reach_mm() const;
+};
+
+/// How the outer side lies where it does not follow the body sharply: depth along z on a grid of
+/// places of the face, about the press's place.
+struct SampledPress {
+  PressPlace place;
+  double rotation_rad = 0;   ///< of the grid's columns, from along towards across
   cv::Mat_<float> depth_mm;  ///< rows across, columns along, centred
   double step_mm = 0.05;
+  cv::Mat_<std::uint8_t> touched;  ///< 255 where the body itself would press, the grid's size
 
   [[nodiscard]] double reach_mm() const;
 };
@@ -60,7 +77,15 @@ struct ReliefPress {
 /// Adds nothing outside its reach; where several things press, the deeper one counts, and bulges
 /// give way. `depth_mm` covers [first, last).
 void press_row(const BallPress& press, const FaceRow& face, int first, int last, float* depth_mm);
-void press_row(const ReliefPress& press, const FaceRow& face, int first, int last, float* depth_mm);
+void press_row(const BodyPress& press, const FaceRow& face, int first, int last, float* depth_mm);
+void press_row(
+    const SampledPress& press, const FaceRow& face, int first, int last, float* depth_mm);
+
+/// True: the face lies on what presses in this point of column `u`, or would if it were not softer
+/// than that.
+[[nodiscard]] bool touches(const BallPress& press, const FaceRow& face, int u);
+[[nodiscard]] bool touches(const BodyPress& press, const FaceRow& face, int u);
+[[nodiscard]] bool touches(const SampledPress& press, const FaceRow& face, int u);
 
 /// A ball that cuts the face: on it, or untouched. The rim is where it cuts the LUF.
 [[nodiscard]] BallPress make_ball_press(const PressPlace& place, double radius_mm);

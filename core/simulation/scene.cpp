@@ -35,8 +35,6 @@ CameraParameters read_camera(YamlSection section) {
     camera.fx_px = section.number("fx", strength_up_to(1e6));
     camera.fy_px = section.number("fy", strength_up_to(1e6));
   }
-  if (section.has("distortion"))
-    camera.distortion = section.numbers("distortion", 0, 5, {-1e6, 1e6});
   return camera;
 }
 
@@ -121,6 +119,13 @@ void read_effects(YamlSection& scene, Scene::Content& content) {
                                       kind->make(section),
                                       section.where("")};
     check_alone(section, named, content);
+    if (named.effect->changes_lens()) {
+      if (named.presence.first > 0 || named.presence.end < content.time.frames)
+        section.refuse("use",
+                       en::say("a lens does not change while it looks"),
+                       en::say("leave 'from' and 'until' out"));
+      named.effect->change_lens(content.finger.camera);
+    }
     content.effects.push_back(named);
   }
   std::stable_sort(

@@ -1,6 +1,7 @@
 // A ball is pressed into the face until its deepest point has gone `depth_mm` along z.
 #include "core/simulation/effect.h"
 #include "core/simulation/give.h"
+#include "core/simulation/rigid_press.h"
 
 namespace alltact {
 
@@ -17,6 +18,7 @@ class Ball final : public GeometryEffect {
 
   Message sentence() const override { return en::say("A ball is pressed into the face"); }
   bool may_be_several() const override { return true; }
+  std::optional<PressKind> presses() const override { return PressKind::kBall; }
 
   Status fits(const SceneFacts& scene) const override {
     if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
@@ -32,8 +34,13 @@ class Ball final : public GeometryEffect {
   }
 
   void place(const FrameContext& frame, FrameGeometry& geometry) const override {
-    geometry.presses.emplace_back(
-        make_ball_press(geometry.press_place(frame(s_), frame(y_), frame(depth_)), frame(radius_)));
+    BallPress press =
+        make_ball_press(geometry.press_place(frame(s_), frame(y_), frame(depth_)), frame(radius_));
+    ContactTruth truth = contact_truth(press.place);
+    truth.camera_from_object = Eigen::Isometry3d::Identity();
+    truth.camera_from_object->translation() = press.centre_mm;
+    geometry.contacts.push_back(std::move(truth));
+    geometry.presses.emplace_back(std::move(press));
   }
 
  private:

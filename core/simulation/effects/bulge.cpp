@@ -2,6 +2,7 @@
 // it thickens by share * layer * q^2 exp(1 - q^2), q = (distance from the rim) / width_mm, a
 // smooth ring of that height one width away from the rim.
 #include "core/simulation/effect.h"
+#include "core/simulation/press_sampling.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -24,19 +25,18 @@ void swell(BallPress& press, double height_mm, double width_mm) {
   }
 }
 
-void swell(ReliefPress& press, double height_mm, double width_mm) {
-  const int border = static_cast<int>(kEnd * width_mm / press.step_mm) + 1;
-  cv::Mat_<float> grid;
-  cv::copyMakeBorder(press.depth_mm, grid, border, border, border, border, cv::BORDER_CONSTANT, 0);
+void swell(SampledPress& press, double height_mm, double width_mm) {
+  widen(press, static_cast<int>(kEnd * width_mm / press.step_mm) + 1);
+  cv::Mat_<float>& grid = press.depth_mm;
   // The rim of a smoothed press: where it has lost most of its depth.
-  const cv::Mat outside = grid <= 0.05 * press.place.normal_depth_mm();
+  const cv::Mat outside = grid <= 0.05 * press.place.depth_mm;
   cv::Mat_<float> distance;
   cv::distanceTransform(outside, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  const double height_along_z_mm = height_mm / press.place.normal.z();
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.cols; ++column)
-      grid(row, column) -=
-          static_cast<float>(height_mm * ring(distance(row, column) * press.step_mm / width_mm));
-  press.depth_mm = grid;
+      grid(row, column) -= static_cast<float>(
+          height_along_z_mm * ring(distance(row, column) * press.step_mm / width_mm));
 }
 
 class Bulge final : public GeometryEffect {
@@ -48,15 +48,20 @@ class Bulge final : public GeometryEffect {
   Message sentence() const override { return en::say("The layer swells around what presses"); }
 
   Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("ball") && !scene.names("relief"))
+    if (scene.pressed.empty())
       return Error{
           en::say("nothing presses, so nothing bulges"), "", en::say("name ball or relief too")};
     return {};
   }
 
   void place(const FrameContext&, FrameGeometry& geometry) const override {
-    for (auto& press : geometry.presses)
-      std::visit([&](auto& p) { swell(p, share_ * p.place.layer_mm, width_mm_); }, press);
+    sample_bodies(geometry);
+    for (auto& press : geometry.presses) {
+      if (auto* ball = std::get_if<BallPress>(&press))
+        swell(*ball, share_ * ball->place.layer_mm, width_mm_);
+      else if (auto* grid = std::get_if<SampledPress>(&press))
+        swell(*grid, share_ * grid->place.layer_mm, width_mm_);
+    }
   }
 
  private:

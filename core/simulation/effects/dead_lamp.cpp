@@ -1,5 +1,5 @@
-// One lamp gives no light: from the start, or from `from_s` after frame 0 on. Lamps are counted
-// from 0 in the order of the effect leds.
+// One lamp gives no light, in the frames in which the effect is present. Lamps are counted from 0
+// in the order of the effect leds.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -8,8 +8,7 @@ namespace {
 
 class DeadLamp final : public GeometryEffect {
  public:
-  explicit DeadLamp(YamlSection& p)
-      : lamp_(p.whole_number("lamp", 0, 1000)), from_s_(p.number_or("from_s", 0, {0, 1e6})) {}
+  explicit DeadLamp(YamlSection& p) : lamp_(p.whole_number("lamp", 0, 1000)) {}
 
   Message sentence() const override { return en::say("A lamp is off"); }
   bool may_be_several() const override { return true; }
@@ -24,13 +23,12 @@ class DeadLamp final : public GeometryEffect {
     return {};
   }
 
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
-    if (frame.time_s() >= from_s_) geometry.illumination.single_share[lamp_] = 0;
+  void place(const FrameContext&, FrameGeometry& geometry) const override {
+    geometry.illumination.single_share[lamp_] = 0;
   }
 
  private:
   int lamp_;
-  double from_s_;
 };
 
 }  // namespace

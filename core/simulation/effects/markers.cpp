@@ -1,7 +1,9 @@
 // Dots engraved in both side faces, `setback_mm` behind the face's edge (along the face's normal,
 // towards the camera), evenly from `first` to `last` (fractions of the length). With
-// `last_radius_mm` their radius goes evenly from radius_mm at the first to that at the last, so
-// that those far from the camera do not get too small to see.
+// `last_radius_mm` their radius goes evenly from radius_mm at the first to that at the last, and
+// with `step_ratio` each step from one to the next is longer than the one before by one factor,
+// the last one `step_ratio` times the first: so that those far from the camera are neither too
+// small nor too close to tell.
 #include "core/simulation/coverage.h"
 #include "core/simulation/effect.h"
 
@@ -21,7 +23,8 @@ class Markers final : public GeometryEffect {
         first_(p.number("first", {0, 1})),
         last_(p.number("last", {0, 1})),
         albedo_(p.number("albedo", {0, 1})),
-        last_radius_mm_(p.number_or("last_radius_mm", radius_mm_, strength_up_to(20))) {
+        last_radius_mm_(p.number_or("last_radius_mm", radius_mm_, strength_up_to(20))),
+        step_ratio_(p.number_or("step_ratio", 1, {0.05, 20})) {
     if (!(first_ < last_))
       p.refuse("first", en::say("'first' is not below 'last'"), en::say("e.g. 0.1 and 0.9"));
     if (radius_mm_ >= setback_mm_)
@@ -52,7 +55,7 @@ class Markers final : public GeometryEffect {
     const int n = frame.finger.markers.per_row;
     for (const int side : {-1, 1})
       for (int i = 0; i < n; ++i) {
-        const double fraction = first_ + (last_ - first_) * i / (n - 1);
+        const double fraction = first_ + (last_ - first_) * way_to(i, n);
         const double radius = radius_mm_ + (last_radius_mm_ - radius_mm_) * i / (n - 1);
         geometry.discs.push_back(
             disc(geometry, fraction * geometry.curve()->length_mm(), side, radius));
@@ -60,18 +63,25 @@ class Markers final : public GeometryEffect {
   }
 
  private:
+  // Part of the way from the first of n dots to the last at dot i: a sum of powers.
+  [[nodiscard]] double way_to(int i, int n) const {
+    const double factor = n > 2 ? std::pow(step_ratio_, 1.0 / (n - 2)) : 1.0;
+    if (std::abs(factor - 1) < 1e-9) return static_cast<double>(i) / (n - 1);
+    return std::expm1(i * std::log(factor)) / std::expm1((n - 1) * std::log(factor));
+  }
+
   MarkerDisc disc(const FrameGeometry& geometry, double s_mm, int side, double radius_mm) const {
-    const FaceCurve::Node p = geometry.curve()->at(s_mm);
-    Eigen::Vector3d centre(p.x_mm + setback_mm_ * p.z_s,
-                           p.shift_mm + side * geometry.face().width_mm / 2,
-                           p.z_mm - setback_mm_ * p.x_s);
-    centre += side_displacement_mm(geometry.drags, side, centre);
+    const double across = side * geometry.face().width_mm / 2;
+    auto body = geometry.body_point(s_mm, across, setback_mm_);
+    body.point_mm += side_displacement_mm(geometry.drags, side, body.point_mm);
+    const double incline = std::atan2(body.along.z(), body.along.x());
     const Camera& camera = geometry.rays().camera();
     std::vector<Eigen::Vector2d> outline;
     for (int i = 0; i < kCorners; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kCorners;
+      const double angle = 2 * std::numbers::pi * i / kCorners - incline;
       const auto pixel =
-          camera.project(centre + radius_mm * Eigen::Vector3d(std::cos(angle), 0, std::sin(angle)));
+          camera.project(body.point_mm + radius_mm * (std::cos(angle) * body.along +
+                                                      std::sin(angle) * body.normal));
       if (pixel) outline.push_back(*pixel);
     }
     MarkerDisc result{side, {0, 0}, outline.size() == kCorners, albedo_, {}, {}};
@@ -84,7 +94,7 @@ class Markers final : public GeometryEffect {
     return result;
   }
 
-  double radius_mm_, setback_mm_, first_, last_, albedo_, last_radius_mm_;
+  double radius_mm_, setback_mm_, first_, last_, albedo_, last_radius_mm_, step_ratio_;
 };
 
 }  // namespace

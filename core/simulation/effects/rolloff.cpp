@@ -5,6 +5,7 @@
 //   smooth: the press is blurred with a Gaussian of standard deviation `length_mm`.
 #include "core/simulation/effect.h"
 #include "core/simulation/hertz.h"
+#include "core/simulation/press_sampling.h"
 
 namespace alltact {
 
@@ -79,13 +80,11 @@ cv::Mat_<float> blurred_rows(const cv::Mat_<float>& in, const std::vector<double
   return out;
 }
 
-void smooth(ReliefPress& press, double length_mm) {
+void smooth(SampledPress& press, double length_mm) {
   const double sd_steps = length_mm / press.step_mm;
-  const int border = static_cast<int>(std::ceil(4 * sd_steps)) + 1;
-  cv::Mat_<float> grid;
-  cv::copyMakeBorder(press.depth_mm, grid, border, border, border, border, cv::BORDER_CONSTANT, 0);
+  widen(press, static_cast<int>(std::ceil(4 * sd_steps)) + 1);
   const std::vector<double> weights = gaussian(sd_steps);
-  const cv::Mat_<float> along = blurred_rows(grid, weights).t();
+  const cv::Mat_<float> along = blurred_rows(press.depth_mm, weights).t();
   press.depth_mm = blurred_rows(along, weights).t();
 }
 
@@ -101,10 +100,10 @@ class Rolloff final : public GeometryEffect {
   }
 
   Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("ball") && !scene.names("relief"))
+    if (scene.pressed.empty())
       return Error{
           en::say("nothing presses, so nothing rolls off"), "", en::say("name ball or relief too")};
-    if (hertz_ && scene.names("relief"))
+    if (hertz_ && scene.presses(PressKind::kBody))
       return Error{
           en::say("kind hertz is for balls only"), "", en::say("kind: smooth with a length_mm")};
     return {};
@@ -113,11 +112,15 @@ class Rolloff final : public GeometryEffect {
   void place(const FrameContext&, FrameGeometry& geometry) const override {
     const FaceCurve* curve = geometry.curve();
     const double greatest_reach = curve ? curve->length_mm() + geometry.face().width_mm : 200;
+    sample_bodies(geometry);
     for (auto& press : geometry.presses) {
-      if (auto* ball = std::get_if<BallPress>(&press); ball && hertz_)
+      auto* ball = std::get_if<BallPress>(&press);
+      if (ball && hertz_)
         hertz(*ball, length_mm_, greatest_reach);
+      else if (ball)
+        smooth(*ball, length_mm_);
       else
-        std::visit([&](auto& p) { smooth(p, length_mm_); }, press);
+        smooth(std::get<SampledPress>(press), length_mm_);
     }
   }
 

@@ -1,8 +1,9 @@
 // The two side faces of the finger's body, seen beside the view face: planes y = +-W/2 (shifted
-// with a swaying finger), of even albedo, `depth_mm` deep behind the face's edge. What is engraved
-// in them is drawn here.
+// with a swaying finger; swept by the twisting section's edges where it twists), of even albedo,
+// `depth_mm` deep behind the face's edge. What is engraved in them is drawn here.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
+#include "core/simulation/ruled_surface.h"
 
 namespace alltact {
 
@@ -18,7 +19,7 @@ struct SideRow {
   float half_width, length, depth, albedo;
   RayRow rays;
   FaceRow face;
-  float *x, *y, *z, *inward, *coverage, *light;
+  float *x, *y, *z, *normal_x, *inward, *normal_z, *coverage, *light;
 };
 
 ALLTACT_WIDE void meet_sides(const SideRow& r) {
@@ -51,6 +52,37 @@ ALLTACT_WIDE void meet_sides(const SideRow& r) {
     const float per_mm = 1.0F / (z[u] * step[u]);
     coverage[u] = (1.0F - face_part[u]) * unit((deep - behind) * per_mm + 0.5F) *
                   unit(s * per_mm + 0.5F) * unit((length - s) * per_mm + 0.5F);
+  }
+}
+
+// Where each ray meets the side that it points to, by Newton's method.
+void meet_sides_by_rays(const SideRow& r, const FrameGeometry& geometry, int v) {
+  const RuledSurface upper = RuledSurface::side_face(*geometry.curve(), -1, 2 * r.half_width);
+  const RuledSurface lower = RuledSurface::side_face(*geometry.curve(), 1, 2 * r.half_width);
+  for (int u = 0; u < r.n; ++u) {
+    r.light[u] = r.albedo;
+    r.x[u] = r.y[u] = r.coverage[u] = r.normal_x[u] = r.inward[u] = 0;
+    r.z[u] = r.normal_z[u] = 1;
+    if (r.face.coverage[u] >= 1) continue;
+    const bool is_upper = r.face.y_mm[u] < r.face.shift_mm[u];
+    const Ray ray = geometry.rays().ray(u, v);
+    const auto here = (is_upper ? upper : lower).meet(ray, r.face.s_mm[u]);
+    if (!here) continue;
+    const Eigen::Vector3d point = ray.point_at(here->z_mm);
+    const Eigen::Vector3d inward = is_upper ? here->normal : Eigen::Vector3d(-here->normal);
+    if (inward.dot(ray.direction) >= 0) continue;  // seen from outside
+    r.x[u] = static_cast<float>(point.x());
+    r.y[u] = static_cast<float>(point.y());
+    r.z[u] = static_cast<float>(point.z());
+    r.normal_x[u] = static_cast<float>(inward.x());
+    r.inward[u] = static_cast<float>(inward.y());
+    r.normal_z[u] = static_cast<float>(inward.z());
+    const Ray beside = geometry.rays().beside(u, v), below = geometry.rays().below(u, v);
+    const auto s_px = static_cast<float>(std::abs(here->s_by(ray, beside)));
+    const auto r_px = static_cast<float>(std::abs(here->r_by(ray, below)));
+    const auto s = static_cast<float>(here->s_mm), behind = static_cast<float>(here->r_mm);
+    r.coverage[u] = (1.0F - r.face.coverage[u]) * unit((r.depth - behind) / r_px + 0.5F) *
+                    unit(s / s_px + 0.5F) * unit((r.length - s) / s_px + 0.5F);
   }
 }
 
@@ -96,13 +128,19 @@ class Sides final : public RadianceEffect {
                       floats(),
                       floats(),
                       floats(),
+                      floats(),
+                      floats(),
                       floats()};
-      meet_sides(r);
+      if (geometry_.meets_columns()) {
+        std::fill(r.normal_x, r.normal_x + r.n, 0.0F);
+        std::fill(r.normal_z, r.normal_z + r.n, 0.0F);
+        meet_sides(r);
+      } else {
+        meet_sides_by_rays(r, geometry_, row.v);
+      }
       for (const MarkerDisc& disc : geometry_.discs) draw(disc, row.v, r.light);
-      float* zero = floats();
-      std::fill(zero, zero + row.width, 0.0F);
       row.surfaces.push_back(
-          {0, row.width, r.x, r.y, r.z, zero, r.inward, zero, r.coverage, r.light});
+          {0, row.width, r.x, r.y, r.z, r.normal_x, r.inward, r.normal_z, r.coverage, r.light});
     }
 
    private:

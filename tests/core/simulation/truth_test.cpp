@@ -251,10 +251,10 @@ TEST(Truth, MarkersAreTheImagesOfTheDots) {
 // A camera with distortion sees the same finger: its rays, the same surface.
 TEST(Truth, HoldsForACameraWithDistortion) {
   const std::string camera =
-      "model: brown, size: [320, 180], fx: 200, fy: 201, cx: 158.5, cy: 90.25, "
-      "distortion: [-0.12, 0.02, 0.001, -0.0005, 0.0]";
+      "model: brown, size: [320, 180], fx: 200, fy: 201, cx: 158.5, cy: 90.25";
   const Pose pose{3, -2, 1.5L};
-  const Plan plan = plan_of(text_of(pose, "", camera));
+  const Plan plan = plan_of(text_of(
+      pose, "  - {use: distortion, coefficients: [-0.12, 0.02, 0.001, -0.0005, 0.0]}\n", camera));
   const Truth truth = plan.truth(0);
   const auto lens = Camera::create(plan.finger().camera);
   ASSERT_TRUE(lens);

@@ -19,8 +19,7 @@ TEST(DeadLamp, TakesOneLampAway) {
 }
 
 TEST(DeadLamp, FailsAtItsTime) {
-  const Plan with =
-      plan_of(flat_text(kFaceAndLamps + "  - {use: dead-lamp, lamp: 1, from_s: 1}\n"));
+  const Plan with = plan_of(flat_text(kFaceAndLamps + "  - {use: dead-lamp, lamp: 1, from: 30}\n"));
   const Plan without = plan_of(flat_text(kFaceAndLamps));
   EXPECT_EQ(cv::norm(with.render(29), without.render(29), cv::NORM_INF), 0);
   EXPECT_GT(cv::norm(with.render(30), without.render(30), cv::NORM_INF), 1);

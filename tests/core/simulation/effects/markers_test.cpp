@@ -43,5 +43,26 @@ TEST(Markers, GrowFromTheFirstToTheLast) {
   EXPECT_THAT(refusal(scene_text(sides + dots(", last_radius_mm: 5"))), HasSubstr("cut the face"));
 }
 
+TEST(Markers, StepsGrowByOneFactor) {
+  const Truth truth =
+      plan_of(scene_text("  - {use: sides, albedo: 0.1, depth_mm: 20}\n"
+                         "  - {use: markers, radius_mm: 0.2, setback_mm: 5, first: 0.1, last: 0.9, "
+                         "albedo: 1, step_ratio: 3}\n"))
+          .truth(0);
+  // Back from the picture to places along the face's straight line.
+  const double theta = 34 * M_PI / 180;
+  std::vector<double> s_mm;
+  for (int i = 0; i < 6; ++i) {
+    const double x = (truth.markers[static_cast<std::size_t>(i)].u - 158.5) / 170;
+    const double z0 = 28 - 5 * std::cos(theta), x0 = -25 + 5 * std::sin(theta);
+    s_mm.push_back((x * z0 - x0) / (std::cos(theta) - x * std::sin(theta)));
+  }
+  EXPECT_NEAR(s_mm.front(), 11.6, 0.01);
+  EXPECT_NEAR(s_mm.back(), 104.4, 0.03);
+  const double first = s_mm[1] - s_mm[0];
+  for (std::size_t i = 1; i < 5; ++i)
+    EXPECT_NEAR((s_mm[i + 1] - s_mm[i]) / first, std::pow(3, i / 4.0), 0.01);
+}
+
 }  // namespace
 }  // namespace alltact

@@ -18,9 +18,11 @@ TEST(Vignetting, IsTheFourthPowerOfTheCosine) {
 
 TEST(Vignetting, FollowsTheRaysOfACameraWithDistortion) {
   const std::string camera =
-      "model: brown, size: [320, 180], fx: 200, fy: 201, cx: 158.5, cy: 90.25, "
-      "distortion: [-0.12, 0.02, 0.001, -0.0005, 0.0]";
-  const Plan plan = plan_of(flat_text("  - {use: vignetting, kind: cos4}\n", camera));
+      "model: brown, size: [320, 180], fx: 200, fy: 201, cx: 158.5, cy: 90.25";
+  const Plan plan =
+      plan_of(flat_text("  - {use: vignetting, kind: cos4}\n"
+                        "  - {use: distortion, coefficients: [-0.12, 0.02, 0.001, -0.0005, 0.0]}\n",
+                        camera));
   const cv::Mat_<float> dark = plan.render(0);
   const auto lens = Camera::create(plan.finger().camera);
   ASSERT_TRUE(lens);

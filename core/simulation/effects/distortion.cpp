@@ -1,0 +1,46 @@
+// The lens bends straight lines: by Brown's k1 k2 p1 p2 k3 for a pinhole or brown camera, by
+// Kannala's k1 k2 k3 k4 for a fisheye (camera.h). What is seen is drawn along the bent rays;
+// nothing is resampled.
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+class Distortion final : public GeometryEffect {
+ public:
+  explicit Distortion(YamlSection& p)
+      : coefficients_(p.numbers("coefficients", 1, 5, {-1e6, 1e6})) {}
+
+  Message sentence() const override { return en::say("The lens bends straight lines"); }
+
+  Status fits(const SceneFacts& scene) const override {
+    if (scene.finger.camera.model == CameraModel::kOrthographic)
+      return Error{
+          en::say("an orthographic camera has no lens"), "", en::say("leave distortion out")};
+    return {};
+  }
+  bool changes_lens() const override { return true; }
+  void change_lens(CameraParameters& camera) const override {
+    if (camera.model == CameraModel::kPinhole) camera.model = CameraModel::kBrown;
+    camera.distortion = coefficients_;
+  }
+
+ private:
+  std::vector<double> coefficients_;
+};
+
+}  // namespace
+
+const EffectKind& effect_distortion() {
+  static const EffectKind kKind{"distortion",
+                                Stage::kGeometry,
+                                1,
+                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
+                                  return std::make_shared<Distortion>(p);
+                                },
+                                "coefficients: [-0.2, 0.05]"};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,45 @@
+// The camera looks into the silicone through a flat plate at right angles to its axis: rays are
+// bent at both sides of it by Snell's law and no longer start in one point (flat_port.h).
+#include "core/simulation/effect.h"
+
+namespace alltact {
+
+namespace {
+
+class Port final : public GeometryEffect {
+ public:
+  explicit Port(YamlSection& p)
+      : port_{p.number("gap_mm", {0, 1000}),
+              p.number("plate_mm", {0, 1000}),
+              p.number_or("plate_index", 1.49, {1, 3}),
+              p.number_or("medium_index", 1.41, {1, 3})} {}
+
+  Message sentence() const override {
+    return en::say("The camera looks through a flat window into the silicone");
+  }
+
+  Status fits(const SceneFacts& scene) const override {
+    if (scene.finger.camera.model == CameraModel::kOrthographic)
+      return Error{en::say("parallel rays pass a window unbent"), "", en::say("leave port out")};
+    return {};
+  }
+  bool changes_lens() const override { return true; }
+  void change_lens(CameraParameters& camera) const override { camera.port = port_; }
+
+ private:
+  FlatPort port_;
+};
+
+}  // namespace
+
+const EffectKind& effect_port() {
+  static const EffectKind kKind{
+      "port",
+      Stage::kGeometry,
+      2,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Port>(p); },
+      "gap_mm: 2, plate_mm: 3"};
+  return kKind;
+}
+
+}  // namespace alltact

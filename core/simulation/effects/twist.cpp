@@ -1,0 +1,44 @@
+// The finger twists: the section at s turns about the middle line by twist s/L, as a clamped bar
+// does under a torque at its tip. A positive twist takes the edge at +y away from the camera.
+#include "core/simulation/effect.h"
+
+#include <numbers>
+
+namespace alltact {
+
+namespace {
+
+class Twist final : public GeometryEffect {
+ public:
+  explicit Twist(YamlSection& p) : twist_(DegreeOfFreedom::read(p, "twist_deg", {-60, 60})) {}
+
+  Message sentence() const override { return en::say("The finger twists about its length"); }
+
+  Status fits(const SceneFacts& scene) const override {
+    if (scene.finger.face.kind == FaceKind::kFlat)
+      return Error{en::say("a flat sensor does not twist"), "", en::say("leave twist out")};
+    return {};
+  }
+  std::vector<DegreeOfFreedom> degrees_of_freedom() const override { return {twist_}; }
+
+  void shape(const FrameContext& frame, FaceCurve& curve) const override {
+    curve.twist(frame(twist_) * std::numbers::pi / 180);
+  }
+
+ private:
+  DegreeOfFreedom twist_;
+};
+
+}  // namespace
+
+const EffectKind& effect_twist() {
+  static const EffectKind kKind{
+      "twist",
+      Stage::kGeometry,
+      12,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Twist>(p); },
+      "twist_deg: {from: -8, to: 8}"};
+  return kKind;
+}
+
+}  // namespace alltact

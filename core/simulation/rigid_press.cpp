@@ -1,0 +1,72 @@
+#include "core/simulation/rigid_press.h"
+
+#include <cassert>
+#include <numbers>
+
+namespace alltact {
+
+namespace {
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+}  // namespace
+
+RigidPress::RigidPress(YamlSection& section)
+    : depth_(Varying::read(section, "depth_mm", strength_up_to(20))),
+      s_(Varying::read(section, "s_mm", {-1000, 1000})),
+      y_(Varying::read(section, "y_mm", {-1000, 1000})),
+      rotation_deg_(Varying::read_or(section, "rotation_deg", 0, {-360, 360})),
+      tilt_deg_(Varying::read_or(section, "tilt_deg", 0, {-45, 45})),
+      roll_deg_(Varying::read_or(section, "roll_deg", 0, {-45, 45})),
+      give_(section) {}
+
+Status RigidPress::fits(const SceneFacts& scene) const {
+  if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
+  return give_.fits(scene);
+}
+
+void RigidPress::shape(const FrameContext& frame, FaceCurve& curve) const {
+  give_.shape(frame, s_, curve);
+}
+
+void RigidPress::place(const FrameContext& frame, FrameGeometry& geometry) const {
+  assert(body_);
+  BodyPress press;
+  press.place = geometry.press_place(frame(s_), frame(y_), frame(depth_));
+  press.body = body_;
+  press.rotation_rad = radians(frame(rotation_deg_));
+  const PressPlace& at = press.place;
+  Eigen::Matrix3d camera_from_face;
+  camera_from_face << at.along, at.across, at.normal;
+  const Eigen::Matrix3d turned =
+      (Eigen::AngleAxisd(press.rotation_rad, Eigen::Vector3d::UnitZ()) *
+       Eigen::AngleAxisd(radians(-frame(tilt_deg_)), Eigen::Vector3d::UnitY()) *
+       Eigen::AngleAxisd(radians(frame(roll_deg_)), Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
+  press.camera_from_object = Eigen::Isometry3d::Identity();
+  press.camera_from_object.linear() = camera_from_face * turned;
+  const double lowest = body_->least_along_mm(turned.row(2).transpose());
+  press.camera_from_object.translation() =
+      at.luf_mm - Eigen::Vector3d(0, 0, at.depth_mm) - lowest * at.normal;
+  press.posed = body_->posed(press.camera_from_object);
+
+  ContactTruth truth = contact_truth(at);
+  truth.camera_from_object = press.camera_from_object;
+  truth.angle_deg = frame(rotation_deg_);
+  geometry.contacts.push_back(std::move(truth));
+  geometry.presses.emplace_back(std::move(press));
+}
+
+ContactTruth contact_truth(const PressPlace& place) {
+  ContactTruth truth;
+  truth.along_mm = place.s_mm;
+  truth.across_mm = place.y_mm;
+  truth.depth_mm = place.depth_mm;
+  truth.point_mm = place.luf_mm;
+  truth.direction = -place.normal;
+  return truth;
+}
+
+}  // namespace alltact
