@@ -8,6 +8,7 @@
 #include "core/result.h"
 #include "core/simulation/exposure.h"
 #include "core/simulation/frame_geometry.h"
+#include "core/simulation/mechanics/elastic_finger.h"
 #include "core/simulation/motion.h"
 #include "core/simulation/row_view.h"
 #include "core/simulation/sent_picture.h"
@@ -73,6 +74,7 @@ struct SceneFacts {
   double frames_per_s;
   int lamp_count;
   const std::vector<PressKind>& pressed;  ///< what presses into the face
+  const ElasticFinger* elastic;           ///< nullptr: the finger stands firm
   [[nodiscard]] bool presses(PressKind kind) const {
     return std::find(pressed.begin(), pressed.end(), kind) != pressed.end();
   }
@@ -111,6 +113,8 @@ class Effect {
   [[nodiscard]] virtual bool changes_lens() const { return false; }
   /// How many lamps it brings.
   [[nodiscard]] virtual int lamp_count() const { return 0; }
+  /// The body that it makes of the finger.
+  [[nodiscard]] virtual const ElasticFinger* elastic() const { return nullptr; }
 };
 
 /// Once a frame, in two passes over all geometry effects: first the face gets its shape, then

@@ -2,6 +2,9 @@
 // slope angle.
 #pragma once
 
+#include "core/simulation/face_load.h"
+
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -51,6 +54,11 @@ class FaceCurve {
   /// x_s) the untwisted normal, away from the camera; and the normal of the twisted section.
   [[nodiscard]] static Eigen::Vector3d across(const Node& p);
   [[nodiscard]] static Eigen::Vector3d normal(const Node& p);
+
+  /// What pushes on the finger, until it is borne.
+  std::vector<FaceLoad> loads;
+  /// How they moved it: q1, q2 and sway in mm, and the twist in rad.
+  std::optional<Eigen::Vector4d> borne;
 
   /// Integrates the slope angle (three-point Gauss in each cell); needed before what follows.
   void integrate();

@@ -9,6 +9,7 @@
 #include "core/simulation/pixel_rays.h"
 #include "core/simulation/press.h"
 #include "core/simulation/row_view.h"
+#include "core/simulation/side_drag.h"
 
 #include <memory>
 #include <optional>
@@ -67,6 +68,7 @@ class FrameGeometry {
 
   std::vector<std::variant<BallPress, BodyPress, SampledPress>> presses;
   std::vector<ContactTruth> contacts;  ///< what presses on the finger
+  std::vector<SideDrag> drags;         ///< what drags the side faces
   std::vector<MarkerDisc> discs;       ///< by number
   std::vector<std::shared_ptr<const LayerChange>> layer_changes;
   Illumination illumination;

@@ -46,11 +46,12 @@ void FramePlan::move_to(double later) {
 }
 
 FramePlan::Facts FramePlan::facts(const Scene::Content& content) const {
-  Facts facts{content.finger, content.length_mm, content.time.frames_per_s, {}, 0, {}};
+  Facts facts{content.finger, content.length_mm, content.time.frames_per_s, {}, 0, {}, nullptr};
   for (const auto* named : effects()) {
     facts.named.push_back(named->kind->name);
     facts.lamp_count += named->effect->lamp_count();
     if (const auto kind = named->effect->presses()) facts.pressed.push_back(*kind);
+    if (const ElasticFinger* elastic = named->effect->elastic()) facts.elastic = elastic;
   }
   return facts;
 }

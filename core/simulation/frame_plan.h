@@ -43,8 +43,9 @@ class FramePlan {
     std::vector<std::string> named;
     int lamp_count;
     std::vector<PressKind> pressed;
+    const ElasticFinger* elastic;
     [[nodiscard]] SceneFacts scene() const {
-      return {finger, length_mm, named, frames_per_s, lamp_count, pressed};
+      return {finger, length_mm, named, frames_per_s, lamp_count, pressed, elastic};
     }
   };
   [[nodiscard]] Facts facts(const Scene::Content& content) const;

@@ -72,7 +72,8 @@ class Markers final : public GeometryEffect {
 
   MarkerDisc disc(const FrameGeometry& geometry, double s_mm, int side, double radius_mm) const {
     const double across = side * geometry.face().width_mm / 2;
-    const auto body = geometry.body_point(s_mm, across, setback_mm_);
+    auto body = geometry.body_point(s_mm, across, setback_mm_);
+    body.point_mm += side_displacement_mm(geometry.drags, side, body.point_mm);
     const double incline = std::atan2(body.along.z(), body.along.x());
     const Camera& camera = geometry.rays().camera();
     std::vector<Eigen::Vector2d> outline;

@@ -1,0 +1,144 @@
+// The finger's body: rubber of a known hardness in the shape of a Fin Ray, which gives way to what
+// pushes (effect `push`) in the modes of `bend` and `sway` and by twisting. With `damping_s` it
+// comes to rest as 1 - exp(-t / damping_s); with `creep`, a list of {share, time_s}, it goes on by
+// those shares of the elastic deflection, each with its time. What bends it besides (bend, sway,
+// give_mm) is where it starts from. Pushes that are more than the finger bears within the model
+// (PushedFinger) count as much as it bears, and the truth tells how much that is.
+#include "core/simulation/effect.h"
+#include "core/simulation/mechanics/shore.h"
+#include "core/simulation/scene_time.h"
+
+#include <Eigen/Cholesky>
+
+namespace alltact {
+
+namespace {
+
+KelvinChain read_chain(YamlSection& p) {
+  std::vector<KelvinUnit> units;
+  const bool is_damped = p.has("damping_s");
+  if (is_damped) units.push_back({1, p.number("damping_s", strength_up_to(1e6))});
+  if (p.has("creep"))
+    for (YamlSection& unit : p.sections("creep"))
+      units.push_back(
+          {unit.number("share", strength_up_to(10)), unit.number("time_s", strength_up_to(1e6))});
+  return {is_damped ? 0.0 : 1.0, std::move(units)};
+}
+
+class ElasticBody final : public GeometryEffect {
+ public:
+  explicit ElasticBody(YamlSection& p)
+      : frames_(SceneTime::of(p).frames), presence_(Presence::read(p, SceneTime::of(p))) {
+    const auto modulus =
+        modulus_from_shore_a(p.number("shore_a", {kSoftestShoreA, kHardestShoreA}));
+    elastic_.modulus_MPa = modulus.value();
+    elastic_.wall_mm = p.number("wall_mm", strength_up_to(100));
+    elastic_.base_depth_mm = p.number("base_depth_mm", strength_up_to(1000));
+    elastic_.tip_depth_mm = p.number("tip_depth_mm", strength_up_to(1000));
+    elastic_.coupling = p.number("coupling", {0, 1});
+    elastic_.chain = read_chain(p);
+  }
+
+  Message sentence() const override {
+    return en::say("The finger's body gives way to what pushes it");
+  }
+  const ElasticFinger* elastic() const override { return &elastic_; }
+
+  Status fits(const SceneFacts& scene) const override {
+    if (scene.finger.face.kind == FaceKind::kFlat)
+      return Error{
+          en::say("a flat sensor has no body that gives way"), "", en::say("leave body out")};
+    if (!scene.names("push"))
+      return Error{en::say("nothing pushes, so no body gives way"), "", en::say("name push too")};
+    const auto body = elastic_.body(scene.finger.face, scene.length_mm);
+    return body ? Status() : body.error();
+  }
+
+  void shape(const FrameContext& frame, FaceCurve& curve) const override {
+    const auto body = elastic_.body(frame.finger.face, curve.length_mm());
+    if (!body || curve.loads.empty()) return;
+    const PushedFinger finger(*body, curve);
+    const auto [forces, rest] =
+        elastic_.chain.remembers()
+            ? after_all_before(frame, curve, *body, finger)
+            : at_once(finger, forces_at(curve, frame.frame, frame.later, frame.finger.face));
+    std::vector<FaceLoad> loads = curve.loads;
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      loads[i].borne = {
+          forces[i].times(rest.share), finger.surface(forces[i], rest.q), elastic_.modulus_MPa};
+    curve.bend(rest.q[0], rest.q[1]);
+    curve.sway(rest.q[2]);
+    if (rest.q[3] != 0) curve.twist(rest.q[3]);
+    curve.loads = std::move(loads);
+    curve.borne = rest.q;
+  }
+
+ private:
+  using Forces = std::vector<PointForce>;
+  using Answer = std::pair<Forces, PushedFinger::Equilibrium>;
+
+  static Answer at_once(const PushedFinger& finger, Forces forces) {
+    const auto rest = finger.equilibrium(forces);
+    return {std::move(forces), rest};
+  }
+
+  // On the contact face s is where a ball of that s_mm would press: the outer side above the view
+  // face's point, along z. The section whose normal goes through there is further on.
+  static Forces forces_at(const FaceCurve& curve, int frame, double later, const Face& face) {
+    Forces forces;
+    for (const FaceLoad& load : curve.loads) {
+      PointForce force = load.at(frame, later);
+      if (force.face == PushedFace::kContact)
+        force.s_mm += face.layer_mm * std::tan(curve.at(force.s_mm).theta);
+      force.s_mm = std::clamp(force.s_mm, 0.0, curve.length_mm());
+      forces.push_back(force);
+    }
+    return forces;
+  }
+
+  // Goes through the frames from the first one with this body on, as a pass through the scene does,
+  // as far back as it remembers.
+  Answer after_all_before(const FrameContext& frame,
+                          const FaceCurve& curve,
+                          const FinRayBody& body,
+                          const PushedFinger& finger) const {
+    const int begin = frame.frame - frame.frame % frames_ + presence_.first;
+    const double end = std::max<double>(begin, frame.frame + frame.later);
+    const double remembered = std::floor(end - elastic_.chain.memory_s() * frame.frames_per_s);
+    const double first = std::max<double>(begin, remembered);
+    const auto compliance = body.stiffness().ldlt();
+    KelvinChain::History history(elastic_.chain);
+    double step_s = 0;
+    for (double now = first;;) {
+      const int whole = static_cast<int>(now);
+      Forces forces = forces_at(curve, whole, now - whole, frame.finger.face);
+      const auto rest = finger.equilibrium(forces, history.weight(step_s), history.before(step_s));
+      if (now >= end) return {std::move(forces), rest};
+      history.step(step_s, rest.share * compliance.solve(finger.generalised_force(forces, rest.q)));
+      const double next = std::min(whole + 1.0, end);
+      step_s = (next - now) / frame.frames_per_s;
+      now = next;
+    }
+  }
+
+  int frames_;
+  Presence presence_;
+  ElasticFinger elastic_;
+};
+
+}  // namespace
+
+const EffectKind& effect_body() {
+  static const EffectKind kKind{
+      "body",
+      Stage::kGeometry,
+      54,
+      [](YamlSection& p) -> std::shared_ptr<const Effect> {
+        return std::make_shared<ElasticBody>(p);
+      },
+      "shore_a: 40, wall_mm: 4, base_depth_mm: 30, tip_depth_mm: 10, coupling: 0.5",
+      {"push"}};
+  return kKind;
+}
+
+}  // namespace alltact

@@ -1,0 +1,129 @@
+#include "core/simulation/mechanics/dented_surface.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace alltact {
+
+namespace {
+
+constexpr double kReach = 7;         // of the layer's thickness, beyond the rim
+constexpr double kNoMore_mm = 1e-4;  // too little to see
+constexpr double kCoarse = 0.05;     // of the thickness: between places that are calculated
+constexpr double kFade = 0.3;        // of the thickness: where the miss at the rim is forgotten
+constexpr double kLastWave = 14;     // k h; 1 - phi is 1e-9 there
+
+struct GaussNode {
+  double place, weight;  // on [0, 1]
+};
+template <std::size_t N>
+std::array<GaussNode, N> gauss_nodes() {
+  std::array<GaussNode, N> nodes{};
+  for (std::size_t i = 0; i < N; ++i) {
+    double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (N + 0.5)), slope = 1;
+    for (int newton = 0; newton < 8; ++newton) {
+      double p = 1, before = 0;
+      for (std::size_t k = 1; k <= N; ++k) {
+        const auto n = static_cast<double>(k);
+        const double next = ((2 * n - 1) * x * p - (n - 1) * before) / n;
+        before = p;
+        p = next;
+      }
+      slope = N * (x * p - before) / (x * x - 1);
+      x -= p / slope;
+    }
+    nodes[i] = {0.5 * (1 - x), 1 / ((1 - x * x) * slope * slope)};
+  }
+  return nodes;
+}
+
+// The surface beyond the rim for a pressure of (1 - r^2 / a^2)^m E* / pi: lengths in thicknesses.
+class Outside {
+ public:
+  Outside(double a, double exponent) {
+    static const auto kAngles = gauss_nodes<24>();
+    static const auto kWaves = gauss_nodes<64>();
+    // Its Abel transform g, times dt.
+    const double peak =
+        2 * a * std::beta(0.5, exponent + 1) / (std::numbers::pi * std::numbers::pi);
+    for (const GaussNode& node : kAngles) {
+      const double angle = 0.5 * std::numbers::pi * node.place;
+      abel_.push_back({a * std::sin(angle),
+                       peak * 0.5 * std::numbers::pi * node.weight * a * std::cos(angle) *
+                           std::pow(std::cos(angle), 2 * exponent + 1)});
+    }
+    for (const GaussNode& node : kWaves) {
+      const double k = kLastWave * node.place;
+      const double phi = (std::sinh(2 * k) - 2 * k) / (std::cosh(2 * k) + 1 + 2 * k * k);
+      double transform = 0;
+      for (const Term& term : abel_) transform += term.value * std::cos(k * term.at);
+      waves_.push_back({k, kLastWave * node.weight * (1 - phi) * transform});
+    }
+  }
+  [[nodiscard]] double at(double r) const {
+    double sum = 0;
+    for (const Term& term : abel_) sum += term.value / std::sqrt(r * r - term.at * term.at);
+    for (const Term& wave : waves_) sum -= wave.value * ::j0(wave.at * r);
+    return sum;
+  }
+
+ private:
+  struct Term {
+    double at, value;
+  };
+  std::vector<Term> abel_, waves_;
+};
+
+// Cubic through four even places, between the second and the third of them.
+double cubic(const std::array<double, 4>& y, double t) {
+  const double slope_0 = 0.5 * (y[2] - y[0]), slope_1 = 0.5 * (y[3] - y[1]), u = 1 - t;
+  return u * u * (y[1] * (1 + 2 * t) + slope_0 * t) + t * t * (y[2] * (3 - 2 * t) - slope_1 * u);
+}
+
+}  // namespace
+
+std::vector<float> dented_surface_mm(const BondedLayerContact& contact,
+                                     double indentation_mm,
+                                     double step_mm) {
+  const double h = contact.layer_mm(), radius = contact.radius_mm();
+  const double a = std::min(contact.contact_radius_mm(indentation_mm), radius);
+  const auto on_ball = [&](double r) {
+    return indentation_mm - r * r / (radius + std::sqrt(radius * radius - r * r));
+  };
+  const Outside outside(a / h, contact.pressure_exponent(indentation_mm));
+  const double strain =
+      std::numbers::pi * 0.75 * contact.pressure_MPa(indentation_mm, 0) / contact.modulus_MPa();
+  const double miss = on_ball(a) - h * strain * outside.at(a / h);
+  // Coarse places from the rim on, evenly in the root of the distance, as which the surface leaves
+  // the ball.
+  const auto root_at = [&](double r) { return std::sqrt((r - a) / h); };
+  const int coarse = static_cast<int>(std::sqrt(kReach) / kCoarse) + 3;
+  std::vector<double> w;
+  for (int i = 0; i < coarse; ++i) {
+    const double off = std::pow(i * kCoarse, 2);
+    w.push_back(h * strain * outside.at(a / h + off) + miss * std::exp(-off / kFade));
+  }
+  std::vector<float> profile;
+  std::size_t seen = 0;
+  for (int i = 0;; ++i) {
+    const double r = i * step_mm;
+    if (r <= a) {
+      profile.push_back(static_cast<float>(on_ball(r)));
+      continue;
+    }
+    const double at = root_at(r) / kCoarse;
+    const auto cell = static_cast<std::size_t>(at);
+    if (cell + 3 > w.size()) break;
+    const double before = cell == 0 ? w[1] : w[cell - 1];  // even in the root
+    const double here = cubic({before, w[cell], w[cell + 1], w[std::min(cell + 2, w.size() - 1)]},
+                              at - static_cast<double>(cell));
+    profile.push_back(static_cast<float>(here));
+    if (std::abs(here) > kNoMore_mm) seen = profile.size();
+  }
+  profile.resize(std::max<std::size_t>(seen, static_cast<std::size_t>(a / step_mm) + 2));
+  profile.push_back(0);
+  return profile;
+}
+
+}  // namespace alltact

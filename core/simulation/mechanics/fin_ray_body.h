@@ -1,0 +1,103 @@
+// A Fin Ray finger as an elastic body of four modes.
+#pragma once
+
+#include "core/result.h"
+#include "core/simulation/face_curve.h"
+#include "core/simulation/mechanics/point_force.h"
+
+#include <span>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// Two walls of equal thickness along the finger, one behind the view face and one at the back,
+/// joined by ribs. The body gets thinner evenly from base to tip.
+struct FinRayGeometry {
+  double length_mm = 0, width_mm = 0;
+  double layer_mm = 0;  ///< the soft layer before the view face, which bears no bending
+  double wall_mm = 0;
+  double base_depth_mm = 0, tip_depth_mm = 0;  ///< from the view face to the back face
+  /// How much of the shear between the walls the ribs carry: 0, the walls slide past each other
+  /// like two leaves of a spring; 1, they bend as one, like the skins of a sandwich. What a finger
+  /// has follows from pushing it once with a known force.
+  double coupling = 0;
+
+  [[nodiscard]] double depth_mm(double s_mm) const {
+    return base_depth_mm + (tip_depth_mm - base_depth_mm) * s_mm / length_mm;
+  }
+};
+
+/// q1 and q2 (bend), sway in mm, and the twist of the tip in rad, as FaceCurve has them.
+using BodyModes = Eigen::Vector4d;
+
+/// Background. FaceCurve bends without stretching, by t^2 and t^3 - t^2 (t = s / L), leans aside by
+/// t^2 and twists evenly. In these modes the curvature w'', the walls' curvatures in their own
+/// plane y'' and the twist per length phi' are linear in q, so that the energy is q' K q / 2 with
+///   K = integral of E I w_i'' w_j'' + E (b W^3 / 12) sum over the walls of y_i'' y_j''
+///       + (4/3) E I phi_i' phi_j',
+///   I(s) = 2 W (b^3 / 12 + coupling * b D^2 / 4),
+/// b the wall's thickness, W the width, D(s) = depth - b the distance of the walls' middles. 4 I is
+/// the torsion constant of plates and of sandwiches, G = E / 3; the back wall, at depth D behind
+/// the front one, shifts by D phi where the section twists. (S. Timoshenko and S. Woinowsky-
+/// Krieger, Theory of Plates and Shells; J. R. Vinson, The Behavior of Sandwich Structures.)
+///
+/// Left out: shear of the layer and of the walls, ribs that bend, the clear filling between the
+/// ribs, local buckling. Two modes bend a little less than the beam does: a tapered body's tip
+/// under a force there by up to 5 %, an even one's not at all.
+class FinRayBody {
+ public:
+  /// Modulus in MPa. Error: a length or the modulus is not above 0, the walls overlap, or the
+  /// coupling is not from 0 to 1.
+  static Result<FinRayBody> create(const FinRayGeometry& geometry, double modulus_MPa);
+
+  [[nodiscard]] const FinRayGeometry& geometry() const { return geometry_; }
+  [[nodiscard]] double modulus_MPa() const { return modulus_MPa_; }
+  /// Symmetric and positive definite; N/mm for lengths, N mm for the twist.
+  [[nodiscard]] const Eigen::Matrix4d& stiffness() const { return stiffness_; }
+  [[nodiscard]] double energy_Nmm(const BodyModes& q) const { return 0.5 * q.dot(stiffness_ * q); }
+
+ private:
+  FinRayBody(const FinRayGeometry& geometry, double modulus_MPa);
+
+  FinRayGeometry geometry_;
+  double modulus_MPa_;
+  Eigen::Matrix4d stiffness_;
+};
+
+/// A body on a face that something else has bent already, and forces on it.
+class PushedFinger {
+ public:
+  /// Beyond these the modes are no finger's any more: how far the face turns anywhere, rad, the tip
+  /// twists, rad, and shifts aside, as a share of the length.
+  static constexpr double kGreatestTurn = 1.2, kGreatestTwist = 1.2, kGreatestSway = 0.4;
+
+  /// `rest`: the face without the forces; it must stay while this is used, and need not be
+  /// integrated. It is as long as the body.
+  PushedFinger(const FinRayBody& body, const FaceCurve& rest) : body_(body), rest_(rest) {}
+
+  /// Where a point of the surface is when the body is deformed by q.
+  [[nodiscard]] SurfaceFrame surface(const PointForce& at, const BodyModes& q) const;
+
+  /// What the forces do to the modes: sum of force . d(point)/dq, at q.
+  [[nodiscard]] BodyModes generalised_force(std::span<const PointForce> forces,
+                                            const BodyModes& q) const;
+
+  struct Equilibrium {
+    BodyModes q = BodyModes::Zero();
+    /// What part of the forces is borne: below 1 they are more than the finger bears within the
+    /// limits above.
+    double share = 1;
+  };
+  /// The q with K (q - before) = weight * generalised force at q, reached from `before` with
+  /// growing forces. (1, 0) is the elastic body's rest; others are asked for by KelvinChain.
+  [[nodiscard]] Equilibrium equilibrium(std::span<const PointForce> forces,
+                                        double weight = 1,
+                                        const BodyModes& before = BodyModes::Zero()) const;
+
+ private:
+  const FinRayBody& body_;
+  const FaceCurve& rest_;
+};
+
+}  // namespace alltact
