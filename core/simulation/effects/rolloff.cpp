@@ -52,13 +52,15 @@ void smooth(BallPress& press, double length_mm) {
   for (int i = 0; i < n; ++i) {
     const double r = i * BallPress::kStep_mm;
     double sum = 0;
-    for (int j = -half; j <= half; ++j)
-      for (int k = -half; k <= half; ++k) {
-        const double from_axis = std::hypot(r + j * step, k * step);
-        if (from_axis < press.rim_mm)
-          sum += weights[static_cast<std::size_t>(j + half)] *
-                 weights[static_cast<std::size_t>(k + half)] * press.ball_profile(from_axis);
+    for (int j = -half; j <= half; ++j) {
+      const double along = r + j * step, weight = weights[static_cast<std::size_t>(j + half)];
+      for (int k = 0; k <= half; ++k) {  // alike on both sides
+        const double from_axis = std::sqrt(along * along + k * step * k * step);
+        if (from_axis >= press.rim_mm) break;
+        sum += (k == 0 ? weight : 2 * weight) * weights[static_cast<std::size_t>(k + half)] *
+               press.ball_profile(from_axis);
       }
+    }
     blurred.push_back(static_cast<float>(sum));
   }
   press.profile_mm = std::move(blurred);
