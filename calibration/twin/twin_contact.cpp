@@ -1,0 +1,418 @@
+#include "calibration/twin/twin_contact.h"
+
+#include "calibration/twin/twin_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace alltact {
+namespace {
+
+constexpr int kBlocksAcross = 40;       // of a dark disc's diameter
+constexpr double kWorthAKind = 0.99;    // of the residual with the simpler kind
+constexpr double kNothing_sd = 2;       // what is nearer to nothing counts as nothing
+constexpr double kLeastBlur_px = 0.25;  // narrower is none to be seen
+constexpr double kTold_px =
+    1.0;  // grey levels a standard deviation of a told depth weighs, a block
+
+/// What is fitted at once.
+struct ContactChoice {
+  bool coat = true, blur = true;
+};
+
+/// One unknown: how the scene holds it, and how it is scaled.
+struct ContactUnknown {
+  double start, low, high;  // scaled
+  int ball;                 // whose it is; -1: all presses'
+  std::function<void(TwinScene&, double)> put;
+  std::function<std::optional<double>*(ContactSpread&)> spread;
+  std::function<double(double)> value_per_unit;  // derivative of the value by the scaled unknown
+};
+
+class ContactStudy {
+ public:
+  ContactStudy(const TwinScene& scene,
+               const std::vector<TwinPatch>& patches,
+               const std::vector<TwinPress>& presses,
+               ContactChoice choice)
+      : scene_(scene), patches_(patches), presses_(presses) {
+    choose(choice);
+    for (const TwinPatch& patch : patches) residuals_ += patch.target.size();
+    for (std::size_t i = 0; i < presses.size(); ++i)
+      if (presses[i].told_depth) told_.push_back(i);
+  }
+
+  [[nodiscard]] Eigen::Index residuals() const {
+    return residuals_ + static_cast<Eigen::Index>(told_.size());
+  }
+  [[nodiscard]] TwinUnknowns unknowns() const {
+    const auto n = static_cast<Eigen::Index>(unknowns_.size());
+    TwinUnknowns u{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const ContactUnknown& one = unknowns_[static_cast<std::size_t>(i)];
+      u.start[i] = one.start, u.low[i] = one.low, u.high[i] = one.high;
+    }
+    return u;
+  }
+  [[nodiscard]] TwinScene scene_at(const Eigen::VectorXd& x) const {
+    TwinScene scene = scene_;
+    for (std::size_t i = 0; i < unknowns_.size(); ++i)
+      unknowns_[i].put(scene, x[static_cast<Eigen::Index>(i)]);
+    // The untouched face stays as bright as it is.
+    const double t = scene.face.layer_mm;
+    const double share = scene_.layer.reflectance(t) / scene.layer.reflectance(t);
+    for (TwinLamp& lamp : scene.lamps) lamp.power *= share;
+    scene.room_level *= share;
+    return scene;
+  }
+
+  bool evaluate(const Eigen::VectorXd& x,
+                Eigen::VectorXd& residuals,
+                Eigen::MatrixXd* slopes) const;
+  [[nodiscard]] std::vector<int> clusters() const;
+  [[nodiscard]] ContactSpread spread_of(const TwinSolution& solution) const;
+
+ private:
+  void choose(ContactChoice choice);
+  void add_log(double value,
+               double low,
+               double high,
+               double& (*of)(TwinScene&),
+               std::optional<double> ContactSpread::*sd);
+  void add_linear(double value,
+                  double low,
+                  double high,
+                  double unit,
+                  double& (*of)(TwinScene&),
+                  std::optional<double> ContactSpread::*sd);
+  void add_ball(std::size_t ball);
+  bool predict(const TwinScene& scene, std::size_t press, double* means) const;
+
+  TwinScene scene_;
+  const std::vector<TwinPatch>& patches_;
+  const std::vector<TwinPress>& presses_;
+  std::vector<ContactUnknown> unknowns_;
+  std::vector<std::size_t> told_;
+  Eigen::Index residuals_ = 0;
+};
+
+void ContactStudy::add_log(double value,
+                           double low,
+                           double high,
+                           double& (*of)(TwinScene&),
+                           std::optional<double> ContactSpread::*sd) {
+  unknowns_.push_back({std::log(std::clamp(value, low, high)),
+                       std::log(low),
+                       std::log(high),
+                       -1,
+                       [of](TwinScene& scene, double x) { of(scene) = std::exp(x); },
+                       [sd](ContactSpread& spread) { return &(spread.*sd); },
+                       [](double x) { return std::exp(x); }});
+}
+
+void ContactStudy::add_linear(double value,
+                              double low,
+                              double high,
+                              double unit,
+                              double& (*of)(TwinScene&),
+                              std::optional<double> ContactSpread::*sd) {
+  unknowns_.push_back({value / unit,
+                       low / unit,
+                       high / unit,
+                       -1,
+                       [of, unit](TwinScene& scene, double x) { of(scene) = unit * x; },
+                       [sd](ContactSpread& spread) { return &(spread.*sd); },
+                       [unit](double) { return unit; }});
+}
+
+void ContactStudy::add_ball(std::size_t ball) {
+  using Ball = ContactSpread::Ball;
+  const auto add = [&](double value,
+                       double low,
+                       double high,
+                       double unit,
+                       double TwinBall::*of,
+                       std::optional<double> Ball::*sd) {
+    unknowns_.push_back({value / unit,
+                         low / unit,
+                         high / unit,
+                         static_cast<int>(ball),
+                         [=](TwinScene& scene, double x) { scene.balls[ball].*of = unit * x; },
+                         [=](ContactSpread& spread) { return &(spread.balls[ball].*sd); },
+                         [unit](double) { return unit; }});
+  };
+  const TwinBall& b = scene_.balls[ball];
+  const double disc = b.radius_mm;
+  add(b.s_mm, b.s_mm - disc, b.s_mm + disc, 1, &TwinBall::s_mm, &Ball::s_mm);
+  add(b.y_mm, b.y_mm - disc, b.y_mm + disc, 1, &TwinBall::y_mm, &Ball::y_mm);
+  const double deepest = 0.98 * std::min(scene_.face.layer_mm, b.radius_mm);
+  add(b.depth_mm, 0.02, deepest, 1, &TwinBall::depth_mm, &Ball::depth_mm);
+  add(b.light, 0.8, 1.25, 0.1, &TwinBall::light, &Ball::light);
+}
+
+void ContactStudy::choose(ContactChoice choice) {
+  using S = TwinScene;
+  using D = ContactSpread;
+  add_log(
+      scene_.layer.scatter_per_mm,
+      0.02,
+      20,
+      [](S& s) -> double& { return s.layer.scatter_per_mm; },
+      &D::scatter_per_mm);
+  if (choice.coat)
+    add_linear(
+        std::max(0.001, scene_.layer.coat),
+        1e-6,
+        0.95,
+        1,
+        [](S& s) -> double& { return s.layer.coat; },
+        &D::coat);
+  const bool is_hertz = scene_.rolloff == TwinRolloff::kHertz;
+  add_log(
+      scene_.rolloff_mm,
+      is_hertz ? 0.01 : 0.02,
+      is_hertz ? 100 : 2,
+      [](S& s) -> double& { return s.rolloff_mm; },
+      &D::rolloff_mm);
+  if (scene_.halo != TwinHalo::kNone) {
+    add_linear(
+        scene_.halo_share,
+        1e-6,
+        0.5,
+        0.1,
+        [](S& s) -> double& { return s.halo_share; },
+        &D::halo_share);
+    add_log(
+        scene_.halo_width_mm,
+        0.1,
+        10,
+        [](S& s) -> double& { return s.halo_width_mm; },
+        &D::halo_width_mm);
+  }
+  if (scene_.halo == TwinHalo::kExponential)
+    add_log(
+        scene_.halo_steepness,
+        0.5,
+        20,
+        [](S& s) -> double& { return s.halo_steepness; },
+        &D::halo_steepness);
+  if (choice.blur)
+    add_log(
+        std::max(0.5, scene_.blur_px),
+        0.05,
+        20,
+        [](S& s) -> double& { return s.blur_px; },
+        &D::blur_px);
+  for (std::size_t ball = 0; ball < scene_.balls.size(); ++ball) add_ball(ball);
+}
+
+/// Block means of the twin's picture of one press.
+bool ContactStudy::predict(const TwinScene& scene, std::size_t press, double* means) const {
+  const auto picture = twin_picture(scene.with_ball(scene.balls[press]), 1);
+  if (!picture) return false;
+  const TwinPatch& patch = patches_[press];
+  for (const cv::Point& corner : patch.corners) {
+    double sum = 0;
+    for (int v = 0; v < patch.side_px; ++v) {
+      const auto* row = picture->ptr<float>(corner.y + v) + corner.x;
+      for (int u = 0; u < patch.side_px; ++u) sum += row[u];
+    }
+    *means++ = sum / (patch.side_px * patch.side_px);
+  }
+  return true;
+}
+
+bool ContactStudy::evaluate(const Eigen::VectorXd& x,
+                            Eigen::VectorXd& residuals_out,
+                            Eigen::MatrixXd* slopes) const {
+  residuals_out.resize(residuals());
+  if (slopes) *slopes = Eigen::MatrixXd::Zero(residuals(), x.size());
+  const TwinScene scene = scene_at(x);
+  Eigen::Index at = 0;
+  for (std::size_t press = 0; press < patches_.size(); ++press) {
+    const Eigen::Index n = patches_[press].target.size();
+    Eigen::VectorXd means(n), moved_means(n);
+    if (!predict(scene, press, means.data())) return false;
+    residuals_out.segment(at, n) = means - patches_[press].target;
+    for (std::size_t i = 0; slopes && i < unknowns_.size(); ++i) {
+      const ContactUnknown& unknown = unknowns_[i];
+      if (unknown.ball >= 0 && unknown.ball != static_cast<int>(press)) continue;
+      const auto k = static_cast<Eigen::Index>(i);
+      const double step = x[k] + kTwinStep > unknown.high ? -kTwinStep : kTwinStep;
+      Eigen::VectorXd moved = x;
+      moved[k] += step;
+      if (!predict(scene_at(moved), press, moved_means.data())) return false;
+      slopes->col(k).segment(at, n) = (moved_means - means) / step;
+    }
+    at += n;
+  }
+  for (const std::size_t press : told_) {
+    const ToldDepth& told = *presses_[press].told_depth;
+    const double weight = kTold_px * std::sqrt(static_cast<double>(patches_[press].target.size())) /
+                          (kTwinSectors * std::max(1e-3, told.sd_mm));
+    const double upright = std::cos(scene.incline_rad);  // depth along z to that along the normal
+    residuals_out[at] = weight * (upright * scene.balls[press].depth_mm - told.mm);
+    for (std::size_t i = 0; slopes && i < unknowns_.size(); ++i) {
+      TwinScene moved = scene_;
+      if (unknowns_[i].ball != static_cast<int>(press)) continue;
+      const auto k = static_cast<Eigen::Index>(i);
+      moved = scene;
+      unknowns_[i].put(moved, x[k] + kTwinStep);
+      (*slopes)(at, k) = weight * upright *
+                         (moved.balls[press].depth_mm - scene.balls[press].depth_mm) / kTwinStep;
+    }
+    ++at;
+  }
+  return true;
+}
+
+std::vector<int> ContactStudy::clusters() const {
+  std::vector<int> all;
+  for (std::size_t press = 0; press < patches_.size(); ++press)
+    for (const int sector : patches_[press].sectors)
+      all.push_back(static_cast<int>(press) * kTwinSectors + sector);
+  for (const std::size_t press : told_)
+    all.push_back(static_cast<int>((patches_.size() + press) * kTwinSectors));
+  return all;
+}
+
+ContactSpread ContactStudy::spread_of(const TwinSolution& solution) const {
+  ContactSpread spread;
+  spread.balls.resize(scene_.balls.size());
+  const auto sd = clustered_sd(solution, clusters());
+  for (std::size_t i = 0; i < unknowns_.size(); ++i)
+    if (sd[i])
+      *unknowns_[i].spread(spread) =
+          *sd[i] * unknowns_[i].value_per_unit(solution.x[static_cast<Eigen::Index>(i)]);
+  return spread;
+}
+
+struct ContactRound {
+  TwinScene scene;
+  ContactSpread spread;
+  double rms = 0;
+};
+
+class ContactSearch {
+ public:
+  ContactSearch(const std::vector<TwinPatch>& patches,
+                const std::vector<TwinPress>& presses,
+                const Job& job)
+      : patches_(patches), presses_(presses), job_(job) {}
+
+  [[nodiscard]] Result<ContactRound> solve(const TwinScene& from,
+                                           ContactChoice choice,
+                                           int iterations) const {
+    if (job_.stop_requested()) return Error{en::say("stopped before the twin was found"), "", ""};
+    const ContactStudy study(from, patches_, presses_, choice);
+    auto solution = solve_twin(
+        [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* slopes) {
+          return study.evaluate(x, r, slopes);
+        },
+        study.unknowns(),
+        study.residuals(),
+        iterations,
+        job_);
+    if (!solution) return solution.error();
+    return ContactRound{study.scene_at(solution->x), study.spread_of(*solution), solution->rms()};
+  }
+
+  /// With the halo that suits this kind of roll-off best.
+  [[nodiscard]] Result<ContactRound> solve_kind(TwinScene from, TwinRolloff rolloff) const {
+    from.rolloff = rolloff;
+    from.rolloff_mm = rolloff == TwinRolloff::kHertz ? 0.6 : 0.15;
+    from.halo = TwinHalo::kGaussian;
+    auto gaussian = solve(from, {}, 40);
+    if (!gaussian) return gaussian.error();
+    TwinScene again = gaussian->scene;
+    again.halo = TwinHalo::kExponential;
+    again.halo_steepness = 2;
+    auto exponential = solve(again, {}, 40);
+    if (!exponential) return exponential.error();
+    return exponential->rms < kWorthAKind * gaussian->rms ? exponential : gaussian;
+  }
+
+ private:
+  const std::vector<TwinPatch>& patches_;
+  const std::vector<TwinPress>& presses_;
+  const Job& job_;
+};
+
+bool is_nothing(double value, const std::optional<double>& sd) {
+  return !sd || value < kNothing_sd * *sd;
+}
+
+/// The simplest scene that is as good.
+Result<ContactRound> simplify(const ContactSearch& search, ContactRound round) {
+  ContactChoice choice;
+  TwinScene simple = round.scene;
+  choice.coat = !is_nothing(simple.layer.coat, round.spread.coat);
+  choice.blur = simple.blur_px > kLeastBlur_px && !is_nothing(simple.blur_px, round.spread.blur_px);
+  const bool no_halo = is_nothing(simple.halo_share, round.spread.halo_share);
+  if (!choice.coat) simple.layer.coat = 0;
+  if (!choice.blur) simple.blur_px = 0;
+  if (no_halo) simple.halo = TwinHalo::kNone;
+  // The powers follow the layer.
+  const double t = simple.face.layer_mm;
+  const double share = round.scene.layer.reflectance(t) / simple.layer.reflectance(t);
+  for (TwinLamp& lamp : simple.lamps) lamp.power *= share;
+  simple.room_level *= share;
+  auto last = search.solve(simple, choice, 60);
+  if (!last) return last.error();
+  // What looked like nothing was something after all: the presses need it.
+  if (last->rms > 1.02 * round.rms) return search.solve(round.scene, {}, 60);
+  return last;
+}
+
+}  // namespace
+
+TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched) {
+  TwinPatch patch;
+  patch.side_px = std::max(1, static_cast<int>(2 * press.disc_radius_px / kBlocksAcross));
+  const int side = patch.side_px;
+  const double reach = kTwinReach * press.disc_radius_px;
+  std::vector<double> target;
+  for (int v = 0; v + side <= press.grey.rows; v += side)
+    for (int u = 0; u + side <= press.grey.cols; u += side) {
+      const double du = u + 0.5 * (side - 1) - press.disc_px.x();
+      const double dv = v + 0.5 * (side - 1) - press.disc_px.y();
+      if (std::hypot(du, dv) > reach) continue;
+      double live = 0, reference = 0, twin = 0;
+      for (int i = 0; i < side; ++i)
+        for (int j = 0; j < side; ++j) {
+          live += press.grey.at<std::uint8_t>(v + i, u + j);
+          reference += press.reference.at<float>(v + i, u + j);
+          twin += untouched.at<float>(v + i, u + j);
+        }
+      if (!(reference > 0) || !std::isfinite(reference)) continue;
+      patch.corners.emplace_back(u, v);
+      target.push_back(live / reference * twin / (side * side));
+      const double turn = (std::atan2(dv, du) + std::numbers::pi) / (2 * std::numbers::pi);
+      patch.sectors.push_back(std::min(kTwinSectors - 1, static_cast<int>(kTwinSectors * turn)));
+    }
+  patch.target =
+      Eigen::Map<Eigen::VectorXd>(target.data(), static_cast<Eigen::Index>(target.size()));
+  return patch;
+}
+
+Result<TwinContact> fit_contact(const TwinScene& scene,
+                                const std::vector<TwinPatch>& patches,
+                                const std::vector<TwinPress>& presses,
+                                const Job& job) {
+  const ContactSearch search(patches, presses, job);
+  job.report(0.0, en::say("fitting the presses"));
+  auto hertz = search.solve_kind(scene, TwinRolloff::kHertz);
+  if (!hertz) return hertz.error();
+  job.report(0.4, en::say("fitting the presses"));
+  auto smooth = search.solve_kind(hertz->scene, TwinRolloff::kSmooth);
+  if (!smooth) return smooth.error();
+  const bool is_smooth = smooth->rms < hertz->rms;
+  job.report(0.8, en::say("fitting the presses"));
+  auto best = simplify(search, is_smooth ? *smooth : *hertz);
+  if (!best) return best.error();
+  return TwinContact{best->scene, best->spread, best->rms, is_smooth ? hertz->rms : smooth->rms};
+}
+
+}  // namespace alltact
