@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kPlane_mm = 30;  // where an orthographic camera's plane is put: no picture tells
 constexpr double kLightTold = 5e-4;  // a smaller change of the lamps is none
-constexpr double kBeside = 1.6;      // of the reach: beyond, a press shows the untouched face
 
 Error stopped_twin() {
   return {en::say("stopped before the twin was found"), "", ""};
@@ -62,27 +61,40 @@ Status take_poses(const TwinInput& input,
   return {};
 }
 
+/// mm on the face where a press is, about.
+double mm_per_px_at(const TwinScene& scene, const TwinPress& press) {
+  return scene.camera.model == CameraModel::kOrthographic
+             ? scene.camera.mm_per_px
+             : std::max(1.0, press.ball_mm.z() - press.ball_radius_mm) / scene.camera.fx_px;
+}
+
+/// Where the fit begins: balls as deep as their rims say, and the halo of the press that shows
+/// most.
 void place_balls(const TwinInput& input, const std::vector<TwinPose>& poses, TwinScene& scene) {
+  double brightest = 0;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
     const TwinPress& press = input.presses[i];
+    const double radius = press.ball_radius_mm, mm_per_px = mm_per_px_at(scene, press);
+    const TwinRings rings = rings_of(press);
+    const double rim =
+        std::min(0.95 * radius, mm_per_px * std::max(rings.rim_px, press.disc_radius_px));
+    const double depth = radius - std::sqrt(radius * radius - rim * rim);
     const Eigen::Vector2d place = place_under(scene, poses[i], press.ball_mm);
-    // The cap that a disc of this radius cuts off.
-    const double mm_per_px =
-        scene.camera.model == CameraModel::kOrthographic
-            ? scene.camera.mm_per_px
-            : std::max(1.0, press.ball_mm.z() - press.ball_radius_mm) / scene.camera.fx_px;
-    const double rim = std::min(0.95 * press.ball_radius_mm, mm_per_px * press.disc_radius_px);
-    const double depth =
-        press.ball_radius_mm - std::sqrt(press.ball_radius_mm * press.ball_radius_mm - rim * rim);
     scene.balls.push_back(
         {press.name,
-         press.ball_radius_mm,
+         radius,
          place.x(),
          place.y(),
          std::clamp(
              press.told_depth ? press.told_depth->mm : depth, 0.05, 0.9 * scene.face.layer_mm),
          1,
          poses[i]});
+    if (rings.brightest <= brightest) continue;
+    brightest = rings.brightest;
+    // A change of brightness is so many layers at first: t dR / (R dt) = 1 / (1 + St).
+    const double st = scene.layer.scatter_per_mm * scene.face.layer_mm;
+    scene.halo_share = std::clamp(brightest * (1 + st), 0.005, 0.45);
+    scene.halo_width_mm = std::clamp(mm_per_px * rings.halo_px, 0.2, 5.0);
   }
 }
 
@@ -122,23 +134,28 @@ cv::Mat beside_contact(const TwinPress& press, double times) {
 
 TwinNoise noise_of(const TwinInput& input) {
   const TwinPress& first = input.presses.front();
-  std::vector<NoisyPicture> alike, alone;
+  const bool is_flat = input.face.kind == FaceKind::kFlat;
+  std::vector<NoisyPicture> untouched;
   for (const cv::Mat& grey : input.untouched) {
     cv::Mat used(grey.size(), CV_8UC1, cv::Scalar(255));
-    if (input.face.kind != FaceKind::kFlat) used = first.reference > 0;
-    alike.push_back({grey, used});
+    if (!is_flat) used = first.reference > 0;
+    untouched.push_back({grey, used});
   }
-  alone = alike;
-  Message from = en::say("noise is told from {} untouched pictures", alike.size());
-  if (alike.size() == 1 && input.face.kind == FaceKind::kFlat) {
-    alike.push_back({first.grey, beside_contact(first, kBeside * kTwinReach)});
-    from = en::say("noise in time is told from one untouched picture and {} beside its contact",
-                   first.name);
-  }
-  if (alone.empty())
+  if (untouched.empty()) {
+    std::vector<NoisyPicture> pressed;
     for (const TwinPress& press : input.presses)
-      alone.push_back({press.grey, beside_contact(press, 0)});
-  return measure_noise(alike, alone, from);
+      pressed.push_back({press.grey, beside_contact(press, 0)});
+    return measure_noise({}, pressed, "");
+  }
+  if (untouched.size() > 1 || !is_flat)
+    return measure_noise(untouched,
+                         untouched,
+                         en::say("noise is told from {} untouched pictures", untouched.size()));
+  const std::vector<NoisyPicture> alike{untouched.front(),
+                                        {first.grey, beside_contact(first, kTwinReach)}};
+  const Message from = en::say(
+      "noise in time is told from one untouched picture and {} beside its contact", first.name);
+  return measure_noise(alike, untouched, from);
 }
 
 /// Where the twin's contact is in the picture.

@@ -19,7 +19,7 @@ constexpr double kTold_px =
 
 /// What is fitted at once.
 struct ContactChoice {
-  bool coat = true, blur = true;
+  bool coat = true, blur = true, light = true;
 };
 
 /// One unknown: how the scene holds it, and how it is scaled.
@@ -87,7 +87,7 @@ class ContactStudy {
                   double unit,
                   double& (*of)(TwinScene&),
                   std::optional<double> ContactSpread::*sd);
-  void add_ball(std::size_t ball);
+  void add_ball(std::size_t ball, bool with_light);
   bool predict(const TwinScene& scene, std::size_t press, double* means) const;
 
   TwinScene scene_;
@@ -127,7 +127,7 @@ void ContactStudy::add_linear(double value,
                        [unit](double) { return unit; }});
 }
 
-void ContactStudy::add_ball(std::size_t ball) {
+void ContactStudy::add_ball(std::size_t ball, bool with_light) {
   using Ball = ContactSpread::Ball;
   const auto add = [&](double value,
                        double low,
@@ -149,7 +149,7 @@ void ContactStudy::add_ball(std::size_t ball) {
   add(b.y_mm, b.y_mm - disc, b.y_mm + disc, 1, &TwinBall::y_mm, &Ball::y_mm);
   const double deepest = 0.98 * std::min(scene_.face.layer_mm, b.radius_mm);
   add(b.depth_mm, 0.02, deepest, 1, &TwinBall::depth_mm, &Ball::depth_mm);
-  add(b.light, 0.8, 1.25, 0.1, &TwinBall::light, &Ball::light);
+  if (with_light) add(b.light, 0.9, 1.1, 0.1, &TwinBall::light, &Ball::light);
 }
 
 void ContactStudy::choose(ContactChoice choice) {
@@ -205,7 +205,7 @@ void ContactStudy::choose(ContactChoice choice) {
         20,
         [](S& s) -> double& { return s.blur_px; },
         &D::blur_px);
-  for (std::size_t ball = 0; ball < scene_.balls.size(); ++ball) add_ball(ball);
+  for (std::size_t ball = 0; ball < scene_.balls.size(); ++ball) add_ball(ball, choice.light);
 }
 
 /// Block means of the twin's picture of one press.
@@ -304,7 +304,7 @@ class ContactSearch {
 
   [[nodiscard]] Result<ContactRound> solve(const TwinScene& from,
                                            ContactChoice choice,
-                                           int iterations) const {
+                                           TwinEffort effort) const {
     if (job_.stop_requested()) return Error{en::say("stopped before the twin was found"), "", ""};
     const ContactStudy study(from, patches_, presses_, choice);
     auto solution = solve_twin(
@@ -313,7 +313,7 @@ class ContactSearch {
         },
         study.unknowns(),
         study.residuals(),
-        iterations,
+        effort,
         job_);
     if (!solution) return solution.error();
     return ContactRound{study.scene_at(solution->x), study.spread_of(*solution), solution->rms()};
@@ -324,12 +324,13 @@ class ContactSearch {
     from.rolloff = rolloff;
     from.rolloff_mm = rolloff == TwinRolloff::kHertz ? 0.6 : 0.15;
     from.halo = TwinHalo::kGaussian;
-    auto gaussian = solve(from, {}, 40);
+    // First in the same light: a halo must not be taken for brighter lamps.
+    auto gaussian = solve(from, {true, true, false}, {30, 1e-4});
     if (!gaussian) return gaussian.error();
     TwinScene again = gaussian->scene;
     again.halo = TwinHalo::kExponential;
     again.halo_steepness = 2;
-    auto exponential = solve(again, {}, 40);
+    auto exponential = solve(again, {true, true, false}, {30, 1e-4});
     if (!exponential) return exponential.error();
     return exponential->rms < kWorthAKind * gaussian->rms ? exponential : gaussian;
   }
@@ -359,14 +360,41 @@ Result<ContactRound> simplify(const ContactSearch& search, ContactRound round) {
   const double share = round.scene.layer.reflectance(t) / simple.layer.reflectance(t);
   for (TwinLamp& lamp : simple.lamps) lamp.power *= share;
   simple.room_level *= share;
-  auto last = search.solve(simple, choice, 60);
+  auto last = search.solve(simple, choice, {});
   if (!last) return last.error();
   // What looked like nothing was something after all: the presses need it.
-  if (last->rms > 1.02 * round.rms) return search.solve(round.scene, {}, 60);
+  if (last->rms > 1.02 * round.rms) return search.solve(round.scene, {}, {});
   return last;
 }
 
 }  // namespace
+
+TwinRings rings_of(const TwinPress& press) {
+  const double reach = kTwinReach * press.disc_radius_px;
+  std::vector<double> sum(static_cast<std::size_t>(reach) + 1), count(sum.size());
+  for (int v = 0; v < press.grey.rows; ++v)
+    for (int u = 0; u < press.grey.cols; ++u) {
+      const double radius = std::hypot(u - press.disc_px.x(), v - press.disc_px.y());
+      const float reference = press.reference.at<float>(v, u);
+      if (!(radius < reach) || !(reference > 0)) continue;
+      sum[static_cast<std::size_t>(radius)] += press.grey.at<std::uint8_t>(v, u) / reference - 1;
+      count[static_cast<std::size_t>(radius)] += 1;
+    }
+  TwinRings rings;
+  std::vector<double> mean(sum.size());  // over three rings
+  for (std::size_t i = 1; i + 1 < sum.size(); ++i) {
+    const double n = count[i - 1] + count[i] + count[i + 1];
+    mean[i] = n > 0 ? (sum[i - 1] + sum[i] + sum[i + 1]) / n : 0;
+  }
+  const auto darkest = std::min_element(mean.begin(), mean.end());
+  auto rim = std::find_if(darkest, mean.end(), [&](double x) { return x > 0.02 * *darkest; });
+  if (rim == mean.end()) return rings;
+  rings.rim_px = static_cast<double>(rim - mean.begin());
+  const auto brightest = std::max_element(rim, mean.end());
+  rings.halo_px = static_cast<double>(brightest - rim);
+  rings.brightest = std::max(0.0, *brightest);
+  return rings;
+}
 
 TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched) {
   TwinPatch patch;

@@ -26,6 +26,14 @@ inline constexpr double kTwinReach = 2.75;  // of the dark disc's radius: beyond
 /// block can be compared.
 [[nodiscard]] TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched);
 
+/// What the rings of a press say by themselves, for the fit to begin with.
+struct TwinRings {
+  double rim_px = 0;     ///< where the face is as bright as untouched; 0: nowhere
+  double halo_px = 0;    ///< from there to the brightest ring
+  double brightest = 0;  ///< of that ring, over the untouched face, less 1; 0: there is no halo
+};
+[[nodiscard]] TwinRings rings_of(const TwinPress& press);
+
 /// Standard deviations of what was fitted; absent: not told, or not fitted.
 struct ContactSpread {
   std::optional<double> scatter_per_mm, coat, rolloff_mm, halo_share, halo_width_mm, halo_steepness,

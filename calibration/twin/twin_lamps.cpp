@@ -237,7 +237,7 @@ struct LampRound {
 Result<LampRound> refine(const LampStudy& study,
                          std::vector<TwinLamp> lamps,
                          double room,
-                         int iterations,
+                         TwinEffort effort,
                          const Job& job) {
   const LampUnknowns unknowns{study, std::move(lamps)};
   auto solution = solve_twin(
@@ -246,7 +246,7 @@ Result<LampRound> refine(const LampStudy& study,
       },
       unknowns.unknowns(room),
       study.target().size(),
-      iterations,
+      effort,
       job);
   if (!solution) return solution.error();
   LampRound round;
@@ -312,7 +312,7 @@ Result<TwinLamps> fit_lamps(const TwinScene& scene,
         lamps[i].power = std::clamp(kUnit * share, 1e-3, 8e8);
         shining.push_back(lamps[i]);
       }
-    auto round = refine(*study, std::move(shining), shares[0], 25, job);
+    auto round = refine(*study, std::move(shining), shares[0], {25, 1e-4}, job);
     if (!round) return round.error();
     if (best && round->solution.rms() > kWorthALamp * best->solution.rms()) break;
     best = std::move(*round);
@@ -322,7 +322,7 @@ Result<TwinLamps> fit_lamps(const TwinScene& scene,
     return Error{en::say("no lamp comes near the untouched picture"),
                  "",
                  en::say("checking the finger's face")};
-  auto last = refine(*study, best->lamps, best->room, 60, job);
+  auto last = refine(*study, best->lamps, best->room, {}, job);
   if (!last) return last.error();
   TwinLamps result{last->lamps, last->room < 0.05 ? 0 : last->room, {}, last->solution.rms()};
   const auto sd = clustered_sd(last->solution, study->clusters());

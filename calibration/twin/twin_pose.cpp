@@ -162,7 +162,7 @@ Result<TwinPoses> fit_poses(const std::vector<const FaceShape*>& shapes, const J
       },
       study.unknowns(),
       study.residuals(),
-      100,
+      {100, 1e-10},
       job);
   if (!solution) return solution.error();
   TwinPoses poses = study.at(solution->x);

@@ -65,7 +65,7 @@ double TwinSolution::rms() const {
 Result<TwinSolution> solve_twin(const TwinModel& model,
                                 const TwinUnknowns& unknowns,
                                 Eigen::Index residuals,
-                                int iterations,
+                                TwinEffort effort,
                                 const Job& job) {
   const Eigen::Index n = unknowns.start.size();
   TwinSolution solution;
@@ -78,9 +78,8 @@ Result<TwinSolution> solve_twin(const TwinModel& model,
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = iterations;
-  // A picture is rendered in single precision: nothing finer can be told.
-  options.function_tolerance = 1e-6;
+  options.max_num_iterations = effort.iterations;
+  options.function_tolerance = effort.least_gain;
   options.parameter_tolerance = 1e-5;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;

@@ -30,12 +30,19 @@ struct TwinSolution {
   [[nodiscard]] double rms() const;
 };
 
+/// When it is enough: so many iterations, or a relative gain below this in the sum of squares. A
+/// picture is rendered in single precision, so that nothing much finer can be told.
+struct TwinEffort {
+  int iterations = 60;
+  double least_gain = 1e-6;
+};
+
 /// By Ceres (Levenberg and Marquardt). Errors: no picture at the start, a solution that is not
 /// finite. A stopped job ends it with the best so far.
 [[nodiscard]] Result<TwinSolution> solve_twin(const TwinModel& model,
                                               const TwinUnknowns& unknowns,
                                               Eigen::Index residuals,
-                                              int iterations,
+                                              TwinEffort effort,
                                               const Job& job);
 
 /// Covariance with residuals that are independent between clusters, and anything within them (Liang
