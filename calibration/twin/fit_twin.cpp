@@ -202,18 +202,19 @@ Result<Twin> fit_twin(const TwinInput& input, const Job& job) {
   scene.room_level = lamps->room_level;
   place_balls(input, poses, scene);
 
-  std::vector<TwinPatch> patches;
+  std::vector<TwinPatch> coarse, patches;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
     const auto untouched = twin_picture(scene.untouched(poses[i]), 0);
     if (!untouched) return untouched.error();
-    patches.push_back(patch_of(input.presses[i], *untouched));
+    coarse.push_back(patch_of(input.presses[i], *untouched, true));
+    patches.push_back(patch_of(input.presses[i], *untouched, false));
     if (patches.back().target.size() < 100)
       return Error{
           en::say("{}: too little around the contact can be compared", input.presses[i].name),
           "",
           en::say("a press further from the face's edges")};
   }
-  auto contact = fit_contact(scene, patches, input.presses, Job(job, 0.3, 0.95));
+  auto contact = fit_contact(scene, coarse, patches, input.presses, Job(job, 0.3, 0.95));
   if (!contact) return contact.error();
   if (job.stop_requested()) return stopped_twin();
 

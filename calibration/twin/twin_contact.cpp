@@ -210,9 +210,19 @@ void ContactStudy::choose(ContactChoice choice) {
 
 /// Block means of the twin's picture of one press.
 bool ContactStudy::predict(const TwinScene& scene, std::size_t press, double* means) const {
-  const auto picture = twin_picture(scene.with_ball(scene.balls[press]), 1);
-  if (!picture) return false;
   const TwinPatch& patch = patches_[press];
+  TwinScene one = scene.with_ball(scene.balls[press]);
+  if (patch.is_coarse) {
+    one.camera = thinned_camera(one.camera, patch.side_px);
+    one.blur_px /= patch.side_px;
+  }
+  const auto picture = twin_picture(one, 1);
+  if (!picture) return false;
+  if (patch.is_coarse) {
+    for (const cv::Point& corner : patch.corners)
+      *means++ = picture->at<float>(corner.y / patch.side_px, corner.x / patch.side_px);
+    return true;
+  }
   for (const cv::Point& corner : patch.corners) {
     double sum = 0;
     for (int v = 0; v < patch.side_px; ++v) {
@@ -355,6 +365,7 @@ Result<ContactRound> simplify(const ContactSearch& search, ContactRound round) {
   if (!choice.coat) simple.layer.coat = 0;
   if (!choice.blur) simple.blur_px = 0;
   if (no_halo) simple.halo = TwinHalo::kNone;
+  if (choice.coat && choice.blur && !no_halo) return round;
   // The powers follow the layer.
   const double t = simple.face.layer_mm;
   const double share = round.scene.layer.reflectance(t) / simple.layer.reflectance(t);
@@ -396,9 +407,11 @@ TwinRings rings_of(const TwinPress& press) {
   return rings;
 }
 
-TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched) {
+TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched, bool is_coarse) {
   TwinPatch patch;
-  patch.side_px = std::max(1, static_cast<int>(2 * press.disc_radius_px / kBlocksAcross));
+  patch.is_coarse = is_coarse;
+  const double across = is_coarse ? kBlocksAcross / 3.0 : kBlocksAcross;
+  patch.side_px = std::max(1, static_cast<int>(2 * press.disc_radius_px / across));
   const int side = patch.side_px;
   const double reach = kTwinReach * press.disc_radius_px;
   std::vector<double> target;
@@ -426,21 +439,29 @@ TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched) {
 }
 
 Result<TwinContact> fit_contact(const TwinScene& scene,
+                                const std::vector<TwinPatch>& coarse,
                                 const std::vector<TwinPatch>& patches,
                                 const std::vector<TwinPress>& presses,
                                 const Job& job) {
-  const ContactSearch search(patches, presses, job);
+  const ContactSearch search(coarse, presses, job);
   job.report(0.0, en::say("fitting the presses"));
   auto hertz = search.solve_kind(scene, TwinRolloff::kHertz);
   if (!hertz) return hertz.error();
-  job.report(0.4, en::say("fitting the presses"));
+  job.report(0.2, en::say("fitting the presses"));
   auto smooth = search.solve_kind(hertz->scene, TwinRolloff::kSmooth);
   if (!smooth) return smooth.error();
   const bool is_smooth = smooth->rms < hertz->rms;
-  job.report(0.8, en::say("fitting the presses"));
-  auto best = simplify(search, is_smooth ? *smooth : *hertz);
+  job.report(0.5, en::say("fitting the presses"));
+  const ContactSearch closer(patches, presses, job);
+  auto all = closer.solve((is_smooth ? smooth : hertz)->scene, {}, {});
+  if (!all) return all.error();
+  auto best = simplify(closer, *all);
   if (!best) return best.error();
-  return TwinContact{best->scene, best->spread, best->rms, is_smooth ? hertz->rms : smooth->rms};
+  return TwinContact{best->scene,
+                     best->spread,
+                     best->rms,
+                     is_smooth ? TwinRolloff::kHertz : TwinRolloff::kSmooth,
+                     (is_smooth ? hertz : smooth)->rms / (is_smooth ? smooth : hertz)->rms};
 }
 
 }  // namespace alltact

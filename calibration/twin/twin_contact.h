@@ -18,13 +18,16 @@ struct TwinPatch {
   Eigen::VectorXd target;          ///< I / I_ref * T_untouched, their means, grey levels
   std::vector<int> sectors;        ///< about the contact's middle, counted from 0
   int side_px = 1;
+  /// Quick: the twin is rendered by a camera whose pixels are the blocks, without what the face
+  /// does within one.
+  bool is_coarse = false;
 };
 inline constexpr int kTwinSectors = 16;     // a press
 inline constexpr double kTwinReach = 2.75;  // of the dark disc's radius: beyond the halo
 
 /// Of a press, `untouched` being the twin's picture in the press's pose (CV_32FC1). Empty where no
-/// block can be compared.
-[[nodiscard]] TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched);
+/// block can be compared. Coarse blocks are three times as wide.
+[[nodiscard]] TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched, bool is_coarse);
 
 /// What the rings of a press say by themselves, for the fit to begin with.
 struct TwinRings {
@@ -48,14 +51,16 @@ struct TwinContact {
   TwinScene scene;  ///< as given, with the fitted numbers; the lamps' powers follow the layer
   ContactSpread spread;
   double rms = 0;  ///< of block means, grey levels
-  /// The other kind of roll-off with the halo that suits it best: rms.
-  double other_rolloff_rms = 0;
+  /// The other kind of roll-off, with the halo that suits it best, leaves so many times as much.
+  TwinRolloff other_rolloff = TwinRolloff::kHertz;
+  double other_factor = 1;
 };
 
 /// `scene` gives camera, face, lamps and where to begin, with one ball a press. Both kinds of
 /// roll-off and of halo are tried; the coat counts as black, and halo and blur as absent, where
 /// they are within two standard deviations of that.
 [[nodiscard]] Result<TwinContact> fit_contact(const TwinScene& scene,
+                                              const std::vector<TwinPatch>& coarse,
                                               const std::vector<TwinPatch>& patches,
                                               const std::vector<TwinPress>& presses,
                                               const Job& job);

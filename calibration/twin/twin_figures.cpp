@@ -67,10 +67,9 @@ void tell_layer(const TwinContact& contact, Teller& tell, Twin& twin) {
   tell.add("rolloff length_mm", en::say("roll-off length, mm"), scene.rolloff_mm, sd.rolloff_mm);
   tell.comment(
       "rolloff",
-      fmt::format("told by the rims of the contacts; the other kind leaves {:.2f} grey levels, "
-                  "this one {:.2f}",
-                  contact.other_rolloff_rms,
-                  contact.rms),
+      fmt::format("told by the rims of the contacts, where kind {} leaves {:.2f} times as much",
+                  contact.other_rolloff == TwinRolloff::kHertz ? "hertz" : "smooth",
+                  contact.other_factor),
       1);
 }
 
