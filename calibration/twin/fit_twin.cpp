@@ -206,8 +206,8 @@ Result<Twin> fit_twin(const TwinInput& input, const Job& job) {
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
     const auto untouched = twin_picture(scene.untouched(poses[i]), 0);
     if (!untouched) return untouched.error();
-    coarse.push_back(patch_of(input.presses[i], *untouched, true));
-    patches.push_back(patch_of(input.presses[i], *untouched, false));
+    coarse.push_back(patch_of(input.presses[i], *untouched, scene.camera, true));
+    patches.push_back(patch_of(input.presses[i], *untouched, scene.camera, false));
     if (patches.back().target.size() < 100)
       return Error{
           en::say("{}: too little around the contact can be compared", input.presses[i].name),

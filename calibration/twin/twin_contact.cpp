@@ -1,16 +1,20 @@
 #include "calibration/twin/twin_contact.h"
 
 #include "calibration/twin/twin_picture.h"
+#include "core/camera/camera.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
+#include <opencv2/imgproc.hpp>
+
 namespace alltact {
 namespace {
 
-constexpr int kBlocksAcross = 40;       // of a dark disc's diameter
+constexpr int kBlocksAcross = 40;  // of a dark disc's diameter
+constexpr int kBlurBorder_px = 20;
 constexpr double kWorthAKind = 0.99;    // of the residual with the simpler kind
 constexpr double kNothing_sd = 2;       // what is nearer to nothing counts as nothing
 constexpr double kLeastBlur_px = 0.25;  // narrower is none to be seen
@@ -212,6 +216,7 @@ void ContactStudy::choose(ContactChoice choice) {
 bool ContactStudy::predict(const TwinScene& scene, std::size_t press, double* means) const {
   const TwinPatch& patch = patches_[press];
   TwinScene one = scene.with_ball(scene.balls[press]);
+  one.camera = cropped_camera(one.camera, patch.view);
   if (patch.is_coarse) {
     one.camera = thinned_camera(one.camera, patch.side_px);
     one.blur_px /= patch.side_px;
@@ -220,13 +225,14 @@ bool ContactStudy::predict(const TwinScene& scene, std::size_t press, double* me
   if (!picture) return false;
   if (patch.is_coarse) {
     for (const cv::Point& corner : patch.corners)
-      *means++ = picture->at<float>(corner.y / patch.side_px, corner.x / patch.side_px);
+      *means++ = picture->at<float>((corner.y - patch.view.y) / patch.side_px,
+                                    (corner.x - patch.view.x) / patch.side_px);
     return true;
   }
   for (const cv::Point& corner : patch.corners) {
     double sum = 0;
     for (int v = 0; v < patch.side_px; ++v) {
-      const auto* row = picture->ptr<float>(corner.y + v) + corner.x;
+      const auto* row = picture->ptr<float>(corner.y - patch.view.y + v) + corner.x - patch.view.x;
       for (int u = 0; u < patch.side_px; ++u) sum += row[u];
     }
     *means++ = sum / (patch.side_px * patch.side_px);
@@ -329,20 +335,15 @@ class ContactSearch {
     return ContactRound{study.scene_at(solution->x), study.spread_of(*solution), solution->rms()};
   }
 
-  /// With the halo that suits this kind of roll-off best.
-  [[nodiscard]] Result<ContactRound> solve_kind(TwinScene from, TwinRolloff rolloff) const {
+  /// One kind of roll-off and halo, first in the same light: a halo must not be taken for brighter
+  /// lamps.
+  [[nodiscard]] Result<ContactRound> solve_kind(TwinScene from,
+                                                TwinRolloff rolloff,
+                                                TwinHalo halo) const {
+    if (from.rolloff != rolloff) from.rolloff_mm = 0.15;
     from.rolloff = rolloff;
-    from.rolloff_mm = rolloff == TwinRolloff::kHertz ? 0.6 : 0.15;
-    from.halo = TwinHalo::kGaussian;
-    // First in the same light: a halo must not be taken for brighter lamps.
-    auto gaussian = solve(from, {true, true, false}, {30, 1e-4});
-    if (!gaussian) return gaussian.error();
-    TwinScene again = gaussian->scene;
-    again.halo = TwinHalo::kExponential;
-    again.halo_steepness = 2;
-    auto exponential = solve(again, {true, true, false}, {30, 1e-4});
-    if (!exponential) return exponential.error();
-    return exponential->rms < kWorthAKind * gaussian->rms ? exponential : gaussian;
+    from.halo = halo;
+    return solve(from, {true, true, false}, {40, 1e-5});
   }
 
  private:
@@ -378,6 +379,23 @@ Result<ContactRound> simplify(const ContactSearch& search, ContactRound round) {
   return last;
 }
 
+/// The blocks' part of the picture with a border of what a blur reaches; all of it where no camera
+/// sees a part so far from the axis.
+cv::Rect view_of(const TwinPatch& patch, const CameraParameters& camera) {
+  const cv::Rect whole(0, 0, camera.width_px, camera.height_px);
+  if (patch.corners.empty()) return whole;
+  const int side = patch.side_px, border = (kBlurBorder_px / side + 1) * side;
+  cv::Rect view = cv::boundingRect(patch.corners);
+  view = cv::Rect(view.x - border,
+                  view.y - border,
+                  view.width + side + 2 * border,
+                  view.height + side + 2 * border);
+  const int left = std::max(0, view.x), top = std::max(0, view.y);
+  view = cv::Rect(left, top, view.br().x - left, view.br().y - top) & whole;
+  const CameraParameters seen = cropped_camera(camera, view);
+  return Camera::create(seen) && Camera::create(thinned_camera(seen, side)) ? view : whole;
+}
+
 }  // namespace
 
 TwinRings rings_of(const TwinPress& press) {
@@ -407,7 +425,10 @@ TwinRings rings_of(const TwinPress& press) {
   return rings;
 }
 
-TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched, bool is_coarse) {
+TwinPatch patch_of(const TwinPress& press,
+                   const cv::Mat& untouched,
+                   const CameraParameters& camera,
+                   bool is_coarse) {
   TwinPatch patch;
   patch.is_coarse = is_coarse;
   const double across = is_coarse ? kBlocksAcross / 3.0 : kBlocksAcross;
@@ -421,13 +442,16 @@ TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched, bool is_coa
       const double dv = v + 0.5 * (side - 1) - press.disc_px.y();
       if (std::hypot(du, dv) > reach) continue;
       double live = 0, reference = 0, twin = 0;
+      bool saturated = false;
       for (int i = 0; i < side; ++i)
         for (int j = 0; j < side; ++j) {
-          live += press.grey.at<std::uint8_t>(v + i, u + j);
+          const std::uint8_t level = press.grey.at<std::uint8_t>(v + i, u + j);
+          saturated |= level >= 254;
+          live += level;
           reference += press.reference.at<float>(v + i, u + j);
           twin += untouched.at<float>(v + i, u + j);
         }
-      if (!(reference > 0) || !std::isfinite(reference)) continue;
+      if (saturated || !(reference > 0) || !std::isfinite(reference)) continue;
       patch.corners.emplace_back(u, v);
       target.push_back(live / reference * twin / (side * side));
       const double turn = (std::atan2(dv, du) + std::numbers::pi) / (2 * std::numbers::pi);
@@ -435,6 +459,7 @@ TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched, bool is_coa
     }
   patch.target =
       Eigen::Map<Eigen::VectorXd>(target.data(), static_cast<Eigen::Index>(target.size()));
+  patch.view = view_of(patch, camera);
   return patch;
 }
 
@@ -445,15 +470,19 @@ Result<TwinContact> fit_contact(const TwinScene& scene,
                                 const Job& job) {
   const ContactSearch search(coarse, presses, job);
   job.report(0.0, en::say("fitting the presses"));
-  auto hertz = search.solve_kind(scene, TwinRolloff::kHertz);
+  auto hertz = search.solve_kind(scene, TwinRolloff::kHertz, TwinHalo::kGaussian);
   if (!hertz) return hertz.error();
-  job.report(0.2, en::say("fitting the presses"));
-  auto smooth = search.solve_kind(hertz->scene, TwinRolloff::kSmooth);
+  auto exponential = search.solve_kind(hertz->scene, TwinRolloff::kHertz, TwinHalo::kExponential);
+  if (!exponential) return exponential.error();
+  const bool is_long = exponential->rms < kWorthAKind * hertz->rms;
+  if (is_long) hertz = std::move(exponential);
+  job.report(0.3, en::say("fitting the presses"));
+  auto smooth = search.solve_kind(hertz->scene, TwinRolloff::kSmooth, hertz->scene.halo);
   if (!smooth) return smooth.error();
-  const bool is_smooth = smooth->rms < hertz->rms;
+  const bool is_smooth = smooth->rms < kWorthAKind * hertz->rms;
   job.report(0.5, en::say("fitting the presses"));
   const ContactSearch closer(patches, presses, job);
-  auto all = closer.solve((is_smooth ? smooth : hertz)->scene, {}, {});
+  auto all = closer.solve((is_smooth ? smooth : hertz)->scene, {}, {40, 1e-5});
   if (!all) return all.error();
   auto best = simplify(closer, *all);
   if (!best) return best.error();

@@ -17,6 +17,7 @@ struct TwinPatch {
   std::vector<cv::Point> corners;  ///< of blocks; all their pixels are on the face
   Eigen::VectorXd target;          ///< I / I_ref * T_untouched, their means, grey levels
   std::vector<int> sectors;        ///< about the contact's middle, counted from 0
+  cv::Rect view;  ///< part of the picture that is rendered: these blocks, and what blurs into them
   int side_px = 1;
   /// Quick: the twin is rendered by a camera whose pixels are the blocks, without what the face
   /// does within one.
@@ -27,7 +28,10 @@ inline constexpr double kTwinReach = 2.75;  // of the dark disc's radius: beyond
 
 /// Of a press, `untouched` being the twin's picture in the press's pose (CV_32FC1). Empty where no
 /// block can be compared. Coarse blocks are three times as wide.
-[[nodiscard]] TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched, bool is_coarse);
+[[nodiscard]] TwinPatch patch_of(const TwinPress& press,
+                                 const cv::Mat& untouched,
+                                 const CameraParameters& camera,
+                                 bool is_coarse);
 
 /// What the rings of a press say by themselves, for the fit to begin with.
 struct TwinRings {

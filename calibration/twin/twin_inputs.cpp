@@ -14,7 +14,8 @@
 namespace alltact {
 namespace {
 
-constexpr double kMargin_px = 4;  // of the face's edges: blur carries what is beside them in
+constexpr float kSaturated = 253.5F;  // grey levels: the light may have been any that is brighter
+constexpr double kMargin_px = 4;      // of the face's edges: blur carries what is beside them in
 
 /// The finger as it is measured: an orthographic camera's plane may lie anywhere.
 struct Measuring {
@@ -83,6 +84,7 @@ cv::Mat on_face(const cv::Mat& reference, const FaceShape& shape) {
     const cv::Rect part(run.first, run.row, run.size(), 1);
     reference(part).copyTo(result(part));
   }
+  result.setTo(std::numeric_limits<float>::quiet_NaN(), reference > kSaturated);
   return result;
 }
 
@@ -130,7 +132,8 @@ Result<Seen> see(Measuring& measuring, const FramePtr& frame) {
   if (!measuring.one || !measuring.is_flat()) {
     seen.reference = on_face(reference->picture.grey(), *seen.shape);
   } else {
-    if (measuring.shared.empty()) measuring.shared = reference->picture.grey();
+    if (measuring.shared.empty())
+      measuring.shared = on_face(reference->picture.grey(), *seen.shape);
     seen.reference = measuring.shared;
   }
   return seen;

@@ -12,6 +12,15 @@ Result<cv::Mat> twin_picture(const TwinScene& scene, int frame) {
   return plan->render(frame);
 }
 
+CameraParameters cropped_camera(const CameraParameters& camera, const cv::Rect& part) {
+  CameraParameters cropped = camera;
+  cropped.width_px = part.width;
+  cropped.height_px = part.height;
+  cropped.cx_px = camera.cx_px - part.x;
+  cropped.cy_px = camera.cy_px - part.y;
+  return cropped;
+}
+
 CameraParameters thinned_camera(const CameraParameters& camera, int side) {
   CameraParameters thin = camera;
   thin.width_px = camera.width_px / side;

@@ -62,28 +62,29 @@ void smooth(BallPress& press, double length_mm) {
   };
   const int n = static_cast<int>((press.rim_mm + 4 * length_mm) / BallPress::kStep_mm) + 2;
   press.profile_mm.clear();
-  // Where the rim does not reach, the profile is as smooth as the ball: some of it and the cubic
-  // through them will do, within 1e-8 mm.
+  // Up to `end` from every `some`-th place and Lagrange's cubic through them.
+  const auto fill = [&](int end, int some) {
+    const int first = static_cast<int>(press.profile_mm.size());
+    const auto place = [&](int i) { return std::abs(i) * BallPress::kStep_mm; };
+    double before = blurred_at(place(first - some)), a = blurred_at(place(first)),
+           b = blurred_at(place(first + some));
+    for (int i = first; i < end; i += some) {
+      const double after = blurred_at(place(i + 2 * some));
+      for (int k = 0; k < some && i + k < end; ++k) {
+        const double t = static_cast<double>(k) / some;
+        press.profile_mm.push_back(static_cast<float>(
+            -t * (t - 1) * (t - 2) / 6 * before + (t + 1) * (t - 1) * (t - 2) / 2 * a -
+            (t + 1) * t * (t - 2) / 2 * b + (t + 1) * t * (t - 1) / 6 * after));
+      }
+      before = a, a = b, b = after;
+    }
+  };
+  // Where the rim does not reach, the profile is as smooth as the ball; elsewhere as the Gaussian.
+  // Both stay within 1e-6 mm.
   constexpr int kSome = 8;
   const double inner_mm = press.rim_mm - 4.2 * length_mm - 2 * kSome * BallPress::kStep_mm;
-  const int cells = static_cast<int>(inner_mm / (kSome * BallPress::kStep_mm));
-  if (cells > 2) {
-    std::vector<double> some;
-    for (int i = 0; i <= cells + 1; ++i)
-      some.push_back(blurred_at(i * kSome * BallPress::kStep_mm));
-    for (int i = 0; i < kSome * cells; ++i) {
-      const auto cell = static_cast<std::size_t>(i / kSome);
-      const double t = static_cast<double>(i % kSome) / kSome;
-      const double before = some[cell == 0 ? 1 : cell - 1];  // alike on both sides of the axis
-      const double a = some[cell], b = some[cell + 1], after = some[cell + 2];
-      // Lagrange's cubic.
-      press.profile_mm.push_back(static_cast<float>(
-          -t * (t - 1) * (t - 2) / 6 * before + (t + 1) * (t - 1) * (t - 2) / 2 * a -
-          (t + 1) * t * (t - 2) / 2 * b + (t + 1) * t * (t - 1) / 6 * after));
-    }
-  }
-  for (int i = static_cast<int>(press.profile_mm.size()); i < n; ++i)
-    press.profile_mm.push_back(static_cast<float>(blurred_at(i * BallPress::kStep_mm)));
+  if (inner_mm > 0) fill(static_cast<int>(inner_mm / BallPress::kStep_mm), kSome);
+  fill(n, std::clamp(static_cast<int>(length_mm / 16 / BallPress::kStep_mm), 1, kSome));
   press.contact_radius_mm = 0;
 }
 
