@@ -470,7 +470,17 @@ Result<TwinContact> fit_contact(const TwinScene& scene,
                                 const Job& job) {
   const ContactSearch search(coarse, presses, job);
   job.report(0.0, en::say("fitting the presses"));
-  auto hertz = search.solve_kind(scene, TwinRolloff::kHertz, TwinHalo::kGaussian);
+  // Over a black coat, and with the halo that is seen or with a usual one first: depth and
+  // scattering take each other's place, and a fit that may change all at once ends anywhere.
+  std::optional<ContactRound> begun;
+  TwinScene usual = scene;
+  usual.halo_share = 0.06, usual.halo_width_mm = scene.face.layer_mm;
+  for (const TwinScene& from : {scene, usual}) {
+    auto round = search.solve(from, {false, true, false}, {40, 1e-4});
+    if (!round) return round.error();
+    if (!begun || round->rms < begun->rms) begun = std::move(*round);
+  }
+  auto hertz = search.solve_kind(begun->scene, TwinRolloff::kHertz, TwinHalo::kGaussian);
   if (!hertz) return hertz.error();
   auto exponential = search.solve_kind(hertz->scene, TwinRolloff::kHertz, TwinHalo::kExponential);
   if (!exponential) return exponential.error();
