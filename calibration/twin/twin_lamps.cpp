@@ -312,7 +312,7 @@ Result<TwinLamps> fit_lamps(const TwinScene& scene,
         lamps[i].power = std::clamp(kUnit * share, 1e-3, 8e8);
         shining.push_back(lamps[i]);
       }
-    auto round = refine(*study, std::move(shining), shares[0], {25, 1e-4}, job);
+    auto round = refine(*study, std::move(shining), shares[0], {8, 1e-3}, job);
     if (!round) return round.error();
     if (best && round->solution.rms() > kWorthALamp * best->solution.rms()) break;
     best = std::move(*round);
@@ -322,7 +322,7 @@ Result<TwinLamps> fit_lamps(const TwinScene& scene,
     return Error{en::say("no lamp comes near the untouched picture"),
                  "",
                  en::say("checking the finger's face")};
-  auto last = refine(*study, best->lamps, best->room, {}, job);
+  auto last = refine(*study, best->lamps, best->room, {30, 1e-5}, job);
   if (!last) return last.error();
   TwinLamps result{last->lamps, last->room < 0.05 ? 0 : last->room, {}, last->solution.rms()};
   const auto sd = clustered_sd(last->solution, study->clusters());

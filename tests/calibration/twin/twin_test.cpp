@@ -79,10 +79,8 @@ struct HiddenWorld {
       const cv::Mat grey = plan.render(frame);
       if (frame == 0) {
         EXPECT_TRUE(write_picture(untouched(), grey).ok());
-        if (getenv("KEEP")) (void)write_picture("/tmp/fit/w0.png", grey);
         continue;
       }
-      if (getenv("KEEP")) (void)write_picture("/tmp/fit/w1.png", grey);
       Frame press;
       press.grey = grey;
       press.name = truth.balls[static_cast<std::size_t>(frame) - 1].press;
@@ -105,11 +103,18 @@ struct HiddenWorld {
   TwinFiles files;
 };
 
-double value_of(const Twin& twin, const std::string& key) {
-  for (const TwinFigure& figure : twin.figures)
-    if (figure.key == key) return figure.value;
-  ADD_FAILURE() << "no figure " << key;
-  return 0;
+/// A figure is what it is in truth, within four of its standard deviations and a part of itself
+/// that the lamps' and the face's misfit may take.
+void expect_found(
+    const Twin& twin, const std::string& key, double truth, double part, unsigned seed) {
+  for (const TwinFigure& figure : twin.figures) {
+    if (figure.key != key) continue;
+    ASSERT_TRUE(figure.sd.has_value()) << key << ' ' << seed;
+    EXPECT_NEAR(figure.value, truth, 4 * *figure.sd + part * truth) << key << ' ' << seed;
+    EXPECT_LT(*figure.sd, 0.5 * truth) << key << ' ' << seed;
+    return;
+  }
+  ADD_FAILURE() << "no figure " << key << " in world " << seed;
 }
 
 /// RMS between two float pictures within `reach` pixels of a place, where the first is above 0.
@@ -125,7 +130,7 @@ double rms_between(const cv::Mat& a, const cv::Mat& b, Eigen::Vector2d at, doubl
 }
 
 TEST(Twin, OfHiddenFingersIsFound) {
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
     const HiddenWorld world(hidden_finger(seed));
     const auto measured = world.measure();
     ASSERT_TRUE(measured.ok()) << seed << ' ' << measured.error().sentence();
@@ -154,14 +159,12 @@ TEST(Twin, OfHiddenFingersIsFound) {
         truth.balls[0].depth_mm,
         twin->untouched_rms);
     EXPECT_EQ(twin->scene.rolloff, TwinRolloff::kHertz) << seed;
-    EXPECT_NEAR(value_of(*twin, "scatter_per_mm"),
-                truth.layer.scatter_per_mm,
-                0.15 * truth.layer.scatter_per_mm)
-        << seed;
-    EXPECT_NEAR(value_of(*twin, "rolloff length_mm"), truth.rolloff_mm, 0.2 * truth.rolloff_mm)
-        << seed;
-    EXPECT_NEAR(value_of(*twin, "bulge share"), truth.halo_share, 0.15 * truth.halo_share) << seed;
-    EXPECT_NEAR(value_of(*twin, "blur_px"), truth.blur_px, 0.25) << seed;
+    expect_found(*twin, "scatter_per_mm", truth.layer.scatter_per_mm, 0.05, seed);
+    expect_found(*twin, "rolloff length_mm", truth.rolloff_mm, 0.05, seed);
+    expect_found(*twin, "bulge share", truth.halo_share, 0.05, seed);
+    expect_found(*twin, "bulge width_mm", truth.halo_width_mm, 0.05, seed);
+    expect_found(*twin, "blur_px", truth.blur_px, 0.05, seed);
+    EXPECT_LT(twin->untouched_rms, 2.0) << seed;
     EXPECT_NEAR(twin->scene.read_sd, truth.read_sd, 0.05) << seed;
     for (std::size_t i = 0; i < truth.balls.size(); ++i) {
       EXPECT_NEAR(twin->scene.balls[i].depth_mm, truth.balls[i].depth_mm, 0.05) << seed;
