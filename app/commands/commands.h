@@ -49,6 +49,16 @@ struct SimulateOptions {
 };
 /// Renders a scene and writes its truth beside it.
 Status run_simulate(const SimulateOptions& options, Console& console);
+
+struct SimulateFitOptions {
+  Path finger;
+  std::vector<Path> presses;    ///< empty: those that the finger keeps
+  std::vector<Path> untouched;  ///< empty: the finger's own reference
+  double ball_radius_mm = 0;    ///< 0: that of the finger's presses
+  Path scene;                   ///< to be written
+};
+/// Writes the scene whose pictures come out as a real finger's do (twin.h).
+Status run_simulate_fit(const SimulateFitOptions& options, Console& console);
 /// Prints what every effect of the simulation costs on this computer.
 Status run_simulate_costs(Console& console);
 /// Tells what effects there are, or what one takes. Error: there is no such effect.

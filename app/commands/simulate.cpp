@@ -264,12 +264,18 @@ Status run_simulate_costs(Console& console) {
 
 void add_simulate(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<SimulateOptions>();
+  auto fit = std::make_shared<SimulateFitOptions>();
+  auto inputs = std::make_shared<std::vector<Path>>();
   CLI::App* command = add_command(program, "simulate");
   CLI::Option* costs = command->add_flag(
       "--costs", options->costs, "Instead: what every effect costs in time on this computer");
-  CLI::Option* scene = command->add_option("SCENE", options->scene, "Scene file (YAML)");
-  CLI::Option* output = command->add_option("-o,--output", options->folder, "Folder for the frames")
-                            ->type_name("DIR");
+  CLI::Option* scene = command->add_option(
+      "SCENE", *inputs, "Scene file (YAML); with --fit pictures of the pressed ball");
+  CLI::Option* output =
+      command
+          ->add_option(
+              "-o,--output", options->folder, "Folder for the frames; with --fit the scene file")
+          ->type_name("DIR");
   CLI::Option* effects =
       command
           ->add_option("--effects",
@@ -279,28 +285,59 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
           ->expected(0, 1)
           ->excludes(costs);
   for (CLI::Option* option : {scene, output}) option->excludes(costs)->excludes(effects);
-  command
-      ->add_option(
-          "--frames", options->frames, "Only the first so many frames (default: all of the scene)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000000));
-  command->add_option("--seed", options->seed, "Of everything random, 0 to 2^64 - 1 (default 1)")
-      ->type_name("S");
-  command->add_flag(
+  CLI::Option* frames =
+      command
+          ->add_option("--frames",
+                       options->frames,
+                       "Only the first so many frames (default: all of the scene)")
+          ->type_name("N")
+          ->check(CLI::Range(1, 1000000));
+  CLI::Option* seed =
+      command
+          ->add_option("--seed", options->seed, "Of everything random, 0 to 2^64 - 1 (default 1)")
+          ->type_name("S");
+  CLI::Option* video = command->add_flag(
       "--video", options->video, "One lossless video, frames.mkv, instead of pictures");
-  command->add_flag("--maps",
-                    options->maps,
-                    "Also the truth of every pixel: what touches (.contact.png, 1 + its number), "
-                    "normals and the light without presses (.normal.tiff, .untouched.tiff), and "
-                    "what is seen (.seen.png: 1 face, 2 side, 3 dot, 4 hidden dot)");
-  command
-      ->add_flag("--explain",
-                 options->explain,
-                 "Only tell which effects are built, in which frames, and why; without -o")
-      ->excludes(output)
-      ->excludes(costs)
-      ->excludes(effects);
+  CLI::Option* maps = command->add_flag(
+      "--maps",
+      options->maps,
+      "Also the truth of every pixel: what touches (.contact.png, 1 + its number), normals and the "
+      "light without presses (.normal.tiff, .untouched.tiff), and what is seen (.seen.png: 1 face, "
+      "2 side, 3 dot, 4 hidden dot)");
+  CLI::Option* explained =
+      command
+          ->add_flag("--explain",
+                     options->explain,
+                     "Only tell which effects are built, in which frames, and why; without -o")
+          ->excludes(output)
+          ->excludes(costs)
+          ->excludes(effects);
   add_threads_flag(*command, options->threads);
+  CLI::Option* fitted =
+      command
+          ->add_option("--fit",
+                       fit->finger,
+                       "Instead: writes the scene of a twin, whose pictures come out as those of "
+                       "this finger: the given presses, or those that it keeps")
+          ->type_name("FINGER");
+  for (CLI::Option* option : {costs, effects, frames, seed, video, maps, explained})
+    option->excludes(fitted);
+  command
+      ->add_option("--ball-radius-mm",
+                   fit->ball_radius_mm,
+                   "With --fit: radius of the ball, mm (default: what the finger keeps)")
+      ->type_name("R")
+      ->check(CLI::PositiveNumber)
+      ->needs(fitted);
+  command
+      ->add_option("--reference",
+                   fit->untouched,
+                   "With --fit: the untouched picture, where the finger keeps none; a second of "
+                   "the same pose tells the camera's noise in time")
+      ->type_name("IMAGE")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->needs(fitted);
   command->callback([=, &chosen] {
     if (options->costs) {
       chosen = run_simulate_costs;
@@ -310,8 +347,17 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
       chosen = [=](Console& console) { return run_simulate_effects(options->effect, console); };
       return;
     }
-    if (scene->count() == 0) throw CLI::RequiredError(scene->get_name());
+    if (scene->count() == 0 && fitted->count() == 0) throw CLI::RequiredError(scene->get_name());
     if (!options->explain && output->count() == 0) throw CLI::RequiredError(output->get_name());
+    if (fitted->count() > 0) {
+      fit->presses = *inputs;
+      fit->scene = options->folder;
+      chosen = [=](Console& console) { return run_simulate_fit(*fit, console); };
+      return;
+    }
+    if (inputs->size() > 1)
+      throw CLI::ArgumentMismatch::AtMost(scene->get_name(), 1, inputs->size());
+    options->scene = inputs->front();
     chosen = [=](Console& console) { return run_simulate(*options, console); };
   });
 }

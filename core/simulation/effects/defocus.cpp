@@ -1,7 +1,9 @@
 // What is not in focus is blurred. A thin lens images a point at distance z as a disc of diameter
 // c = aperture * f |1 / focus - 1 / z| pixels, f the camera's focal length in pixels. Here it is
 // the Gaussian of the disc's variance, sd = c / 4 along each axis, by the view face's distance
-// where the column meets the picture's middle row.
+// where the column meets the picture's middle row. `sd_px` in place of focus and aperture names
+// that sd itself, the same everywhere: of a lens of which only the blur is known, or a picture that
+// was resampled.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 
@@ -23,18 +25,21 @@ ALLTACT_WIDE void add_weighted(int n,
 class Defocus final : public SensorEffect {
  public:
   explicit Defocus(YamlSection& p)
-      : focus_mm_(p.number("focus_mm", strength_up_to(1e5))),
-        aperture_mm_(p.number("aperture_mm", strength_up_to(100))) {}
+      : sd_px_(p.has("sd_px") ? p.number("sd_px", strength_up_to(50)) : 0) {
+    if (sd_px_ > 0) return;
+    focus_mm_ = p.number("focus_mm", strength_up_to(1e5));
+    aperture_mm_ = p.number("aperture_mm", strength_up_to(100));
+  }
 
   Message sentence() const override {
     return en::say("What is not at the distance of sharp focus is blurred");
   }
 
   Status fits(const SceneFacts& scene) const override {
-    if (scene.finger.camera.model == CameraModel::kOrthographic)
+    if (sd_px_ == 0 && scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{en::say("an orthographic camera has no focal length to blur by"),
                    "",
-                   en::say("leave defocus out")};
+                   en::say("sd_px in place of focus_mm and aperture_mm")};
     return {};
   }
 
@@ -63,6 +68,9 @@ class Defocus final : public SensorEffect {
  private:
   [[nodiscard]] cv::Mat_<float> kernels(const FrameContext& frame,
                                         const FrameGeometry& geometry) const {
+    if (sd_px_ > 0)
+      return kernels(
+          std::vector<double>(static_cast<std::size_t>(frame.finger.camera.width_px), sd_px_));
     const CameraParameters& camera = frame.finger.camera;
     RowScratch scratch(camera.width_px);
     RowView row(camera.width_px, scratch);
@@ -73,10 +81,16 @@ class Defocus final : public SensorEffect {
       const double z = row.face.z_mm[u];
       sd.push_back(aperture_mm_ * camera.fx_px * std::abs(1 / focus_mm_ - 1 / z) / 4);
     }
+    return kernels(sd);
+  }
+
+  // Of each column's standard deviation.
+  [[nodiscard]] static cv::Mat_<float> kernels(const std::vector<double>& sd) {
     const double widest = *std::max_element(sd.begin(), sd.end());
     const int half = std::min(kWidestBlur_px, static_cast<int>(std::ceil(4 * widest)));
-    cv::Mat_<float> weights(half + 1, row.width);
-    for (int u = 0; u < row.width; ++u) {
+    const int width = static_cast<int>(sd.size());
+    cv::Mat_<float> weights(half + 1, width);
+    for (int u = 0; u < width; ++u) {
       const double s = std::max(sd[static_cast<std::size_t>(u)], kLeastBlur_px);
       double sum = 1;
       for (int i = 1; i <= half; ++i) sum += 2 * std::exp(-0.5 * i * i / (s * s));
@@ -86,7 +100,8 @@ class Defocus final : public SensorEffect {
     return weights;
   }
 
-  double focus_mm_, aperture_mm_;
+  double sd_px_;  // 0: by distance
+  double focus_mm_ = 0, aperture_mm_ = 0;
 };
 
 }  // namespace

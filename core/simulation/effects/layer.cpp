@@ -1,9 +1,12 @@
 // Brightness of the translucent layer over its black coat by Kubelka and Munk: with scattering S
 // and absorption K per mm, a layer of thickness t reflects
 //   R = sinh(bSt) / (a sinh(bSt) + b cosh(bSt)),  a = (S + K) / S,  b = sqrt(a^2 - 1),
-// which without absorption is St / (1 + St).
+// which without absorption is St / (1 + St). Over a coat that is not black but reflects a share G,
+//   R = (1 - G (a - b coth(bSt))) / (a - G + b coth(bSt)),
+// without absorption ((1 - G) St + G) / ((1 - G) St + 1).
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
+#include "core/simulation/layer_reflectance.h"
 
 namespace alltact {
 
@@ -36,11 +39,24 @@ ALLTACT_WIDE void reflect_by_normal(int first,
   }
 }
 
+ALLTACT_WIDE void reflect_over_coat(int first,
+                                    int last,
+                                    float scatter,
+                                    float coat,
+                                    const float* __restrict thickness,
+                                    float* __restrict light) {
+  for (int u = first; u < last; ++u) {
+    const float t = (1.0F - coat) * scatter * thickness[u];
+    light[u] *= (t + coat) / (t + 1.0F);
+  }
+}
+
 class Layer final : public RadianceEffect {
  public:
   explicit Layer(YamlSection& p)
-      : scatter_per_mm_(p.number("scatter_per_mm", strength_up_to(100))),
-        absorb_per_mm_(p.number_or("absorb_per_mm", 0, strength_up_to(100))),
+      : optics_{p.number("scatter_per_mm", strength_up_to(100)),
+                p.number_or("absorb_per_mm", 0, strength_up_to(100)),
+                p.number_or("coat", 0, {0, 1, true, true, true})},
         along_z_(p.choice("along", {"normal", "z"}) == 1) {}
 
   Message sentence() const override {
@@ -49,7 +65,7 @@ class Layer final : public RadianceEffect {
 
   std::unique_ptr<const Rows> begin(const FrameContext&,
                                     const FrameGeometry& geometry) const override {
-    if (absorb_per_mm_ == 0) return std::make_unique<Scattering>(*this);
+    if (optics_.absorb_per_mm == 0) return std::make_unique<Scattering>(*this);
     return std::make_unique<Absorbing>(*this, kThickest * geometry.greatest_t0_mm());
   }
 
@@ -86,11 +102,15 @@ class Layer final : public RadianceEffect {
   class Scattering final : public LayerRows {
    public:
     explicit Scattering(const Layer& layer)
-        : LayerRows(layer.along_z_), scatter_(static_cast<float>(layer.scatter_per_mm_)) {}
+        : LayerRows(layer.along_z_),
+          scatter_(static_cast<float>(layer.optics_.scatter_per_mm)),
+          coat_(static_cast<float>(layer.optics_.coat)) {}
     void row(RowView& row) const override {
       const FaceRow& face = row.face;
       float* light = row.surfaces[0].light;
-      if (!is_changed(row) && along_z())
+      if (coat_ > 0)
+        reflect_over_coat(face.first, face.last, scatter_, coat_, thickness(row), light);
+      else if (!is_changed(row) && along_z())
         reflect(face.first, face.last, scatter_, face.luf_mm, light);
       else if (!is_changed(row))
         reflect_by_normal(face.first, face.last, scatter_, face.luf_mm, face.cos_incline, light);
@@ -99,7 +119,7 @@ class Layer final : public RadianceEffect {
     }
 
    private:
-    float scatter_;
+    float scatter_, coat_;
   };
 
   // By table, 1e-7 from the formula.
@@ -107,7 +127,7 @@ class Layer final : public RadianceEffect {
    public:
     Absorbing(const Layer& layer, double thickest_mm) : LayerRows(layer.along_z_) {
       for (int i = 0; i <= kTable; ++i)
-        table_.push_back(static_cast<float>(layer.reflectance(thickest_mm * i / kTable)));
+        table_.push_back(static_cast<float>(layer.optics_.reflectance(thickest_mm * i / kTable)));
       per_mm_ = static_cast<float>(kTable / thickest_mm);
     }
     void row(RowView& row) const override {
@@ -125,16 +145,7 @@ class Layer final : public RadianceEffect {
     float per_mm_;
   };
 
-  // R = E / (a E + b (E + 2)) with E = expm1(2 b S t): nothing cancels for thin layers or weak
-  // absorption.
-  [[nodiscard]] double reflectance(double thickness_mm) const {
-    const double k = absorb_per_mm_ / scatter_per_mm_;
-    const double a = 1 + k, b = std::sqrt(k * (2 + k));
-    const double e = std::expm1(2 * b * scatter_per_mm_ * thickness_mm);
-    return std::isinf(e) ? 1 / (a + b) : e / (a * e + b * (e + 2));
-  }
-
-  double scatter_per_mm_, absorb_per_mm_;
+  LayerOptics optics_;
   bool along_z_;
 };
 

@@ -48,21 +48,44 @@ void smooth(BallPress& press, double length_mm) {
   const double step = length_mm / 6;
   const std::vector<double> weights = gaussian(6);
   const int half = static_cast<int>(weights.size() / 2);
-  std::vector<float> blurred;
-  const int n = static_cast<int>((press.rim_mm + 4 * length_mm) / BallPress::kStep_mm) + 2;
-  for (int i = 0; i < n; ++i) {
-    const double r = i * BallPress::kStep_mm;
+  const auto blurred_at = [&](double r) {
     double sum = 0;
-    for (int j = -half; j <= half; ++j)
-      for (int k = -half; k <= half; ++k) {
-        const double from_axis = std::hypot(r + j * step, k * step);
-        if (from_axis < press.rim_mm)
-          sum += weights[static_cast<std::size_t>(j + half)] *
-                 weights[static_cast<std::size_t>(k + half)] * press.ball_profile(from_axis);
+    for (int j = -half; j <= half; ++j) {
+      const double along = r + j * step, weight = weights[static_cast<std::size_t>(j + half)];
+      for (int k = 0; k <= half; ++k) {  // alike on both sides
+        const double from_axis = std::sqrt(along * along + k * step * k * step);
+        if (from_axis >= press.rim_mm) break;
+        sum += (k == 0 ? weight : 2 * weight) * weights[static_cast<std::size_t>(k + half)] *
+               press.ball_profile(from_axis);
       }
-    blurred.push_back(static_cast<float>(sum));
-  }
-  press.profile_mm = std::move(blurred);
+    }
+    return sum;
+  };
+  const int n = static_cast<int>((press.rim_mm + 4 * length_mm) / BallPress::kStep_mm) + 2;
+  press.profile_mm.clear();
+  // Up to `end` from every `some`-th place and Lagrange's cubic through them.
+  const auto fill = [&](int end, int some) {
+    const int first = static_cast<int>(press.profile_mm.size());
+    const auto place = [&](int i) { return std::abs(i) * BallPress::kStep_mm; };
+    double before = blurred_at(place(first - some)), a = blurred_at(place(first)),
+           b = blurred_at(place(first + some));
+    for (int i = first; i < end; i += some) {
+      const double after = blurred_at(place(i + 2 * some));
+      for (int k = 0; k < some && i + k < end; ++k) {
+        const double t = static_cast<double>(k) / some;
+        press.profile_mm.push_back(static_cast<float>(
+            -t * (t - 1) * (t - 2) / 6 * before + (t + 1) * (t - 1) * (t - 2) / 2 * a -
+            (t + 1) * t * (t - 2) / 2 * b + (t + 1) * t * (t - 1) / 6 * after));
+      }
+      before = a, a = b, b = after;
+    }
+  };
+  // Where the rim does not reach, the profile is as smooth as the ball; elsewhere as the Gaussian.
+  // Both stay within 1e-6 mm.
+  constexpr int kSome = 8;
+  const double inner_mm = press.rim_mm - 4.2 * length_mm - 2 * kSome * BallPress::kStep_mm;
+  if (inner_mm > 0) fill(static_cast<int>(inner_mm / BallPress::kStep_mm), kSome);
+  fill(n, std::clamp(static_cast<int>(length_mm / 16 / BallPress::kStep_mm), 1, kSome));
   press.contact_radius_mm = 0;
 }
 

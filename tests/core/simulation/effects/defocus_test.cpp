@@ -47,5 +47,29 @@ TEST(Defocus, WhereTheFaceIsInFocusNothingChanges) {
               HasSubstr("orthographic"));
 }
 
+TEST(Defocus, ItsSdCanBeNamedForAnyCamera) {
+  const std::string camera =
+      "model: orthographic, size: [320, 180], mm_per_px: 0.1, cx: 158.5, cy: 90.25";
+  const std::string ball =
+      kFaceAndLamps + "  - {use: ball, radius_mm: 4, s_mm: 0, y_mm: 0, depth_mm: 0.9}\n";
+  const cv::Mat_<float> sharp = rendered(flat_text(ball, camera));
+  Parameters random(21);
+  for (int i = 0; i < 3; ++i) {
+    const double sd = random.between(0.4, 3);
+    const cv::Mat_<float> got =
+        rendered(flat_text(ball + fmt::format("  - {{use: defocus, sd_px: {}}}\n", sd), camera));
+    for (int u = 100; u < 220; u += 9) {
+      double sum = 0, weights = 0;
+      for (int dv = -20; dv <= 20; ++dv)
+        for (int du = -20; du <= 20; ++du) {
+          const double weight = std::exp(-0.5 * (du * du + dv * dv) / (sd * sd));
+          sum += weight * sharp(90 + dv, u + du);
+          weights += weight;
+        }
+      EXPECT_NEAR(got(90, u), sum / weights, 3e-4 * 255) << u << ' ' << sd;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace alltact
