@@ -4470,10 +4470,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Grad der glatten Kurve durch jede Kante der Fläche</translation>
     </message>
     <message>
-        <source>which untouched picture a frame is compared with: the nearest recorded one, or one computed from the nearest several</source>
-        <translation>mit welchem unberührten Bild verglichen wird: dem nächsten aufgenommenen, oder einem aus den nächsten berechneten</translation>
-    </message>
-    <message>
         <source>whether a change of the light since the reference is read from the untouched skin and taken out</source>
         <translation>ob eine Änderung des Lichts seit der Referenz aus der unberührten Haut gelesen und herausgerechnet wird</translation>
     </message>
@@ -7438,10 +7434,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine orthografische Kamera hat keine Brennweite, die unscharf macht</translation>
     </message>
     <message>
-        <source>leave defocus out</source>
-        <translation>defocus weglassen</translation>
-    </message>
-    <message>
         <source>the shutter would be open for longer than a frame lasts</source>
         <translation>der Verschluss wäre länger offen, als ein Bild dauert</translation>
     </message>
@@ -7600,6 +7592,514 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Dots are worn and fainter</source>
         <translation>Punkte sind abgenutzt und blasser</translation>
+    </message>
+    <message>
+        <source>a point of the mesh is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an STL or OBJ file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not known as a mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file that ends in .stl or .obj</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh&apos;s file is larger than 512 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export it coarser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export it again, e.g. as binary STL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh has more than {} triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh has no triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export it again as STL or OBJ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh has holes: {} edges do not border two triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>close it in the program that made it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which untouched picture a frame is compared with: the one of the finger at rest, the nearest recorded one, or one computed from the nearest several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finger&apos;s body gives way to what pushes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a flat sensor has no body that gives way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave body out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing pushes, so no body gives way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name push too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cylinder is pressed in lying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sd_px in place of focus_mm and aperture_mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens bends straight lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an orthographic camera has no lens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave distortion out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An edge is pressed into the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the body would be {:g} mm large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;scale&apos; says how many mm a unit of the file is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A body is pressed into the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera looks through a flat window into the silicone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parallel rays pass a window unbent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave port out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat punch is pressed into the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing pushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a force above 0, or no push</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A ball pushes against the finger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a flat sensor has a contact face only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face: contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a body that creeps or is damped remembers a push that is over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instead of &apos;until&apos;, a force_N that goes to 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing drags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another force, or leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without its body the finger gives way on its contact face only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name the effect body too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the push bends the finger further than the model reaches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to {:.2g} of these forces, or a stiffer body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the height map is too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2 x 2 pixels or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finger twists about its length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a flat sensor does not twist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave twist out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marker {} is listed twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each number once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a modulus or a length of {:g} is not one of a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>numbers above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:g} N press the ball further into the layer than is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to {:.3g} N, a larger ball or a harder layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a modulus or a length of {:g} is not one of a body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two walls of {:g} mm do not fit into a depth of {:g} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walls of up to {:g} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coupling of {:g} is not a share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:g} is no modulus, radius, force or friction of a contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tangential force is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>newtons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:g} N press the ball further into the body than is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to {:.3g} N, a larger ball or a harder body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a hardness of {:g} Shore A has no known modulus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a lens does not change while it looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave &apos;from&apos; and &apos;until&apos; out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped before the twin was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no pressed picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pictures of a ball of known radius pressed into the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scene looks through a window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a finger whose lens was calibrated in its place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise is told from {} untouched pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise in time is told from one untouched picture and {} beside its contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: too little around the contact can be compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a press further from the face&apos;s edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fitting the presses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not observable: at the end of its range, or another number does the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hardly observable in these pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scattering of the layer, per mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the coat below the layer reflects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coat below the layer is taken to be black: the presses do not say otherwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>absorption in the layer is not observable: scattering and coat bend the same curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roll-off length, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no swelling around the contacts is to be seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height of the swelling, share of the layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its distance from the rim, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how steeply it falls off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blur, standard deviation in pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no blur is to be seen beside the roll-off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: depth, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: place along the face, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: place across the face, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: light, share of that in its untouched picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lamp {}: power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lamp {}: distance from the face, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lamp {}: distance from the camera, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lamps make the light on the face, and need not be where the real ones are: {} of {} places are not observable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read noise, grey levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shot noise, grey levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shot noise cannot be told from read noise: the face is too evenly lit, or there is none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fixed pattern, share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene holds the face alone: no side faces, no dots, no twist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no untouched picture of this finger to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--reference with a picture in which nothing touches it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture of this finger, at the size of its camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a punch with a step is no ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius of the ball that was pressed is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--ball-radius-mm with the radius of the ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no press was given, and the finger keeps none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pictures of a ball of known radius pressed into its face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little of the untouched face is seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pictures in which the whole face is seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no lamp would light the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>checking the finger&apos;s face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finding the lamps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no lamp comes near the untouched picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>noise is told from single pictures: a fixed pattern of the camera cannot be told from noise in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little of the finger&apos;s length is seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the finger&apos;s base is on the right of the picture, and no scene has it there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera.orientation: flip_u in finger.yaml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scene was found whose pictures come near these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pictures of one ball, pressed in where the whole contact is seen</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

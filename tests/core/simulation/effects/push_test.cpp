@@ -152,7 +152,7 @@ TEST(Push, GoesWithBendingAndOtherPresses) {
   const FrameGeometry both = PlacedScene(motion + scene_text(push + kPushedBody + others)).at(1);
   const FrameGeometry alone = PlacedScene(motion + scene_text(others)).at(1);
   ASSERT_EQ(both.presses.size(), 2U);
-  EXPECT_EQ(both.contacts.size(), 1U);
+  EXPECT_EQ(both.contacts.size(), 2U);
   EXPECT_EQ(std::get<BallPress>(both.presses[0]).place.depth_mm, 0.8);
   // The rest that forces start from is bent: about as far away as from a straight one.
   const double moved = (tip_of(both) - tip_of(alone)).norm();
