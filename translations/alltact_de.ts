@@ -7595,511 +7595,511 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>a point of the mesh is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Punkt des Netzes ist keine Zahl</translation>
     </message>
     <message>
         <source>export it again</source>
-        <translation type="unfinished"></translation>
+        <translation>neu exportieren</translation>
     </message>
     <message>
         <source>there is no such mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>dieses Netz gibt es nicht</translation>
     </message>
     <message>
         <source>an STL or OBJ file</source>
-        <translation type="unfinished"></translation>
+        <translation>eine STL- oder OBJ-Datei</translation>
     </message>
     <message>
         <source>this is not known as a mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>dies ist kein bekanntes Netzformat</translation>
     </message>
     <message>
         <source>a file that ends in .stl or .obj</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Datei, die auf .stl oder .obj endet</translation>
     </message>
     <message>
         <source>the mesh&apos;s file is larger than 512 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei des Netzes ist größer als 512 MB</translation>
     </message>
     <message>
         <source>export it coarser</source>
-        <translation type="unfinished"></translation>
+        <translation>gröber exportieren</translation>
     </message>
     <message>
         <source>the mesh cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>das Netz lässt sich nicht lesen</translation>
     </message>
     <message>
         <source>export it again, e.g. as binary STL</source>
-        <translation type="unfinished"></translation>
+        <translation>neu exportieren, z. B. als binäres STL</translation>
     </message>
     <message>
         <source>the mesh has more than {} triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>das Netz hat mehr als {} Dreiecke</translation>
     </message>
     <message>
         <source>the mesh has no triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>das Netz hat keine Dreiecke</translation>
     </message>
     <message>
         <source>export it again as STL or OBJ</source>
-        <translation type="unfinished"></translation>
+        <translation>neu als STL oder OBJ exportieren</translation>
     </message>
     <message>
         <source>the mesh has holes: {} edges do not border two triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>das Netz hat Löcher: {} Kanten grenzen nicht an zwei Dreiecke</translation>
     </message>
     <message>
         <source>close it in the program that made it</source>
-        <translation type="unfinished"></translation>
+        <translation>es in dem Programm schließen, das es erzeugt hat</translation>
     </message>
     <message>
         <source>which untouched picture a frame is compared with: the one of the finger at rest, the nearest recorded one, or one computed from the nearest several</source>
-        <translation type="unfinished"></translation>
+        <translation>mit welchem unberührten Bild verglichen wird: dem des Fingers in Ruhe, dem nächsten aufgenommenen, oder einem aus den nächsten berechneten</translation>
     </message>
     <message>
         <source>The finger&apos;s body gives way to what pushes it</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Körper des Fingers gibt dem nach, was ihn drückt</translation>
     </message>
     <message>
         <source>a flat sensor has no body that gives way</source>
-        <translation type="unfinished"></translation>
+        <translation>ein flacher Sensor hat keinen Körper, der nachgibt</translation>
     </message>
     <message>
         <source>leave body out</source>
-        <translation type="unfinished"></translation>
+        <translation>body weglassen</translation>
     </message>
     <message>
         <source>nothing pushes, so no body gives way</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts drückt, also gibt kein Körper nach</translation>
     </message>
     <message>
         <source>name push too</source>
-        <translation type="unfinished"></translation>
+        <translation>auch push nennen</translation>
     </message>
     <message>
         <source>A cylinder is pressed in lying</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Zylinder wird liegend eingedrückt</translation>
     </message>
     <message>
         <source>sd_px in place of focus_mm and aperture_mm</source>
-        <translation type="unfinished"></translation>
+        <translation>sd_px statt focus_mm und aperture_mm</translation>
     </message>
     <message>
         <source>The lens bends straight lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objektiv krümmt gerade Linien</translation>
     </message>
     <message>
         <source>an orthographic camera has no lens</source>
-        <translation type="unfinished"></translation>
+        <translation>eine orthografische Kamera hat kein Objektiv</translation>
     </message>
     <message>
         <source>leave distortion out</source>
-        <translation type="unfinished"></translation>
+        <translation>distortion weglassen</translation>
     </message>
     <message>
         <source>An edge is pressed into the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kante wird in die Fläche gedrückt</translation>
     </message>
     <message>
         <source>the body would be {:g} mm large</source>
-        <translation type="unfinished"></translation>
+        <translation>der Körper wäre {:g} mm groß</translation>
     </message>
     <message>
         <source>&apos;scale&apos; says how many mm a unit of the file is</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;scale&apos; sagt, wie viele mm eine Einheit der Datei ist</translation>
     </message>
     <message>
         <source>A body is pressed into the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Körper wird in die Fläche gedrückt</translation>
     </message>
     <message>
         <source>The camera looks through a flat window into the silicone</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kamera blickt durch ein ebenes Fenster in das Silikon</translation>
     </message>
     <message>
         <source>parallel rays pass a window unbent</source>
-        <translation type="unfinished"></translation>
+        <translation>parallele Strahlen gehen ungebrochen durch ein Fenster</translation>
     </message>
     <message>
         <source>leave port out</source>
-        <translation type="unfinished"></translation>
+        <translation>port weglassen</translation>
     </message>
     <message>
         <source>A flat punch is pressed into the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein flacher Stempel wird in die Fläche gedrückt</translation>
     </message>
     <message>
         <source>nothing pushes</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts drückt</translation>
     </message>
     <message>
         <source>a force above 0, or no push</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kraft über 0, oder push weglassen</translation>
     </message>
     <message>
         <source>A ball pushes against the finger</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kugel drückt gegen den Finger</translation>
     </message>
     <message>
         <source>a flat sensor has a contact face only</source>
-        <translation type="unfinished"></translation>
+        <translation>ein flacher Sensor hat nur eine Kontaktfläche</translation>
     </message>
     <message>
         <source>face: contact</source>
-        <translation type="unfinished"></translation>
+        <translation>face: contact</translation>
     </message>
     <message>
         <source>a body that creeps or is damped remembers a push that is over</source>
-        <translation type="unfinished"></translation>
+        <translation>in einem Körper, der kriecht oder gedämpft ist, wirkt ein vergangenes Drücken nach</translation>
     </message>
     <message>
         <source>instead of &apos;until&apos;, a force_N that goes to 0</source>
-        <translation type="unfinished"></translation>
+        <translation>statt &apos;until&apos; ein force_N, das auf 0 geht</translation>
     </message>
     <message>
         <source>nothing drags</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts zieht</translation>
     </message>
     <message>
         <source>another force, or leave it out</source>
-        <translation type="unfinished"></translation>
+        <translation>eine andere Kraft, oder weglassen</translation>
     </message>
     <message>
         <source>without its body the finger gives way on its contact face only</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne seinen Körper gibt der Finger nur an seiner Kontaktfläche nach</translation>
     </message>
     <message>
         <source>name the effect body too</source>
-        <translation type="unfinished"></translation>
+        <translation>auch den Effekt body nennen</translation>
     </message>
     <message>
         <source>the push bends the finger further than the model reaches</source>
-        <translation type="unfinished"></translation>
+        <translation>das Drücken biegt den Finger weiter, als das Modell reicht</translation>
     </message>
     <message>
         <source>up to {:.2g} of these forces, or a stiffer body</source>
-        <translation type="unfinished"></translation>
+        <translation>bis zum {:.2g}-Fachen dieser Kräfte, oder ein steiferer Körper</translation>
     </message>
     <message>
         <source>the height map is too small</source>
-        <translation type="unfinished"></translation>
+        <translation>die Höhenkarte ist zu klein</translation>
     </message>
     <message>
         <source>2 x 2 pixels or more</source>
-        <translation type="unfinished"></translation>
+        <translation>2 x 2 Pixel oder mehr</translation>
     </message>
     <message>
         <source>The finger twists about its length</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Finger verdreht sich um seine Längsachse</translation>
     </message>
     <message>
         <source>a flat sensor does not twist</source>
-        <translation type="unfinished"></translation>
+        <translation>ein flacher Sensor verdreht sich nicht</translation>
     </message>
     <message>
         <source>leave twist out</source>
-        <translation type="unfinished"></translation>
+        <translation>twist weglassen</translation>
     </message>
     <message>
         <source>marker {} is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke {} ist zweimal aufgeführt</translation>
     </message>
     <message>
         <source>each number once</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Nummer einmal</translation>
     </message>
     <message>
         <source>a modulus or a length of {:g} is not one of a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>einen Elastizitätsmodul oder eine Länge von {:g} kann eine Schicht nicht haben</translation>
     </message>
     <message>
         <source>numbers above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen über 0</translation>
     </message>
     <message>
         <source>{:g} N press the ball further into the layer than is known</source>
-        <translation type="unfinished"></translation>
+        <translation>{:g} N drücken die Kugel tiefer in die Schicht, als bekannt ist</translation>
     </message>
     <message>
         <source>up to {:.3g} N, a larger ball or a harder layer</source>
-        <translation type="unfinished"></translation>
+        <translation>bis {:.3g} N, eine größere Kugel oder eine härtere Schicht</translation>
     </message>
     <message>
         <source>a modulus or a length of {:g} is not one of a body</source>
-        <translation type="unfinished"></translation>
+        <translation>einen Elastizitätsmodul oder eine Länge von {:g} kann ein Körper nicht haben</translation>
     </message>
     <message>
         <source>two walls of {:g} mm do not fit into a depth of {:g} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Wände von {:g} mm passen nicht in eine Tiefe von {:g} mm</translation>
     </message>
     <message>
         <source>walls of up to {:g} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Wände bis {:g} mm</translation>
     </message>
     <message>
         <source>a coupling of {:g} is not a share</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kopplung von {:g} ist kein Anteil</translation>
     </message>
     <message>
         <source>0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>0 bis 1</translation>
     </message>
     <message>
         <source>{:g} is no modulus, radius, force or friction of a contact</source>
-        <translation type="unfinished"></translation>
+        <translation>{:g} kann weder Elastizitätsmodul noch Radius, Kraft oder Reibung eines Kontakts sein</translation>
     </message>
     <message>
         <source>the tangential force is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>die tangentiale Kraft ist keine Zahl</translation>
     </message>
     <message>
         <source>newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton</translation>
     </message>
     <message>
         <source>{:g} N press the ball further into the body than is known</source>
-        <translation type="unfinished"></translation>
+        <translation>{:g} N drücken die Kugel tiefer in den Körper, als bekannt ist</translation>
     </message>
     <message>
         <source>up to {:.3g} N, a larger ball or a harder body</source>
-        <translation type="unfinished"></translation>
+        <translation>bis {:.3g} N, eine größere Kugel oder ein härterer Körper</translation>
     </message>
     <message>
         <source>a hardness of {:g} Shore A has no known modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>zu einer Härte von {:g} Shore A ist kein Elastizitätsmodul bekannt</translation>
     </message>
     <message>
         <source>a lens does not change while it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Objektiv ändert sich nicht während der Aufnahme</translation>
     </message>
     <message>
         <source>leave &apos;from&apos; and &apos;until&apos; out</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;from&apos; und &apos;until&apos; weglassen</translation>
     </message>
     <message>
         <source>stopped before the twin was found</source>
-        <translation type="unfinished"></translation>
+        <translation>angehalten, bevor der Zwilling gefunden war</translation>
     </message>
     <message>
         <source>there is no pressed picture</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt kein Bild eines Eindrucks</translation>
     </message>
     <message>
         <source>pictures of a ball of known radius pressed into the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder einer Kugel von bekanntem Radius, in die Fläche gedrückt</translation>
     </message>
     <message>
         <source>no scene looks through a window</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Szene blickt durch ein Fenster</translation>
     </message>
     <message>
         <source>a finger whose lens was calibrated in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Finger, dessen Objektiv an seinem Platz kalibriert wurde</translation>
     </message>
     <message>
         <source>noise is told from {} untouched pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>das Rauschen ist aus {} unberührten Bildern ermittelt</translation>
     </message>
     <message>
         <source>noise in time is told from one untouched picture and {} beside its contact</source>
-        <translation type="unfinished"></translation>
+        <translation>das zeitliche Rauschen ist aus einem unberührten Bild und aus {} neben dem Kontakt ermittelt</translation>
     </message>
     <message>
         <source>{}: too little around the contact can be compared</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: um den Kontakt herum lässt sich zu wenig vergleichen</translation>
     </message>
     <message>
         <source>a press further from the face&apos;s edges</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Eindruck weiter weg von den Kanten der Fläche</translation>
     </message>
     <message>
         <source>fitting the presses</source>
-        <translation type="unfinished"></translation>
+        <translation>Eindrücke werden angepasst</translation>
     </message>
     <message>
         <source>not observable: at the end of its range, or another number does the same</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bestimmbar: am Ende des Bereichs, oder eine andere Zahl bewirkt dasselbe</translation>
     </message>
     <message>
         <source>hardly observable in these pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>aus diesen Bildern kaum bestimmbar</translation>
     </message>
     <message>
         <source>scattering of the layer, per mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung der Schicht, je mm</translation>
     </message>
     <message>
         <source>what the coat below the layer reflects</source>
-        <translation type="unfinished"></translation>
+        <translation>was die Beschichtung unter der Schicht zurückwirft</translation>
     </message>
     <message>
         <source>the coat below the layer is taken to be black: the presses do not say otherwise</source>
-        <translation type="unfinished"></translation>
+        <translation>die Beschichtung unter der Schicht wird als schwarz angenommen: Die Eindrücke sagen nichts anderes</translation>
     </message>
     <message>
         <source>absorption in the layer is not observable: scattering and coat bend the same curve</source>
-        <translation type="unfinished"></translation>
+        <translation>die Absorption in der Schicht ist nicht bestimmbar: Streuung und Beschichtung verbiegen dieselbe Kurve</translation>
     </message>
     <message>
         <source>roll-off length, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge des Auslaufs, mm</translation>
     </message>
     <message>
         <source>no swelling around the contacts is to be seen</source>
-        <translation type="unfinished"></translation>
+        <translation>um die Kontakte ist keine Wölbung zu sehen</translation>
     </message>
     <message>
         <source>height of the swelling, share of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe der Wölbung, Anteil der Schicht</translation>
     </message>
     <message>
         <source>its distance from the rim, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>ihr Abstand vom Rand, mm</translation>
     </message>
     <message>
         <source>how steeply it falls off</source>
-        <translation type="unfinished"></translation>
+        <translation>wie steil sie abfällt</translation>
     </message>
     <message>
         <source>blur, standard deviation in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Unschärfe, Standardabweichung in Pixeln</translation>
     </message>
     <message>
         <source>no blur is to be seen beside the roll-off</source>
-        <translation type="unfinished"></translation>
+        <translation>außer dem Auslauf ist keine Unschärfe zu sehen</translation>
     </message>
     <message>
         <source>{}: depth, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Tiefe, mm</translation>
     </message>
     <message>
         <source>{}: place along the face, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Ort längs der Fläche, mm</translation>
     </message>
     <message>
         <source>{}: place across the face, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Ort quer zur Fläche, mm</translation>
     </message>
     <message>
         <source>{}: light, share of that in its untouched picture</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Licht, Anteil des Lichts in seinem unberührten Bild</translation>
     </message>
     <message>
         <source>lamp {}: power</source>
-        <translation type="unfinished"></translation>
+        <translation>Lampe {}: Leistung</translation>
     </message>
     <message>
         <source>lamp {}: distance from the face, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Lampe {}: Abstand von der Fläche, mm</translation>
     </message>
     <message>
         <source>lamp {}: distance from the camera, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Lampe {}: Abstand von der Kamera, mm</translation>
     </message>
     <message>
         <source>the lamps make the light on the face, and need not be where the real ones are: {} of {} places are not observable</source>
-        <translation type="unfinished"></translation>
+        <translation>die Lampen ergeben das Licht auf der Fläche und müssen nicht dort sein, wo die wirklichen sind: {} von {} Orten sind nicht bestimmbar</translation>
     </message>
     <message>
         <source>read noise, grey levels</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausleserauschen, Graustufen</translation>
     </message>
     <message>
         <source>shot noise, grey levels</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrotrauschen, Graustufen</translation>
     </message>
     <message>
         <source>shot noise cannot be told from read noise: the face is too evenly lit, or there is none</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrotrauschen lässt sich nicht von Ausleserauschen unterscheiden: Die Fläche ist zu gleichmäßig beleuchtet, oder es gibt keines</translation>
     </message>
     <message>
         <source>fixed pattern, share</source>
-        <translation type="unfinished"></translation>
+        <translation>festes Muster, Anteil</translation>
     </message>
     <message>
         <source>the scene holds the face alone: no side faces, no dots, no twist</source>
-        <translation type="unfinished"></translation>
+        <translation>die Szene enthält nur die Fläche: keine Seitenflächen, keine Punkte, keine Verdrehung</translation>
     </message>
     <message>
         <source>there is no untouched picture of this finger to compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt kein unberührtes Bild dieses Fingers zum Vergleichen</translation>
     </message>
     <message>
         <source>--reference with a picture in which nothing touches it</source>
-        <translation type="unfinished"></translation>
+        <translation>--reference mit einem Bild, auf dem ihn nichts berührt</translation>
     </message>
     <message>
         <source>a picture of this finger, at the size of its camera</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Bild dieses Fingers, in der Bildgröße seiner Kamera</translation>
     </message>
     <message>
         <source>a punch with a step is no ball</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Stempel mit einer Stufe ist keine Kugel</translation>
     </message>
     <message>
         <source>the radius of the ball that was pressed is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>der Radius der eingedrückten Kugel ist nicht bekannt</translation>
     </message>
     <message>
         <source>--ball-radius-mm with the radius of the ball</source>
-        <translation type="unfinished"></translation>
+        <translation>--ball-radius-mm mit dem Radius der Kugel</translation>
     </message>
     <message>
         <source>no press was given, and the finger keeps none</source>
-        <translation type="unfinished"></translation>
+        <translation>es wurde kein Eindruck angegeben, und der Finger bewahrt keinen auf</translation>
     </message>
     <message>
         <source>pictures of a ball of known radius pressed into its face</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder einer Kugel von bekanntem Radius, in seine Fläche gedrückt</translation>
     </message>
     <message>
         <source>too little of the untouched face is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>von der unberührten Fläche ist zu wenig zu sehen</translation>
     </message>
     <message>
         <source>pictures in which the whole face is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder, auf denen die ganze Fläche zu sehen ist</translation>
     </message>
     <message>
         <source>no lamp would light the face</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Lampe würde die Fläche beleuchten</translation>
     </message>
     <message>
         <source>checking the finger&apos;s face</source>
-        <translation type="unfinished"></translation>
+        <translation>die Fläche des Fingers prüfen</translation>
     </message>
     <message>
         <source>finding the lamps</source>
-        <translation type="unfinished"></translation>
+        <translation>Lampen werden gesucht</translation>
     </message>
     <message>
         <source>no lamp comes near the untouched picture</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Lampe kommt dem unberührten Bild nahe</translation>
     </message>
     <message>
         <source>noise is told from single pictures: a fixed pattern of the camera cannot be told from noise in time</source>
-        <translation type="unfinished"></translation>
+        <translation>das Rauschen ist aus einzelnen Bildern ermittelt: Ein festes Muster der Kamera lässt sich nicht von zeitlichem Rauschen unterscheiden</translation>
     </message>
     <message>
         <source>too little of the finger&apos;s length is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>von der Länge des Fingers ist zu wenig zu sehen</translation>
     </message>
     <message>
         <source>the finger&apos;s base is on the right of the picture, and no scene has it there</source>
-        <translation type="unfinished"></translation>
+        <translation>der Fuß des Fingers liegt im Bild rechts, und keine Szene hat ihn dort</translation>
     </message>
     <message>
         <source>camera.orientation: flip_u in finger.yaml</source>
-        <translation type="unfinished"></translation>
+        <translation>camera.orientation: flip_u in finger.yaml</translation>
     </message>
     <message>
         <source>no scene was found whose pictures come near these</source>
-        <translation type="unfinished"></translation>
+        <translation>es wurde keine Szene gefunden, deren Bilder diesen nahekommen</translation>
     </message>
     <message>
         <source>pictures of one ball, pressed in where the whole contact is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder einer einzigen Kugel, eingedrückt, wo der ganze Kontakt zu sehen ist</translation>
     </message>
 </context>
 </TS>

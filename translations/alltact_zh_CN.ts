@@ -7572,511 +7572,511 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a point of the mesh is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>网格中有一个点不是数</translation>
     </message>
     <message>
         <source>export it again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新导出</translation>
     </message>
     <message>
         <source>there is no such mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>没有这个网格</translation>
     </message>
     <message>
         <source>an STL or OBJ file</source>
-        <translation type="unfinished"></translation>
+        <translation>STL 或 OBJ 文件</translation>
     </message>
     <message>
         <source>this is not known as a mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是已知的网格格式</translation>
     </message>
     <message>
         <source>a file that ends in .stl or .obj</source>
-        <translation type="unfinished"></translation>
+        <translation>以 .stl 或 .obj 结尾的文件</translation>
     </message>
     <message>
         <source>the mesh&apos;s file is larger than 512 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>网格文件大于 512 MB</translation>
     </message>
     <message>
         <source>export it coarser</source>
-        <translation type="unfinished"></translation>
+        <translation>以更粗的网格导出</translation>
     </message>
     <message>
         <source>the mesh cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取网格</translation>
     </message>
     <message>
         <source>export it again, e.g. as binary STL</source>
-        <translation type="unfinished"></translation>
+        <translation>重新导出，例如导出为二进制 STL</translation>
     </message>
     <message>
         <source>the mesh has more than {} triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>网格的三角形超过 {} 个</translation>
     </message>
     <message>
         <source>the mesh has no triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>网格没有三角形</translation>
     </message>
     <message>
         <source>export it again as STL or OBJ</source>
-        <translation type="unfinished"></translation>
+        <translation>重新导出为 STL 或 OBJ</translation>
     </message>
     <message>
         <source>the mesh has holes: {} edges do not border two triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>网格有孔洞：{} 条边不与两个三角形相邻</translation>
     </message>
     <message>
         <source>close it in the program that made it</source>
-        <translation type="unfinished"></translation>
+        <translation>在生成它的程序中补好孔洞</translation>
     </message>
     <message>
         <source>which untouched picture a frame is compared with: the one of the finger at rest, the nearest recorded one, or one computed from the nearest several</source>
-        <translation type="unfinished"></translation>
+        <translation>与哪张未触碰图片比较：手指静止时的图片、最近的录制图片，或由最近几张算出的图片</translation>
     </message>
     <message>
         <source>The finger&apos;s body gives way to what pushes it</source>
-        <translation type="unfinished"></translation>
+        <translation>手指主体受推时变形</translation>
     </message>
     <message>
         <source>a flat sensor has no body that gives way</source>
-        <translation type="unfinished"></translation>
+        <translation>平面传感器没有会变形的主体</translation>
     </message>
     <message>
         <source>leave body out</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉 body</translation>
     </message>
     <message>
         <source>nothing pushes, so no body gives way</source>
-        <translation type="unfinished"></translation>
+        <translation>没有推力，因此主体不会变形</translation>
     </message>
     <message>
         <source>name push too</source>
-        <translation type="unfinished"></translation>
+        <translation>同时写上 push</translation>
     </message>
     <message>
         <source>A cylinder is pressed in lying</source>
-        <translation type="unfinished"></translation>
+        <translation>一个平放的圆柱压入接触面</translation>
     </message>
     <message>
         <source>sd_px in place of focus_mm and aperture_mm</source>
-        <translation type="unfinished"></translation>
+        <translation>用 sd_px 代替 focus_mm 和 aperture_mm</translation>
     </message>
     <message>
         <source>The lens bends straight lines</source>
-        <translation type="unfinished"></translation>
+        <translation>镜头使直线变弯</translation>
     </message>
     <message>
         <source>an orthographic camera has no lens</source>
-        <translation type="unfinished"></translation>
+        <translation>正交相机没有镜头</translation>
     </message>
     <message>
         <source>leave distortion out</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉 distortion</translation>
     </message>
     <message>
         <source>An edge is pressed into the face</source>
-        <translation type="unfinished"></translation>
+        <translation>一条棱压入接触面</translation>
     </message>
     <message>
         <source>the body would be {:g} mm large</source>
-        <translation type="unfinished"></translation>
+        <translation>物体的大小会是 {:g} mm</translation>
     </message>
     <message>
         <source>&apos;scale&apos; says how many mm a unit of the file is</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;scale&apos; 表示文件的一个单位是多少 mm</translation>
     </message>
     <message>
         <source>A body is pressed into the face</source>
-        <translation type="unfinished"></translation>
+        <translation>一个物体压入接触面</translation>
     </message>
     <message>
         <source>The camera looks through a flat window into the silicone</source>
-        <translation type="unfinished"></translation>
+        <translation>相机透过平面窗口看入硅胶</translation>
     </message>
     <message>
         <source>parallel rays pass a window unbent</source>
-        <translation type="unfinished"></translation>
+        <translation>平行光线穿过窗口时不偏折</translation>
     </message>
     <message>
         <source>leave port out</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉 port</translation>
     </message>
     <message>
         <source>A flat punch is pressed into the face</source>
-        <translation type="unfinished"></translation>
+        <translation>一个平压头压入接触面</translation>
     </message>
     <message>
         <source>nothing pushes</source>
-        <translation type="unfinished"></translation>
+        <translation>没有推力</translation>
     </message>
     <message>
         <source>a force above 0, or no push</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 0 的力，或去掉 push</translation>
     </message>
     <message>
         <source>A ball pushes against the finger</source>
-        <translation type="unfinished"></translation>
+        <translation>一个球推压手指</translation>
     </message>
     <message>
         <source>a flat sensor has a contact face only</source>
-        <translation type="unfinished"></translation>
+        <translation>平面传感器只有接触面</translation>
     </message>
     <message>
         <source>face: contact</source>
-        <translation type="unfinished"></translation>
+        <translation>face: contact</translation>
     </message>
     <message>
         <source>a body that creeps or is damped remembers a push that is over</source>
-        <translation type="unfinished"></translation>
+        <translation>会蠕变或有阻尼的主体仍受已结束的推力影响</translation>
     </message>
     <message>
         <source>instead of &apos;until&apos;, a force_N that goes to 0</source>
-        <translation type="unfinished"></translation>
+        <translation>不用 &apos;until&apos;，而让 force_N 降到 0</translation>
     </message>
     <message>
         <source>nothing drags</source>
-        <translation type="unfinished"></translation>
+        <translation>没有切向拉力</translation>
     </message>
     <message>
         <source>another force, or leave it out</source>
-        <translation type="unfinished"></translation>
+        <translation>换一个力，或去掉它</translation>
     </message>
     <message>
         <source>without its body the finger gives way on its contact face only</source>
-        <translation type="unfinished"></translation>
+        <translation>没有主体时，手指只在接触面上变形</translation>
     </message>
     <message>
         <source>name the effect body too</source>
-        <translation type="unfinished"></translation>
+        <translation>同时写上效果 body</translation>
     </message>
     <message>
         <source>the push bends the finger further than the model reaches</source>
-        <translation type="unfinished"></translation>
+        <translation>推力使手指的弯曲超出模型范围</translation>
     </message>
     <message>
         <source>up to {:.2g} of these forces, or a stiffer body</source>
-        <translation type="unfinished"></translation>
+        <translation>不超过这些力的 {:.2g} 倍，或使用更硬的主体</translation>
     </message>
     <message>
         <source>the height map is too small</source>
-        <translation type="unfinished"></translation>
+        <translation>高度图太小</translation>
     </message>
     <message>
         <source>2 x 2 pixels or more</source>
-        <translation type="unfinished"></translation>
+        <translation>2 x 2 像素以上</translation>
     </message>
     <message>
         <source>The finger twists about its length</source>
-        <translation type="unfinished"></translation>
+        <translation>手指绕其长轴扭转</translation>
     </message>
     <message>
         <source>a flat sensor does not twist</source>
-        <translation type="unfinished"></translation>
+        <translation>平面传感器不会扭转</translation>
     </message>
     <message>
         <source>leave twist out</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉 twist</translation>
     </message>
     <message>
         <source>marker {} is listed twice</source>
-        <translation type="unfinished"></translation>
+        <translation>标记点 {} 出现两次</translation>
     </message>
     <message>
         <source>each number once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个编号一次</translation>
     </message>
     <message>
         <source>a modulus or a length of {:g} is not one of a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>层的弹性模量或长度不可能是 {:g}</translation>
     </message>
     <message>
         <source>numbers above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 0 的数</translation>
     </message>
     <message>
         <source>{:g} N press the ball further into the layer than is known</source>
-        <translation type="unfinished"></translation>
+        <translation>{:g} N 把球压入层的深度超出已知范围</translation>
     </message>
     <message>
         <source>up to {:.3g} N, a larger ball or a harder layer</source>
-        <translation type="unfinished"></translation>
+        <translation>不超过 {:.3g} N，或使用更大的球或更硬的层</translation>
     </message>
     <message>
         <source>a modulus or a length of {:g} is not one of a body</source>
-        <translation type="unfinished"></translation>
+        <translation>主体的弹性模量或长度不可能是 {:g}</translation>
     </message>
     <message>
         <source>two walls of {:g} mm do not fit into a depth of {:g} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>两个 {:g} mm 厚的壁放不进 {:g} mm 的深度</translation>
     </message>
     <message>
         <source>walls of up to {:g} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>壁厚不超过 {:g} mm</translation>
     </message>
     <message>
         <source>a coupling of {:g} is not a share</source>
-        <translation type="unfinished"></translation>
+        <translation>耦合 {:g} 不是一个比例</translation>
     </message>
     <message>
         <source>0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>0 到 1</translation>
     </message>
     <message>
         <source>{:g} is no modulus, radius, force or friction of a contact</source>
-        <translation type="unfinished"></translation>
+        <translation>{:g} 不可能是接触的弹性模量、半径、力或摩擦系数</translation>
     </message>
     <message>
         <source>the tangential force is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>切向力不是数</translation>
     </message>
     <message>
         <source>newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>以牛顿为单位的数</translation>
     </message>
     <message>
         <source>{:g} N press the ball further into the body than is known</source>
-        <translation type="unfinished"></translation>
+        <translation>{:g} N 把球压入主体的深度超出已知范围</translation>
     </message>
     <message>
         <source>up to {:.3g} N, a larger ball or a harder body</source>
-        <translation type="unfinished"></translation>
+        <translation>不超过 {:.3g} N，或使用更大的球或更硬的主体</translation>
     </message>
     <message>
         <source>a hardness of {:g} Shore A has no known modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>邵氏 A 硬度 {:g} 没有已知的弹性模量</translation>
     </message>
     <message>
         <source>a lens does not change while it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>镜头在拍摄期间不会改变</translation>
     </message>
     <message>
         <source>leave &apos;from&apos; and &apos;until&apos; out</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉 &apos;from&apos; 和 &apos;until&apos;</translation>
     </message>
     <message>
         <source>stopped before the twin was found</source>
-        <translation type="unfinished"></translation>
+        <translation>得出数字孪生之前已停止</translation>
     </message>
     <message>
         <source>there is no pressed picture</source>
-        <translation type="unfinished"></translation>
+        <translation>没有按压图片</translation>
     </message>
     <message>
         <source>pictures of a ball of known radius pressed into the face</source>
-        <translation type="unfinished"></translation>
+        <translation>半径已知的球压入面的图片</translation>
     </message>
     <message>
         <source>no scene looks through a window</source>
-        <translation type="unfinished"></translation>
+        <translation>场景不能隔着窗口观看</translation>
     </message>
     <message>
         <source>a finger whose lens was calibrated in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>使用镜头在安装位置标定过的手指</translation>
     </message>
     <message>
         <source>noise is told from {} untouched pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声由 {} 张未触碰的图片得出</translation>
     </message>
     <message>
         <source>noise in time is told from one untouched picture and {} beside its contact</source>
-        <translation type="unfinished"></translation>
+        <translation>时间噪声由一张未触碰的图片和 {} 中接触以外的部分得出</translation>
     </message>
     <message>
         <source>{}: too little around the contact can be compared</source>
-        <translation type="unfinished"></translation>
+        <translation>{}：接触周围可比较的部分太少</translation>
     </message>
     <message>
         <source>a press further from the face&apos;s edges</source>
-        <translation type="unfinished"></translation>
+        <translation>离面的边缘更远的按压</translation>
     </message>
     <message>
         <source>fitting the presses</source>
-        <translation type="unfinished"></translation>
+        <translation>正在拟合按压</translation>
     </message>
     <message>
         <source>not observable: at the end of its range, or another number does the same</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定：处于范围的端点，或另一个数有同样的作用</translation>
     </message>
     <message>
         <source>hardly observable in these pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>由这些图片难以确定</translation>
     </message>
     <message>
         <source>scattering of the layer, per mm</source>
-        <translation type="unfinished"></translation>
+        <translation>层的散射，每 mm</translation>
     </message>
     <message>
         <source>what the coat below the layer reflects</source>
-        <translation type="unfinished"></translation>
+        <translation>层下涂层的反射</translation>
     </message>
     <message>
         <source>the coat below the layer is taken to be black: the presses do not say otherwise</source>
-        <translation type="unfinished"></translation>
+        <translation>层下的涂层视为黑色：按压没有表明不是这样</translation>
     </message>
     <message>
         <source>absorption in the layer is not observable: scattering and coat bend the same curve</source>
-        <translation type="unfinished"></translation>
+        <translation>层内的吸收无法确定：散射和涂层改变的是同一条曲线</translation>
     </message>
     <message>
         <source>roll-off length, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>过渡长度，mm</translation>
     </message>
     <message>
         <source>no swelling around the contacts is to be seen</source>
-        <translation type="unfinished"></translation>
+        <translation>接触周围看不到隆起</translation>
     </message>
     <message>
         <source>height of the swelling, share of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>隆起的高度，占层厚的比例</translation>
     </message>
     <message>
         <source>its distance from the rim, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>隆起到接触边缘的距离，mm</translation>
     </message>
     <message>
         <source>how steeply it falls off</source>
-        <translation type="unfinished"></translation>
+        <translation>隆起下降的陡度</translation>
     </message>
     <message>
         <source>blur, standard deviation in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>模糊，标准差，单位像素</translation>
     </message>
     <message>
         <source>no blur is to be seen beside the roll-off</source>
-        <translation type="unfinished"></translation>
+        <translation>除过渡之外看不到模糊</translation>
     </message>
     <message>
         <source>{}: depth, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}：深度，mm</translation>
     </message>
     <message>
         <source>{}: place along the face, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}：沿面的位置，mm</translation>
     </message>
     <message>
         <source>{}: place across the face, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}：面上横向的位置，mm</translation>
     </message>
     <message>
         <source>{}: light, share of that in its untouched picture</source>
-        <translation type="unfinished"></translation>
+        <translation>{}：光照，占其未触碰图片中光照的比例</translation>
     </message>
     <message>
         <source>lamp {}: power</source>
-        <translation type="unfinished"></translation>
+        <translation>灯 {}：功率</translation>
     </message>
     <message>
         <source>lamp {}: distance from the face, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>灯 {}：到面的距离，mm</translation>
     </message>
     <message>
         <source>lamp {}: distance from the camera, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>灯 {}：到相机的距离，mm</translation>
     </message>
     <message>
         <source>the lamps make the light on the face, and need not be where the real ones are: {} of {} places are not observable</source>
-        <translation type="unfinished"></translation>
+        <translation>这些灯给出面上的光照，不一定在真实灯的位置：有 {} 个位置（共 {} 个）无法确定</translation>
     </message>
     <message>
         <source>read noise, grey levels</source>
-        <translation type="unfinished"></translation>
+        <translation>读出噪声，灰度级</translation>
     </message>
     <message>
         <source>shot noise, grey levels</source>
-        <translation type="unfinished"></translation>
+        <translation>散粒噪声，灰度级</translation>
     </message>
     <message>
         <source>shot noise cannot be told from read noise: the face is too evenly lit, or there is none</source>
-        <translation type="unfinished"></translation>
+        <translation>散粒噪声与读出噪声无法区分：面的光照太均匀，或没有散粒噪声</translation>
     </message>
     <message>
         <source>fixed pattern, share</source>
-        <translation type="unfinished"></translation>
+        <translation>固定图案，比例</translation>
     </message>
     <message>
         <source>the scene holds the face alone: no side faces, no dots, no twist</source>
-        <translation type="unfinished"></translation>
+        <translation>场景只含接触面：没有侧面、标记点和扭转</translation>
     </message>
     <message>
         <source>there is no untouched picture of this finger to compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可供比较的此手指未触碰的图片</translation>
     </message>
     <message>
         <source>--reference with a picture in which nothing touches it</source>
-        <translation type="unfinished"></translation>
+        <translation>用 --reference 给出没有东西触碰它的图片</translation>
     </message>
     <message>
         <source>a picture of this finger, at the size of its camera</source>
-        <translation type="unfinished"></translation>
+        <translation>此手指的图片，尺寸与其相机相同</translation>
     </message>
     <message>
         <source>a punch with a step is no ball</source>
-        <translation type="unfinished"></translation>
+        <translation>带台阶的压头不是球</translation>
     </message>
     <message>
         <source>the radius of the ball that was pressed is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>压入的球的半径未知</translation>
     </message>
     <message>
         <source>--ball-radius-mm with the radius of the ball</source>
-        <translation type="unfinished"></translation>
+        <translation>用 --ball-radius-mm 给出球的半径</translation>
     </message>
     <message>
         <source>no press was given, and the finger keeps none</source>
-        <translation type="unfinished"></translation>
+        <translation>没有给出按压，手指中也没有保存</translation>
     </message>
     <message>
         <source>pictures of a ball of known radius pressed into its face</source>
-        <translation type="unfinished"></translation>
+        <translation>半径已知的球压入其面的图片</translation>
     </message>
     <message>
         <source>too little of the untouched face is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>看得见的未触碰面太少</translation>
     </message>
     <message>
         <source>pictures in which the whole face is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>看得见整个面的图片</translation>
     </message>
     <message>
         <source>no lamp would light the face</source>
-        <translation type="unfinished"></translation>
+        <translation>没有灯会照亮面</translation>
     </message>
     <message>
         <source>checking the finger&apos;s face</source>
-        <translation type="unfinished"></translation>
+        <translation>检查手指的面</translation>
     </message>
     <message>
         <source>finding the lamps</source>
-        <translation type="unfinished"></translation>
+        <translation>正在寻找灯</translation>
     </message>
     <message>
         <source>no lamp comes near the untouched picture</source>
-        <translation type="unfinished"></translation>
+        <translation>没有灯能接近未触碰的图片</translation>
     </message>
     <message>
         <source>noise is told from single pictures: a fixed pattern of the camera cannot be told from noise in time</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声由单张图片得出：相机的固定图案与时间噪声无法区分</translation>
     </message>
     <message>
         <source>too little of the finger&apos;s length is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>看得见的手指长度太短</translation>
     </message>
     <message>
         <source>the finger&apos;s base is on the right of the picture, and no scene has it there</source>
-        <translation type="unfinished"></translation>
+        <translation>手指的根部在图片右侧，而场景中根部都不在那里</translation>
     </message>
     <message>
         <source>camera.orientation: flip_u in finger.yaml</source>
-        <translation type="unfinished"></translation>
+        <translation>在 finger.yaml 中写上 camera.orientation: flip_u</translation>
     </message>
     <message>
         <source>no scene was found whose pictures come near these</source>
-        <translation type="unfinished"></translation>
+        <translation>没有找到图片与这些接近的场景</translation>
     </message>
     <message>
         <source>pictures of one ball, pressed in where the whole contact is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>同一个球的图片，压在看得见整个接触的位置</translation>
     </message>
 </context>
 </TS>

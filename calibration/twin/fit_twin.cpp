@@ -26,10 +26,6 @@ Result<TwinScene> start_scene(const TwinInput& input) {
     return Error{en::say("there is no pressed picture"),
                  "",
                  en::say("pictures of a ball of known radius pressed into the face")};
-  if (input.camera.port)
-    return Error{en::say("no scene looks through a window"),
-                 std::string("camera.port"),
-                 en::say("a finger whose lens was calibrated in its place")};
   TwinScene scene;
   scene.name = input.name + " twin";
   scene.why =

@@ -26,7 +26,6 @@ std::string camera_text(const CameraParameters& camera) {
   }
   block.add("cx", yaml_number(camera.cx_px));
   block.add("cy", yaml_number(camera.cy_px));
-  if (!camera.distortion.empty()) block.add("distortion", yaml_numbers(camera.distortion));
   return "  " + block.on_one_line();
 }
 
@@ -167,10 +166,24 @@ void add_sensor(const TwinScene& scene, bool with_noise, EffectLines& lines) {
   lines.add("quantisation", "");
 }
 
+void add_lens(const CameraParameters& camera, EffectLines& lines) {
+  const auto& k = camera.distortion;
+  if (std::any_of(k.begin(), k.end(), [](double value) { return value != 0; }))
+    lines.add("distortion", fmt::format("coefficients: {}", yaml_numbers(k)));
+  if (!camera.port) return;
+  lines.add("port",
+            fmt::format("gap_mm: {}, plate_mm: {}, plate_index: {}, medium_index: {}",
+                        yaml_number(camera.port->gap_mm),
+                        yaml_number(camera.port->plate_mm),
+                        yaml_number(camera.port->plate_index),
+                        yaml_number(camera.port->medium_index)));
+}
+
 }  // namespace
 
 std::string TwinScene::to_yaml(bool with_noise) const {
   EffectLines lines(comments);
+  add_lens(camera, lines);
   add_pose(*this, lines);
   add_contact(*this, lines);
   add_light(*this, lines);

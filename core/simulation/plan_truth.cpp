@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <numbers>
 
 namespace alltact {
 
@@ -130,6 +131,13 @@ Truth truth_of(const FramePlan& plan, const FrameGeometry& geometry) {
   for (const auto& step : plan.geometry)
     for (const DegreeOfFreedom& dof : step.effect->degrees_of_freedom())
       truth.pose[dof.name] = step.context(dof);
+  if (const FaceCurve* curve = geometry.curve(); curve && curve->borne) {
+    const Eigen::Vector4d& given = *curve->borne;
+    truth.pose["q1_mm"] += given[0];
+    truth.pose["q2_mm"] += given[1];
+    truth.pose["sway_mm"] += given[2];
+    truth.pose["twist_deg"] += given[3] * 180 / std::numbers::pi;
+  }
   return truth;
 }
 

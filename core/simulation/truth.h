@@ -35,7 +35,7 @@ struct Truth {
   std::optional<Ball> ball;            ///< the first that the scene names
   std::vector<Ball> balls;             ///< all that press in this frame, in the scene's order
   std::vector<ContactTruth> contacts;  ///< whatever presses on the finger, in the scene's order
-  std::map<std::string, double> pose;  ///< what the motion moved, by name: q1_mm, ...
+  std::map<std::string, double> pose;  ///< what moved the finger, by name: q1_mm, ...
   /// Everything but the pictures, as one JSON object (a frame's entry in truth.json).
   [[nodiscard]] std::string to_json() const;
 };

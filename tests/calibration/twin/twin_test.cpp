@@ -6,6 +6,7 @@
 #include "core/finger/finger_store.h"
 #include "core/io/picture.h"
 #include "core/simulation/plan.h"
+#include "core/simulation/scene.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cmath>
@@ -127,6 +128,18 @@ double rms_between(const cv::Mat& a, const cv::Mat& b, Eigen::Vector2d at, doubl
       count += 1;
     }
   return std::sqrt(sum / count);
+}
+
+TEST(TwinScene, SaysTheLensThatItHas) {
+  TwinScene twin = hidden_finger(3);
+  twin.camera.model = CameraModel::kBrown;
+  twin.camera.distortion = {-0.12, 0.02, 0.001};
+  twin.camera.port = FlatPort{2, 3, 1.5, 1.4};
+  const auto scene = Scene::parse(twin.to_yaml(true), "twin.yaml");
+  ASSERT_TRUE(scene) << scene.error().sentence();
+  const auto plan = Plan::compile(*scene, 1);
+  ASSERT_TRUE(plan) << plan.error().sentence();
+  EXPECT_EQ(plan->finger().camera, twin.camera);
 }
 
 TEST(Twin, OfHiddenFingersIsFound) {
