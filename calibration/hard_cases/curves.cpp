@@ -4,7 +4,7 @@
 #include "core/finger/mapping.h"
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/least_squares.h"
-#include "core/simulation/hertz.h"
+#include "core/simulation/mechanics/hertz.h"
 
 #include <random>
 

@@ -35,7 +35,7 @@ struct Angle {
                                                 const Eigen::VectorXd& y,
                                                 int n);
 
-/// Hertz's surface beside a ball (core/simulation/hertz.h).
+/// Hertz's surface beside a ball (core/simulation/mechanics/hertz.h).
 [[nodiscard]] double hertz_tail(double q);
 
 }  // namespace alltact::exact

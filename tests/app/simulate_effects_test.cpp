@@ -17,7 +17,8 @@ TEST(SimulateEffects, ListsEveryKindThereIs) {
   const ProgramRun run = run_alltact({"simulate", "--effects", "--json"});
   ASSERT_EQ(run.status, 0) << run.errors;
   std::set<std::string> listed, all;
-  for (const auto& effect : nlohmann::json::parse(run.output).at("effects")) {
+  const auto answer = nlohmann::json::parse(run.output);
+  for (const auto& effect : answer.at("effects")) {
     listed.insert(effect.at("name").get<std::string>());
     EXPECT_FALSE(effect.at("what").get<std::string>().empty());
   }

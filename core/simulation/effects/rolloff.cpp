@@ -4,7 +4,7 @@
 //           the ball at a. `length_mm` fades it by exp(-(r - a) / length), as a thin layer does.
 //   smooth: the press is blurred with a Gaussian of standard deviation `length_mm`.
 #include "core/simulation/effect.h"
-#include "core/simulation/hertz.h"
+#include "core/simulation/mechanics/hertz.h"
 #include "core/simulation/press_sampling.h"
 
 namespace alltact {

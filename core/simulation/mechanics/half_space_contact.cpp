@@ -1,6 +1,6 @@
 #include "core/simulation/mechanics/half_space_contact.h"
 
-#include "core/simulation/hertz.h"
+#include "core/simulation/mechanics/hertz.h"
 #include "core/simulation/mechanics/shore.h"
 
 #include <cmath>
