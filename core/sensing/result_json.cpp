@@ -67,6 +67,11 @@ Json push_json(const Push& push) {
   return entry;
 }
 
+/// xx, xy, xz, yy, yz, zz.
+Eigen::Vector<double, 6> upper_triangle(const Eigen::Matrix3d& m) {
+  return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+}
+
 Json regions_json(const std::vector<ContactRegion>& regions) {
   Json array = Json::array();
   for (const ContactRegion& region : regions) {
@@ -78,6 +83,15 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
     put(entry, "volume_mm3", region.volume_mm3, 4);
     if (region.angle_deg) put(entry, "angle_deg", *region.angle_deg, 2);
     if (region.angle_sd_deg) put(entry, "angle_sd_deg", *region.angle_sd_deg, 2);
+    if (region.axis) put_vector(entry, "axis", *region.axis, 6);
+    if (const auto& c = region.place_covariance_mm2)
+      put_vector(entry, "place_covariance_mm2", upper_triangle(*c), 9);
+    if (!region.polygon_mm.empty()) {
+      Json corners = Json::array();
+      for (const Eigen::Vector2d& corner : region.polygon_mm)
+        corners.push_back({to_decimals(corner.x(), 3), to_decimals(corner.y(), 3)});
+      entry["polygon_mm"] = std::move(corners);
+    }
     array.push_back(std::move(entry));
   }
   return array;
@@ -129,6 +143,7 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   Json line;
   line["frame"] = result.frame->name;
   line["index"] = index;
+  if (result.frame->time_ns != 0) line["time_ns"] = result.frame->time_ns;
   if (result.markers) line["markers"] = markers_json(*result.markers);
   if (result.reference)
     line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);

@@ -1,8 +1,10 @@
 #include "core/sensing/contact/contact_regions.h"
 
+#include "core/sensing/contact/contact_frame.h"
 #include "core/sensing/depth/depth_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <opencv2/imgproc.hpp>
@@ -23,6 +25,16 @@ UntouchedSd untouched_at(const RegionOptions& options, const Eigen::Vector2d& pi
 double sd_of_mean(const UntouchedSd& sd, double pixels, const RegionOptions& options) {
   const double independent = std::max(1.0, pixels / options.correlated_px2);
   return std::hypot(sd.noise / std::sqrt(independent), sd.systematic);
+}
+
+DepthCauses pressed_at(const RegionOptions& options,
+                       const Eigen::Vector2d& pixel,
+                       double depth_mm) {
+  DepthCauses causes;
+  causes.noise = options.noise_mm;
+  if (!options.pressed) return causes;
+  return options.pressed(
+      static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())), depth_mm);
 }
 
 /// Cells above the threshold that untouched skin would hardly ever reach.
@@ -80,14 +92,25 @@ class RegionSums {
     region_.place_mm += volume * pressed_mm;
     region_.place_px += volume * middle;
     region_.area_mm2 += cell.pixels * area->on_face_mm2;
+    const DepthCauses causes = pressed_at(options, middle, cell.depth / cell.pixels);
+    errors_.add(causes, volume, cell.pixels);
     // The axis is that of what rises above the threshold: a weight that begins at nothing, so that
     // pixels of the rim which noise takes in or leaves out do not move it.
-    const double weight = (cell.depth - threshold_mm_ * cell.pixels) * area->on_face_mm2;
+    const double sureness = sureness_of(causes.noise);
+    const double weight = (cell.depth - threshold_mm_ * cell.pixels) * area->on_face_mm2 * sureness;
     const Eigen::Vector2d off = on_face_mm - origin_mm_;
     weight_ += weight;
     first_ += weight * off;
     second_ += weight * off * off.transpose();
-    cells_.push_back({off, cell.pixels * area->on_face_mm2 * area->on_face_mm2});
+    const double turning = area->on_face_mm2 * sureness * causes.noise;
+    cells_.push_back({off, cell.pixels * turning * turning});
+  }
+
+  /// The first and the last pressed pixel of a row of a cell.
+  void widen(int row, int first, int last) {
+    for (const Eigen::Vector2d& end :
+         {Eigen::Vector2d(first - 0.5, row), Eigen::Vector2d(last + 0.5, row)})
+      ends_.push_back(shape_.place_mm(end.x(), end.y()));
   }
 
   /// A pixel that may be the deepest.
@@ -112,7 +135,12 @@ class RegionSums {
     region.place_mm /= region.volume_mm3;
     region.place_px /= region.volume_mm3;
     region.place_on_face_mm = shape_.place_mm(region.place_px.x(), region.place_px.y());
+    if (options.pressed)
+      region.place_covariance_mm2 = contact_covariance_mm2(
+          shape_, region.place_px, errors_.mean_sd_mm(region, options.correlated_px2));
     find_angle(options, region);
+    if (region.angle_deg) region.axis = contact_axis(shape_, region.place_px, *region.angle_deg);
+    region.polygon_mm = convex_polygon(ends_, 0.25 * std::sqrt(region.area_mm2 / region.pixels));
     return region;
   }
 
@@ -131,41 +159,69 @@ class RegionSums {
     constexpr double kDegPerRad = 180.0 / M_PI;
     if (kDegPerRad * std::sqrt(product / independent) / difference > kLargestAngleSdDeg) return;
     const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-    const double sd_deg = kDegPerRad * options.noise_mm *
-                          std::sqrt(correlated * sum_of_squares(mean, angle)) /
-                          (weight_ * difference);
+    const double sd_deg =
+        kDegPerRad * std::sqrt(correlated * sum_of_squares(mean, angle)) / (weight_ * difference);
     if (sd_deg > kLargestAngleSdDeg) return;
     region.angle_deg = angle * kDegPerRad;
     if (*region.angle_deg <= -90.0) *region.angle_deg += 180.0;
     region.angle_sd_deg = sd_deg;
   }
 
-  /// How independent noise of each pixel's depth turns the axis: by the sum of (x y area)^2 with x
-  /// along the axis and y across it, from the first-order change of the mixed second moment.
+  /// How independent noise of each pixel's depth turns the axis: by the sum of (x y noise area /
+  /// variance)^2 with x along the axis and y across it, from the first-order change of the mixed
+  /// second moment.
   [[nodiscard]] double sum_of_squares(const Eigen::Vector2d& mean, double angle) const {
     const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
     double sum = 0;
-    for (const auto& [off, area_square] : cells_) {
+    for (const auto& [off, turning_square] : cells_) {
       const Eigen::Vector2d d = off - mean;
       const double x = along.dot(d), y = along.x() * d.y() - along.y() * d.x();
-      sum += area_square * x * x * y * y;
+      sum += turning_square * x * x * y * y;
     }
     return sum;
   }
 
+  /// 1 / variance, as a part of what it is where the region begins; 1 where no noise is known.
+  double sureness_of(double noise_mm) {
+    if (!(noise_mm > 0)) return 1;
+    if (!(unit_noise_mm_ > 0)) unit_noise_mm_ = noise_mm;
+    return std::pow(unit_noise_mm_ / noise_mm, 2);
+  }
+
+  /// What errs in the mean depth: what all pixels share, and the noise that they do not.
+  struct MeanErrors {
+    double volume = 0, mapping = 0, reference = 0, light = 0, noise_square = 0;
+    void add(const DepthCauses& causes, double cell_volume, int pixels) {
+      volume += cell_volume;
+      mapping += cell_volume * causes.mapping;
+      reference += cell_volume * causes.reference;
+      light += cell_volume * causes.light;
+      noise_square += pixels * causes.noise * causes.noise;
+    }
+    [[nodiscard]] double mean_sd_mm(const ContactRegion& region, double correlated_px2) const {
+      const double noise = std::sqrt(correlated_px2 * noise_square) / region.pixels;
+      return std::hypot(std::hypot(mapping, reference, light) / volume, noise);
+    }
+  };
+
   const FaceShape& shape_;
   const Face& face_;
   double threshold_mm_;
-  std::vector<std::pair<Eigen::Vector2d, double>> cells_;  // place; pixels times area squared
-  ContactRegion region_;                                   // places not yet divided by the volume
+  std::vector<std::pair<Eigen::Vector2d, double>> cells_;  // place; how its noise turns the axis
+  std::vector<Eigen::Vector2d> ends_;                      // of rows of pixels, mm on the face
+  MeanErrors errors_;
+  double unit_noise_mm_ = 0;
+  ContactRegion region_;  // places not yet divided by the volume
   Eigen::Vector2d origin_mm_ = Eigen::Vector2d::Zero(), first_ = Eigen::Vector2d::Zero();
   Eigen::Matrix2d second_ = Eigen::Matrix2d::Zero();
   double weight_ = 0, depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
 };
 
-/// A cell's pressed pixels, and the deepest of them.
+/// A cell's pressed pixels, the deepest of them, and in each row the first and the last.
 struct PressedCell {
   CellSums sums;
+  std::array<std::pair<int, int>, kCell> ends;
+  PressedCell() { ends.fill({0, -1}); }
   int deepest_u = 0, deepest_row = 0;
   float deepest = 0;
 };
@@ -174,8 +230,11 @@ PressedCell pressed_in(const cv::Mat& depth_mm, const cv::Rect& cell, float thre
   PressedCell pressed;
   for (int row = cell.y; row < cell.y + cell.height; ++row) {
     const float* depth = depth_mm.ptr<float>(row);
+    auto& [first, last] = pressed.ends[static_cast<std::size_t>(row - cell.y)];
     for (int u = cell.x; u < cell.x + cell.width; ++u) {
       if (!(depth[u] > threshold)) continue;
+      if (last < 0) first = u;
+      last = u;
       const auto d = static_cast<double>(depth[u]);
       CellSums& sums = pressed.sums;
       ++sums.pixels;
@@ -212,6 +271,9 @@ RegionSums sums_of(const DepthMap& depth,
           pressed_in(depth.depth_mm, cell, static_cast<float>(threshold_mm));
       if (pressed.sums.pixels == 0) continue;
       sums.add(pressed.sums, options);
+      for (std::size_t k = 0; k < pressed.ends.size(); ++k)
+        if (const auto& [first, last] = pressed.ends[k]; last >= 0)
+          sums.widen(cell.y + static_cast<int>(k), first, last);
       sums.look_at(pressed.deepest_u, pressed.deepest_row, static_cast<double>(pressed.deepest));
     }
   }
