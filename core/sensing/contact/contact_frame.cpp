@@ -8,18 +8,24 @@
 
 namespace alltact {
 
+std::optional<ContactPlane> contact_plane(const FaceShape& shape, const Eigen::Vector2d& pixel) {
+  const auto local = shape.at(pixel.x(), pixel.y());
+  if (!local) return std::nullopt;
+  // The face is straight along y or nearly so: its length is what is across y.
+  const double way = shape.base_at_low_u() ? 1.0 : -1.0;
+  ContactPlane plane;
+  plane.col(0) = way * Eigen::Vector3d::UnitY().cross(local->normal).normalized();
+  plane.col(1) = way * local->normal.cross(plane.col(0));
+  return plane;
+}
+
 std::optional<Eigen::Vector3d> contact_axis(const FaceShape& shape,
                                             const Eigen::Vector2d& pixel,
                                             double angle_deg) {
-  const auto local = shape.at(pixel.x(), pixel.y());
-  if (!local) return std::nullopt;
-  const Eigen::Vector3d& normal = local->normal;
-  // The face is straight along y or nearly so: its length is what is across y.
-  const double way = shape.base_at_low_u() ? 1.0 : -1.0;
-  const Eigen::Vector3d length = way * Eigen::Vector3d::UnitY().cross(normal).normalized();
-  const Eigen::Vector3d across = way * normal.cross(length);
+  const auto plane = contact_plane(shape, pixel);
+  if (!plane) return std::nullopt;
   const double angle = angle_deg * M_PI / 180.0;
-  return (std::cos(angle) * length + std::sin(angle) * across).normalized();
+  return (*plane * Eigen::Vector2d(std::cos(angle), std::sin(angle))).normalized();
 }
 
 std::optional<Eigen::Matrix3d> contact_covariance_mm2(const FaceShape& shape,

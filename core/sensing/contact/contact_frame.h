@@ -10,6 +10,12 @@
 
 namespace alltact {
 
+/// Unit vectors that touch the face at a pixel, camera frame: along the finger's length (base to
+/// tip), and across it towards +y. nullopt off the face.
+using ContactPlane = Eigen::Matrix<double, 3, 2>;
+[[nodiscard]] std::optional<ContactPlane> contact_plane(const FaceShape& shape,
+                                                        const Eigen::Vector2d& pixel);
+
 /// The direction on the face at a pixel that is turned by `angle_deg` from the finger's length
 /// (base to tip) towards +y: a unit vector in the camera frame. nullopt off the face.
 [[nodiscard]] std::optional<Eigen::Vector3d> contact_axis(const FaceShape& shape,

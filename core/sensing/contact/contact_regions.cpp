@@ -1,6 +1,7 @@
 #include "core/sensing/contact/contact_regions.h"
 
 #include "core/sensing/contact/contact_frame.h"
+#include "core/sensing/contact/principal_axis.h"
 #include "core/sensing/depth/depth_cells.h"
 
 #include <algorithm>
@@ -83,10 +84,9 @@ class RegionSums {
     const Eigen::Vector3d pressed_mm =
         untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ) -
         Eigen::Vector3d(0.0, 0.0, weighted_depth);
-    const Eigen::Vector2d on_face_mm(shape_.length_at(middle.x()), local->view_point_mm.y());
     const double volume = cell.depth * area->flat_mm2;
     // Moments about a point of the region itself, so that little cancels.
-    if (region_.pixels == 0) origin_mm_ = on_face_mm;
+    if (region_.pixels == 0) origin_mm_ = pressed_mm;
     region_.pixels += cell.pixels;
     region_.volume_mm3 += volume;
     region_.place_mm += volume * pressed_mm;
@@ -94,16 +94,18 @@ class RegionSums {
     region_.area_mm2 += cell.pixels * area->on_face_mm2;
     const DepthCauses causes = pressed_at(options, middle, cell.depth / cell.pixels);
     errors_.add(causes, volume, cell.pixels);
-    // The axis is that of what rises above the threshold: a weight that begins at nothing, so that
-    // pixels of the rim which noise takes in or leaves out do not move it.
-    const double sureness = sureness_of(causes.noise);
-    const double weight = (cell.depth - threshold_mm_ * cell.pixels) * area->on_face_mm2 * sureness;
-    const Eigen::Vector2d off = on_face_mm - origin_mm_;
-    weight_ += weight;
-    first_ += weight * off;
-    second_ += weight * off * off.transpose();
-    const double turning = area->on_face_mm2 * sureness * causes.noise;
-    cells_.push_back({off, cell.pixels * turning * turning});
+    // The axis is that of the volume between the threshold and the depth: a weight that begins at
+    // nothing, so that pixels of the rim which noise takes in or leaves out do not move it.
+    const double above = cell.depth - threshold_mm_ * cell.pixels;
+    const double middle_depth =
+        0.5 * (cell.depth_square - threshold_mm_ * threshold_mm_ * cell.pixels) / above;
+    const Eigen::Vector3d off = pressed_mm - origin_mm_;
+    columns_.push_back({off + Eigen::Vector3d(0.0, 0.0, weighted_depth - middle_depth),
+                        off,
+                        above * area->on_face_mm2,
+                        above / cell.pixels,
+                        sd.noise,
+                        cell.pixels * std::pow(area->on_face_mm2 * causes.noise, 2)});
   }
 
   /// The first and the last pressed pixel of a row of a cell.
@@ -148,44 +150,19 @@ class RegionSums {
   /// Principal axis, where one can be told: where points drawn from the contact, as many as it has
   /// independent pixels, would show it to kLargestAngleSdDeg, sqrt(l1 l2 / n) / (l1 - l2).
   void find_angle(const RegionOptions& options, ContactRegion& region) const {
-    const Eigen::Vector2d mean = first_ / weight_;
-    const Eigen::Matrix2d covariance = second_ / weight_ - mean * mean.transpose();
-    const double xx = covariance(0, 0), xy = covariance(0, 1), yy = covariance(1, 1);
-    const double difference = std::hypot(xx - yy, 2.0 * xy);  // l1 - l2
-    const double product = std::max(0.0, xx * yy - xy * xy);  // l1 l2
-    const double correlated = options.correlated_px2;
-    const double independent = std::max(1.0, region.pixels / correlated);
-    if (!(difference > 0.0)) return;
+    const auto plane = contact_plane(shape_, region.place_px);
+    if (!plane) return;
+    const auto axis = principal_axis(columns_, *plane, options.correlated_px2);
+    if (!axis) return;
     constexpr double kDegPerRad = 180.0 / M_PI;
-    if (kDegPerRad * std::sqrt(product / independent) / difference > kLargestAngleSdDeg) return;
-    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-    const double sd_deg =
-        kDegPerRad * std::sqrt(correlated * sum_of_squares(mean, angle)) / (weight_ * difference);
-    if (sd_deg > kLargestAngleSdDeg) return;
-    region.angle_deg = angle * kDegPerRad;
-    if (*region.angle_deg <= -90.0) *region.angle_deg += 180.0;
+    const double independent = std::max(1.0, region.pixels / options.correlated_px2);
+    const double drawn_deg = kDegPerRad *
+                             std::sqrt(axis->greater_mm2 * axis->smaller_mm2 / independent) /
+                             (axis->greater_mm2 - axis->smaller_mm2);
+    const double sd_deg = kDegPerRad * axis->sd_rad;
+    if (!(drawn_deg <= kLargestAngleSdDeg && sd_deg <= kLargestAngleSdDeg)) return;
+    region.angle_deg = kDegPerRad * axis->angle_rad;
     region.angle_sd_deg = sd_deg;
-  }
-
-  /// How independent noise of each pixel's depth turns the axis: by the sum of (x y noise area /
-  /// variance)^2 with x along the axis and y across it, from the first-order change of the mixed
-  /// second moment.
-  [[nodiscard]] double sum_of_squares(const Eigen::Vector2d& mean, double angle) const {
-    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
-    double sum = 0;
-    for (const auto& [off, turning_square] : cells_) {
-      const Eigen::Vector2d d = off - mean;
-      const double x = along.dot(d), y = along.x() * d.y() - along.y() * d.x();
-      sum += turning_square * x * x * y * y;
-    }
-    return sum;
-  }
-
-  /// 1 / variance, as a part of what it is where the region begins; 1 where no noise is known.
-  double sureness_of(double noise_mm) {
-    if (!(noise_mm > 0)) return 1;
-    if (!(unit_noise_mm_ > 0)) unit_noise_mm_ = noise_mm;
-    return std::pow(unit_noise_mm_ / noise_mm, 2);
   }
 
   /// What errs in the mean depth: what all pixels share, and the noise that they do not.
@@ -207,14 +184,12 @@ class RegionSums {
   const FaceShape& shape_;
   const Face& face_;
   double threshold_mm_;
-  std::vector<std::pair<Eigen::Vector2d, double>> cells_;  // place; how its noise turns the axis
-  std::vector<Eigen::Vector2d> ends_;                      // of rows of pixels, mm on the face
+  std::vector<ContactColumn> columns_;
+  std::vector<Eigen::Vector2d> ends_;  // of rows of pixels, mm on the face
   MeanErrors errors_;
-  double unit_noise_mm_ = 0;
   ContactRegion region_;  // places not yet divided by the volume
-  Eigen::Vector2d origin_mm_ = Eigen::Vector2d::Zero(), first_ = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d second_ = Eigen::Matrix2d::Zero();
-  double weight_ = 0, depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
+  Eigen::Vector3d origin_mm_ = Eigen::Vector3d::Zero();
+  double depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
 };
 
 /// A cell's pressed pixels, the deepest of them, and in each row the first and the last.

@@ -84,13 +84,8 @@ struct RegionOptions {
 /// threshold and at least 4 times what noise and reference can make of untouched skin there:
 /// sd^2 = noise^2 / n + systematic^2, n its independent pixels (one in correlated_px2). A
 /// region's mean depth must be that, too, with n its own.
-///
-/// The angle is that of the greater eigenvector of the second moments on the face, each pixel
-/// weighing (depth - threshold) / variance of its depth: from the brighter, surer part of a long
-/// contact more is learnt. To first order a depth's error e at (x, y) along and across the axis
-/// turns it by weight x y e / (sum of weights (l1 - l2)); pixels share their errors over
-/// correlated_px2, so that
-///   sd^2 = correlated sum (area x y)^2 / variance / (sum of weights (l1 - l2))^2.
+/// The angle is that of principal_axis.h. Its sd holds what noise does, not how well lens, mapping
+/// and light are known.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                                          const FaceShape& shape,
                                                          const Face& face,
