@@ -140,6 +140,8 @@ class RegionSums {
     if (options.pressed)
       region.place_covariance_mm2 = contact_covariance_mm2(
           shape_, region.place_px, errors_.mean_sd_mm(region, options.correlated_px2));
+    if (const auto local = shape_.at(region.place_px.x(), region.place_px.y()))
+      region.normal = local->normal;
     find_angle(options, region);
     if (region.angle_deg) region.axis = contact_axis(shape_, region.place_px, *region.angle_deg);
     region.polygon_mm = convex_polygon(ends_, 0.25 * std::sqrt(region.area_mm2 / region.pixels));

@@ -61,8 +61,9 @@ struct ContactRegion {
   /// Principal axis on the face from the finger's length (base to tip) towards +y, in
   /// (-90, 90]; absent when the region is round, or the sd above 15 degrees.
   std::optional<double> angle_deg;
-  std::optional<double> angle_sd_deg;   ///< from the depth's noise, which neighbours share
-  std::optional<Eigen::Vector3d> axis;  ///< the same as a unit vector, camera frame
+  std::optional<double> angle_sd_deg;     ///< from the depth's noise, which neighbours share
+  std::optional<Eigen::Vector3d> axis;    ///< the same as a unit vector, camera frame
+  std::optional<Eigen::Vector3d> normal;  ///< of the untouched face there, away from the camera
   /// Convex hull of the pressed pixels, as those that are stood on are: mm along the face and
   /// across it (FaceShape::place_mm), corners in order; straight to a quarter of a pixel.
   std::vector<Eigen::Vector2d> polygon_mm;
