@@ -156,6 +156,7 @@ struct GripperOptions {
   Path gripper;  ///< gripper.yaml or its folder
   std::optional<double> motor_turns;
   std::optional<double> motor_sd_turns;  ///< empty: gripper.yaml's
+  std::optional<Path> motor_log;         ///< instead of motor_turns, with results
   std::vector<Path> results;             ///< none, or results.jsonl of the first and second finger
   double tolerance_ms = 20;
   Eigen::Vector3d up = {0, 0, -1};  ///< in the gripper's frame

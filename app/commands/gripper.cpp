@@ -5,6 +5,7 @@
 #include "app/console/command_names.h"
 #include "core/gripper/face_gap.h"
 #include "core/gripper/held_object.h"
+#include "core/gripper/motor_log.h"
 #include "core/gripper/recorded_contacts.h"
 #include "core/io/picture.h"
 
@@ -207,8 +208,33 @@ void tell_unpaired(const Gripper& gripper,
   console.answer()["unpaired"] = std::move(unpaired);
 }
 
+/// Where the gripper was while two frames were taken: at one motor position, or as the log says
+/// half-way between them; by how far the motor went in between it may be off as well.
+class RecordedPose {
+ public:
+  RecordedPose(const Gripper& gripper, const GripperOptions& options, std::optional<MotorLog> log)
+      : gripper_(gripper), options_(options), log_(std::move(log)) {}
+  Result<GripperPose> operator()(const RecordedContacts& first,
+                                 const RecordedContacts& second) const {
+    if (!log_) return gripper_.pose_at(*options_.motor_turns, options_.motor_sd_turns);
+    std::optional<double> before, after;
+    if (first.time_ns) before = log_->turns_at(*first.time_ns);
+    if (second.time_ns) after = log_->turns_at(*second.time_ns);
+    if (!before || !after)
+      return Error{en::say("the motor's log does not reach to when this was taken"), "", ""};
+    const double sd = options_.motor_sd_turns.value_or(gripper_.motor.sd_turns);
+    return gripper_.pose_at(0.5 * (*before + *after), std::hypot(sd, 0.5 * (*after - *before)));
+  }
+  [[nodiscard]] bool is_logged() const { return log_.has_value(); }
+
+ private:
+  const Gripper& gripper_;
+  const GripperOptions& options_;
+  std::optional<MotorLog> log_;
+};
+
 Status tell_recorded(const Gripper& gripper,
-                     const GripperPose& pose,
+                     const RecordedPose& pose_of,
                      const GripperOptions& options,
                      Console& console) {
   const std::array<Path, 2> files{options.results[0], options.results[1]};
@@ -232,12 +258,21 @@ Status tell_recorded(const Gripper& gripper,
     if (paired.by_time)
       entry["later_ms"] =
           1e-6 * (static_cast<double>(*both[1]->time_ns) - static_cast<double>(*both[0]->time_ns));
-    if (const Status gap = put_gap(pose, files, both, entry, line); !gap) return gap;
+    const auto pose = pose_of(*both[0], *both[1]);
+    if (!pose) {
+      if (!pose_of.is_logged()) return pose.error();
+      console.say(fmt::format("{}; {}", line, pose.error().message()));
+      entry["problem"] = pose.error().message().english();
+      pairs.push_back(std::move(entry));
+      continue;
+    }
+    if (pose_of.is_logged()) entry["motor_turns"] = pose->motor_turns;
+    if (const Status gap = put_gap(*pose, files, both, entry, line); !gap) return gap;
     if (both[0]->contact && both[1]->contact)
-      put_width(pose, {*both[0]->contact, *both[1]->contact}, entry, line);
+      put_width(*pose, {*both[0]->contact, *both[1]->contact}, entry, line);
     else
       line += "; nothing is held";
-    put_turns(gripper, pose, both, options.up, entry, line);
+    put_turns(gripper, *pose, both, options.up, entry, line);
     console.say(line);
     pairs.push_back(std::move(entry));
   }
@@ -264,11 +299,19 @@ Status run_gripper(const GripperOptions& options, Console& console) {
                  std::string("--up"),
                  en::say("a direction across it, for example 0 0 -1")};
   tell_linkages(*gripper, console);
-  if (!options.motor_turns) return {};
-  const auto pose = gripper->pose_at(*options.motor_turns, options.motor_sd_turns);
-  if (!pose) return pose.error();
-  tell_pose(*gripper, *pose, console);
-  return options.results.empty() ? Status() : tell_recorded(*gripper, *pose, options, console);
+  std::optional<MotorLog> log;
+  if (options.motor_log) {
+    auto read = MotorLog::load(*options.motor_log);
+    if (!read) return read.error();
+    log = std::move(*read);
+  }
+  if (options.motor_turns) {
+    const auto pose = gripper->pose_at(*options.motor_turns, options.motor_sd_turns);
+    if (!pose) return pose.error();
+    tell_pose(*gripper, *pose, console);
+  }
+  if (options.results.empty()) return {};
+  return tell_recorded(*gripper, RecordedPose(*gripper, options, std::move(log)), options, console);
 }
 
 void add_gripper(CLI::App& program, Chosen& chosen) {
@@ -282,13 +325,13 @@ void add_gripper(CLI::App& program, Chosen& chosen) {
                        options->motor_turns,
                        "Motor position in turns: tells where both cameras are in the gripper")
           ->type_name("M");
-  command
-      ->add_option("--motor-sd",
-                   options->motor_sd_turns,
-                   "Standard deviation of the motor position (default: that of gripper.yaml)")
-      ->type_name("S")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->needs(motor);
+  CLI::Option* sd =
+      command
+          ->add_option("--motor-sd",
+                       options->motor_sd_turns,
+                       "Standard deviation of the motor position (default: that of gripper.yaml)")
+          ->type_name("S")
+          ->check(CLI::Range(0.0, 1000.0));
   CLI::Option* results =
       command
           ->add_option("--results",
@@ -297,8 +340,16 @@ void add_gripper(CLI::App& program, Chosen& chosen) {
                        "their faces (with NAME.points.tiff beside them), the width of what is held "
                        "and the turn that brings it upright, for frames taken at the same time")
           ->type_name("FIRST SECOND")
-          ->expected(2)
-          ->needs(motor);
+          ->expected(2);
+  CLI::Option* log =
+      command
+          ->add_option("--motor-log",
+                       options->motor_log,
+                       "Motor positions while that was recorded: a CSV file of time_ns,turns on "
+                       "the clock of the frames")
+          ->type_name("FILE")
+          ->needs(results)
+          ->excludes(motor);
   command
       ->add_option("--tolerance-ms",
                    options->tolerance_ms,
@@ -314,6 +365,10 @@ void add_gripper(CLI::App& program, Chosen& chosen) {
       ->expected(3)
       ->needs(results);
   command->callback([=, &chosen] {
+    if (!results->empty() && motor->empty() && log->empty())
+      throw CLI::RequiredError("--motor or --motor-log");
+    if (!sd->empty() && motor->empty() && log->empty())
+      throw CLI::ValidationError("--motor-sd", "is for --motor or --motor-log");
     if (!up->empty()) options->up = {(*up)[0], (*up)[1], (*up)[2]};
     chosen = [=](Console& console) { return run_gripper(*options, console); };
   });

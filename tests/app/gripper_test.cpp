@@ -150,6 +150,28 @@ TEST_F(GripperCommand, WhatCannotBeIsASentence) {
   EXPECT_EQ(run_alltact({"gripper"}).status, 2);
 }
 
+TEST_F(GripperCommand, TheMotorsLogSaysWhereEachPairWasTaken) {
+  // The motor goes through 4 turns half-way between the first two frames, by 1 turn a second, and
+  // is read no more before the second pair.
+  write_text(folder_ / "motor.csv", "time_ns,turns\n2000000,3.9\n102000000,4.0\n112000000,4.01\n");
+  const ProgramRun run = run_alltact({"gripper",
+                                      file("gripper.yaml"),
+                                      "--motor-log",
+                                      file("motor.csv"),
+                                      "--results",
+                                      file("left/results.jsonl"),
+                                      file("right/results.jsonl"),
+                                      "--json"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const Json pairs = Json::parse(run.output).at("pairs");
+  EXPECT_NEAR(pairs[0].at("motor_turns"), 4.0, 1e-9);
+  EXPECT_NEAR(pairs[0].at("width_mm"), 20, 1e-6);
+  EXPECT_THAT(std::string(pairs[1].at("problem")), HasSubstr("log does not reach"));
+  EXPECT_EQ(run_alltact({"gripper", file("gripper.yaml"), "--motor-log", file("motor.csv")}).status,
+            2);
+  EXPECT_EQ(run_alltact(recorded({"--motor-log", file("motor.csv")})).status, 2);
+}
+
 TEST_F(GripperCommand, RecordingsOfOtherTimesHaveNoPairs) {
   write_results("right", {5000, 6000}, 1);
   const ProgramRun run = run_alltact(recorded({}));
