@@ -107,11 +107,27 @@ double DepthError::level_at(int u, int v) {
   return static_cast<double>(reader_.row(v, {&one, 1})[u]) / kGreySteps;
 }
 
-DepthCauses DepthError::causes(int u, int v, double level, double depth_mm) {
+/// The same without the table, which costs as much as some hundred single depths: x to a millionth
+/// of the domain.
+DepthError::At DepthError::single_at(double depth_mm) const {
+  const double end = mapping_.x_max(), end_mm = step_mm_ * kTable;
+  if (depth_mm >= end_mm) {
+    const double slope_mm = mapping_.slope_mm(end);
+    return {end + (depth_mm - end_mm) / slope_mm, slope_mm};
+  }
+  double low = 0, high = end;
+  for (int halving = 0; halving < 20; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (mapping_.depth_mm(middle) < depth_mm ? low : high) = middle;
+  }
+  return {high, mapping_.slope_mm(high)};
+}
+
+DepthCauses DepthError::causes(int u, int v, double level, double depth_mm, ReadCurve read) {
   const Eigen::Vector2d place = shape_.place_mm(u, v);
   const double longer = static_cast<double>(along_z_[static_cast<std::size_t>(u)]);
   const double factor = mapping_.parameters().variation.at(place);
-  const auto [x, slope_mm] = curve_at(depth_mm / (longer * factor));
+  const auto [x, slope_mm] = (this->*read)(depth_mm / (longer * factor));
   const double per_part = longer * factor * slope_mm;  // mm by the relative brightness
   const double left = std::max(0.0, 1.0 - x);
   DepthCauses causes;
@@ -125,8 +141,7 @@ DepthCauses DepthError::causes(int u, int v, double level, double depth_mm) {
 DepthCauses DepthError::of_depth(int u, int v, double depth_mm) {
   const double level = level_at(u, v);
   if (!(level > 0)) return {};
-  know_curve();
-  return causes(u, v, level, depth_mm);
+  return causes(u, v, level, depth_mm, &DepthError::single_at);
 }
 
 UntouchedSd DepthError::untouched(int u, int v) {

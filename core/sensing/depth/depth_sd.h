@@ -57,10 +57,12 @@ class DepthError {
   };
   void know_curve();
   [[nodiscard]] At curve_at(double depth_mm) const;
+  [[nodiscard]] At single_at(double depth_mm) const;
   [[nodiscard]] double reference_sd(int u, int v);
   [[nodiscard]] double lateral_mm(int u, int v, double noise_mm) const;
   [[nodiscard]] double level_at(int u, int v);
-  [[nodiscard]] DepthCauses causes(int u, int v, double level, double depth_mm);
+  using ReadCurve = At (DepthError::*)(double depth_mm) const;
+  [[nodiscard]] DepthCauses causes(int u, int v, double level, double depth_mm, ReadCurve read);
 
   const DepthMap& depth_;
   const Reference& reference_;
@@ -97,8 +99,11 @@ void DepthError::row(int v, Put put) {
   const float* depth = depth_.depth_mm.ptr<float>(v);
   for (int u = 0; u < depth_.depth_mm.cols; ++u)
     if (depth[u] == depth[u] && grey[u] > 0) {
-      DepthCauses all =
-          causes(u, v, static_cast<double>(grey[u]) / 64.0, static_cast<double>(depth[u]));
+      DepthCauses all = causes(u,
+                               v,
+                               static_cast<double>(grey[u]) / 64.0,
+                               static_cast<double>(depth[u]),
+                               &DepthError::curve_at);
       all.lateral = lateral_mm(u, v, all.noise);
       put(u, all);
     }
