@@ -2,6 +2,7 @@
 
 #include "core/finger/finger.h"
 #include "core/finger/place_yaml.h"
+#include "core/printable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +138,10 @@ Result<GripperPose> Gripper::pose_at(double motor_turns, std::optional<double> s
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     const GripperFinger& finger = fingers[i];
     if (!finger.link_from_camera)
-      return Error{en::say("it is not known where the camera of finger {} sits", i), name, ""};
+      return Error{
+          en::say("it is not known where the camera of finger {} sits", printable(finger.name)),
+          name,
+          ""};
     const auto linkage = Linkage::create(finger.linkage, motor.lead_mm);
     if (!linkage) return linkage.error();
     const auto angle = linkage->angle_at(motor_turns);

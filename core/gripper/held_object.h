@@ -24,8 +24,8 @@ struct SeenContact {
 
 /// The extent of the held object along x of the gripper, the direction in which the fingers close:
 /// from one contact's place to the other's, so of a round object less by what it is rounded by over
-/// the contacts. The places' errors are independent, the motor's moves
-/// both; `sd` is absent where a covariance is, or in a dead point.
+/// the contacts. The places' errors are independent, the motor's moves both; `sd_mm` is absent
+/// where a covariance is, or in a dead point.
 struct HeldWidth {
   double mm = 0;
   std::optional<double> sd_mm;

@@ -86,7 +86,9 @@ struct RegionOptions {
 /// sd^2 = noise^2 / n + systematic^2, n its independent pixels (one in correlated_px2). A
 /// region's mean depth must be that, too, with n its own.
 /// The angle is that of principal_axis.h. Its sd holds what noise does, not how well lens, mapping
-/// and light are known.
+/// and light are known: in rendered pictures 1.36 times its square for a smooth body of noise
+/// alone, and beyond it 0.03 to 0.04 degrees for bars with upright ends, which depth along z
+/// undercuts.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                                          const FaceShape& shape,
                                                          const Face& face,

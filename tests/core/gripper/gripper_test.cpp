@@ -110,7 +110,7 @@ TEST(Gripper, ARangeBeyondTheLinkagesReachIsRefusedWithWhatItReaches) {
   // Stretched where (20 mm)^2 + h^2 = (55 mm)^2 beside pivot and nut, 15 mm above the nut at 0.
   const double end = (15 + std::sqrt(55.0 * 55.0 - 20.0 * 20.0)) / 2;
   EXPECT_EQ(gripper.error().where.english(), "gripper.yaml:5: motor.range_turns");
-  EXPECT_THAT(gripper.error().sentence(), HasSubstr("the finger 0 can reach"));
+  EXPECT_THAT(gripper.error().sentence(), HasSubstr("the finger left can reach"));
   EXPECT_THAT(gripper.error().sentence(), HasSubstr(fmt::format("at {:.6g} turns", end)));
   EXPECT_THAT(gripper.error().sentence(), HasSubstr("stretched into one line"));
 }

@@ -15,14 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
 
-/// A line as the program writes it.
-std::string written_line(std::int64_t time_ns) {
-  FrameResult result;
-  auto frame = std::make_shared<Frame>();
-  frame->name = "frame_00003";
-  frame->time_ns = time_ns;
-  result.frame = frame;
-  result.depth.emplace();
+ContactRegion written_region() {
   ContactRegion region;
   region.place_mm = {3.1, -0.2, 48.0};
   region.place_px = {100, 100};
@@ -33,7 +26,18 @@ std::string written_line(std::int64_t time_ns) {
   region.axis = Eigen::Vector3d(0.6, 0, 0.8);
   region.normal = Eigen::Vector3d(-0.8, 0, 0.6);
   region.polygon_mm = {{1, 2}, {3, 4}, {1, 5}};
-  result.regions = {region};
+  return region;
+}
+
+/// A line as the program writes it.
+std::string written_line(std::int64_t time_ns) {
+  FrameResult result;
+  auto frame = std::make_shared<Frame>();
+  frame->name = "frame_00003";
+  frame->time_ns = time_ns;
+  result.frame = frame;
+  result.depth.emplace();
+  result.regions = {written_region()};
   return result_line(result, 3, ReferenceMethod::kLocal) + "\n";
 }
 
@@ -52,6 +56,20 @@ TEST(RecordedContacts, ReadsWhatTheProgramWrites) {
   EXPECT_NEAR((*one.contact->place_covariance_mm2)(1, 1), 0.02, 1e-9);
   EXPECT_FALSE(one.z_sd_mm(100)) << "nothing was said of the face";
   EXPECT_NE(line.find("polygon_mm"), std::string::npos);
+}
+
+TEST(RecordedContacts, AreWhatTheFrameItselfTells) {
+  const auto read = parse_recorded_contacts(written_line(5), "results.jsonl");
+  ASSERT_TRUE(read);
+  const SeenContact told = seen_contact(written_region()), &kept = *read->front().contact;
+  EXPECT_NEAR((told.place_mm - kept.place_mm).norm(), 0, 1e-4);
+  EXPECT_NEAR((*told.place_covariance_mm2 - *kept.place_covariance_mm2).norm(), 0, 1e-8);
+  EXPECT_NEAR((*told.axis - *kept.axis).norm(), 0, 1e-5);
+  EXPECT_NEAR((*told.face_normal - *kept.face_normal).norm(), 0, 1e-5);
+  EXPECT_EQ(told.axis_sd_deg, kept.axis_sd_deg);
+  ContactRegion round = written_region();
+  round.axis.reset();
+  EXPECT_FALSE(seen_contact(round).axis_sd_deg) << "a round contact has no axis to be sure of";
 }
 
 TEST(RecordedContacts, OlderLinesAreReadAsFarAsTheyGo) {
