@@ -62,7 +62,7 @@ std::optional<Error> Gripper::finger_problem(std::size_t number) const {
     if (is_beyond)
       return Error{
           en::say("goes beyond what the finger {} can reach: at {:.6g} turns {}",
-                  number,
+                  printable(finger.name),
                   end.motor_turns,
                   to_message(end.kind)),
           std::string("motor.range_turns"),
