@@ -27,6 +27,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Core>
 
 namespace alltact {
 
@@ -41,7 +42,7 @@ struct SimulateOptions {
   std::optional<int> frames;  ///< the first so many; empty: all
   std::uint64_t seed = 1;
   bool video = false;
-  bool maps = false;  ///< also the truth of every pixel
+  bool maps = false;     ///< also the truth of every pixel
   bool explain = false;  ///< tell what the scene builds, and render nothing
   int threads = 1;
   bool costs = false;  ///< run_simulate_costs() instead
@@ -164,6 +165,20 @@ struct ExportOptions {
 /// Writes a finger's calibration for other programs.
 Status run_export(const ExportOptions& options, Console& console);
 
+struct GripperOptions {
+  Path gripper;  ///< gripper.yaml or its folder
+  std::optional<double> motor_turns;
+  std::optional<double> motor_sd_turns;  ///< empty: gripper.yaml's
+  std::optional<Path> motor_log;         ///< instead of motor_turns, with results
+  std::vector<Path> results;             ///< none, or results.jsonl of the first and second finger
+  double tolerance_ms = 20;
+  Eigen::Vector3d up = {0, 0, -1};  ///< in the gripper's frame
+};
+/// Tells the reach of a gripper's linkages, where its cameras are for a motor position, and what
+/// recordings of both fingers tell of an object between them. Error: out of reach; no frames that
+/// belong together.
+Status run_gripper(const GripperOptions& options, Console& console);
+
 struct DemoOptions {
   Path folder;
   std::uint64_t seed = 1;
@@ -191,6 +206,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen);
 void add_record(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);
 void add_export(CLI::App& program, Chosen& chosen);
+void add_gripper(CLI::App& program, Chosen& chosen);
 void add_demo(CLI::App& program, Chosen& chosen);
 void add_devices(CLI::App& program, Chosen& chosen);
 

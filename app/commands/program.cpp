@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   add_record(program, chosen);
   add_check(program, chosen);
   add_export(program, chosen);
+  add_gripper(program, chosen);
   add_devices(program, chosen);
   add_demo(program, chosen);
   bool json = false;

@@ -27,6 +27,8 @@ inline constexpr std::array kCommands = {
     CommandName{"record", "Records a source without loss, and without losing anything when killed"},
     CommandName{"check", "Is this finger fit to use? What is missing, stale or weak"},
     CommandName{"export", "Writes the calibration for other programs"},
+    CommandName{"gripper",
+                "Where the cameras of two fingers are for a motor position, and what they hold"},
     CommandName{"devices",
                 "Cameras and HID devices found, with what is wrong with those that can't be used"},
     CommandName{"demo",

@@ -1,6 +1,7 @@
 #include "core/finger/finger.h"
 
 #include "core/camera/camera_range.h"
+#include "core/finger/place_yaml.h"
 #include "core/printable.h"
 
 namespace alltact {
@@ -139,19 +140,6 @@ std::optional<Error> contact_problem(const ContactSettings& contact,
   return std::nullopt;
 }
 
-std::optional<Error> gripper_problem(const RigidTransform& gripper_from_camera) {
-  for (const double along : gripper_from_camera.translation_mm)
-    if (!is_in(along, -1e4, 1e4))
-      return Error{en::say("must be three numbers from -10000 to 10000"),
-                   std::string("gripper_from_camera.translation_mm"),
-                   en::say("where the camera sits in the gripper, in mm")};
-  if (!is_in(gripper_from_camera.rotation.norm(), 0.999, 1.001))
-    return Error{en::say("is no rotation: a quaternion w, x, y, z has the length 1"),
-                 std::string("gripper_from_camera.rotation"),
-                 en::say("[1.0, 0.0, 0.0, 0.0] for a camera that is not turned")};
-  return std::nullopt;
-}
-
 }  // namespace
 
 Status Finger::validate() const {
@@ -179,7 +167,7 @@ Status Finger::validate() const {
   if (!force_model.empty())
     if (auto problem = file_problem(force_model, "force.model")) return *problem;
   if (gripper_from_camera)
-    if (auto problem = gripper_problem(*gripper_from_camera)) return *problem;
+    if (auto problem = place_problem(*gripper_from_camera, "gripper_from_camera")) return *problem;
   return {};
 }
 

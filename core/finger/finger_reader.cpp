@@ -1,6 +1,7 @@
 // finger.yaml, read.
 #include "core/finger/camera_yaml.h"
 #include "core/finger/finger_yaml.h"
+#include "core/finger/place_yaml.h"
 #include "core/printable.h"
 
 #include <algorithm>
@@ -156,20 +157,6 @@ ContactSettings read_contact(YamlSection section) {
   return contact;
 }
 
-RigidTransform read_gripper(YamlSection section) {
-  RigidTransform pose;
-  const std::vector<double> at = section.numbers("translation_mm");
-  if (at.size() != 3)
-    section.refuse("translation_mm", en::say("must be three numbers: x, y, z in mm"), "");
-  pose.translation_mm = {at[0], at[1], at[2]};
-  const std::vector<double> turn = section.numbers("rotation");
-  if (turn.size() != 4)
-    section.refuse(
-        "rotation", en::say("must be four numbers: w, x, y, z of a unit quaternion"), "");
-  pose.rotation = {turn[0], turn[1], turn[2], turn[3]};
-  return pose;
-}
-
 }  // namespace
 
 Finger read_finger(YamlSection& top) {
@@ -199,7 +186,7 @@ Finger read_finger(YamlSection& top) {
       force.refuse("model", en::say("must name a file"), en::say("force.yaml"));
   }
   if (top.has("gripper_from_camera"))
-    finger.gripper_from_camera = read_gripper(top.section("gripper_from_camera"));
+    finger.gripper_from_camera = read_place(top.section("gripper_from_camera"));
   if (top.has("provenance")) finger.provenance = top.section("provenance").all_texts();
   return finger;
 }

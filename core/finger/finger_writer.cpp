@@ -1,6 +1,7 @@
 // finger.yaml, written.
 #include "core/finger/camera_yaml.h"
 #include "core/finger/finger_yaml.h"
+#include "core/finger/place_yaml.h"
 #include "core/yaml/yaml_writer.h"
 
 namespace alltact {
@@ -107,10 +108,7 @@ std::string contact_text(const ContactSettings& contact, const UnknownKeys& unkn
 
 std::string gripper_text(const RigidTransform& pose, const UnknownKeys& unknown) {
   YamlBlock block("gripper_from_camera");
-  const Eigen::Vector3d& at = pose.translation_mm;
-  const Eigen::Quaterniond& turn = pose.rotation;
-  block.add("translation_mm", yaml_numbers({at.x(), at.y(), at.z()}));
-  block.add("rotation", yaml_numbers({turn.w(), turn.x(), turn.y(), turn.z()}));
+  add_place(pose, block);
   block.add_unknown(unknown);
   return block.on_one_line();
 }

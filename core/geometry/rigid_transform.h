@@ -21,6 +21,10 @@ struct RigidTransform {
     return direction(from_mm) + translation_mm;
   }
   [[nodiscard]] RigidTransform inverse() const;
+  /// c_from_b * b_from_a = c_from_a.
+  [[nodiscard]] RigidTransform operator*(const RigidTransform& first) const {
+    return {rotation.normalized() * first.rotation.normalized(), point(first.translation_mm)};
+  }
   bool operator==(const RigidTransform& other) const {
     return rotation.coeffs() == other.rotation.coeffs() && translation_mm == other.translation_mm;
   }

@@ -232,6 +232,7 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   options.noise_mm = result.depth->noise_mm;
   DepthError error(*result.depth, *result.reference, *result.shape, *mapping);
   options.untouched = [&](int u, int v) { return error.untouched(u, v); };
+  options.pressed = [&](int u, int v, double mm) { return error.of_depth(u, v, mm); };
   result.regions = contact_regions(*result.depth, *result.shape, finger->face, options);
   result.touch = face_touch(result.regions);
   watch.lap(result.times_ms.contact);

@@ -68,6 +68,29 @@ Json push_json(const Push& push) {
   return entry;
 }
 
+/// xx, xy, xz, yy, yz, zz.
+Eigen::Vector<double, 6> upper_triangle(const Eigen::Matrix3d& m) {
+  return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+}
+
+/// How well the face's z is known, at places from its first column to its last.
+Json face_json(const FaceShape& shape) {
+  constexpr int kPlaces = 9;
+  std::vector<int> valid;
+  for (int u = 0; u < shape.width_px(); ++u)
+    if (shape.columns()[static_cast<std::size_t>(u)].valid) valid.push_back(u);
+  Json entry = Json::object();
+  if (valid.empty()) return entry;
+  entry["u"] = Json::array(), entry["z_sd_mm"] = Json::array();
+  for (std::size_t k = 0; k < kPlaces; ++k) {
+    const int u = valid[k * (valid.size() - 1) / (kPlaces - 1)];
+    entry["u"].push_back(u);
+    entry["z_sd_mm"].push_back(
+        to_decimals(shape.columns()[static_cast<std::size_t>(u)].z_sd_mm, 5));
+  }
+  return entry;
+}
+
 Json regions_json(const std::vector<ContactRegion>& regions) {
   Json array = Json::array();
   for (const ContactRegion& region : regions) {
@@ -79,6 +102,16 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
     put(entry, "volume_mm3", region.volume_mm3, 4);
     if (region.angle_deg) put(entry, "angle_deg", *region.angle_deg, 2);
     if (region.angle_sd_deg) put(entry, "angle_sd_deg", *region.angle_sd_deg, 2);
+    if (region.axis) put_vector(entry, "axis", *region.axis, 6);
+    if (region.normal) put_vector(entry, "normal", *region.normal, 6);
+    if (const auto& c = region.place_covariance_mm2)
+      put_vector(entry, "place_covariance_mm2", upper_triangle(*c), 9);
+    if (!region.polygon_mm.empty()) {
+      Json corners = Json::array();
+      for (const Eigen::Vector2d& corner : region.polygon_mm)
+        corners.push_back({to_decimals(corner.x(), 3), to_decimals(corner.y(), 3)});
+      entry["polygon_mm"] = std::move(corners);
+    }
     array.push_back(std::move(entry));
   }
   return array;
@@ -130,6 +163,8 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   Json line;
   line["frame"] = result.frame->name;
   line["index"] = index;
+  if (result.frame->time_ns != 0) line["time_ns"] = result.frame->time_ns;
+  if (result.depth && result.shape) line["face"] = face_json(*result.shape);
   if (result.markers) line["markers"] = markers_json(*result.markers);
   if (result.reference)
     line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);

@@ -22,6 +22,7 @@ const std::vector<std::string> kCommands = {"new",
                                             "record",
                                             "check",
                                             "export",
+                                            "gripper",
                                             "demo"};
 
 TEST(Usage, HelpNamesEveryCommand) {

@@ -1,8 +1,11 @@
 #include "core/sensing/contact/contact_regions.h"
 
+#include "core/sensing/contact/contact_frame.h"
+#include "core/sensing/contact/principal_axis.h"
 #include "core/sensing/depth/depth_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <opencv2/imgproc.hpp>
@@ -23,6 +26,16 @@ UntouchedSd untouched_at(const RegionOptions& options, const Eigen::Vector2d& pi
 double sd_of_mean(const UntouchedSd& sd, double pixels, const RegionOptions& options) {
   const double independent = std::max(1.0, pixels / options.correlated_px2);
   return std::hypot(sd.noise / std::sqrt(independent), sd.systematic);
+}
+
+DepthCauses pressed_at(const RegionOptions& options,
+                       const Eigen::Vector2d& pixel,
+                       double depth_mm) {
+  DepthCauses causes;
+  causes.noise = options.noise_mm;
+  if (!options.pressed) return causes;
+  return options.pressed(
+      static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())), depth_mm);
 }
 
 /// Cells above the threshold that untouched skin would hardly ever reach.
@@ -71,23 +84,35 @@ class RegionSums {
     const Eigen::Vector3d pressed_mm =
         untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ) -
         Eigen::Vector3d(0.0, 0.0, weighted_depth);
-    const Eigen::Vector2d on_face_mm(shape_.length_at(middle.x()), local->view_point_mm.y());
     const double volume = cell.depth * area->flat_mm2;
     // Moments about a point of the region itself, so that little cancels.
-    if (region_.pixels == 0) origin_mm_ = on_face_mm;
+    if (region_.pixels == 0) origin_mm_ = pressed_mm;
     region_.pixels += cell.pixels;
     region_.volume_mm3 += volume;
     region_.place_mm += volume * pressed_mm;
     region_.place_px += volume * middle;
     region_.area_mm2 += cell.pixels * area->on_face_mm2;
-    // The axis is that of what rises above the threshold: a weight that begins at nothing, so that
-    // pixels of the rim which noise takes in or leaves out do not move it.
-    const double weight = (cell.depth - threshold_mm_ * cell.pixels) * area->on_face_mm2;
-    const Eigen::Vector2d off = on_face_mm - origin_mm_;
-    weight_ += weight;
-    first_ += weight * off;
-    second_ += weight * off * off.transpose();
-    cells_.push_back({off, cell.pixels * area->on_face_mm2 * area->on_face_mm2});
+    const DepthCauses causes = pressed_at(options, middle, cell.depth / cell.pixels);
+    errors_.add(causes, volume, cell.pixels);
+    // The axis is that of the volume between the threshold and the depth: a weight that begins at
+    // nothing, so that pixels of the rim which noise takes in or leaves out do not move it.
+    const double above = cell.depth - threshold_mm_ * cell.pixels;
+    const double middle_depth =
+        0.5 * (cell.depth_square - threshold_mm_ * threshold_mm_ * cell.pixels) / above;
+    const Eigen::Vector3d off = pressed_mm - origin_mm_;
+    columns_.push_back({off + Eigen::Vector3d(0.0, 0.0, weighted_depth - middle_depth),
+                        off,
+                        above * area->on_face_mm2,
+                        above / cell.pixels,
+                        sd.noise,
+                        cell.pixels * std::pow(area->on_face_mm2 * causes.noise, 2)});
+  }
+
+  /// The first and the last pressed pixel of a row of a cell.
+  void widen(int row, int first, int last) {
+    for (const Eigen::Vector2d& end :
+         {Eigen::Vector2d(first - 0.5, row), Eigen::Vector2d(last + 0.5, row)})
+      ends_.push_back(shape_.place_mm(end.x(), end.y()));
   }
 
   /// A pixel that may be the deepest.
@@ -112,7 +137,14 @@ class RegionSums {
     region.place_mm /= region.volume_mm3;
     region.place_px /= region.volume_mm3;
     region.place_on_face_mm = shape_.place_mm(region.place_px.x(), region.place_px.y());
+    if (options.pressed)
+      region.place_covariance_mm2 = contact_covariance_mm2(
+          shape_, region.place_px, errors_.mean_sd_mm(region, options.correlated_px2));
+    if (const auto local = shape_.at(region.place_px.x(), region.place_px.y()))
+      region.normal = local->normal;
     find_angle(options, region);
+    if (region.angle_deg) region.axis = contact_axis(shape_, region.place_px, *region.angle_deg);
+    region.polygon_mm = convex_polygon(ends_, 0.25 * std::sqrt(region.area_mm2 / region.pixels));
     return region;
   }
 
@@ -120,52 +152,53 @@ class RegionSums {
   /// Principal axis, where one can be told: where points drawn from the contact, as many as it has
   /// independent pixels, would show it to kLargestAngleSdDeg, sqrt(l1 l2 / n) / (l1 - l2).
   void find_angle(const RegionOptions& options, ContactRegion& region) const {
-    const Eigen::Vector2d mean = first_ / weight_;
-    const Eigen::Matrix2d covariance = second_ / weight_ - mean * mean.transpose();
-    const double xx = covariance(0, 0), xy = covariance(0, 1), yy = covariance(1, 1);
-    const double difference = std::hypot(xx - yy, 2.0 * xy);  // l1 - l2
-    const double product = std::max(0.0, xx * yy - xy * xy);  // l1 l2
-    const double correlated = options.correlated_px2;
-    const double independent = std::max(1.0, region.pixels / correlated);
-    if (!(difference > 0.0)) return;
+    const auto plane = contact_plane(shape_, region.place_px);
+    if (!plane) return;
+    const auto axis = principal_axis(columns_, *plane, options.correlated_px2);
+    if (!axis) return;
     constexpr double kDegPerRad = 180.0 / M_PI;
-    if (kDegPerRad * std::sqrt(product / independent) / difference > kLargestAngleSdDeg) return;
-    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-    const double sd_deg = kDegPerRad * options.noise_mm *
-                          std::sqrt(correlated * sum_of_squares(mean, angle)) /
-                          (weight_ * difference);
-    if (sd_deg > kLargestAngleSdDeg) return;
-    region.angle_deg = angle * kDegPerRad;
-    if (*region.angle_deg <= -90.0) *region.angle_deg += 180.0;
+    const double independent = std::max(1.0, region.pixels / options.correlated_px2);
+    const double drawn_deg = kDegPerRad *
+                             std::sqrt(axis->greater_mm2 * axis->smaller_mm2 / independent) /
+                             (axis->greater_mm2 - axis->smaller_mm2);
+    const double sd_deg = kDegPerRad * axis->sd_rad;
+    if (!(drawn_deg <= kLargestAngleSdDeg && sd_deg <= kLargestAngleSdDeg)) return;
+    region.angle_deg = kDegPerRad * axis->angle_rad;
     region.angle_sd_deg = sd_deg;
   }
 
-  /// How independent noise of each pixel's depth turns the axis: by the sum of (x y area)^2 with x
-  /// along the axis and y across it, from the first-order change of the mixed second moment.
-  [[nodiscard]] double sum_of_squares(const Eigen::Vector2d& mean, double angle) const {
-    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
-    double sum = 0;
-    for (const auto& [off, area_square] : cells_) {
-      const Eigen::Vector2d d = off - mean;
-      const double x = along.dot(d), y = along.x() * d.y() - along.y() * d.x();
-      sum += area_square * x * x * y * y;
+  /// What errs in the mean depth: what all pixels share, and the noise that they do not.
+  struct MeanErrors {
+    double volume = 0, mapping = 0, reference = 0, light = 0, noise_square = 0;
+    void add(const DepthCauses& causes, double cell_volume, int pixels) {
+      volume += cell_volume;
+      mapping += cell_volume * causes.mapping;
+      reference += cell_volume * causes.reference;
+      light += cell_volume * causes.light;
+      noise_square += pixels * causes.noise * causes.noise;
     }
-    return sum;
-  }
+    [[nodiscard]] double mean_sd_mm(const ContactRegion& region, double correlated_px2) const {
+      const double noise = std::sqrt(correlated_px2 * noise_square) / region.pixels;
+      return std::hypot(std::hypot(mapping, reference, light) / volume, noise);
+    }
+  };
 
   const FaceShape& shape_;
   const Face& face_;
   double threshold_mm_;
-  std::vector<std::pair<Eigen::Vector2d, double>> cells_;  // place; pixels times area squared
-  ContactRegion region_;                                   // places not yet divided by the volume
-  Eigen::Vector2d origin_mm_ = Eigen::Vector2d::Zero(), first_ = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d second_ = Eigen::Matrix2d::Zero();
-  double weight_ = 0, depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
+  std::vector<ContactColumn> columns_;
+  std::vector<Eigen::Vector2d> ends_;  // of rows of pixels, mm on the face
+  MeanErrors errors_;
+  ContactRegion region_;  // places not yet divided by the volume
+  Eigen::Vector3d origin_mm_ = Eigen::Vector3d::Zero();
+  double depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
 };
 
-/// A cell's pressed pixels, and the deepest of them.
+/// A cell's pressed pixels, the deepest of them, and in each row the first and the last.
 struct PressedCell {
   CellSums sums;
+  std::array<std::pair<int, int>, kCell> ends;
+  PressedCell() { ends.fill({0, -1}); }
   int deepest_u = 0, deepest_row = 0;
   float deepest = 0;
 };
@@ -174,8 +207,11 @@ PressedCell pressed_in(const cv::Mat& depth_mm, const cv::Rect& cell, float thre
   PressedCell pressed;
   for (int row = cell.y; row < cell.y + cell.height; ++row) {
     const float* depth = depth_mm.ptr<float>(row);
+    auto& [first, last] = pressed.ends[static_cast<std::size_t>(row - cell.y)];
     for (int u = cell.x; u < cell.x + cell.width; ++u) {
       if (!(depth[u] > threshold)) continue;
+      if (last < 0) first = u;
+      last = u;
       const auto d = static_cast<double>(depth[u]);
       CellSums& sums = pressed.sums;
       ++sums.pixels;
@@ -212,6 +248,9 @@ RegionSums sums_of(const DepthMap& depth,
           pressed_in(depth.depth_mm, cell, static_cast<float>(threshold_mm));
       if (pressed.sums.pixels == 0) continue;
       sums.add(pressed.sums, options);
+      for (std::size_t k = 0; k < pressed.ends.size(); ++k)
+        if (const auto& [first, last] = pressed.ends[k]; last >= 0)
+          sums.widen(cell.y + static_cast<int>(k), first, last);
       sums.look_at(pressed.deepest_u, pressed.deepest_row, static_cast<double>(pressed.deepest));
     }
   }

@@ -102,12 +102,32 @@ double DepthError::lateral_mm(int u, int v, double noise_mm) const {
                    0.25 * kOpticsPx2 * kOpticsPx2 * bend_square);
 }
 
-DepthCauses DepthError::causes(int u, int v, double level) {
+double DepthError::level_at(int u, int v) {
+  const FaceRun one{v, u, u + 1, 0};
+  return static_cast<double>(reader_.row(v, {&one, 1})[u]) / kGreySteps;
+}
+
+/// The same without the table, which costs as much as some hundred single depths: x to a millionth
+/// of the domain.
+DepthError::At DepthError::single_at(double depth_mm) const {
+  const double end = mapping_.x_max(), end_mm = step_mm_ * kTable;
+  if (depth_mm >= end_mm) {
+    const double slope_mm = mapping_.slope_mm(end);
+    return {end + (depth_mm - end_mm) / slope_mm, slope_mm};
+  }
+  double low = 0, high = end;
+  for (int halving = 0; halving < 20; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (mapping_.depth_mm(middle) < depth_mm ? low : high) = middle;
+  }
+  return {high, mapping_.slope_mm(high)};
+}
+
+DepthCauses DepthError::causes(int u, int v, double level, double depth_mm, ReadCurve read) {
   const Eigen::Vector2d place = shape_.place_mm(u, v);
   const double longer = static_cast<double>(along_z_[static_cast<std::size_t>(u)]);
   const double factor = mapping_.parameters().variation.at(place);
-  const double depth = static_cast<double>(depth_.depth_mm.at<float>(v, u));
-  const auto [x, slope_mm] = curve_at(depth / (longer * factor));
+  const auto [x, slope_mm] = (this->*read)(depth_mm / (longer * factor));
   const double per_part = longer * factor * slope_mm;  // mm by the relative brightness
   const double left = std::max(0.0, 1.0 - x);
   DepthCauses causes;
@@ -115,18 +135,21 @@ DepthCauses DepthError::causes(int u, int v, double level) {
   causes.mapping = longer * mapping_.depth_sd_mm(x, place);
   causes.reference = per_part * left * reference_sd(u, v);
   causes.light = per_part * left * depth_.light.sd_at(u, v) / depth_.light.at(u, v);
-  causes.lateral = lateral_mm(u, v, causes.noise);
   return causes;
 }
 
+DepthCauses DepthError::of_depth(int u, int v, double depth_mm) {
+  const double level = level_at(u, v);
+  if (!(level > 0)) return {};
+  return causes(u, v, level, depth_mm, &DepthError::single_at);
+}
+
 UntouchedSd DepthError::untouched(int u, int v) {
-  const FaceRun one{v, u, u + 1, 0};
-  const std::int16_t grey = reader_.row(v, {&one, 1})[u];
-  if (grey <= 0) return {};
+  const double level = level_at(u, v);
+  if (!(level > 0)) return {};
   const double per_part = static_cast<double>(along_z_[static_cast<std::size_t>(u)]) *
                           mapping_.parameters().variation.at(shape_.place_mm(u, v)) *
                           mapping_.slope_mm(0.0);
-  const double level = static_cast<double>(grey) / kGreySteps;
   return {
       per_part * depth_.live_sd / level * std::hypot(1.0, reference_.noise_gain),
       per_part * std::hypot(reference_sd(u, v), depth_.light.sd_at(u, v) / depth_.light.at(u, v))};

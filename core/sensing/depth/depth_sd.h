@@ -48,15 +48,21 @@ class DepthError {
   /// How far off untouched skin may be told at a pixel.
   [[nodiscard]] UntouchedSd untouched(int u, int v);
 
+  /// The same of a depth that is told there, but for `lateral`, which depends on those around it.
+  [[nodiscard]] DepthCauses of_depth(int u, int v, double depth_mm);
+
  private:
   struct At {
     double x, slope_mm;
   };
   void know_curve();
   [[nodiscard]] At curve_at(double depth_mm) const;
+  [[nodiscard]] At single_at(double depth_mm) const;
   [[nodiscard]] double reference_sd(int u, int v);
   [[nodiscard]] double lateral_mm(int u, int v, double noise_mm) const;
-  [[nodiscard]] DepthCauses causes(int u, int v, double level);
+  [[nodiscard]] double level_at(int u, int v);
+  using ReadCurve = At (DepthError::*)(double depth_mm) const;
+  [[nodiscard]] DepthCauses causes(int u, int v, double level, double depth_mm, ReadCurve read);
 
   const DepthMap& depth_;
   const Reference& reference_;
@@ -92,8 +98,15 @@ void DepthError::row(int v, Put put) {
   const std::int16_t* grey = reader_.row(v, {&whole, 1});
   const float* depth = depth_.depth_mm.ptr<float>(v);
   for (int u = 0; u < depth_.depth_mm.cols; ++u)
-    if (depth[u] == depth[u] && grey[u] > 0)
-      put(u, causes(u, v, static_cast<double>(grey[u]) / 64.0));
+    if (depth[u] == depth[u] && grey[u] > 0) {
+      DepthCauses all = causes(u,
+                               v,
+                               static_cast<double>(grey[u]) / 64.0,
+                               static_cast<double>(depth[u]),
+                               &DepthError::curve_at);
+      all.lateral = lateral_mm(u, v, all.noise);
+      put(u, all);
+    }
 }
 
 }  // namespace alltact

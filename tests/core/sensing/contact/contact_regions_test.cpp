@@ -171,5 +171,118 @@ TEST(ContactRegions, MissingPixelsInsideDoNotSplitOrPoisonARegion) {
   EXPECT_NEAR(*regions[0].angle_deg, 30.0, 1.0);
 }
 
+TEST(ContactRegions, ThePolygonIsTheDentsOutline) {
+  for (const double angle : {0.0, 25.0, -70.0}) {
+    DepthMap map = untouched();
+    press(map, 1.0, -0.5, 4.0, 1.8, 0.8, angle);
+    const auto regions = regions_of(map);
+    ASSERT_EQ(regions.size(), 1U);
+    const auto& polygon = regions[0].polygon_mm;
+    ASSERT_GE(polygon.size(), 12U);
+    EXPECT_LE(polygon.size(), 80U);
+    double twice = 0;
+    const FlatFace flat;
+    const Eigen::Vector2d middle = flat.shape.place_mm(0.5 * (kWidth - 1), 0.5 * (kHeight - 1));
+    const double c = std::cos(angle * M_PI / 180.0), s = std::sin(angle * M_PI / 180.0);
+    const double cut = std::sqrt(1.0 - 0.05 / 0.8);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()],
+                            &after = polygon[(i + 2) % polygon.size()];
+      twice += a.x() * b.y() - a.y() * b.x();
+      const Eigen::Vector2d one = b - a, next = after - b;
+      EXPECT_NE(one.x() * next.y() - one.y() * next.x(), 0.0);
+      // Every corner lies on the ellipse to a pixel.
+      const Eigen::Vector2d d = a - middle - Eigen::Vector2d(1.0, -0.5);
+      const double p = (c * d.x() + s * d.y()) / 4.0, q = (-s * d.x() + c * d.y()) / 1.8;
+      EXPECT_NEAR(std::hypot(p, q), cut, 1.5 * kMmPerPx / 1.8);
+    }
+    EXPECT_NEAR(0.5 * std::abs(twice), M_PI * 4.0 * 1.8 * cut * cut, 0.02 * M_PI * 4.0 * 1.8);
+  }
+}
+
+TEST(ContactRegions, TheAxisInSpaceIsTheAngleOnTheFace) {
+  DepthMap map = untouched();
+  press(map, 0, 0, 4.0, 1.5, 0.8, 35);
+  const auto regions = regions_of(map);
+  ASSERT_EQ(regions.size(), 1U);
+  ASSERT_TRUE(regions[0].axis);
+  const Eigen::Vector3d& axis = *regions[0].axis;
+  EXPECT_NEAR(axis.norm(), 1.0, 1e-12);
+  EXPECT_NEAR(axis.z(), 0.0, 1e-12) << "the face is the plane z = const";
+  EXPECT_NEAR(std::atan2(axis.y(), axis.x()) * 180.0 / M_PI, *regions[0].angle_deg, 1e-9);
+  EXPECT_FALSE(regions[0].place_covariance_mm2) << "nothing was told of the depth's error";
+}
+
+TEST(ContactRegions, OverUnevenNoiseTheAxisIsAsSureAsItSays) {
+  // The noise grows by a factor of 4 in 8 mm along the face, as it does far from the lamps. Weighed
+  // by it the axis scatters as much as it says, and no more than with all counted alike.
+  std::mt19937 engine(8);
+  cv::RNG noise(5);
+  const FlatFace flat;
+  const auto noise_at = [](int u, int) {
+    return 0.02 * std::pow(4.0, (u - 0.5 * kWidth) * kMmPerPx / 8.0);
+  };
+  double even = 0, weighed = 0, normalised = 0;
+  constexpr int kRuns = 300;
+  for (int run = 0; run < kRuns; ++run) {
+    const double angle = std::uniform_real_distribution<double>(-89, 90)(engine);
+    DepthMap map = untouched();
+    press(map, 0, 0, 4.5, 0.9, 0.9, angle);
+    cv::Mat grain(map.depth_mm.size(), CV_32FC1);
+    noise.fill(grain, cv::RNG::NORMAL, 0.0, 1.0);
+    cv::GaussianBlur(grain * 2.0 * std::sqrt(M_PI), grain, {}, 1.0);
+    for (int v = 0; v < kHeight; ++v)
+      for (int u = 0; u < kWidth; ++u) {
+        float& depth = map.depth_mm.at<float>(v, u);
+        if (depth > 0) depth += static_cast<float>(noise_at(u, v)) * grain.at<float>(v, u);
+      }
+    map.cells_mm = depth_cells(map.depth_mm);
+    RegionOptions options;
+    options.noise_mm = 0.02, options.correlated_px2 = 4 * M_PI;
+    const auto error_of = [&](const std::vector<ContactRegion>& regions) {
+      EXPECT_TRUE(!regions.empty() && regions[0].angle_deg);
+      return std::remainder(*regions[0].angle_deg - angle, 180.0);
+    };
+    even += std::pow(error_of(contact_regions(map, flat.shape, FlatFace::face(), options)), 2);
+    options.untouched = [&](int u, int v) { return UntouchedSd{noise_at(u, v), 0.0}; };
+    options.pressed = [&](int u, int v, double) {
+      DepthCauses causes;
+      causes.noise = noise_at(u, v);
+      return causes;
+    };
+    const auto regions = contact_regions(map, flat.shape, FlatFace::face(), options);
+    const double error = error_of(regions);
+    weighed += error * error;
+    normalised += std::pow(error / *regions[0].angle_sd_deg, 2) / kRuns;
+    // The plane is known, so the place errs by its depth alone, along z.
+    ASSERT_TRUE(regions[0].place_covariance_mm2);
+    EXPECT_EQ((*regions[0].place_covariance_mm2)(0, 0), 0.0);
+  }
+  std::printf(
+      "[ figures  ] axis over uneven noise: even weights %.3f, 1/variance %.3f degrees rms; "
+      "normalised error squared %.3f\n",
+      std::sqrt(even / kRuns),
+      std::sqrt(weighed / kRuns),
+      normalised);
+  EXPECT_LT(weighed, 1.1 * even);
+  EXPECT_NE(weighed, even) << "the weights do something";
+  EXPECT_GT(normalised, 0.8);
+  EXPECT_LT(normalised, 1.2);
+}
+
+TEST(ContactRegions, ThePlacesCovarianceIsSightAndDepth) {
+  DepthMap map = untouched();
+  press(map, 0, 0, 3.0, 2.0, 0.8, 10);
+  map.cells_mm = depth_cells(map.depth_mm);
+  RegionOptions options;
+  options.pressed = [](int, int, double) { return DepthCauses{0.0, 0.03, 0.04, 0.12, 5.0}; };
+  const FlatFace flat;
+  const auto regions = contact_regions(map, flat.shape, FlatFace::face(), options);
+  ASSERT_EQ(regions.size(), 1U);
+  ASSERT_TRUE(regions[0].place_covariance_mm2);
+  EXPECT_NEAR((*regions[0].place_covariance_mm2)(2, 2), 0.13 * 0.13, 1e-12)
+      << "what the whole contact shares, and nothing of single edges";
+}
+
 }  // namespace
 }  // namespace alltact
