@@ -39,11 +39,11 @@ std::optional<std::pair<std::string, int>> numbered(const std::string& name) {
   const auto [end, status] =
       std::from_chars(name.data() + digits, name.data() + name.size(), number);
   if (status != std::errc{} || end != name.data() + name.size()) return std::nullopt;
-  std::string letters = name.substr(0, digits);
-  if (letters == "x") letters = "u";
-  if (letters == "y") letters = "v";
-  if (letters != "u" && letters != "v" && letters != "seen") return std::nullopt;
-  return std::pair{letters, number};
+  const std::string letters = name.substr(0, digits);
+  if (letters == "u" || letters == "x") return std::pair{std::string("u"), number};
+  if (letters == "v" || letters == "y") return std::pair{std::string("v"), number};
+  if (letters == "seen") return std::pair{letters, number};
+  return std::nullopt;
 }
 
 Result<TableColumns> columns_of(std::string_view line, const std::filesystem::path& origin) {
