@@ -113,6 +113,9 @@ ForceRange learn_force_range(std::vector<ForceInput>& inputs) {
     range = range_of_filled(inputs);
   }
   range.least_seen = static_cast<int>(inputs.front().seen.size());
+  range.always_placed = std::all_of(inputs.begin(), inputs.end(), [](const ForceInput& input) {
+    return input.place_mm.has_value();
+  });
   for (ForceInput& input : inputs) {
     range.fill(input);  // as it is done when forces are measured
     const ForceRange::Unusual found = range.unusual(input);

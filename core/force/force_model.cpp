@@ -58,7 +58,7 @@ bool ForceRange::holds(const ForceInput& filled) const {
   const Unusual found = unusual(filled);
   if (found.t2 > kRoom * kRoom * most_t2 || found.beside_px > kRoom * most_beside_px) return false;
   if (filled.seen.sum() < least_seen - 0.5) return false;
-  if (!filled.place_mm || !place_mm) return true;
+  if (!filled.place_mm || !place_mm) return filled.place_mm.has_value() || !always_placed;
   return ((*filled.place_mm - (*place_mm)[0]).array() >= -kPlaceRoomMm).all() &&
          ((*filled.place_mm - (*place_mm)[1]).array() <= kPlaceRoomMm).all();
 }

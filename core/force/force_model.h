@@ -82,6 +82,7 @@ struct ForceRange {
   int least_seen = 0;                      ///< markers
   /// Least and most of the contact's place; absent where the table told none.
   std::optional<std::array<Eigen::Vector2d, 2>> place_mm;
+  bool always_placed = false;  ///< the table told it of every frame
 
   [[nodiscard]] Eigen::VectorXd scores(const ForceInput& input) const;
   void fill(ForceInput& input) const;

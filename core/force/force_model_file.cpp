@@ -44,7 +44,8 @@ ForceJson json_of(const ForceRange& range) {
                  {"noise_px", range.noise_px},
                  {"most_t2", range.most_t2},
                  {"most_beside_px", range.most_beside_px},
-                 {"least_seen", range.least_seen}};
+                 {"least_seen", range.least_seen},
+                 {"always_placed", range.always_placed}};
   if (range.place_mm)
     for (const Eigen::Vector2d& place : *range.place_mm)
       json["place_mm"].push_back({place.x(), place.y()});
@@ -121,6 +122,12 @@ Eigen::MatrixXd matrix_at(const ForceJson& json, const std::string& key, const s
       numbers.data(), rows, columns);
 }
 
+bool truth_at(const ForceJson& json, const std::string& key, const std::string& path) {
+  const ForceJson& truth = at(json, key, path);
+  if (!truth.is_boolean()) refuse_model(path + "." + key, en::say("is not true or false"));
+  return truth.get<bool>();
+}
+
 ForceRange range_from(const ForceJson& json) {
   const std::string path = "range";
   ForceRange range;
@@ -131,6 +138,7 @@ ForceRange range_from(const ForceJson& json) {
   range.most_t2 = number_of(at(json, "most_t2", path), "range.most_t2");
   range.most_beside_px = number_of(at(json, "most_beside_px", path), "range.most_beside_px");
   range.least_seen = whole_number_of(at(json, "least_seen", path), "range.least_seen");
+  range.always_placed = truth_at(json, "always_placed", path);
   if (!json.contains("place_mm")) return range;
   const ForceJson& places = array_of(json.at("place_mm"), "range.place_mm");
   if (places.size() != 2) refuse_model("range.place_mm", en::say("must be two places"));
@@ -154,9 +162,7 @@ ForceMember member_from(const ForceJson& json, const std::string& path) {
   basis.gain = vector_at(json, "gain", path);
   for (const ForceJson& flag : array_of(at(json, "flags", path), path + ".flags"))
     basis.flags.push_back(whole_number_of(flag, path + ".flags"));
-  const ForceJson& has_place = at(json, "has_place", path);
-  if (!has_place.is_boolean()) refuse_model(path + ".has_place", en::say("is not true or false"));
-  basis.has_place = has_place.get<bool>();
+  basis.has_place = truth_at(json, "has_place", path);
   basis.crept = whole_number_of(at(json, "crept", path), path + ".crept");
   basis.extra_mean = vector_at(json, "extra_mean", path);
   basis.extra_scale = vector_at(json, "extra_scale", path);

@@ -20,6 +20,7 @@ const std::vector<std::string> kCommands = {"new",
                                             "calibrate",
                                             "reconstruct",
                                             "record",
+                                            "force",
                                             "check",
                                             "export",
                                             "demo"};
