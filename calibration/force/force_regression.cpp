@@ -132,6 +132,7 @@ ForceRegressor fit_force_network(const Eigen::MatrixXd& z,
                                  std::uint32_t which) {
   constexpr Eigen::Index kBatch = 32;
   constexpr double kRate = 3e-3;
+  constexpr Eigen::Index kPasses = 100, kLeastSteps = 300;  // more learns a small table by heart
   const Eigen::Index rows = z.rows(), axes = force_N.cols();
   const Eigen::VectorXd mean = force_N.colwise().mean().transpose();
   const Eigen::VectorXd sd =
@@ -142,6 +143,8 @@ ForceRegressor fit_force_network(const Eigen::MatrixXd& z,
   const Eigen::MatrixXd inputs = z.transpose();
   const Eigen::MatrixXd targets =
       ((force_N.rowwise() - mean.transpose()) * sd.cwiseInverse().asDiagonal()).transpose();
+  const int steps = static_cast<int>(
+      std::min<Eigen::Index>(options.steps, std::max(kLeastSteps, kPasses * rows / kBatch)));
   NetworkDraws draws(options.seed, which);
   AdamLayer one(static_cast<int>(z.cols()), options.hidden_1, draws);
   AdamLayer two(options.hidden_1, options.hidden_2, draws);
@@ -152,7 +155,7 @@ ForceRegressor fit_force_network(const Eigen::MatrixXd& z,
   std::vector<Eigen::Index> order;
   std::size_t next = 0;
   std::uint32_t epoch = 0;
-  for (int t = 1; t <= options.steps; ++t) {
+  for (int t = 1; t <= steps; ++t) {
     for (Eigen::Index i = 0; i < batch; ++i, ++next) {
       if (next >= order.size()) {
         order = drawn_order(rows, options.seed, "force network rows", 4096 * which + epoch++);
@@ -162,7 +165,7 @@ ForceRegressor fit_force_network(const Eigen::MatrixXd& z,
     }
     const Eigen::MatrixXd h1 = one(x).cwiseMax(0.0), h2 = two(h1).cwiseMax(0.0);
     const Eigen::MatrixXd error = (three(h2) - y) / static_cast<double>(batch);
-    const double rate = 0.5 * kRate * (1 + std::cos(M_PI * (t - 1) / options.steps));
+    const double rate = 0.5 * kRate * (1 + std::cos(M_PI * (t - 1) / steps));
     const Eigen::MatrixXd g2 = slope_where_above_0(three.step(h2, error, rate, t), h2);
     const Eigen::MatrixXd g1 = slope_where_above_0(two.step(h1, g2, rate, t), h1);
     one.step(x, g1, rate, t);

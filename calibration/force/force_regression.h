@@ -13,7 +13,7 @@ namespace alltact {
 /// Of the network with two hidden layers.
 struct ForceNetworkOptions {
   int hidden_1 = 32, hidden_2 = 16;
-  int steps = 2500;  ///< of Adam, 32 rows each
+  int steps = 4000;  ///< of Adam, 32 rows each: at most these, and at most 100 passes
   int members = 2;   ///< networks of each fold, which are averaged
   std::uint64_t seed = 1;
 };
