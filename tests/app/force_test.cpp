@@ -12,7 +12,7 @@
 namespace alltact::test {
 namespace {
 
-using Json = nlohmann::json;
+using ForceAnswer = nlohmann::json;
 using testing::HasSubstr;
 
 /// A finger whose markers rest where the made one's do, and a table of that one.
@@ -52,7 +52,7 @@ TEST(ForceCommand, TrainsKeepsRepeatsAndTakesBack) {
   const std::string before = bench.yaml();
   const ProgramRun run = bench.run({bench.file("table.csv"), "--json"});
   ASSERT_EQ(run.status, 0) << run.errors;
-  const Json answer = Json::parse(run.output);
+  const ForceAnswer answer = ForceAnswer::parse(run.output);
   ASSERT_EQ(answer.at("comparison").size(), 4U);
   EXPECT_EQ(answer.at("kept"), "ridge");
   EXPECT_LT(answer.at("comparison").at(1).at("mae_n").at(0).get<double>(), 0.06);
@@ -104,7 +104,7 @@ TEST(ForceCommand, CollectsATableFromResultsAndAGauge) {
   const ForceTable table = ForceTable::load(bench.folder / "table.csv").value();
   std::string results, gauge = "frame,fx_n,fy_n,block\n";
   for (Eigen::Index row = 0; row < table.rows(); ++row) {
-    Json line{{"frame", fmt::format("frame_{:05}", row)}, {"markers", Json::array()}};
+    ForceAnswer line{{"frame", fmt::format("frame_{:05}", row)}, {"markers", ForceAnswer::array()}};
     for (int m = 0; m < table.marker_count; ++m)
       line["markers"].push_back(
           {{"u", table.layouts(row, 2 * m)}, {"v", table.layouts(row, 2 * m + 1)}, {"seen", true}});

@@ -17,7 +17,7 @@
 namespace alltact {
 namespace {
 
-using Json = nlohmann::json;
+using FrameJson = nlohmann::json;
 
 /// Pushes are proportional to how the finger is bent and pushed aside.
 Eigen::Vector2d drawn_force_N(const test::Bend& bend) {
@@ -110,7 +110,7 @@ TEST_F(ForceInFrames, IsLearntKeptMeasuredWrittenAndTakenBack) {
   for (Eigen::Index axis = 0; axis < 2; ++axis)
     EXPECT_NEAR(result.force->force_N[axis], drawn_force_N(bend)[axis], 0.1) << axis;
   EXPECT_LT(result.times_ms.force, result.times_ms.total);
-  const Json line = Json::parse(result_line(result, 0, ReferenceMethod::kLocal));
+  const FrameJson line = FrameJson::parse(result_line(result, 0, ReferenceMethod::kLocal));
   EXPECT_NEAR(line.at("force").at("fx_n").get<double>(), result.force->force_N[0], 1e-4);
   EXPECT_EQ(line.at("force").at("sd_n").size(), 2U);
   EXPECT_EQ(line.at("force").at("in_range"), true);

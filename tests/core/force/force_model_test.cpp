@@ -11,7 +11,7 @@
 namespace alltact {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using ModelJson = nlohmann::ordered_json;
 
 /// Two markers; Fx = u0 / 10, Fy = v1 / 5, each member half a hundredth off.
 ForceModel two_markers() {
@@ -158,7 +158,7 @@ TEST(ForceModelFile, EveryPartOfAFileIsRefused) {
 /// The sentence that a model is refused with after a change.
 template <class Change>
 std::string refusal_of(const Change& change) {
-  Json json = Json::parse(two_markers().to_json());
+  ModelJson json = ModelJson::parse(two_markers().to_json());
   change(json);
   const auto model = ForceModel::parse(json.dump(), "model.json");
   EXPECT_FALSE(model);
@@ -166,24 +166,24 @@ std::string refusal_of(const Change& change) {
 }
 
 TEST(ForceModelFile, EveryKeyIsNeededAndOfItsKind) {
-  const Json whole = Json::parse(two_markers().to_json());
+  const ModelJson whole = ModelJson::parse(two_markers().to_json());
   for (const auto& [key, value] : whole.items()) {
     const std::string name = key;
-    EXPECT_NE(refusal_of([&](Json& json) { json.erase(name); }).find("is missing"),
+    EXPECT_NE(refusal_of([&](ModelJson& json) { json.erase(name); }).find("is missing"),
               std::string::npos)
         << name;
-    EXPECT_NE(refusal_of([&](Json& json) { json[name] = nullptr; }), "") << name;
+    EXPECT_NE(refusal_of([&](ModelJson& json) { json[name] = nullptr; }), "") << name;
   }
   for (const char* part : {"range", "scores"})
     for (const auto& [key, value] : whole.at(part).items()) {
       const std::string name = key;
-      EXPECT_NE(refusal_of([&](Json& json) { json[part].erase(name); }), "") << name;
-      EXPECT_NE(refusal_of([&](Json& json) { json[part][name] = "x"; }), "") << name;
+      EXPECT_NE(refusal_of([&](ModelJson& json) { json[part].erase(name); }), "") << name;
+      EXPECT_NE(refusal_of([&](ModelJson& json) { json[part][name] = "x"; }), "") << name;
     }
   for (const auto& [key, value] : whole.at("members").at(0).items()) {
     const std::string name = key;
-    EXPECT_NE(refusal_of([&](Json& json) { json["members"][1].erase(name); }), "") << name;
-    EXPECT_NE(refusal_of([&](Json& json) { json["members"][1][name] = "x"; }), "") << name;
+    EXPECT_NE(refusal_of([&](ModelJson& json) { json["members"][1].erase(name); }), "") << name;
+    EXPECT_NE(refusal_of([&](ModelJson& json) { json["members"][1][name] = "x"; }), "") << name;
   }
 }
 
@@ -192,30 +192,32 @@ TEST(ForceModelFile, WrongShapesAndNumbersAreRefusedWithTheirPlace) {
     EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
     EXPECT_NE(sentence.find("model.json"), std::string::npos) << sentence;
   };
-  told(refusal_of([](Json& json) { json["format"] = "alltact-force/9"; }),
+  told(refusal_of([](ModelJson& json) { json["format"] = "alltact-force/9"; }),
        "cannot be read by this");
-  told(refusal_of([](Json& json) { json["kind"] = "oracle"; }), "mean, ridge, quadratic");
-  told(refusal_of([](Json& json) { json["kind"] = "network"; }), "has not the shape");
-  told(refusal_of([](Json& json) { json["axes"] = 3; }), "has not the shape");
-  told(refusal_of([](Json& json) { json["axes"] = 1; }), "must be 2 or 3");
-  told(refusal_of([](Json& json) { json["marker_count"] = 3; }), "has not the shape");
-  told(refusal_of([](Json& json) { json["marker_count"] = 1e9; }), "marker_count");
-  told(refusal_of([](Json& json) { json["members"] = Json::array(); }), "members");
-  told(refusal_of([](Json& json) { json["members"][0]["regressors"] = Json::array(); }),
+  told(refusal_of([](ModelJson& json) { json["kind"] = "oracle"; }), "mean, ridge, quadratic");
+  told(refusal_of([](ModelJson& json) { json["kind"] = "network"; }), "has not the shape");
+  told(refusal_of([](ModelJson& json) { json["axes"] = 3; }), "has not the shape");
+  told(refusal_of([](ModelJson& json) { json["axes"] = 1; }), "must be 2 or 3");
+  told(refusal_of([](ModelJson& json) { json["marker_count"] = 3; }), "has not the shape");
+  told(refusal_of([](ModelJson& json) { json["marker_count"] = 1e9; }), "marker_count");
+  told(refusal_of([](ModelJson& json) { json["members"] = ModelJson::array(); }), "members");
+  told(refusal_of([](ModelJson& json) { json["members"][0]["regressors"] = ModelJson::array(); }),
        "are missing");
-  told(refusal_of(
-           [](Json& json) { json["members"][1]["regressors"][0][0]["weights"]["columns"] = 5; }),
+  told(refusal_of([](ModelJson& json) {
+         json["members"][1]["regressors"][0][0]["weights"]["columns"] = 5;
+       }),
        "members[1].regressors");
-  told(
-      refusal_of([](Json& json) { json["members"][1]["regressors"][0][0]["bias"].push_back(1.0); }),
-      "has not the shape");
-  told(refusal_of([](Json& json) { json["members"][0]["flags"] = {7}; }), "flags");
-  told(refusal_of([](Json& json) { json["members"][0]["squared"] = 5; }), "squared");
-  told(refusal_of([](Json& json) { json["scores"]["floor_N"][0] = 0; }), "above 0");
-  told(refusal_of([](Json& json) { json["scores"]["rms"] = {1}; }), "scores");
-  told(refusal_of([](Json& json) { json["range"]["noise_px"] = -1; }), "above 0");
-  told(refusal_of([](Json& json) { json["range"]["mean_px"][0] = 1e20; }), "no possible number");
-  told(refusal_of([](Json& json) { json["creep_s"] = -1; }), "creep_s");
+  told(refusal_of(
+           [](ModelJson& json) { json["members"][1]["regressors"][0][0]["bias"].push_back(1.0); }),
+       "has not the shape");
+  told(refusal_of([](ModelJson& json) { json["members"][0]["flags"] = {7}; }), "flags");
+  told(refusal_of([](ModelJson& json) { json["members"][0]["squared"] = 5; }), "squared");
+  told(refusal_of([](ModelJson& json) { json["scores"]["floor_N"][0] = 0; }), "above 0");
+  told(refusal_of([](ModelJson& json) { json["scores"]["rms"] = {1}; }), "scores");
+  told(refusal_of([](ModelJson& json) { json["range"]["noise_px"] = -1; }), "above 0");
+  told(refusal_of([](ModelJson& json) { json["range"]["mean_px"][0] = 1e20; }),
+       "no possible number");
+  told(refusal_of([](ModelJson& json) { json["creep_s"] = -1; }), "creep_s");
 }
 
 TEST(ForceModelFile, AnyByteChangedGivesAModelOrASentence) {
