@@ -64,7 +64,7 @@ bool ForceRange::holds(const ForceInput& filled) const {
 }
 
 int ForceBasis::size() const {
-  const int multiplied = squared + (squared > 0 && has_place ? 2 : 0);
+  const int multiplied = squared + (squared > 0 && has_place ? 3 : 0);
   return plain_size() + multiplied * (multiplied + 1) / 2;
 }
 
@@ -103,7 +103,7 @@ Eigen::VectorXd ForceBasis::operator()(const ForceInput& filled) const {
   std::vector<Eigen::Index> factors(static_cast<std::size_t>(squared));
   std::iota(factors.begin(), factors.end(), 0);
   if (has_place)
-    for (Eigen::Index i = 0; i < 2; ++i)
+    for (Eigen::Index i = 0; i < 3; ++i)
       factors.push_back(p + static_cast<Eigen::Index>(flags.size()) + i);
   Eigen::Index at = plain_size();
   for (std::size_t i = 0; i < factors.size(); ++i)

@@ -105,7 +105,7 @@ struct ForceBasis {
   bool has_place = false;
   int crept = 0;
   Eigen::VectorXd extra_mean, extra_scale;  ///< of flags, 3 where has_place, and crept
-  int squared = 0;  ///< products of so many first components and, where there is one, the place
+  int squared = 0;  ///< products of so many first components and, with has_place, its three numbers
 
   [[nodiscard]] int extras() const {
     return static_cast<int>(flags.size()) + (has_place ? 3 : 0) + crept;
