@@ -5,6 +5,7 @@
 #include "app/console/console.h"
 #include "calibration/checks/press_check.h"
 #include "calibration/export/export_finger.h"
+#include "calibration/force/train_force.h"
 #include "calibration/joint/calibrate.h"
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/reference/motion_coverage.h"
@@ -157,6 +158,19 @@ Status run_check_untouched(const Path& finger, const std::vector<Path>& pictures
 /// Shows what this computer makes of hard calculations (hard_cases.h). Error: one is out of bounds.
 Status run_check_numerics(Console& console);
 
+struct ForceOptions {
+  Path finger;
+  Path table;
+  ForceTraining training;
+  bool again = false;  ///< with the table that the finger keeps
+  bool undo = false;   ///< back to the model from before
+  int threads = 1;
+  std::vector<Path> recording;  ///< a table is made of it, and of:
+  Path gauge, output;
+};
+/// Trains a finger's force model, or collects a table for that.
+Status run_force(const ForceOptions& options, Console& console);
+
 struct ExportOptions {
   Path finger;
   Path folder;
@@ -204,6 +218,7 @@ void add_reference(CLI::App& program, Chosen& chosen);
 void add_calibrate(CLI::App& program, Chosen& chosen);
 void add_reconstruct(CLI::App& program, Chosen& chosen);
 void add_record(CLI::App& program, Chosen& chosen);
+void add_force(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);
 void add_export(CLI::App& program, Chosen& chosen);
 void add_gripper(CLI::App& program, Chosen& chosen);

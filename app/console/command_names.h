@@ -25,6 +25,7 @@ inline constexpr std::array kCommands = {
     CommandName{"calibrate", "Learns depth from presses of a ball of known radius"},
     CommandName{"reconstruct", "Turns pictures into depth and 3D points"},
     CommandName{"record", "Records a source without loss, and without losing anything when killed"},
+    CommandName{"force", "Learns forces from where the markers are, with a gauge beside"},
     CommandName{"check", "Is this finger fit to use? What is missing, stale or weak"},
     CommandName{"export", "Writes the calibration for other programs"},
     CommandName{"gripper",

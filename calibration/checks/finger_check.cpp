@@ -3,6 +3,7 @@
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/calibration_report.h"
 #include "calibration/joint/verdict.h"
+#include "core/force/force_model.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <algorithm>
@@ -125,6 +126,19 @@ CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
   return {"presses", CheckState::kFine, en::say("{} pictures kept", inputs->presses.size())};
 }
 
+CheckItem check_force(const FingerSnapshot& snapshot) {
+  if (snapshot.force_problem)
+    return {"force", CheckState::kWeak, en::say("{}.", snapshot.force_problem->message())};
+  if (const Status belongs = snapshot.force->belongs_to(snapshot.finger); !belongs)
+    return {"force", CheckState::kStale, en::say("{}.", belongs.error().message())};
+  const std::string trained = value_or_empty(snapshot.finger, "force_date");
+  const std::string kind = to_string(snapshot.force->kind);
+  return {"force",
+          CheckState::kFine,
+          trained.empty() ? en::say("{}, trained at an unknown date", kind)
+                          : en::say("{}, trained {}", kind, trained)};
+}
+
 }  // namespace
 
 std::string_view to_string(CheckState state) {
@@ -155,6 +169,8 @@ FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job) {
   check.items.push_back(check_mapping(finger));
   if (finger.mapping) check.items.push_back(check_age(finger));
   if (finger.mapping_record) check.items.push_back(check_inputs(snapshot.folder, finger));
+  if (!finger.force_model.empty() && (snapshot.force || snapshot.force_problem))
+    check.items.push_back(check_force(snapshot));
   check.fit = std::none_of(check.items.begin(), check.items.end(), [](const CheckItem& item) {
     return item.state == CheckState::kMissing;
   });

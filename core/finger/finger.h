@@ -88,7 +88,7 @@ class Finger {
   std::optional<MappingRecord> mapping_record;
   std::optional<ReferenceFiles> reference;
   std::optional<ContactSettings> contact;
-  std::string force_model;  ///< relative path; empty when there is none
+  std::string force_model;  ///< relative path of a ForceModel; empty when there is none
   /// Where the camera sits in the gripper (see RigidTransform), for fingers that look at each
   /// other; absent: not known. Kept as written: rotation within 0.001 of unit length, each
   /// coordinate within 10000 mm.

@@ -1,5 +1,7 @@
 #include "core/finger/finger_store.h"
 
+#include "core/force/force_model.h"
+
 #include <map>
 
 #include <fmt/format.h>
@@ -34,6 +36,16 @@ Result<FingerSnapshot> load(const fs::path& folder, std::uint64_t revision) {
   return all;
 }
 
+/// Reads the force model that the finger names; a model that cannot be read spoils nothing else.
+void load_force(const fs::path& folder, FingerSnapshot& snapshot) {
+  if (snapshot.finger.force_model.empty()) return;
+  auto model = ForceModel::load(folder / snapshot.finger.force_model);
+  if (model)
+    snapshot.force = std::make_shared<const ForceModel>(std::move(*model));
+  else
+    snapshot.force_problem = model.error();
+}
+
 }  // namespace
 
 struct FingerStore::Listening {
@@ -50,7 +62,8 @@ Result<FingerSnapshot> FingerSnapshot::of(const fs::path& folder, Finger finger)
     if (!made) return made.error();
     mapping = std::move(*made);
   }
-  return FingerSnapshot{folder, 0, std::move(finger), *camera, std::move(mapping), {}, {}, {}};
+  return FingerSnapshot{
+      folder, 0, std::move(finger), *camera, std::move(mapping), {}, {}, {}, {}, {}};
 }
 
 FingerSnapshot FingerSnapshot::without_mapping() const {
@@ -77,16 +90,28 @@ std::shared_ptr<FingerStore> FingerStore::of(const fs::path& folder) {
 Result<FingerPtr> FingerStore::read() {
   const std::string finger_now = written(folder_ / Finger::kFileName);
   const std::string presses_now = written(PressSet::file_in(folder_));
-  const bool is_same_finger = last_ && finger_now == finger_written_;
+  const auto force_now = [&](const Finger& finger) {
+    return finger.force_model.empty() ? std::string() : written(folder_ / finger.force_model);
+  };
+  const bool is_same_finger =
+      last_ && finger_now == finger_written_ && force_now(last_->finger) == force_written_;
   if (is_same_finger && presses_now == presses_written_) return last_;
   auto next = is_same_finger ? Result(*last_) : load(folder_, last_ ? last_->revision + 1 : 1);
   if (!next) return next.error();
+  const std::string force_written = force_now(next->finger);
+  const bool is_same_force = last_ && last_->finger.force_model == next->finger.force_model &&
+                             force_written == force_written_;
+  if (is_same_force)
+    next->force = last_->force, next->force_problem = last_->force_problem;
+  else
+    load_force(folder_, *next);
   auto presses = PressSet::load(folder_);
   next->presses_problem = presses ? std::nullopt : std::optional(presses.error());
   next->presses = presses ? std::move(*presses) : PressSet();
   last_ = std::make_shared<const FingerSnapshot>(std::move(*next));
   finger_written_ = finger_now;
   presses_written_ = presses_now;
+  force_written_ = force_written;
   return last_;
 }
 

@@ -21,6 +21,8 @@
 
 namespace alltact {
 
+struct ForceModel;
+
 /// What a folder held at one moment. The reference recording, which is large, is read when it is
 /// needed and shared by all who need it: ReferenceLibrary::load.
 struct FingerSnapshot {
@@ -30,8 +32,10 @@ struct FingerSnapshot {
   Camera camera;
   std::optional<Mapping> mapping;  ///< of a finger that is calibrated
   PressSet presses;
-  std::optional<Error> presses_problem;  ///< why `presses` is empty though something is kept
-  std::vector<Message> warnings;         ///< what is strange in finger.yaml
+  std::optional<Error> presses_problem;     ///< why `presses` is empty though something is kept
+  std::vector<Message> warnings;            ///< what is strange in finger.yaml
+  std::shared_ptr<const ForceModel> force;  ///< of a finger whose forces are told
+  std::optional<Error> force_problem;       ///< why `force` is null though the finger names one
 
   /// Of a finger that is at hand, whatever stands in its folder. Errors: those of Camera::create
   /// and Mapping::create.
@@ -86,7 +90,8 @@ class FingerStore {
   std::filesystem::path folder_;
   std::mutex mutex_;
   FingerPtr last_;
-  std::string finger_written_, presses_written_;  ///< which files `last_` was read from
+  /// Which files `last_` was read from.
+  std::string finger_written_, presses_written_, force_written_;
   std::list<std::weak_ptr<Listening>> listening_;
 };
 

@@ -63,6 +63,8 @@ struct Pipeline::State {
   std::optional<Mapping> mapping;
   std::optional<FaceShape> plane;        // flat sensors: known beforehand
   std::optional<MarkerTracker> tracker;  // fingers with markers
+  std::optional<ForceMeter> force;       // fingers with a force model,
+  std::optional<Error> force_problem;    // or why it cannot be used
   FramePtr last;                         // of a continuous source
 
   [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
@@ -74,6 +76,7 @@ struct Pipeline::State {
   void find_reference(FrameResult& result, StopWatch& watch);
   void find_depth(FrameResult& result, StopWatch& watch) const;
   void find_contact(FrameResult& result, StopWatch& watch) const;
+  void find_force(FrameResult& result, StopWatch& watch);
 };
 
 Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
@@ -91,6 +94,7 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   if (result.shape && state.library) state.find_reference(result, watch);
   if (result.reference) state.find_depth(result, watch);
   if (result.depth) state.find_contact(result, watch);
+  if (result.markers && state.library) state.find_force(result, watch);
   watch.total(result.times_ms.total);
   return result;
 }
@@ -238,6 +242,23 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   watch.lap(result.times_ms.contact);
 }
 
+void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
+  if (force_problem) result.problems.push_back(en::say("{}.", force_problem->message()));
+  if (!force) return;
+  std::optional<Eigen::Vector2d> place_mm;
+  if (!result.regions.empty()) place_mm = result.regions.front().place_on_face_mm;
+  std::optional<double> time_s;
+  if (result.frame->time_ns != 0) time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
+  result.force = (*force)(*result.markers, place_mm, time_s);
+  if (!result.force)
+    result.problems.push_back(en::say("no marker is seen that could tell the force"));
+  else if (!result.force->in_range)
+    result.problems.push_back(
+        en::say("the force model was trained with nothing like this frame: its force cannot be "
+                "relied on; add rows with such forces to the table and train it again"));
+  watch.lap(result.times_ms.force);
+}
+
 Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
                                   const PipelineSettings& settings,
                                   const Job& job) {
@@ -259,6 +280,12 @@ Pipeline Pipeline::over(ReferenceLibrary library,
   const bool by_shape = finger.reference && finger.reference->places;
   if (const MarkerModel* model = state.library->marker_model(); model && !by_shape)
     state.tracker.emplace(finger.markers, *model);
+  state.force_problem = snapshot.force_problem;
+  if (!snapshot.force) return pipeline;
+  if (const Status belongs = snapshot.force->belongs_to(finger); belongs)
+    state.force.emplace(snapshot.force);
+  else
+    state.force_problem = belongs.error();
   return pipeline;
 }
 
@@ -291,6 +318,7 @@ Pipeline::~Pipeline() = default;
 void Pipeline::forget() {
   if (state_->tracker) state_->tracker->forget();
   if (state_->rows) state_->rows->forget();
+  if (state_->force) state_->force->forget();
   state_->contact.forget();
   state_->last.reset();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/finger/finger_store.h"
+#include "core/force/force_model.h"
 #include "core/frame.h"
 #include "core/job.h"
 #include "core/message.h"
@@ -25,6 +26,7 @@ namespace alltact {
 /// How long each step took, milliseconds of wall clock.
 struct StepTimes {
   double prepare = 0, edges = 0, global = 0, markers = 0, reference = 0, local = 0, contact = 0;
+  double force = 0;
   double total = 0;
 };
 
@@ -43,6 +45,7 @@ struct FrameResult {
   std::optional<DepthMap> depth;         ///< of one with a mapping
   std::optional<Push> push;
   std::vector<ContactRegion> regions;
+  std::optional<Force> force;  ///< of a finger with a force model
   /// Against the reference; before there is one, against the frames before
   /// (reference_free_contact.h).
   FaceTouch touch = FaceTouch::kUnknown;
@@ -56,12 +59,15 @@ struct FrameResult {
 ///   a finger                         and shape, markers or dots, touch; of a flat sensor edges
 ///   and its reference recording      all but depth and regions
 ///   and its mapping                  all
+/// A force is told where the finger has a model of it besides, trained with the markers of this
+/// reference; the place of the contact that it may ask for is that of the largest region.
 /// Before there is a reference, nothing is said of the picture as a whole (frame_faults.h).
 ///
 /// Remembers only what lies between frames of one continuous source: where the markers were, the
-/// last picture, and before there is a reference how bright the skin was. Everything else depends
-/// on the frame alone. Another frame of the source (is_same_frame in frame_faults.h) whose picture
-/// is the last one to the grey level is named as that of a camera that stands still.
+/// last picture, how they crept, and before there is a reference how bright the skin was.
+/// Everything else depends on the frame alone. Another frame of the source (is_same_frame in
+/// frame_faults.h) whose picture is the last one to the grey level is named as that of a camera
+/// that stands still.
 class Pipeline {
  public:
   /// Reads the finger's reference recording. A finger without a mapping works up to `difference`.

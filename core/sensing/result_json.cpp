@@ -140,6 +140,17 @@ Json english(const std::vector<Message>& messages) {
   return array;
 }
 
+Json force_json(const Force& force) {
+  Json entry = Json::object();
+  static constexpr std::array<const char*, 3> kAxes{"fx_n", "fy_n", "fz_n"};
+  for (int axis = 0; axis < force.axes; ++axis)
+    put(entry, kAxes[static_cast<std::size_t>(axis)], force.force_N[axis], 4);
+  put_vector(entry, "sd_n", force.sd_N.head(force.axes), 4);
+  put_vector(entry, "half_95_n", force.half_95_N.head(force.axes), 4);
+  entry["in_range"] = force.in_range;
+  return entry;
+}
+
 /// Only the steps that ran: a step that did not has no time.
 Json times_json(const FrameResult& result) {
   const StepTimes& times = result.times_ms;
@@ -153,6 +164,7 @@ Json times_json(const FrameResult& result) {
   if (result.reference) put(entry, "reference", times.reference, 3);
   if (result.difference || result.depth) put(entry, "local", times.local, 3);
   if (result.depth) put(entry, "contact", times.contact, 3);
+  if (result.force) put(entry, "force", times.force, 3);
   put(entry, "total", times.total, 3);
   return entry;
 }
@@ -172,6 +184,7 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   if (result.depth && !result.depth->flags.empty())
     line["validity"] = validity_json(result.depth->flags);
   if (result.depth) line["regions"] = regions_json(result.regions);
+  if (result.force) line["force"] = force_json(*result.force);
   line["times_ms"] = times_json(result);
   if (!result.problems.empty()) line["problems"] = english(result.problems);
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -41,6 +41,20 @@ TEST(ResultLine, WhatCouldNotBeHadIsAbsent) {
     EXPECT_FALSE(json.at("times_ms").contains(step)) << step;
 }
 
+TEST(ResultLine, ForcesStandWithTheirErrors) {
+  FrameResult result = empty_result();
+  result.force.emplace();
+  result.force->axes = 3;
+  result.force->force_N = {3.1, 0.12345, -0.5};
+  result.force->sd_N = {0.1, 0.05, 0.2};
+  result.force->half_95_N = {0.2, 0.1, 0.4};
+  result.force->in_range = true;
+  const Json json = Json::parse(result_line(result, 3, ReferenceMethod::kLocal));
+  EXPECT_EQ(json.at("force"),
+            Json::parse(R"({"fx_n": 3.1, "fy_n": 0.1235, "fz_n": -0.5, "sd_n": [0.1, 0.05, 0.2],
+                            "half_95_n": [0.2, 0.1, 0.4], "in_range": true})"));
+}
+
 TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
   FrameResult result = empty_result();
   result.markers = Markers{{101.2, 48.9, true, 0.02}, {1.0, 2.0, false, 0.5}};

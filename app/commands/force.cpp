@@ -1,0 +1,211 @@
+#include "app/commands/commands.h"
+#include "app/console/command_names.h"
+#include "app/console/flags.h"
+#include "calibration/force/collect_force.h"
+#include "calibration/force/new_force.h"
+#include "core/io/atomic_file.h"
+
+#include <fmt/format.h>
+#include <opencv2/core/utility.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr std::array<const char*, 3> kAxisNames{"fx", "fy", "fz"};
+
+std::string newtons(const Eigen::VectorXd& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format(" {:>7.3f}", value);
+  return text;
+}
+
+Console::Json json_of(const Eigen::VectorXd& values) {
+  return Console::Json(std::vector<double>(values.begin(), values.end()));
+}
+
+void tell_comparison(const TrainedForce& trained, Console& console) {
+  const int axes = trained.model.axes;
+  std::string head;
+  for (int axis = 0; axis < axes; ++axis)
+    head += fmt::format(" {:>7}", kAxisNames[static_cast<std::size_t>(axis)]);
+  console.say("Mean absolute error in N on rows that were held out");
+  const auto width = static_cast<std::size_t>(8 * axes);
+  console.say(
+      fmt::format("{:<10}{:<{}}   {:<{}}   {}", "", head, width, head, width, "shuffled forces"));
+  console.say(fmt::format("{:<10} {:<{}}   {:<{}}   {}",
+                          "",
+                          "whole groups",
+                          width - 1,
+                          "frames: too kind",
+                          width - 1,
+                          "R2"));
+  Console::Json rows = Console::Json::array();
+  for (const ForceComparison& row : trained.comparison) {
+    console.say(fmt::format("{:<10}{}   {}   {:>8.3f}{}",
+                            to_string(row.kind),
+                            newtons(row.mae_N),
+                            newtons(row.random_mae_N),
+                            row.shuffled_r2.value_or(0),
+                            row.kind == trained.model.kind ? "   kept" : ""));
+    Console::Json entry{{"model", to_string(row.kind)},
+                        {"mae_n", json_of(row.mae_N)},
+                        {"rmse_n", json_of(row.rmse_N)},
+                        {"r2", json_of(row.r2)},
+                        {"random_mae_n", json_of(row.random_mae_N)}};
+    if (row.shuffled_r2) entry["shuffled_r2"] = *row.shuffled_r2;
+    rows.push_back(std::move(entry));
+  }
+  console.answer()["comparison"] = std::move(rows);
+}
+
+void tell_training(const TrainedForce& trained, Console& console) {
+  tell_comparison(trained, console);
+  const auto percent = [](const Eigen::VectorXd& part) {
+    std::string text;
+    for (const double one : part)
+      text += fmt::format("{}{:.0f}", text.empty() ? "" : ", ", 100 * one);
+    return text;
+  };
+  console.say(
+      fmt::format("Intervals hold {} % of the rows held out where 90 % are asked for, {} % "
+                  "where 95 %.",
+                  percent(trained.covered_90),
+                  percent(trained.covered_95)));
+  console.say(fmt::format("The gauge's own noise is at most{} N.", newtons(trained.label_noise_N)));
+  for (const Message& remark : trained.remarks) console.say(remark.english());
+  console.say(fmt::format("Kept: {}.", to_string(trained.model.kind)));
+  Console::Json& answer = console.answer();
+  answer["kept"] = to_string(trained.model.kind);
+  answer["rows"] = trained.held_out_N.rows();
+  answer["covered_90"] = json_of(trained.covered_90);
+  answer["covered_95"] = json_of(trained.covered_95);
+  answer["label_noise_n"] = json_of(trained.label_noise_N);
+  answer["remarks"] = in_english(trained.remarks);
+}
+
+Status run_collect_force(const ForceOptions& options, Console& console) {
+  const auto finger = open_finger(options.finger, console);
+  if (!finger) return finger.error();
+  const auto gauge = ForceGauge::load(options.gauge);
+  if (!gauge) return gauge.error();
+  const auto frames = marker_frames(options.recording, **finger, console.job());
+  if (!frames) return frames.error();
+  const auto collected = collect_force(*frames, *gauge);
+  if (!collected) return collected.error();
+  for (const Message& remark : collected->remarks) console.warn(remark.english());
+  if (const Status kept = write_file_atomically(options.output, collected->table.to_csv()); !kept)
+    return kept;
+  console.say(fmt::format("{} rows in {}; {} of {} frames have no reading of the gauge.",
+                          collected->table.rows(),
+                          options.output.string(),
+                          collected->left_out,
+                          collected->frames));
+  Console::Json& answer = console.answer();
+  answer["rows"] = collected->table.rows();
+  answer["left_out"] = collected->left_out;
+  answer["remarks"] = in_english(collected->remarks);
+  answer["table"] = options.output.string();
+  return {};
+}
+
+Status run_undo_force(const Path& folder, Console& console) {
+  const auto finger = take_back_force(folder);
+  if (!finger) return finger.error();
+  const std::string& model = (*finger)->finger.force_model;
+  console.say(model.empty() ? std::string("The finger has no force model now.")
+                            : fmt::format("The finger's force model is {} now.", model));
+  console.answer()["model"] = model;
+  return {};
+}
+
+}  // namespace
+
+Status run_force(const ForceOptions& options, Console& console) {
+  if (options.undo) return run_undo_force(options.finger, console);
+  if (!options.recording.empty()) return run_collect_force(options, console);
+  const auto finger = open_finger(options.finger, console);
+  if (!finger) return finger.error();
+  const auto table =
+      options.again ? kept_force_table(options.finger) : ForceTable::load(options.table);
+  if (!table) return table.error();
+  if (!table->passed_over.empty()) {
+    std::string names;
+    for (const std::string& name : table->passed_over) names += (names.empty() ? "" : ", ") + name;
+    console.warn(fmt::format("Columns that are passed over: {}", names));
+  }
+  cv::setNumThreads(options.threads);
+  const auto trained = give_force(options.finger, *table, options.training, console.job());
+  if (!trained) return trained.error();
+  tell_training(*trained, console);
+  return {};
+}
+
+void add_force(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<ForceOptions>();
+  CLI::App* command = add_command(program, "force");
+  command->add_option("FINGER", options->finger, "The finger's folder")->required();
+  CLI::Option* table = command->add_option(
+      "TABLE",
+      options->table,
+      "CSV with columns u0, v0, u1, ... (px), fx_n, fy_n and, as it likes, fz_n, seen0, ..., "
+      "along_mm, across_mm, t_s, block, day, indenter");
+  auto split = std::make_shared<std::string>("block"), kind = std::make_shared<std::string>("auto");
+  command
+      ->add_option(
+          "--split",
+          *split,
+          "What is held out together: block, day, indenter; random holds out single frames "
+          "and tells too small errors")
+      ->check(CLI::IsMember({"block", "day", "indenter", "random"}))
+      ->capture_default_str();
+  command
+      ->add_option("--model",
+                   *kind,
+                   "What is kept: auto (the simplest that no other beats), mean, ridge, quadratic, "
+                   "network")
+      ->check(CLI::IsMember({"auto", "mean", "ridge", "quadratic", "network"}))
+      ->capture_default_str();
+  command
+      ->add_option("--creep-s",
+                   options->training.creep_s,
+                   "Creep as an input: displacements less their running mean over so many seconds "
+                   "(default: none)")
+      ->check(CLI::Range(0.01, 1e5));
+  CLI::Option* again =
+      command->add_flag("--again", options->again, "Trains with the table that the finger keeps");
+  CLI::Option* undo = command->add_flag(
+      "--undo", options->undo, "Returns to the force model from before; given again, comes back");
+  CLI::Option* collect =
+      command
+          ->add_option("--collect",
+                       options->recording,
+                       "Makes a table instead: of a recording, pictures, or results.jsonl of "
+                       "alltact reconstruct")
+          ->type_name("RECORDING");
+  CLI::Option* gauge = command->add_option("--gauge",
+                                           options->gauge,
+                                           "With --collect: CSV with t_s or frame, fx_n, fy_n; or "
+                                           "truth.json of alltact simulate");
+  gauge->type_name("FILE");
+  CLI::Option* output =
+      command->add_option("-o,--output", options->output, "With --collect: the table's file");
+  output->type_name("TABLE");
+  collect->needs(gauge)->needs(output);
+  gauge->needs(collect), output->needs(collect);
+  table->excludes(again)->excludes(undo)->excludes(collect);
+  again->excludes(undo)->excludes(collect);
+  undo->excludes(collect);
+  add_threads_flag(*command, options->threads);
+  command->callback([=, &chosen] {
+    if (options->table.empty() && !options->again && !options->undo && options->recording.empty())
+      throw CLI::ValidationError("TABLE", "is required, or --again, --undo or --collect");
+    const auto place = [](const auto& words, const std::string& word) {
+      return std::find(words.begin(), words.end(), word) - words.begin() + 1;
+    };
+    options->training.split = static_cast<ForceSplit>(place(kForceSplits, *split));
+    if (*kind != "auto") options->training.kind = static_cast<ForceKind>(place(kForceKinds, *kind));
+    chosen = [=](Console& console) { return run_force(*options, console); };
+  });
+}
+
+}  // namespace alltact

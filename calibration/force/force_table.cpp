@@ -1,0 +1,342 @@
+#include "calibration/force/force_table.h"
+
+#include "calibration/force/csv_lines.h"
+#include "core/io/atomic_file.h"
+#include "core/message.h"
+#include "core/printable.h"
+
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr int kMostTableMarkers = 512;
+constexpr double kFarthestPx = 1e5, kGreatestN = 1e5;
+constexpr std::size_t kLargestTable = std::size_t{1} << 30;
+
+Message table_advice() {
+  return en::say(
+      "a CSV whose first line names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one");
+}
+
+/// Where each column of a table stands; -1: it has none.
+struct TableColumns {
+  std::vector<int> u, v, seen;
+  std::vector<int> force;
+  int along = -1, across = -1, time = -1, block = -1, day = -1, indenter = -1, frame = -1;
+  std::size_t count = 0;
+  std::vector<std::string> passed_over;
+};
+
+/// "u07" as 'u' and 7.
+std::optional<std::pair<std::string, int>> numbered(const std::string& name) {
+  const std::size_t digits = name.find_first_of("0123456789");
+  if (digits == std::string::npos || digits == 0 || name.size() - digits > 4) return std::nullopt;
+  int number = 0;
+  const auto [end, status] =
+      std::from_chars(name.data() + digits, name.data() + name.size(), number);
+  if (status != std::errc{} || end != name.data() + name.size()) return std::nullopt;
+  const std::string letters = name.substr(0, digits);
+  if (letters == "u" || letters == "x") return std::pair{std::string("u"), number};
+  if (letters == "v" || letters == "y") return std::pair{std::string("v"), number};
+  if (letters == "seen") return std::pair{letters, number};
+  return std::nullopt;
+}
+
+Result<TableColumns> columns_of(std::string_view line, const std::filesystem::path& origin) {
+  const auto wrong = [&](Message what) {
+    return Error{std::move(what), en::say("{}, line 1", origin), table_advice()};
+  };
+  std::map<std::string, int> plain, by_number;
+  TableColumns columns;
+  const auto cells = csv_cells(line);
+  columns.count = cells.size();
+  int most = -1;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    std::string name = csv_column(cells[i]);
+    const auto marker = numbered(name);
+    if (marker) {
+      most = std::max(most, marker->second);
+      name = fmt::format("{}{}", marker->first, marker->second);
+    }
+    if (!name.empty() && !(marker ? by_number : plain).emplace(name, static_cast<int>(i)).second)
+      return wrong(en::say("the column '{}' is given twice", printable(cells[i])));
+  }
+  if (most < 0) return wrong(en::say("there are no columns u0, v0, ... of markers"));
+  if (most >= kMostTableMarkers)
+    return wrong(en::say(
+        "there are markers up to number {}; the highest may be {}", most, kMostTableMarkers - 1));
+  const auto take = [](std::map<std::string, int>& from, const std::string& name) {
+    const auto found = from.find(name);
+    if (found == from.end()) return -1;
+    const int at = found->second;
+    from.erase(found);
+    return at;
+  };
+  bool some_seen = false;
+  for (int m = 0; m <= most; ++m) {
+    for (auto [letter, list] : {std::pair{"u", &columns.u}, {"v", &columns.v}}) {
+      list->push_back(take(by_number, fmt::format("{}{}", letter, m)));
+      if (list->back() < 0)
+        return wrong(en::say("the column '{}' is missing, though there is a marker {}",
+                             fmt::format("{}{}", letter, m),
+                             most));
+    }
+    columns.seen.push_back(take(by_number, fmt::format("seen{}", m)));
+    some_seen = some_seen || columns.seen.back() >= 0;
+  }
+  for (int m = 0; some_seen && m <= most; ++m)
+    if (columns.seen[static_cast<std::size_t>(m)] < 0)
+      return wrong(en::say("the column '{}' is missing, though other markers have one",
+                           fmt::format("seen{}", m)));
+  for (const char* axis : {"fx", "fy", "fz"}) {
+    const int at = take(plain, axis);
+    if (at < 0 && columns.force.size() < 2)
+      return wrong(en::say("the column '{}' is missing", fmt::format("{}_n", axis)));
+    if (at >= 0) columns.force.push_back(at);
+  }
+  columns.along = take(plain, "along"), columns.across = take(plain, "across");
+  if ((columns.along < 0) != (columns.across < 0))
+    return wrong(en::say("of the place of contact there is only one of along_mm and across_mm"));
+  columns.time = take(plain, "t");
+  if (columns.time < 0) columns.time = take(plain, "time");
+  columns.block = take(plain, "block"), columns.day = take(plain, "day");
+  columns.indenter = take(plain, "indenter"), columns.frame = take(plain, "frame");
+  for (const auto& [name, at] : plain) columns.passed_over.push_back(printable(name));
+  return columns;
+}
+
+/// The cells of a table, checked, row by row.
+struct TableRows {
+  std::vector<double> layouts, seen, force, place, time;
+};
+
+class TableReader {
+ public:
+  TableReader(std::string_view csv, const std::filesystem::path& origin)
+      : lines_(csv), origin_(origin) {}
+
+  Result<ForceTable> read() {
+    const auto first = lines_.next();
+    if (!first) return Error{en::say("the table is empty"), origin_, table_advice()};
+    auto columns = columns_of(*first, origin_);
+    if (!columns) return columns.error();
+    columns_ = std::move(*columns);
+    while (const auto line = lines_.next())
+      if (Status status = read_row(csv_cells(*line)); !status) return status.error();
+    return whole();
+  }
+
+ private:
+  [[nodiscard]] Error wrong(Message what, std::string_view column = {}) const {
+    const Message line = en::say("{}, line {}", origin_, lines_.number());
+    return {std::move(what),
+            column.empty() ? line : en::say("{}, column {}", line, printable(column)),
+            en::say("removing the line, or writing what was measured")};
+  }
+
+  Result<double> number(const std::vector<std::string_view>& cells,
+                        int at,
+                        std::string_view column,
+                        double greatest) const {
+    const std::string_view cell = cells[static_cast<std::size_t>(at)];
+    const auto value = csv_number(cell);
+    if (!value) return wrong(en::say("'{}' is no number", printable(cell)), column);
+    if (std::abs(*value) > greatest)
+      return wrong(en::say("'{}' is beyond all that can be measured", printable(cell)), column);
+    return *value;
+  }
+
+  Status read_row(const std::vector<std::string_view>& cells) {
+    if (cells.size() != columns_.count)
+      return wrong(en::say("has {} cells, not {}", cells.size(), columns_.count));
+    if (Status status = read_markers(cells); !status) return status;
+    static constexpr std::array<const char*, 3> kAxes{"fx_n", "fy_n", "fz_n"};
+    for (std::size_t axis = 0; axis < columns_.force.size(); ++axis) {
+      const auto force = number(cells, columns_.force[axis], kAxes[axis], kGreatestN);
+      if (!force) return force.error();
+      rows_.force.push_back(*force);
+    }
+    if (columns_.time >= 0) {
+      const auto time = number(cells, columns_.time, "t_s", 1e12);
+      if (!time) return time.error();
+      rows_.time.push_back(*time);
+    }
+    if (Status status = read_place(cells); !status) return status;
+    for (auto [at, list] : {std::pair{columns_.block, &table_.block},
+                            {columns_.day, &table_.day},
+                            {columns_.indenter, &table_.indenter},
+                            {columns_.frame, &table_.frame}})
+      if (at >= 0) list->emplace_back(cells[static_cast<std::size_t>(at)]);
+    ++count_;
+    return {};
+  }
+
+  Status read_markers(const std::vector<std::string_view>& cells) {
+    bool any = false;
+    for (std::size_t m = 0; m < columns_.u.size(); ++m) {
+      const std::string name = fmt::format("u{}", m);
+      const auto u_cell = cells[static_cast<std::size_t>(columns_.u[m])];
+      const auto v_cell = cells[static_cast<std::size_t>(columns_.v[m])];
+      bool seen = !u_cell.empty() || !v_cell.empty();
+      if (columns_.seen[m] >= 0) {
+        const auto told = number(cells, columns_.seen[m], fmt::format("seen{}", m), 1);
+        if (!told) return told.error();
+        if (*told != 0 && *told != 1) return wrong(en::say("seen is 1 or 0"), name);
+        seen = *told == 1;
+      }
+      double u = 0, v = 0;
+      if (seen) {
+        const auto there_u = number(cells, columns_.u[m], name, kFarthestPx);
+        if (!there_u) return there_u.error();
+        const auto there_v = number(cells, columns_.v[m], fmt::format("v{}", m), kFarthestPx);
+        if (!there_v) return there_v.error();
+        u = *there_u, v = *there_v;
+      }
+      any = any || seen;
+      rows_.layouts.push_back(u), rows_.layouts.push_back(v);
+      rows_.seen.push_back(seen ? 1 : 0);
+    }
+    return any ? Status() : wrong(en::say("no marker was seen"));
+  }
+
+  Status read_place(const std::vector<std::string_view>& cells) {
+    if (columns_.along < 0) return {};
+    const bool known = !cells[static_cast<std::size_t>(columns_.along)].empty() ||
+                       !cells[static_cast<std::size_t>(columns_.across)].empty();
+    for (auto [at, name] :
+         {std::pair{columns_.along, "along_mm"}, {columns_.across, "across_mm"}}) {
+      double place = std::numeric_limits<double>::quiet_NaN();
+      if (known) {
+        const auto there = number(cells, at, name, 1e4);
+        if (!there) return there.error();
+        place = *there;
+      }
+      rows_.place.push_back(place);
+    }
+    return {};
+  }
+
+  Result<ForceTable> whole() {
+    const auto too_bad = [&](Message what, Message advice) {
+      return Error{std::move(what), origin_, std::move(advice)};
+    };
+    if (count_ < static_cast<Eigen::Index>(ForceTable::kLeastRows))
+      return too_bad(en::say("{} rows are too few to learn from", count_),
+                     en::say("at least {}, better several hundred", ForceTable::kLeastRows));
+    using ByRow = Eigen::Matrix<double, -1, -1, Eigen::RowMajor>;
+    const auto matrix = [&](const std::vector<double>& numbers) -> Eigen::MatrixXd {
+      return Eigen::Map<const ByRow>(
+          numbers.data(), count_, static_cast<Eigen::Index>(numbers.size()) / count_);
+    };
+    table_.marker_count = static_cast<int>(columns_.u.size());
+    table_.axes = static_cast<int>(columns_.force.size());
+    table_.layouts = matrix(rows_.layouts), table_.seen = matrix(rows_.seen);
+    table_.force_N = matrix(rows_.force);
+    if (!rows_.place.empty() && matrix(rows_.place).array().isFinite().any())
+      table_.place_mm = matrix(rows_.place);
+    if (!rows_.time.empty()) table_.time_s = matrix(rows_.time);
+    table_.passed_over = columns_.passed_over;
+    static constexpr std::array<const char*, 3> kAxes{"fx_n", "fy_n", "fz_n"};
+    for (int axis = 0; axis < table_.axes; ++axis) {
+      const auto column = table_.force_N.col(axis).array();
+      if (column.maxCoeff() - column.minCoeff() < 1e-9)
+        return too_bad(en::say("the force '{}' is the same in all rows",
+                               std::string(kAxes[static_cast<std::size_t>(axis)])),
+                       en::say("pressing with different forces, or leaving the column fz_n out"));
+    }
+    if (!something_moves())
+      return too_bad(en::say("no marker ever moves"),
+                     en::say("a table of this recording's markers"));
+    return std::move(table_);
+  }
+
+  [[nodiscard]] bool something_moves() const {
+    for (Eigen::Index c = 0; c < table_.layouts.cols(); ++c) {
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      for (Eigen::Index row = 0; row < table_.layouts.rows(); ++row)
+        if (table_.seen(row, c / 2) > 0.5) {
+          least = std::min(least, table_.layouts(row, c));
+          most = std::max(most, table_.layouts(row, c));
+        }
+      if (most - least > 1e-6) return true;
+    }
+    return false;
+  }
+
+  CsvLines lines_;
+  std::filesystem::path origin_;
+  TableColumns columns_;
+  TableRows rows_;
+  ForceTable table_;
+  Eigen::Index count_ = 0;
+};
+
+}  // namespace
+
+std::string csv_column(std::string_view name) {
+  std::string column;
+  for (const char c : name) column += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const char* unit : {"_px", "_mm", "_n", "_s"})
+    if (column.ends_with(unit)) {
+      column.resize(column.size() - std::string_view(unit).size());
+      break;
+    }
+  return column;
+}
+
+Result<ForceTable> ForceTable::parse(std::string_view csv, const std::filesystem::path& origin) {
+  return TableReader(csv, origin).read();
+}
+
+Result<ForceTable> ForceTable::load(const std::filesystem::path& file) {
+  const auto content = read_file(file, kLargestTable);
+  if (!content) return content.error();
+  return parse(*content, file);
+}
+
+std::string ForceTable::to_csv() const {
+  std::string text;
+  const auto add = [&](std::string_view cell) {
+    if (!text.empty() && text.back() != '\n') text += ',';
+    text += cell;
+  };
+  const std::array<std::pair<const char*, const std::vector<std::string>*>, 4> names{
+      {{"frame", &frame}, {"block", &block}, {"day", &day}, {"indenter", &indenter}}};
+  for (const auto& [name, list] : names)
+    if (!list->empty()) add(name);
+  if (time_s.size() > 0) add("t_s");
+  add(axes == 3 ? "fx_n,fy_n,fz_n" : "fx_n,fy_n");
+  if (has_place()) add("along_mm,across_mm");
+  for (int m = 0; m < marker_count; ++m) add(fmt::format("u{0},v{0},seen{0}", m));
+  text += '\n';
+  for (Eigen::Index row = 0; row < rows(); ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    // A first cell must not be taken for none.
+    bool is_first = true;
+    const auto cell = [&](std::string_view value) {
+      if (!is_first) text += ',';
+      is_first = false;
+      text += value;
+    };
+    for (const auto& [name, list] : names)
+      if (!list->empty()) cell((*list)[i]);
+    if (time_s.size() > 0) cell(fmt::format("{}", time_s[row]));
+    for (int axis = 0; axis < axes; ++axis) cell(fmt::format("{}", force_N(row, axis)));
+    for (Eigen::Index k = 0; has_place() && k < 2; ++k)
+      cell(std::isfinite(place_mm(row, k)) ? fmt::format("{}", place_mm(row, k)) : "");
+    for (int m = 0; m < marker_count; ++m) {
+      const bool is_seen = seen(row, m) > 0.5;
+      for (int k = 0; k < 2; ++k)
+        cell(is_seen ? fmt::format("{}", layouts(row, 2 * m + k)) : std::string());
+      cell(is_seen ? "1" : "0");
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace alltact

@@ -1,0 +1,46 @@
+// What every member of a cross-validation tells of the rows that it has not seen.
+#pragma once
+
+#include "calibration/force/force_regression.h"
+#include "calibration/force/force_split.h"
+#include "core/job.h"
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// Of one kind of regression.
+struct HeldOutForce {
+  std::vector<ForceMember> members;  ///< by fold, each learnt without it
+  Eigen::MatrixXd told_N;            ///< of each row by the member that has not seen it
+  Eigen::MatrixXd spread_N;          ///< sd of all members, row by row
+};
+
+/// Runs the folds side by side; the same for any number of threads. Where the job is stopped the
+/// result is not complete.
+[[nodiscard]] HeldOutForce hold_out_force(const std::vector<ForceInput>& filled,
+                                          const Eigen::MatrixXd& force_N,
+                                          const ForceFolds& folds,
+                                          ForceKind kind,
+                                          const ForceNetworkOptions& options,
+                                          const Job& job);
+
+/// Errors over s = sqrt(floor^2 + spread^2), floor their root mean square.
+struct ForceErrorScores {
+  Eigen::VectorXd floor_N;
+  Eigen::MatrixXd score;  ///< one row a frame, at least 0
+};
+[[nodiscard]] ForceErrorScores error_scores(const HeldOutForce& held_out,
+                                            const Eigen::MatrixXd& force_N);
+
+/// The ceil((n + 1) level)-th smallest, or the greatest: conformal. Values must not be empty.
+[[nodiscard]] double conformal_quantile(std::vector<double> values, double level);
+
+/// Part of the rows whose score is not above the quantile of all other folds' scores, by axis.
+[[nodiscard]] Eigen::VectorXd covered_part(const Eigen::MatrixXd& score,
+                                           const ForceFolds& folds,
+                                           double level);
+
+}  // namespace alltact

@@ -1,0 +1,243 @@
+// Tables with forces: what is read, and what is refused with a sentence.
+#include "calibration/force/force_table.h"
+
+#include "calibration/force/collect_force.h"
+#include "tests/calibration/force/force_worlds.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+/// 24 rows of two markers; `line` may change a row's text.
+template <class Change>
+std::string table_text(const std::string& head, const Change& change) {
+  std::string text = head + "\n";
+  for (int row = 0; row < 24; ++row) {
+    std::string line =
+        fmt::format("{},{},{},{},{},{}", 100 + row, 50.5, 200 - row, 450, 0.1 * row, -0.2 * row);
+    change(row, line);
+    text += line + "\n";
+  }
+  return text;
+}
+std::string table_text() {
+  return table_text("u0,v0,u1,v1,fx_n,fy_n", [](int, std::string&) {});
+}
+
+std::string table_refusal(const std::string& text) {
+  const auto table = ForceTable::parse(text, "table.csv");
+  EXPECT_FALSE(table);
+  return table ? "" : table.error().sentence();
+}
+
+void expect_words(const std::string& sentence, const char* words) {
+  EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("table.csv"), std::string::npos) << sentence;
+}
+
+TEST(ForceTable, ReadsItsColumns) {
+  const auto table = ForceTable::parse(table_text(), "table.csv");
+  ASSERT_TRUE(table) << table.error().sentence();
+  EXPECT_EQ(table->rows(), 24);
+  EXPECT_EQ(table->marker_count, 2);
+  EXPECT_EQ(table->axes, 2);
+  EXPECT_EQ(table->layouts(3, 0), 103);
+  EXPECT_EQ(table->layouts(3, 3), 450);
+  EXPECT_EQ(table->force_N(10, 1), -2.0);
+  EXPECT_FALSE(table->has_place());
+}
+
+TEST(ForceTable, OtherNamesUnitsQuotesAndLineEndsAreUnderstood) {
+  std::string text = "\xEF\xBB\xBF\"X00_px\",Y00_px,x01,y01,Fx_N,FY,Temperature,T_s\r\n";
+  for (int row = 0; row < 24; ++row)
+    text += fmt::format("{}, 50,\"200\",450,{},+1.5e-{},warm,{}\r\n", row, 0.1 * row, row % 3, row);
+  const auto table = ForceTable::parse(text, "table.csv");
+  ASSERT_TRUE(table) << table.error().sentence();
+  EXPECT_EQ(table->layouts(5, 0), 5);
+  EXPECT_EQ(table->time_s[7], 7);
+  EXPECT_EQ(table->passed_over, std::vector<std::string>{"temperature"});
+}
+
+TEST(ForceTable, HiddenMarkersAreEmptyCells) {
+  const auto table = ForceTable::parse(table_text("u0,v0,u1,v1,fx_n,fy_n",
+                                                  [](int row, std::string& line) {
+                                                    if (row == 4) line = ",,196,450,0.4,-0.8";
+                                                  }),
+                                       "table.csv");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->seen(4, 0), 0);
+  EXPECT_EQ(table->seen(4, 1), 1);
+}
+
+TEST(ForceTable, WritesWhatItReads) {
+  made::BeamFinger finger(3);
+  ForceTable table = finger.rows(3, 10);
+  table.place_mm.row(4).setConstant(std::numeric_limits<double>::quiet_NaN());
+  table.time_s = Eigen::VectorXd::LinSpaced(table.rows(), 0, 2.9);
+  const std::string csv = table.to_csv();
+  const auto again = ForceTable::parse(csv, "table.csv");
+  ASSERT_TRUE(again) << again.error().sentence();
+  EXPECT_EQ(again->to_csv(), csv);
+  EXPECT_EQ(again->layouts, table.layouts);
+  EXPECT_EQ(again->seen, table.seen);
+  EXPECT_EQ(again->force_N, table.force_N);
+  EXPECT_EQ(again->block, table.block);
+  EXPECT_TRUE(std::isnan(again->place_mm(4, 0)));
+}
+
+TEST(ForceTable, BadTablesAreRefusedWithLineAndColumn) {
+  const auto keep = [](int, std::string&) {};
+  const auto in_row_7 = [](const char* text) {
+    return [text](int row, std::string& line) {
+      if (row == 7) line = text;
+    };
+  };
+  const std::string head = "u0,v0,u1,v1,fx_n,fy_n";
+  expect_words(table_refusal(""), "the table is empty");
+  expect_words(table_refusal(head + "\n"), "0 rows are too few");
+  expect_words(table_refusal(head + "\n1,2,3,4,5,6\n2,2,3,4,6,7\n3,2,3,4,7,8\n"),
+               "3 rows are too few");
+  expect_words(table_refusal(table_text("a,b,c,d,fx_n,fy_n", keep)), "no columns u0, v0");
+  expect_words(table_refusal(table_text("u0,v0,u1,w,fx_n,fy_n", keep)), "'v1' is missing");
+  expect_words(table_refusal(table_text("u0,v0,u2,v2,fx_n,fy_n", keep)), "'u1' is missing");
+  expect_words(table_refusal(table_text("u0,v0,u1,v1,fx_n,b", keep)), "'fy_n' is missing");
+  expect_words(table_refusal(table_text("u0,v0,u0,v1,fx_n,fy_n", keep)), "given twice");
+  expect_words(table_refusal(table_text("u0,v0,u1,v1,fx_n,fx_px", keep)), "given twice");
+  expect_words(table_refusal(table_text("u0,v0,seen0,v1,fx_n,fy_n", keep)), "line 1");
+  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,nan,5,6"))), "'nan' is no number");
+  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,inf,6"))), "line 9, column fx_n");
+  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,five,6"))), "'five' is no number");
+  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,,6"))), "is no number");
+  expect_words(table_refusal(table_text(head, in_row_7("1,,3,4,5,6"))), "column v0");
+  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,5"))), "has 5 cells, not 6");
+  expect_words(table_refusal(table_text(head, in_row_7(",,,,5,6"))), "no marker was seen");
+  expect_words(table_refusal(table_text(head, in_row_7("1e300,2,3,4,5,6"))), "beyond all");
+  expect_words(
+      table_refusal(table_text(
+          head, [](int row, std::string& line) { line = fmt::format("{},2,3,4,1,{}", row, row); })),
+      "'fx_n' is the same in all rows");
+  expect_words(
+      table_refusal(table_text(
+          head, [](int row, std::string& line) { line = fmt::format("1,2,3,4,{},{}", row, row); })),
+      "no marker ever moves");
+  expect_words(table_refusal(table_text("u0,v0,u1,along_mm,fx_n,fy_n", keep)), "line 1");
+  expect_words(table_refusal("u9999,v9999,fx_n,fy_n\n1,2,3,4\n"), "markers up to number 9999");
+}
+
+TEST(ForceTable, EveryPartOfATableIsATableOrASentence) {
+  const std::string text = table_text();
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    const auto table = ForceTable::parse(text.substr(0, length), "table.csv");
+    if (table)
+      EXPECT_GE(table->rows(), 20);
+    else
+      EXPECT_FALSE(table.error().sentence().empty());
+  }
+}
+
+std::vector<MarkerFrame> forty_frames(bool timed) {
+  std::vector<MarkerFrame> frames;
+  for (int i = 0; i < 40; ++i) {
+    MarkerFrame frame;
+    frame.name = fmt::format("frame_{:05}", i);
+    if (timed) frame.time_s = 500.0 + 0.1 * i;
+    frame.markers = {{100.0 + i, 50, true, 0.1}, {100.0, 450, i % 4 != 0, 0.1}};
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+TEST(CollectForce, ReadingsAreInterpolatedAtTheFramesTimes) {
+  std::string csv = "t_s,fx_n,fy_n,block\n";
+  // F = (t, -2 t) at other times than the frames', from 1 s after the first.
+  for (int i = 0; i < 20; ++i)
+    csv += fmt::format("{0},{1},{2},a\n", 501 + 0.17 * i, 0.17 * i, -0.34 * i);
+  const auto gauge = ForceGauge::parse_csv(csv, "gauge.csv");
+  ASSERT_TRUE(gauge) << gauge.error().sentence();
+  const auto collected = collect_force(forty_frames(true), *gauge);
+  ASSERT_TRUE(collected) << collected.error().sentence();
+  EXPECT_TRUE(collected->remarks.empty());
+  EXPECT_EQ(collected->frames, 40U);
+  EXPECT_EQ(collected->left_out, 10U) << "those of the first second";
+  const ForceTable& table = collected->table;
+  for (Eigen::Index row = 0; row < table.rows(); ++row) {
+    const double age_s = 0.1 * (table.layouts(row, 0) - 100) - 1;
+    EXPECT_NEAR(table.force_N(row, 0), age_s, 1e-9);
+    EXPECT_NEAR(table.force_N(row, 1), -2 * age_s, 1e-9);
+  }
+  EXPECT_EQ(table.seen(2, 1), 0);
+}
+
+TEST(CollectForce, OtherClocksBeginTogether) {
+  std::string csv = "time_s,fx_n,fy_n\n";
+  for (int i = 0; i < 60; ++i) csv += fmt::format("{0},{1},{1}\n", 0.1 * i, i);
+  const auto collected =
+      collect_force(forty_frames(true), *ForceGauge::parse_csv(csv, "gauge.csv"));
+  ASSERT_TRUE(collected) << collected.error().sentence();
+  ASSERT_EQ(collected->remarks.size(), 1U);
+  EXPECT_NE(collected->remarks[0].english().find("different clocks"), std::string::npos);
+  EXPECT_NEAR(collected->table.force_N(20, 0), 20, 1e-6);
+}
+
+TEST(CollectForce, TypedReadingsGoByTheFramesNames) {
+  std::string csv = "frame,fx_n,fy_n,fz_n,along_mm,across_mm,indenter\n";
+  for (int i = 10; i < 35; ++i)
+    csv += fmt::format("frame_{:05},{},1,{},{},2,ball\n", i, i, 0.5 * i, 30 + i);
+  const auto collected =
+      collect_force(forty_frames(false), *ForceGauge::parse_csv(csv, "gauge.csv"));
+  ASSERT_FALSE(collected) << "fy_n never changes";
+  std::string good = csv;
+  good.replace(good.find(",1,"), 3, ",2,");
+  const auto again = collect_force(forty_frames(false), *ForceGauge::parse_csv(good, "gauge.csv"));
+  ASSERT_TRUE(again) << again.error().sentence();
+  EXPECT_EQ(again->table.rows(), 25);
+  EXPECT_EQ(again->table.axes, 3);
+  EXPECT_EQ(again->table.force_N(4, 2), 7);
+  EXPECT_EQ(again->table.place_mm(4, 0), 44);
+  EXPECT_EQ(again->table.indenter[0], "ball");
+}
+
+TEST(CollectForce, TheTruthOfASimulationIsAGauge) {
+  const auto gauge = ForceGauge::parse_truth(
+      R"({"frames": [{"frame": "frame_00000"},
+          {"frame": "frame_00001", "contacts": [
+            {"name": "push", "force_N": [1.0, 0.5, 0.25], "along_mm": 40, "across_mm": 1},
+            {"name": "push#2", "force_N": [0.5, 0, 0], "along_mm": 60, "across_mm": 2}]},
+          {"frame": "frame_00002", "contacts": [{"name": "ball"}]}]})",
+      "truth.json");
+  ASSERT_TRUE(gauge) << gauge.error().sentence();
+  ASSERT_EQ(gauge->readings.size(), 2U) << "the ball's force is not known";
+  EXPECT_EQ(gauge->readings[0].force_N.norm(), 0);
+  EXPECT_EQ(gauge->readings[1].force_N, Eigen::Vector3d(1.5, 0.5, 0.25));
+  EXPECT_EQ(*gauge->readings[1].place_mm, Eigen::Vector2d(40, 1));
+}
+
+TEST(CollectForce, BadGaugesAreRefused) {
+  const auto refusal = [](const char* csv) {
+    const auto gauge = ForceGauge::parse_csv(csv, "gauge.csv");
+    EXPECT_FALSE(gauge) << csv;
+    return gauge ? std::string() : gauge.error().sentence();
+  };
+  const auto has = [](const std::string& sentence, const char* words) {
+    EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+  };
+  has(refusal(""), "empty");
+  has(refusal("t_s,fx_n,fy_n\n"), "no reading");
+  has(refusal("t_s,fx_n\n1,2\n"), "'fy_n' is missing");
+  has(refusal("fx_n,fy_n\n1,2\n"), "neither");
+  has(refusal("t_s,fx_n,fy_n\n1,2,x\n"), "'x' is no force");
+  has(refusal("t_s,fx_n,fy_n\n2,2,3\n1,2,3\n"), "comes after");
+  has(refusal("t_s,fx_n,fy_n\n1,2\n"), "has 2 cells, not 3");
+  EXPECT_FALSE(ForceGauge::parse_truth("{}", "truth.json"));
+  EXPECT_FALSE(ForceGauge::parse_truth("[", "truth.json"));
+  EXPECT_FALSE(ForceGauge::parse_truth(R"({"frames": [{"frame": "a"}]})", "truth.json"));
+  const auto untimed = collect_force(forty_frames(false),
+                                     *ForceGauge::parse_csv("t_s,fx_n,fy_n\n1,2,3\n", "gauge.csv"));
+  ASSERT_FALSE(untimed);
+  has(untimed.error().sentence(), "have no times");
+}
+
+}  // namespace
+}  // namespace alltact
