@@ -7890,14 +7890,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bilder einer Kugel von bekanntem Radius, in die Fläche gedrückt</translation>
     </message>
     <message>
-        <source>no scene looks through a window</source>
-        <translation>keine Szene blickt durch ein Fenster</translation>
-    </message>
-    <message>
-        <source>a finger whose lens was calibrated in its place</source>
-        <translation>ein Finger, dessen Objektiv an seinem Platz kalibriert wurde</translation>
-    </message>
-    <message>
         <source>noise is told from {} untouched pictures</source>
         <translation>das Rauschen ist aus {} unberührten Bildern ermittelt</translation>
     </message>
@@ -8100,6 +8092,678 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>pictures of one ball, pressed in where the whole contact is seen</source>
         <translation>Bilder einer einzigen Kugel, eingedrückt, wo der ganze Kontakt zu sehen ist</translation>
+    </message>
+    <message>
+        <source>alltact force with a table of this finger&apos;s markers</source>
+        <translation>alltact force mit einer Tabelle der Marken dieses Fingers</translation>
+    </message>
+    <message>
+        <source>the force model was trained with {} markers, the finger has {} others</source>
+        <translation>das Kraftmodell wurde mit {} Marken trainiert, der Finger hat {} andere</translation>
+    </message>
+    <message>
+        <source>the force model belongs to another reference: its markers rested up to {:.1f} px from where they rest now</source>
+        <translation>das Kraftmodell gehört zu einer anderen Referenz: Seine Marken ruhten bis zu {:.1f} px von dort entfernt, wo sie jetzt ruhen</translation>
+    </message>
+    <message>
+        <source>train the force model again</source>
+        <translation>das Kraftmodell neu trainieren</translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation>ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>is no number</source>
+        <translation>ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>is no possible number</source>
+        <translation>ist keine mögliche Zahl</translation>
+    </message>
+    <message>
+        <source>is no whole number</source>
+        <translation>ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>is no list</source>
+        <translation>ist keine Liste</translation>
+    </message>
+    <message>
+        <source>holds {} numbers, not {} x {}</source>
+        <translation>enthält {} Zahlen, nicht {} x {}</translation>
+    </message>
+    <message>
+        <source>is not true or false</source>
+        <translation>ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>must be two places</source>
+        <translation>müssen zwei Orte sein</translation>
+    </message>
+    <message>
+        <source>must be mean, ridge, quadratic or network</source>
+        <translation>muss mean, ridge, quadratic oder network sein</translation>
+    </message>
+    <message>
+        <source>holds what is no text</source>
+        <translation>enthält etwas, das kein Text ist</translation>
+    </message>
+    <message>
+        <source>has not the shape that the rest of the model needs</source>
+        <translation>hat nicht die Form, die der Rest des Modells braucht</translation>
+    </message>
+    <message>
+        <source>must be above 0</source>
+        <translation>muss über 0 sein</translation>
+    </message>
+    <message>
+        <source>is no possible range</source>
+        <translation>ist kein möglicher Bereich</translation>
+    </message>
+    <message>
+        <source>holds what is no number</source>
+        <translation>enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>must be 2 or 3</source>
+        <translation>muss 2 oder 3 sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 1 to 1024</source>
+        <translation>muss eine ganze Zahl von 1 bis 1024 sein</translation>
+    </message>
+    <message>
+        <source>must be a number from 0 to 1000000</source>
+        <translation>muss eine Zahl von 0 bis 1000000 sein</translation>
+    </message>
+    <message>
+        <source>must be 1 to {}</source>
+        <translation>müssen 1 bis {} sein</translation>
+    </message>
+    <message>
+        <source>are missing</source>
+        <translation>fehlen</translation>
+    </message>
+    <message>
+        <source>is no force model: it is broken or cut off</source>
+        <translation>ist kein Kraftmodell: Die Datei ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>must be two motor positions, the lower one first</source>
+        <translation>müssen zwei Motorstellungen sein, die kleinere zuerst</translation>
+    </message>
+    <message>
+        <source>for example [0.0, 12.5]</source>
+        <translation>zum Beispiel [0.0, 12.5]</translation>
+    </message>
+    <message>
+        <source>must be from 0 to 1000</source>
+        <translation>muss zwischen 0 und 1000 liegen</translation>
+    </message>
+    <message>
+        <source>how far a motor position may be off, with the screw&apos;s play</source>
+        <translation>wie weit eine Motorstellung danebenliegen kann, das Spiel der Spindel eingeschlossen</translation>
+    </message>
+    <message>
+        <source>must name the finger&apos;s folder</source>
+        <translation>muss den Ordner des Fingers nennen</translation>
+    </message>
+    <message>
+        <source>its path from the folder of this file, for example ../left-07</source>
+        <translation>sein Pfad vom Ordner dieser Datei aus, zum Beispiel ../left-07</translation>
+    </message>
+    <message>
+        <source>goes beyond what the finger {} can reach: at {:.6g} turns {}</source>
+        <translation>geht über das hinaus, was der Finger {} erreichen kann: Bei {:.6g} Umdrehungen gilt: {}</translation>
+    </message>
+    <message>
+        <source>a range within {:.6g} to {:.6g}</source>
+        <translation>ein Bereich innerhalb von {:.6g} bis {:.6g}</translation>
+    </message>
+    <message>
+        <source>must say where the camera sits in one way</source>
+        <translation>muss auf genau eine Art sagen, wo die Kamera sitzt</translation>
+    </message>
+    <message>
+        <source>this, or known_at_turns: the motor position at which gripper_from_camera in the finger&apos;s own file holds</source>
+        <translation>dies, oder known_at_turns: die Motorstellung, bei der gripper_from_camera in der Datei des Fingers selbst gilt</translation>
+    </message>
+    <message>
+        <source>must lie in the motor&apos;s range</source>
+        <translation>muss im Bereich des Motors liegen</translation>
+    </message>
+    <message>
+        <source>a motor position from {:g} to {:g}</source>
+        <translation>eine Motorstellung von {:g} bis {:g}</translation>
+    </message>
+    <message>
+        <source>what is written on the gripper</source>
+        <translation>was auf dem Greifer steht</translation>
+    </message>
+    <message>
+        <source>is the name of the other finger too</source>
+        <translation>ist auch der Name des anderen Fingers</translation>
+    </message>
+    <message>
+        <source>two names, for example left and right</source>
+        <translation>zwei Namen, zum Beispiel links und rechts</translation>
+    </message>
+    <message>
+        <source>does not say where the camera sits in the gripper</source>
+        <translation>sagt nicht, wo die Kamera im Greifer sitzt</translation>
+    </message>
+    <message>
+        <source>add gripper_from_camera there, as it is at {:g} turns of the motor</source>
+        <translation>dort gripper_from_camera hinzufügen, wie es bei {:g} Umdrehungen des Motors ist</translation>
+    </message>
+    <message>
+        <source>the motor cannot stand at {:.6g} turns: its range is from {:.6g} to {:.6g}</source>
+        <translation>der Motor kann nicht bei {:.6g} Umdrehungen stehen: Sein Bereich reicht von {:.6g} bis {:.6g}</translation>
+    </message>
+    <message>
+        <source>a motor position in that range, or correct range_turns</source>
+        <translation>eine Motorstellung in diesem Bereich, oder range_turns berichtigen</translation>
+    </message>
+    <message>
+        <source>the standard deviation of a motor position must be 0 or above</source>
+        <translation>die Standardabweichung einer Motorstellung muss 0 oder größer sein</translation>
+    </message>
+    <message>
+        <source>a number of turns</source>
+        <translation>eine Zahl von Umdrehungen</translation>
+    </message>
+    <message>
+        <source>it is not known where the camera of finger {} sits</source>
+        <translation>es ist nicht bekannt, wo die Kamera des Fingers {} sitzt</translation>
+    </message>
+    <message>
+        <source>must be two numbers: x and z in mm</source>
+        <translation>müssen zwei Zahlen sein: x und z in mm</translation>
+    </message>
+    <message>
+        <source>a travel in mm for each turn</source>
+        <translation>ein Weg in mm je Umdrehung</translation>
+    </message>
+    <message>
+        <source>a motor position</source>
+        <translation>eine Motorstellung</translation>
+    </message>
+    <message>
+        <source>must be two fingers, not {}</source>
+        <translation>müssen zwei Finger sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>one block &apos;- name: ...&apos; for each</source>
+        <translation>je ein Block &apos;- name: ...&apos;</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most {:g}</source>
+        <translation>muss über 0 und höchstens {:g} sein</translation>
+    </message>
+    <message>
+        <source>rod and crank are stretched into one line</source>
+        <translation>Stange und Kurbel liegen gestreckt in einer Linie</translation>
+    </message>
+    <message>
+        <source>rod and crank are folded into one line</source>
+        <translation>Stange und Kurbel liegen gefaltet in einer Linie</translation>
+    </message>
+    <message>
+        <source>the rod lies across the screw</source>
+        <translation>die Stange liegt quer zur Spindel</translation>
+    </message>
+    <message>
+        <source>must be a travel in mm, above or below 0</source>
+        <translation>muss ein Weg in mm sein, größer oder kleiner als 0</translation>
+    </message>
+    <message>
+        <source>how far the nut goes away from the palm in one turn, for example 2.0</source>
+        <translation>wie weit sich die Mutter in einer Umdrehung von der Handfläche entfernt, zum Beispiel 2.0</translation>
+    </message>
+    <message>
+        <source>must be numbers from -{0:g} to {0:g}</source>
+        <translation>müssen Zahlen von -{0:g} bis {0:g} sein</translation>
+    </message>
+    <message>
+        <source>x and z of the axis that the finger turns about, in mm</source>
+        <translation>x und z der Achse, um die sich der Finger dreht, in mm</translation>
+    </message>
+    <message>
+        <source>x and z of the rod&apos;s joint on the nut at motor position 0, in mm</source>
+        <translation>x und z des Gelenks der Stange an der Mutter bei Motorstellung 0, in mm</translation>
+    </message>
+    <message>
+        <source>the distance from the finger&apos;s axis to the rod, in mm</source>
+        <translation>der Abstand von der Drehachse des Fingers zur Stange, in mm</translation>
+    </message>
+    <message>
+        <source>the distance between the rod&apos;s joints, in mm</source>
+        <translation>der Abstand zwischen den Gelenken der Stange, in mm</translation>
+    </message>
+    <message>
+        <source>rod and crank never meet: together they reach {:g} mm, and the nut passes the finger&apos;s axis at {:g} mm</source>
+        <translation>Stange und Kurbel treffen sich nie: Zusammen reichen sie {:g} mm weit, und die Mutter läuft in {:g} mm Abstand an der Drehachse des Fingers vorbei</translation>
+    </message>
+    <message>
+        <source>measure pivot_mm, nut_mm, crank_mm and rod_mm again</source>
+        <translation>pivot_mm, nut_mm, crank_mm und rod_mm neu messen</translation>
+    </message>
+    <message>
+        <source>the motor&apos;s position is no number</source>
+        <translation>die Stellung des Motors ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>at {:.6g} turns the rod&apos;s joint lies on the finger&apos;s axis, so that the finger may stand anywhere</source>
+        <translation>bei {:.6g} Umdrehungen liegt das Gelenk der Stange auf der Drehachse des Fingers, sodass der Finger beliebig stehen kann</translation>
+    </message>
+    <message>
+        <source>another motor position</source>
+        <translation>eine andere Motorstellung</translation>
+    </message>
+    <message>
+        <source>rod and crank do not meet at {:.6g} turns: they do from {:.6g} ({}) to {:.6g} ({})</source>
+        <translation>Stange und Kurbel treffen sich bei {:.6g} Umdrehungen nicht: Sie tun es von {:.6g} ({}) bis {:.6g} ({})</translation>
+    </message>
+    <message>
+        <source>a motor position between these</source>
+        <translation>eine Motorstellung dazwischen</translation>
+    </message>
+    <message>
+        <source>must be &apos;{}&apos;, not &apos;{}&apos;</source>
+        <translation>muss &apos;{}&apos; sein, nicht &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>a table of motor positions by time</source>
+        <translation>eine Tabelle der Motorstellungen nach der Zeit</translation>
+    </message>
+    <message>
+        <source>must be a time in ns and a number of turns, not &apos;{}&apos;</source>
+        <translation>muss eine Zeit in ns und eine Zahl von Umdrehungen sein, nicht &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>for example 123456789,4.25</source>
+        <translation>zum Beispiel 123456789,4.25</translation>
+    </message>
+    <message>
+        <source>the time is not after that of the line before</source>
+        <translation>die Zeit liegt nicht nach der in der Zeile davor</translation>
+    </message>
+    <message>
+        <source>lines in the order of time</source>
+        <translation>Zeilen in der Reihenfolge der Zeit</translation>
+    </message>
+    <message>
+        <source>holds fewer than two motor positions</source>
+        <translation>enthält weniger als zwei Motorstellungen</translation>
+    </message>
+    <message>
+        <source>a line for each time at which the motor was read</source>
+        <translation>eine Zeile für jeden Zeitpunkt, zu dem der Motor ausgelesen wurde</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a number</source>
+        <translation>&apos;{}&apos; muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be {} numbers</source>
+        <translation>&apos;{}&apos; muss aus {} Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be numbers</source>
+        <translation>&apos;{}&apos; muss aus Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be of length 1</source>
+        <translation>&apos;{}&apos; muss die Länge 1 haben</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no covariance</source>
+        <translation>&apos;{}&apos; ist keine Kovarianz</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be 0 or above</source>
+        <translation>&apos;{}&apos; muss 0 oder größer sein</translation>
+    </message>
+    <message>
+        <source>is no JSON object</source>
+        <translation>ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a text</source>
+        <translation>&apos;{}&apos; muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a whole number</source>
+        <translation>&apos;{}&apos; muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a list</source>
+        <translation>&apos;{}&apos; muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>a region is no JSON object</source>
+        <translation>ein Bereich ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must ascend</source>
+        <translation>&apos;{}&apos; muss aufsteigend sein</translation>
+    </message>
+    <message>
+        <source>is no JSON: {}</source>
+        <translation>ist kein JSON: {}</translation>
+    </message>
+    <message>
+        <source>results.jsonl as alltact reconstruct wrote it</source>
+        <translation>results.jsonl, wie alltact reconstruct es geschrieben hat</translation>
+    </message>
+    <message>
+        <source>no marker is seen that could tell the force</source>
+        <translation>es ist keine Marke zu sehen, aus der sich die Kraft ermitteln ließe</translation>
+    </message>
+    <message>
+        <source>the force model was trained with nothing like this frame: its force cannot be relied on; add rows with such forces to the table and train it again</source>
+        <translation>das Kraftmodell wurde mit nichts trainiert, was diesem Bild gleicht: Auf seine Kraft ist kein Verlass; Zeilen mit solchen Kräften zur Tabelle hinzufügen und neu trainieren</translation>
+    </message>
+    <message>
+        <source>{}, trained at an unknown date</source>
+        <translation>{}, an einem unbekannten Tag trainiert</translation>
+    </message>
+    <message>
+        <source>{}, trained {}</source>
+        <translation>{}, trainiert {}</translation>
+    </message>
+    <message>
+        <source>holds no frame with markers</source>
+        <translation>enthält kein Bild mit Marken</translation>
+    </message>
+    <message>
+        <source>results.jsonl of alltact reconstruct, or the recording itself</source>
+        <translation>results.jsonl von alltact reconstruct, oder die Aufnahme selbst</translation>
+    </message>
+    <message>
+        <source>stopped before all frames were measured</source>
+        <translation>angehalten, bevor alle Bilder gemessen waren</translation>
+    </message>
+    <message>
+        <source>measuring frame {}</source>
+        <translation>Bild {} wird gemessen</translation>
+    </message>
+    <message>
+        <source>the markers were found in no frame</source>
+        <translation>die Marken wurden in keinem Bild gefunden</translation>
+    </message>
+    <message>
+        <source>alltact reconstruct, which says why</source>
+        <translation>alltact reconstruct, das den Grund nennt</translation>
+    </message>
+    <message>
+        <source>The gauge and the camera were on different clocks: their beginnings are taken for one moment.</source>
+        <translation>Kraftmesser und Kamera liefen nach verschiedenen Uhren: Ihre Anfänge gelten als ein Augenblick.</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s frames have no times, the gauge has nothing but times</source>
+        <translation>die Bilder der Aufnahme haben keine Zeiten, der Kraftmesser hat nichts als Zeiten</translation>
+    </message>
+    <message>
+        <source>a recording of alltact record, or a gauge file with a column &apos;frame&apos;</source>
+        <translation>eine Aufnahme von alltact record, oder eine Datei des Kraftmessers mit einer Spalte &apos;frame&apos;</translation>
+    </message>
+    <message>
+        <source>{} of {} frames have a reading</source>
+        <translation>{} von {} Bildern haben einen Messwert</translation>
+    </message>
+    <message>
+        <source>a CSV whose first line names t_s (or frame), fx_n and fy_n</source>
+        <translation>eine CSV-Datei, deren erste Zeile t_s (oder frame), fx_n und fy_n nennt</translation>
+    </message>
+    <message>
+        <source>the gauge&apos;s file holds no reading</source>
+        <translation>die Datei des Kraftmessers enthält keinen Messwert</translation>
+    </message>
+    <message>
+        <source>the gauge&apos;s file is empty</source>
+        <translation>die Datei des Kraftmessers ist leer</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is given twice</source>
+        <translation>die Spalte &apos;{}&apos; steht zweimal da</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is missing</source>
+        <translation>die Spalte &apos;{}&apos; fehlt</translation>
+    </message>
+    <message>
+        <source>there is neither a column &apos;t_s&apos; nor a column &apos;frame&apos;</source>
+        <translation>es gibt weder eine Spalte &apos;t_s&apos; noch eine Spalte &apos;frame&apos;</translation>
+    </message>
+    <message>
+        <source>of the place of contact there is only one of along_mm and across_mm</source>
+        <translation>vom Ort des Kontakts gibt es nur eines von along_mm und across_mm</translation>
+    </message>
+    <message>
+        <source>has {} cells, not {}</source>
+        <translation>hat {} Zellen, nicht {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no force</source>
+        <translation>&apos;{}&apos; ist keine Kraft</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no time</source>
+        <translation>&apos;{}&apos; ist keine Zeit</translation>
+    </message>
+    <message>
+        <source>{} s comes after {} s</source>
+        <translation>{} s kommt nach {} s</translation>
+    </message>
+    <message>
+        <source>the place of contact is no pair of numbers</source>
+        <translation>der Ort des Kontakts ist kein Zahlenpaar</translation>
+    </message>
+    <message>
+        <source>truth.json of a scene whose pushes have forces</source>
+        <translation>truth.json einer Szene, in der mit Kräften gedrückt wird</translation>
+    </message>
+    <message>
+        <source>holds no frames of a simulation</source>
+        <translation>enthält keine Bilder einer Simulation</translation>
+    </message>
+    <message>
+        <source>holds a frame without a name</source>
+        <translation>enthält ein Bild ohne Namen</translation>
+    </message>
+    <message>
+        <source>tells no force of any contact</source>
+        <translation>nennt von keinem Kontakt eine Kraft</translation>
+    </message>
+    <message>
+        <source>the table has no column &apos;{}&apos;</source>
+        <translation>die Tabelle hat keine Spalte &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is the same in all rows</source>
+        <translation>die Spalte &apos;{}&apos; ist in allen Zeilen gleich</translation>
+    </message>
+    <message>
+        <source>--split block, or a table of several</source>
+        <translation>--split block, oder eine Tabelle mit mehreren</translation>
+    </message>
+    <message>
+        <source>a CSV whose first line names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one</source>
+        <translation>eine CSV-Datei, deren erste Zeile u0, v0, ..., fx_n, fy_n nennt; alltact force --collect erzeugt eine</translation>
+    </message>
+    <message>
+        <source>{}, line 1</source>
+        <translation>{}, Zeile 1</translation>
+    </message>
+    <message>
+        <source>there are no columns u0, v0, ... of markers</source>
+        <translation>es gibt keine Spalten u0, v0, ... von Marken</translation>
+    </message>
+    <message>
+        <source>there are markers up to number {}; the highest may be {}</source>
+        <translation>es gibt Marken bis zur Nummer {}; die höchste darf {} sein</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is missing, though there is a marker {}</source>
+        <translation>die Spalte &apos;{}&apos; fehlt, obwohl es eine Marke {} gibt</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is missing, though other markers have one</source>
+        <translation>die Spalte &apos;{}&apos; fehlt, obwohl andere Marken eine solche haben</translation>
+    </message>
+    <message>
+        <source>the table is empty</source>
+        <translation>die Tabelle ist leer</translation>
+    </message>
+    <message>
+        <source>{}, column {}</source>
+        <translation>{}, Spalte {}</translation>
+    </message>
+    <message>
+        <source>removing the line, or writing what was measured</source>
+        <translation>die Zeile entfernen, oder schreiben, was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no number</source>
+        <translation>&apos;{}&apos; ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is beyond all that can be measured</source>
+        <translation>&apos;{}&apos; liegt jenseits von allem, was sich messen lässt</translation>
+    </message>
+    <message>
+        <source>seen is 1 or 0</source>
+        <translation>seen ist 1 oder 0</translation>
+    </message>
+    <message>
+        <source>no marker was seen</source>
+        <translation>keine Marke war zu sehen</translation>
+    </message>
+    <message>
+        <source>{} rows are too few to learn from</source>
+        <translation>{} Zeilen sind zu wenige zum Lernen</translation>
+    </message>
+    <message>
+        <source>at least {}, better several hundred</source>
+        <translation>mindestens {}, besser einige Hundert</translation>
+    </message>
+    <message>
+        <source>the force &apos;{}&apos; is the same in all rows</source>
+        <translation>die Kraft &apos;{}&apos; ist in allen Zeilen gleich</translation>
+    </message>
+    <message>
+        <source>pressing with different forces, or leaving the column fz_n out</source>
+        <translation>mit verschiedenen Kräften drücken, oder die Spalte fz_n weglassen</translation>
+    </message>
+    <message>
+        <source>no marker ever moves</source>
+        <translation>keine Marke bewegt sich je</translation>
+    </message>
+    <message>
+        <source>a table of this recording&apos;s markers</source>
+        <translation>eine Tabelle der Marken dieser Aufnahme</translation>
+    </message>
+    <message>
+        <source>a table of this finger&apos;s markers</source>
+        <translation>eine Tabelle der Marken dieses Fingers</translation>
+    </message>
+    <message>
+        <source>the finger has no markers, so they cannot tell a force</source>
+        <translation>der Finger hat keine Marken, also können sie keine Kraft anzeigen</translation>
+    </message>
+    <message>
+        <source>a finger with markers</source>
+        <translation>ein Finger mit Marken</translation>
+    </message>
+    <message>
+        <source>the finger has no reference, so it is not known where its markers rest</source>
+        <translation>der Finger hat keine Referenz, also ist nicht bekannt, wo seine Marken ruhen</translation>
+    </message>
+    <message>
+        <source>alltact reference</source>
+        <translation>alltact reference</translation>
+    </message>
+    <message>
+        <source>the table has {} markers, the finger has {}</source>
+        <translation>die Tabelle hat {} Marken, der Finger hat {}</translation>
+    </message>
+    <message>
+        <source>the table&apos;s markers are another finger&apos;s: in every row they lie {:.0f} px or more from where this finger&apos;s rest</source>
+        <translation>die Marken der Tabelle gehören zu einem anderen Finger: In jeder Zeile liegen sie {:.0f} px oder mehr von dort entfernt, wo die dieses Fingers ruhen</translation>
+    </message>
+    <message>
+        <source>there is no force model to take back</source>
+        <translation>es gibt kein Kraftmodell, das sich zurücknehmen ließe</translation>
+    </message>
+    <message>
+        <source>the finger has no force model yet</source>
+        <translation>der Finger hat noch kein Kraftmodell</translation>
+    </message>
+    <message>
+        <source>giving the table to train with</source>
+        <translation>die Tabelle angeben, mit der trainiert werden soll</translation>
+    </message>
+    <message>
+        <source>the force model does not say which table it is of</source>
+        <translation>das Kraftmodell sagt nicht, aus welcher Tabelle es stammt</translation>
+    </message>
+    <message>
+        <source>stopped before there was a force model</source>
+        <translation>angehalten, bevor es ein Kraftmodell gab</translation>
+    </message>
+    <message>
+        <source>the mean</source>
+        <translation>der Mittelwert</translation>
+    </message>
+    <message>
+        <source>ridge</source>
+        <translation>die Ridge-Regression</translation>
+    </message>
+    <message>
+        <source>the quadratic one</source>
+        <translation>das quadratische Modell</translation>
+    </message>
+    <message>
+        <source>the network</source>
+        <translation>das neuronale Netz</translation>
+    </message>
+    <message>
+        <source>creep is an input only where the table has times</source>
+        <translation>Kriechen ist nur dann eine Eingangsgröße, wenn die Tabelle Zeiten hat</translation>
+    </message>
+    <message>
+        <source>a table with a column t_s, or leaving creep out</source>
+        <translation>eine Tabelle mit einer Spalte t_s, oder das Kriechen weglassen</translation>
+    </message>
+    <message>
+        <source>training {} without one block after the other</source>
+        <translation>Training, jeweils ohne einen der Blöcke: {}</translation>
+    </message>
+    <message>
+        <source>testing {} by frames and with shuffled forces</source>
+        <translation>Prüfung nach Bildern und mit vertauschten Kräften: {}</translation>
+    </message>
+    <message>
+        <source>The network does not beat ridge: their errors are {:.1f} % and {:.1f} % of the forces&apos; standard deviation.</source>
+        <translation>Das neuronale Netz ist nicht besser als die Ridge-Regression: Ihre Fehler betragen {:.1f} % und {:.1f} % der Standardabweichung der Kräfte.</translation>
+    </message>
+    <message>
+        <source>What is kept does not beat the mean of the table: these markers do not tell the force.</source>
+        <translation>Was behalten wird, ist nicht besser als der Mittelwert der Tabelle: Aus diesen Marken lässt sich die Kraft nicht ermitteln.</translation>
+    </message>
+    <message>
+        <source>Nothing beats the mean of the table: these markers do not tell the force.</source>
+        <translation>Nichts ist besser als der Mittelwert der Tabelle: Aus diesen Marken lässt sich die Kraft nicht ermitteln.</translation>
+    </message>
+    <message>
+        <source>The table has no column &apos;block&apos;: {} stretches of rows that follow each other were held out.</source>
+        <translation>Die Tabelle hat keine Spalte &apos;block&apos;: {} Abschnitte aufeinanderfolgender Zeilen wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Only {} groups could be held out: errors and intervals are rough.</source>
+        <translation>Nur {} Gruppen ließen sich auslassen: Fehler und Intervalle sind grob.</translation>
     </message>
 </context>
 </TS>

@@ -7867,14 +7867,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>半径已知的球压入面的图片</translation>
     </message>
     <message>
-        <source>no scene looks through a window</source>
-        <translation>场景不能隔着窗口观看</translation>
-    </message>
-    <message>
-        <source>a finger whose lens was calibrated in its place</source>
-        <translation>使用镜头在安装位置标定过的手指</translation>
-    </message>
-    <message>
         <source>noise is told from {} untouched pictures</source>
         <translation>噪声由 {} 张未触碰的图片得出</translation>
     </message>
@@ -8077,6 +8069,678 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>pictures of one ball, pressed in where the whole contact is seen</source>
         <translation>同一个球的图片，压在看得见整个接触的位置</translation>
+    </message>
+    <message>
+        <source>alltact force with a table of this finger&apos;s markers</source>
+        <translation>用此手指标记点的表运行 alltact force</translation>
+    </message>
+    <message>
+        <source>the force model was trained with {} markers, the finger has {} others</source>
+        <translation>力模型用 {} 个标记点训练，而手指有 {} 个不同的标记点</translation>
+    </message>
+    <message>
+        <source>the force model belongs to another reference: its markers rested up to {:.1f} px from where they rest now</source>
+        <translation>力模型属于另一个参考：其标记点的静止位置与现在相差达 {:.1f} px</translation>
+    </message>
+    <message>
+        <source>train the force model again</source>
+        <translation>重新训练力模型</translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation>不是对象</translation>
+    </message>
+    <message>
+        <source>is no number</source>
+        <translation>不是数</translation>
+    </message>
+    <message>
+        <source>is no possible number</source>
+        <translation>不是可能的数</translation>
+    </message>
+    <message>
+        <source>is no whole number</source>
+        <translation>不是整数</translation>
+    </message>
+    <message>
+        <source>is no list</source>
+        <translation>不是列表</translation>
+    </message>
+    <message>
+        <source>holds {} numbers, not {} x {}</source>
+        <translation>含有 {} 个数，而不是 {} x {} 个</translation>
+    </message>
+    <message>
+        <source>is not true or false</source>
+        <translation>不是 true 或 false</translation>
+    </message>
+    <message>
+        <source>must be two places</source>
+        <translation>必须是两个位置</translation>
+    </message>
+    <message>
+        <source>must be mean, ridge, quadratic or network</source>
+        <translation>必须是 mean、ridge、quadratic 或 network</translation>
+    </message>
+    <message>
+        <source>holds what is no text</source>
+        <translation>含有不是文本的内容</translation>
+    </message>
+    <message>
+        <source>has not the shape that the rest of the model needs</source>
+        <translation>形状与模型其余部分不符</translation>
+    </message>
+    <message>
+        <source>must be above 0</source>
+        <translation>必须大于 0</translation>
+    </message>
+    <message>
+        <source>is no possible range</source>
+        <translation>不是可能的范围</translation>
+    </message>
+    <message>
+        <source>holds what is no number</source>
+        <translation>含有不是数的内容</translation>
+    </message>
+    <message>
+        <source>must be 2 or 3</source>
+        <translation>必须是 2 或 3</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 1 to 1024</source>
+        <translation>必须是 1 到 1024 的整数</translation>
+    </message>
+    <message>
+        <source>must be a number from 0 to 1000000</source>
+        <translation>必须是 0 到 1000000 的数</translation>
+    </message>
+    <message>
+        <source>must be 1 to {}</source>
+        <translation>必须有 1 到 {} 个</translation>
+    </message>
+    <message>
+        <source>are missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>is no force model: it is broken or cut off</source>
+        <translation>不是力模型：文件已损坏或不完整</translation>
+    </message>
+    <message>
+        <source>must be two motor positions, the lower one first</source>
+        <translation>必须是两个电机位置，较小的在前</translation>
+    </message>
+    <message>
+        <source>for example [0.0, 12.5]</source>
+        <translation>例如 [0.0, 12.5]</translation>
+    </message>
+    <message>
+        <source>must be from 0 to 1000</source>
+        <translation>必须在 0 到 1000 之间</translation>
+    </message>
+    <message>
+        <source>how far a motor position may be off, with the screw&apos;s play</source>
+        <translation>电机位置可能有多大偏差，包括丝杠的间隙</translation>
+    </message>
+    <message>
+        <source>must name the finger&apos;s folder</source>
+        <translation>必须给出手指的文件夹</translation>
+    </message>
+    <message>
+        <source>its path from the folder of this file, for example ../left-07</source>
+        <translation>从此文件所在的文件夹到它的路径，例如 ../left-07</translation>
+    </message>
+    <message>
+        <source>goes beyond what the finger {} can reach: at {:.6g} turns {}</source>
+        <translation>超出手指 {} 能到达的范围：在 {:.6g} 圈处，{}</translation>
+    </message>
+    <message>
+        <source>a range within {:.6g} to {:.6g}</source>
+        <translation>{:.6g} 到 {:.6g} 之内的范围</translation>
+    </message>
+    <message>
+        <source>must say where the camera sits in one way</source>
+        <translation>必须用且只用一种方式说明相机的安装位置</translation>
+    </message>
+    <message>
+        <source>this, or known_at_turns: the motor position at which gripper_from_camera in the finger&apos;s own file holds</source>
+        <translation>写这一项，或写 known_at_turns：手指自己的文件中 gripper_from_camera 成立时的电机位置</translation>
+    </message>
+    <message>
+        <source>must lie in the motor&apos;s range</source>
+        <translation>必须在电机的范围内</translation>
+    </message>
+    <message>
+        <source>a motor position from {:g} to {:g}</source>
+        <translation>{:g} 到 {:g} 的电机位置</translation>
+    </message>
+    <message>
+        <source>what is written on the gripper</source>
+        <translation>写在夹爪上的名字</translation>
+    </message>
+    <message>
+        <source>is the name of the other finger too</source>
+        <translation>与另一个手指的名字相同</translation>
+    </message>
+    <message>
+        <source>two names, for example left and right</source>
+        <translation>两个不同的名字，例如 left 和 right</translation>
+    </message>
+    <message>
+        <source>does not say where the camera sits in the gripper</source>
+        <translation>没有说明相机在夹爪中的位置</translation>
+    </message>
+    <message>
+        <source>add gripper_from_camera there, as it is at {:g} turns of the motor</source>
+        <translation>在其中加上 gripper_from_camera，取电机在 {:g} 圈时的值</translation>
+    </message>
+    <message>
+        <source>the motor cannot stand at {:.6g} turns: its range is from {:.6g} to {:.6g}</source>
+        <translation>电机不能停在 {:.6g} 圈：其范围是 {:.6g} 到 {:.6g}</translation>
+    </message>
+    <message>
+        <source>a motor position in that range, or correct range_turns</source>
+        <translation>使用该范围内的电机位置，或更正 range_turns</translation>
+    </message>
+    <message>
+        <source>the standard deviation of a motor position must be 0 or above</source>
+        <translation>电机位置的标准差必须大于或等于 0</translation>
+    </message>
+    <message>
+        <source>a number of turns</source>
+        <translation>以圈为单位的数</translation>
+    </message>
+    <message>
+        <source>it is not known where the camera of finger {} sits</source>
+        <translation>不知道手指 {} 的相机的安装位置</translation>
+    </message>
+    <message>
+        <source>must be two numbers: x and z in mm</source>
+        <translation>必须是两个数：x 和 z，单位 mm</translation>
+    </message>
+    <message>
+        <source>a travel in mm for each turn</source>
+        <translation>每圈的行程，单位 mm</translation>
+    </message>
+    <message>
+        <source>a motor position</source>
+        <translation>电机位置</translation>
+    </message>
+    <message>
+        <source>must be two fingers, not {}</source>
+        <translation>必须是两个手指，而不是 {} 个</translation>
+    </message>
+    <message>
+        <source>one block &apos;- name: ...&apos; for each</source>
+        <translation>每个手指写一段 &apos;- name: ...&apos;</translation>
+    </message>
+    <message>
+        <source>must be above 0 and at most {:g}</source>
+        <translation>必须大于 0 且不超过 {:g}</translation>
+    </message>
+    <message>
+        <source>rod and crank are stretched into one line</source>
+        <translation>连杆与曲柄伸直成一条线</translation>
+    </message>
+    <message>
+        <source>rod and crank are folded into one line</source>
+        <translation>连杆与曲柄重叠成一条线</translation>
+    </message>
+    <message>
+        <source>the rod lies across the screw</source>
+        <translation>连杆与丝杠垂直</translation>
+    </message>
+    <message>
+        <source>must be a travel in mm, above or below 0</source>
+        <translation>必须是以 mm 为单位的行程，大于或小于 0</translation>
+    </message>
+    <message>
+        <source>how far the nut goes away from the palm in one turn, for example 2.0</source>
+        <translation>电机转一圈时螺母远离手掌的距离，例如 2.0</translation>
+    </message>
+    <message>
+        <source>must be numbers from -{0:g} to {0:g}</source>
+        <translation>必须是 -{0:g} 到 {0:g} 的数</translation>
+    </message>
+    <message>
+        <source>x and z of the axis that the finger turns about, in mm</source>
+        <translation>手指转轴的 x 和 z，单位 mm</translation>
+    </message>
+    <message>
+        <source>x and z of the rod&apos;s joint on the nut at motor position 0, in mm</source>
+        <translation>电机位置为 0 时连杆在螺母上的铰接点的 x 和 z，单位 mm</translation>
+    </message>
+    <message>
+        <source>the distance from the finger&apos;s axis to the rod, in mm</source>
+        <translation>手指转轴到连杆的距离，单位 mm</translation>
+    </message>
+    <message>
+        <source>the distance between the rod&apos;s joints, in mm</source>
+        <translation>连杆两个铰接点之间的距离，单位 mm</translation>
+    </message>
+    <message>
+        <source>rod and crank never meet: together they reach {:g} mm, and the nut passes the finger&apos;s axis at {:g} mm</source>
+        <translation>连杆与曲柄永远不能相接：两者合起来可达 {:g} mm，而螺母在距手指转轴 {:g} mm 处经过</translation>
+    </message>
+    <message>
+        <source>measure pivot_mm, nut_mm, crank_mm and rod_mm again</source>
+        <translation>重新测量 pivot_mm、nut_mm、crank_mm 和 rod_mm</translation>
+    </message>
+    <message>
+        <source>the motor&apos;s position is no number</source>
+        <translation>电机位置不是数</translation>
+    </message>
+    <message>
+        <source>at {:.6g} turns the rod&apos;s joint lies on the finger&apos;s axis, so that the finger may stand anywhere</source>
+        <translation>在 {:.6g} 圈处，连杆的铰接点落在手指转轴上，因此手指可处于任意角度</translation>
+    </message>
+    <message>
+        <source>another motor position</source>
+        <translation>换一个电机位置</translation>
+    </message>
+    <message>
+        <source>rod and crank do not meet at {:.6g} turns: they do from {:.6g} ({}) to {:.6g} ({})</source>
+        <translation>连杆与曲柄在 {:.6g} 圈处不能相接：可相接的范围是 {:.6g}（{}）到 {:.6g}（{}）</translation>
+    </message>
+    <message>
+        <source>a motor position between these</source>
+        <translation>这两者之间的电机位置</translation>
+    </message>
+    <message>
+        <source>must be &apos;{}&apos;, not &apos;{}&apos;</source>
+        <translation>必须是 &apos;{}&apos;，而不是 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>a table of motor positions by time</source>
+        <translation>按时间排列的电机位置表</translation>
+    </message>
+    <message>
+        <source>must be a time in ns and a number of turns, not &apos;{}&apos;</source>
+        <translation>必须是以 ns 为单位的时间和圈数，而不是 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>for example 123456789,4.25</source>
+        <translation>例如 123456789,4.25</translation>
+    </message>
+    <message>
+        <source>the time is not after that of the line before</source>
+        <translation>时间不晚于上一行的时间</translation>
+    </message>
+    <message>
+        <source>lines in the order of time</source>
+        <translation>按时间顺序排列各行</translation>
+    </message>
+    <message>
+        <source>holds fewer than two motor positions</source>
+        <translation>含有的电机位置少于两个</translation>
+    </message>
+    <message>
+        <source>a line for each time at which the motor was read</source>
+        <translation>每次读取电机的时刻写一行</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a number</source>
+        <translation>&apos;{}&apos; 必须是数</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be {} numbers</source>
+        <translation>&apos;{}&apos; 必须是 {} 个数</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be numbers</source>
+        <translation>&apos;{}&apos; 必须由数组成</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be of length 1</source>
+        <translation>&apos;{}&apos; 的长度必须是 1</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no covariance</source>
+        <translation>&apos;{}&apos; 不是协方差</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be 0 or above</source>
+        <translation>&apos;{}&apos; 必须大于或等于 0</translation>
+    </message>
+    <message>
+        <source>is no JSON object</source>
+        <translation>不是 JSON 对象</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a text</source>
+        <translation>&apos;{}&apos; 必须是文本</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a whole number</source>
+        <translation>&apos;{}&apos; 必须是整数</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a list</source>
+        <translation>&apos;{}&apos; 必须是列表</translation>
+    </message>
+    <message>
+        <source>a region is no JSON object</source>
+        <translation>有一个区域不是 JSON 对象</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must ascend</source>
+        <translation>&apos;{}&apos; 必须按升序排列</translation>
+    </message>
+    <message>
+        <source>is no JSON: {}</source>
+        <translation>不是 JSON：{}</translation>
+    </message>
+    <message>
+        <source>results.jsonl as alltact reconstruct wrote it</source>
+        <translation>使用 alltact reconstruct 写出的 results.jsonl</translation>
+    </message>
+    <message>
+        <source>no marker is seen that could tell the force</source>
+        <translation>看不到可用来得出力的标记点</translation>
+    </message>
+    <message>
+        <source>the force model was trained with nothing like this frame: its force cannot be relied on; add rows with such forces to the table and train it again</source>
+        <translation>力模型的训练数据中没有与此帧相似的情况：这一帧的力不可靠；请在表中加入含这类力的行并重新训练</translation>
+    </message>
+    <message>
+        <source>{}, trained at an unknown date</source>
+        <translation>{}，训练日期不明</translation>
+    </message>
+    <message>
+        <source>{}, trained {}</source>
+        <translation>{}，训练于 {}</translation>
+    </message>
+    <message>
+        <source>holds no frame with markers</source>
+        <translation>没有含标记点的帧</translation>
+    </message>
+    <message>
+        <source>results.jsonl of alltact reconstruct, or the recording itself</source>
+        <translation>使用 alltact reconstruct 的 results.jsonl，或录像本身</translation>
+    </message>
+    <message>
+        <source>stopped before all frames were measured</source>
+        <translation>测量完所有帧之前已停止</translation>
+    </message>
+    <message>
+        <source>measuring frame {}</source>
+        <translation>正在测量第 {} 帧</translation>
+    </message>
+    <message>
+        <source>the markers were found in no frame</source>
+        <translation>在任何一帧中都没有找到标记点</translation>
+    </message>
+    <message>
+        <source>alltact reconstruct, which says why</source>
+        <translation>运行 alltact reconstruct，它会说明原因</translation>
+    </message>
+    <message>
+        <source>The gauge and the camera were on different clocks: their beginnings are taken for one moment.</source>
+        <translation>测力计和相机使用不同的时钟：以各自的开头为同一时刻。</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s frames have no times, the gauge has nothing but times</source>
+        <translation>录像的帧没有时间，而测力计只有时间</translation>
+    </message>
+    <message>
+        <source>a recording of alltact record, or a gauge file with a column &apos;frame&apos;</source>
+        <translation>使用 alltact record 的录像，或带有列 &apos;frame&apos; 的测力计文件</translation>
+    </message>
+    <message>
+        <source>{} of {} frames have a reading</source>
+        <translation>有读数的帧：{} / {}</translation>
+    </message>
+    <message>
+        <source>a CSV whose first line names t_s (or frame), fx_n and fy_n</source>
+        <translation>第一行含有 t_s（或 frame）、fx_n 和 fy_n 的 CSV 文件</translation>
+    </message>
+    <message>
+        <source>the gauge&apos;s file holds no reading</source>
+        <translation>测力计文件中没有读数</translation>
+    </message>
+    <message>
+        <source>the gauge&apos;s file is empty</source>
+        <translation>测力计文件是空的</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is given twice</source>
+        <translation>列 &apos;{}&apos; 出现两次</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is missing</source>
+        <translation>缺少列 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>there is neither a column &apos;t_s&apos; nor a column &apos;frame&apos;</source>
+        <translation>既没有列 &apos;t_s&apos;，也没有列 &apos;frame&apos;</translation>
+    </message>
+    <message>
+        <source>of the place of contact there is only one of along_mm and across_mm</source>
+        <translation>接触位置只给出了 along_mm 和 across_mm 中的一个</translation>
+    </message>
+    <message>
+        <source>has {} cells, not {}</source>
+        <translation>有 {} 个单元格，而不是 {} 个</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no force</source>
+        <translation>&apos;{}&apos; 不是力</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no time</source>
+        <translation>&apos;{}&apos; 不是时间</translation>
+    </message>
+    <message>
+        <source>{} s comes after {} s</source>
+        <translation>{} s 排在 {} s 之后</translation>
+    </message>
+    <message>
+        <source>the place of contact is no pair of numbers</source>
+        <translation>接触位置不是一对数</translation>
+    </message>
+    <message>
+        <source>truth.json of a scene whose pushes have forces</source>
+        <translation>推压带有力的场景的 truth.json</translation>
+    </message>
+    <message>
+        <source>holds no frames of a simulation</source>
+        <translation>不含仿真的帧</translation>
+    </message>
+    <message>
+        <source>holds a frame without a name</source>
+        <translation>含有没有名字的帧</translation>
+    </message>
+    <message>
+        <source>tells no force of any contact</source>
+        <translation>没有给出任何接触的力</translation>
+    </message>
+    <message>
+        <source>the table has no column &apos;{}&apos;</source>
+        <translation>表中没有列 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is the same in all rows</source>
+        <translation>列 &apos;{}&apos; 在所有行中都相同</translation>
+    </message>
+    <message>
+        <source>--split block, or a table of several</source>
+        <translation>使用 --split block，或使用该列有多个不同值的表</translation>
+    </message>
+    <message>
+        <source>a CSV whose first line names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one</source>
+        <translation>第一行含有 u0, v0, ..., fx_n, fy_n 的 CSV 文件；alltact force --collect 可生成</translation>
+    </message>
+    <message>
+        <source>{}, line 1</source>
+        <translation>{}，第 1 行</translation>
+    </message>
+    <message>
+        <source>there are no columns u0, v0, ... of markers</source>
+        <translation>没有标记点的列 u0, v0, ...</translation>
+    </message>
+    <message>
+        <source>there are markers up to number {}; the highest may be {}</source>
+        <translation>标记点的编号到了 {}；最大只能是 {}</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is missing, though there is a marker {}</source>
+        <translation>缺少列 &apos;{}&apos;，但有标记点 {}</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is missing, though other markers have one</source>
+        <translation>缺少列 &apos;{}&apos;，但其他标记点有这样的列</translation>
+    </message>
+    <message>
+        <source>the table is empty</source>
+        <translation>表是空的</translation>
+    </message>
+    <message>
+        <source>{}, column {}</source>
+        <translation>{}，列 {}</translation>
+    </message>
+    <message>
+        <source>removing the line, or writing what was measured</source>
+        <translation>删除此行，或写上测得的值</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no number</source>
+        <translation>&apos;{}&apos; 不是数</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is beyond all that can be measured</source>
+        <translation>&apos;{}&apos; 超出一切可测的范围</translation>
+    </message>
+    <message>
+        <source>seen is 1 or 0</source>
+        <translation>seen 只能是 1 或 0</translation>
+    </message>
+    <message>
+        <source>no marker was seen</source>
+        <translation>没有看到标记点</translation>
+    </message>
+    <message>
+        <source>{} rows are too few to learn from</source>
+        <translation>{} 行太少，无法学习</translation>
+    </message>
+    <message>
+        <source>at least {}, better several hundred</source>
+        <translation>至少 {} 行，最好有几百行</translation>
+    </message>
+    <message>
+        <source>the force &apos;{}&apos; is the same in all rows</source>
+        <translation>力 &apos;{}&apos; 在所有行中都相同</translation>
+    </message>
+    <message>
+        <source>pressing with different forces, or leaving the column fz_n out</source>
+        <translation>用不同的力按压，或去掉列 fz_n</translation>
+    </message>
+    <message>
+        <source>no marker ever moves</source>
+        <translation>没有任何标记点移动过</translation>
+    </message>
+    <message>
+        <source>a table of this recording&apos;s markers</source>
+        <translation>此录像的标记点的表</translation>
+    </message>
+    <message>
+        <source>a table of this finger&apos;s markers</source>
+        <translation>此手指的标记点的表</translation>
+    </message>
+    <message>
+        <source>the finger has no markers, so they cannot tell a force</source>
+        <translation>手指没有标记点，因此无法由标记点得出力</translation>
+    </message>
+    <message>
+        <source>a finger with markers</source>
+        <translation>有标记点的手指</translation>
+    </message>
+    <message>
+        <source>the finger has no reference, so it is not known where its markers rest</source>
+        <translation>手指没有参考，因此不知道其标记点的静止位置</translation>
+    </message>
+    <message>
+        <source>alltact reference</source>
+        <translation>运行 alltact reference</translation>
+    </message>
+    <message>
+        <source>the table has {} markers, the finger has {}</source>
+        <translation>表中有 {} 个标记点，手指有 {} 个</translation>
+    </message>
+    <message>
+        <source>the table&apos;s markers are another finger&apos;s: in every row they lie {:.0f} px or more from where this finger&apos;s rest</source>
+        <translation>表中的标记点属于另一个手指：在每一行中，它们与此手指标记点静止位置的距离都不小于 {:.0f} px</translation>
+    </message>
+    <message>
+        <source>there is no force model to take back</source>
+        <translation>没有可撤回的力模型</translation>
+    </message>
+    <message>
+        <source>the finger has no force model yet</source>
+        <translation>手指还没有力模型</translation>
+    </message>
+    <message>
+        <source>giving the table to train with</source>
+        <translation>给出训练用的表</translation>
+    </message>
+    <message>
+        <source>the force model does not say which table it is of</source>
+        <translation>力模型没有说明它来自哪个表</translation>
+    </message>
+    <message>
+        <source>stopped before there was a force model</source>
+        <translation>得出力模型之前已停止</translation>
+    </message>
+    <message>
+        <source>the mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>ridge</source>
+        <translation>岭回归</translation>
+    </message>
+    <message>
+        <source>the quadratic one</source>
+        <translation>二次模型</translation>
+    </message>
+    <message>
+        <source>the network</source>
+        <translation>神经网络</translation>
+    </message>
+    <message>
+        <source>creep is an input only where the table has times</source>
+        <translation>只有表中有时间时，蠕变才能作为输入</translation>
+    </message>
+    <message>
+        <source>a table with a column t_s, or leaving creep out</source>
+        <translation>使用带有列 t_s 的表，或去掉蠕变</translation>
+    </message>
+    <message>
+        <source>training {} without one block after the other</source>
+        <translation>正在训练{}，依次留出每个数据块</translation>
+    </message>
+    <message>
+        <source>testing {} by frames and with shuffled forces</source>
+        <translation>正在检验{}，按帧并使用打乱的力</translation>
+    </message>
+    <message>
+        <source>The network does not beat ridge: their errors are {:.1f} % and {:.1f} % of the forces&apos; standard deviation.</source>
+        <translation>神经网络不优于岭回归：两者的误差分别为力的标准差的 {:.1f} % 和 {:.1f} %。</translation>
+    </message>
+    <message>
+        <source>What is kept does not beat the mean of the table: these markers do not tell the force.</source>
+        <translation>保留的模型不优于表的平均值：由这些标记点无法得出力。</translation>
+    </message>
+    <message>
+        <source>Nothing beats the mean of the table: these markers do not tell the force.</source>
+        <translation>没有比表的平均值更好的模型：由这些标记点无法得出力。</translation>
+    </message>
+    <message>
+        <source>The table has no column &apos;block&apos;: {} stretches of rows that follow each other were held out.</source>
+        <translation>表中没有列 &apos;block&apos;：留出了 {} 段连续的行。</translation>
+    </message>
+    <message>
+        <source>Only {} groups could be held out: errors and intervals are rough.</source>
+        <translation>只能留出 {} 组：误差和区间较粗略。</translation>
     </message>
 </context>
 </TS>
