@@ -3,7 +3,7 @@
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/calibration_report.h"
 #include "calibration/joint/verdict.h"
-#include "core/force/force_model.h"
+#include "core/finger/force_model.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <algorithm>

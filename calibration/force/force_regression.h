@@ -1,7 +1,7 @@
 // The regressions that a force model may consist of, and what they see of a frame.
 #pragma once
 
-#include "core/force/force_model.h"
+#include "core/finger/force_model.h"
 
 #include <cstdint>
 #include <vector>

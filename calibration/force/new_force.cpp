@@ -1,6 +1,6 @@
 #include "calibration/force/new_force.h"
 
-#include "core/force/force_model.h"
+#include "core/finger/force_model.h"
 #include "core/io/atomic_file.h"
 #include "core/program.h"
 #include "core/utc_time.h"

@@ -1,6 +1,7 @@
 #include "calibration/force/train_force.h"
 
 #include "calibration/force/held_out_force.h"
+#include "core/force/force_meter.h"
 
 #include <algorithm>
 #include <cmath>

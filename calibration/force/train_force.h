@@ -5,7 +5,7 @@
 #include "calibration/force/force_regression.h"
 #include "calibration/force/force_split.h"
 #include "calibration/force/force_table.h"
-#include "core/force/force_model.h"
+#include "core/finger/force_model.h"
 #include "core/job.h"
 #include "core/message.h"
 #include "core/result.h"

@@ -1,6 +1,6 @@
 #include "core/finger/finger_store.h"
 
-#include "core/force/force_model.h"
+#include "core/finger/force_model.h"
 
 #include <map>
 

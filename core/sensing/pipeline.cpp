@@ -1,5 +1,6 @@
 #include "core/sensing/pipeline.h"
 
+#include "core/force/force_meter.h"
 #include "core/sensing/contact/reference_free_contact.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/smoothing.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/finger/finger_store.h"
-#include "core/force/force_model.h"
+#include "core/finger/force_model.h"
 #include "core/frame.h"
 #include "core/job.h"
 #include "core/message.h"

@@ -8,7 +8,7 @@
 #include "core/result.h"
 #include "core/simulation/exposure.h"
 #include "core/simulation/frame_geometry.h"
-#include "core/simulation/mechanics/elastic_finger.h"
+#include "core/simulation/elastic_finger.h"
 #include "core/simulation/motion.h"
 #include "core/simulation/row_view.h"
 #include "core/simulation/sent_picture.h"

@@ -3,7 +3,7 @@
 #include "calibration/force/collect_force.h"
 #include "calibration/force/new_force.h"
 #include "calibration/reference/reference_recording.h"
-#include "core/force/force_model.h"
+#include "core/finger/force_model.h"
 #include "core/io/atomic_file.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/result_json.h"

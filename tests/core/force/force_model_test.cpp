@@ -1,5 +1,5 @@
 // A force model measures, and its file is read strictly.
-#include "core/force/force_model.h"
+#include "core/force/force_meter.h"
 
 #include <limits>
 #include <random>
@@ -49,7 +49,7 @@ Markers moved(double u0, double v0, double u1, double v1) {
 
 TEST(ForceModel, MeasuresWithSdAndIntervals) {
   const ForceModel model = two_markers();
-  const auto force = model(model.input_of(moved(6, 0, 0, 3), std::nullopt));
+  const auto force = model(force_input(model, moved(6, 0, 0, 3), std::nullopt));
   ASSERT_TRUE(force);
   EXPECT_EQ(force->axes, 2);
   EXPECT_NEAR(force->force_N[0], 0.6, 1e-12);
@@ -60,7 +60,7 @@ TEST(ForceModel, MeasuresWithSdAndIntervals) {
   EXPECT_NEAR(force->half_95_N[0], 2 * std::hypot(0.03, 0.005), 1e-12);
   EXPECT_NEAR(force->half_90_N[1], 1.7 * 0.04, 1e-12);
   EXPECT_TRUE(force->in_range);
-  EXPECT_FALSE(model(model.input_of(moved(30, 0, 0, 0), std::nullopt))->in_range);
+  EXPECT_FALSE(model(force_input(model, moved(30, 0, 0, 0), std::nullopt))->in_range);
 }
 
 TEST(ForceModel, NothingIsToldOfWhatCannotBeMeasured) {
@@ -68,15 +68,15 @@ TEST(ForceModel, NothingIsToldOfWhatCannotBeMeasured) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity, 1e300})
-    EXPECT_FALSE(model(model.input_of(moved(bad, 0, 0, 0), std::nullopt))) << bad;
+    EXPECT_FALSE(model(force_input(model, moved(bad, 0, 0, 0), std::nullopt))) << bad;
   Markers hidden = moved(1, 0, 0, 0);
   for (Marker& marker : hidden) marker.seen = false;
-  EXPECT_FALSE(model(model.input_of(hidden, std::nullopt)));
-  EXPECT_FALSE(model(model.input_of({hidden[0]}, std::nullopt)));
-  EXPECT_FALSE(model(model.input_of({}, std::nullopt)));
+  EXPECT_FALSE(model(force_input(model, hidden, std::nullopt)));
+  EXPECT_FALSE(model(force_input(model, {hidden[0]}, std::nullopt)));
+  EXPECT_FALSE(model(force_input(model, {}, std::nullopt)));
   // Where a marker is hidden, what was guessed of it is of no account.
   hidden[0].seen = true, hidden[1] = {nan, nan, false, 0};
-  const auto force = model(model.input_of(hidden, Eigen::Vector2d(nan, 0)));
+  const auto force = model(force_input(model, hidden, Eigen::Vector2d(nan, 0)));
   ASSERT_TRUE(force);
   EXPECT_TRUE(force->force_N.allFinite() && force->half_95_N.allFinite());
 }
@@ -89,7 +89,7 @@ TEST(ForceModel, HiddenMarkersAreFilledInFromTheOthers) {
   model.range.component_sd_px = Eigen::VectorXd::Constant(1, 20);
   Markers markers = moved(0, 0, 4, 0);
   markers[0].seen = false;
-  const auto force = model(model.input_of(markers, std::nullopt));
+  const auto force = model(force_input(model, markers, std::nullopt));
   ASSERT_TRUE(force);
   EXPECT_NEAR(force->force_N[0], 0.4, 1e-4);
 }
@@ -142,7 +142,7 @@ TEST(ForceModelFile, ReadsBackWhatItWrote) {
   const auto again = ForceModel::parse(json, "model.json");
   ASSERT_TRUE(again) << again.error().sentence();
   EXPECT_EQ(again->to_json(), json);
-  const ForceInput input = model.input_of(moved(1, 2, 3, 4), Eigen::Vector2d(30, 0));
+  const ForceInput input = force_input(model, moved(1, 2, 3, 4), Eigen::Vector2d(30, 0));
   EXPECT_EQ((*again)(input)->force_N, model(input)->force_N);
 }
 
@@ -230,7 +230,7 @@ TEST(ForceModelFile, AnyByteChangedGivesAModelOrASentence) {
     const auto model = ForceModel::parse(bytes, "model.json");
     if (!model) {
       EXPECT_FALSE(model.error().sentence().empty());
-    } else if (const auto force = (*model)(model->input_of(moved(1, 2, 3, 4), std::nullopt))) {
+    } else if (const auto force = (*model)(force_input(*model, moved(1, 2, 3, 4), std::nullopt))) {
       EXPECT_TRUE(force->force_N.allFinite() && force->half_95_N.allFinite());
     }
   }

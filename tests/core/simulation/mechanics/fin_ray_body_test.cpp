@@ -1,4 +1,4 @@
-#include "core/simulation/mechanics/fin_ray_body.h"
+#include "core/simulation/fin_ray_body.h"
 
 #include "core/simulation/mechanics/bonded_layer.h"
 #include "tests/core/simulation/effects/effect_scene.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/finger/finger.h"
-#include "core/simulation/mechanics/fin_ray_body.h"
+#include "core/simulation/fin_ray_body.h"
 #include "core/simulation/mechanics/kelvin_chain.h"
 
 namespace alltact {

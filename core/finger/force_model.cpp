@@ -1,5 +1,5 @@
 // Measuring with a force model.
-#include "core/force/force_model.h"
+#include "core/finger/force_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@ namespace {
 constexpr double kRoom = 1.1;  // how far beyond the table's greatest still counts as in range
 constexpr double kPlaceRoomMm = 2.0;   // beside the places of the table
 constexpr double kRestPx = 2.0;        // of a marker that rests where it did
-constexpr double kLongestGap = 5.0;    // creep times after which nothing is known of before
 constexpr double kLargestInput = 1e6;  // px, mm: beyond is no picture
 
 bool is_usable(const Eigen::VectorXd& values) {
@@ -128,23 +127,6 @@ Eigen::VectorXd ForceMember::operator()(const ForceInput& filled) const {
   return sum / static_cast<double>(regressors.size());
 }
 
-ForceInput ForceModel::input_of(const Markers& markers,
-                                const std::optional<Eigen::Vector2d>& place_mm) const {
-  ForceInput input;
-  const auto count = static_cast<Eigen::Index>(markers.size());
-  input.displacement_px = Eigen::VectorXd::Zero(2 * count);
-  input.seen = Eigen::VectorXd::Zero(count);
-  for (Eigen::Index m = 0; m < count && m < static_cast<Eigen::Index>(rest_px.size()); ++m) {
-    const Marker& marker = markers[static_cast<std::size_t>(m)];
-    input.seen[m] = marker.seen ? 1 : 0;
-    if (marker.seen)
-      input.displacement_px.segment<2>(2 * m) =
-          Eigen::Vector2d(marker.u, marker.v) - rest_px[static_cast<std::size_t>(m)];
-  }
-  input.place_mm = place_mm;
-  return input;
-}
-
 std::optional<Force> ForceModel::operator()(ForceInput input) const {
   if (input.seen.size() != marker_count || input.displacement_px.size() != 2 * marker_count ||
       input.seen.sum() < 0.5 || !is_usable(input.displacement_px) || !is_usable(input.crept_px))
@@ -194,33 +176,6 @@ Status ForceModel::belongs_to(const Finger& finger) const {
                        far_px),
                std::string("force.model"),
                advice};
-}
-
-Eigen::VectorXd CreepMean::operator()(const Eigen::VectorXd& displacement_px, double time_s) {
-  const double step_s = time_s - last_s_;
-  const bool is_new =
-      mean_.size() != displacement_px.size() || !(step_s >= 0) || step_s > kLongestGap * creep_s_;
-  last_s_ = time_s;
-  if (is_new) {
-    mean_ = displacement_px;
-  } else {
-    mean_ += -std::expm1(-step_s / creep_s_) * (displacement_px - mean_);
-  }
-  return displacement_px - mean_;
-}
-
-std::optional<Force> ForceMeter::operator()(const Markers& markers,
-                                            const std::optional<Eigen::Vector2d>& place_mm,
-                                            std::optional<double> time_s) {
-  ForceInput input = model_->input_of(markers, place_mm);
-  if (input.seen.size() != model_->marker_count || input.seen.sum() < 0.5 ||
-      !is_usable(input.displacement_px))
-    return std::nullopt;
-  if (model_->creep_s > 0 && time_s && std::isfinite(*time_s)) {
-    model_->range.fill(input);
-    input.crept_px = creep_(input.displacement_px, *time_s);
-  }
-  return (*model_)(std::move(input));
 }
 
 }  // namespace alltact

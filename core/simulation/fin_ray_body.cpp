@@ -1,4 +1,4 @@
-#include "core/simulation/mechanics/fin_ray_body.h"
+#include "core/simulation/fin_ray_body.h"
 
 #include <algorithm>
 #include <array>

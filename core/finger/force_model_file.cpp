@@ -1,5 +1,5 @@
 // The file that keeps a force model.
-#include "core/force/force_model.h"
+#include "core/finger/force_model.h"
 #include "core/io/atomic_file.h"
 #include "core/printable.h"
 

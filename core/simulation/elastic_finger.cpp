@@ -1,4 +1,4 @@
-#include "core/simulation/mechanics/elastic_finger.h"
+#include "core/simulation/elastic_finger.h"
 
 namespace alltact {
 

@@ -27,7 +27,6 @@
 
 #include "core/finger/finger.h"
 #include "core/result.h"
-#include "core/sensing/markers/markers.h"
 
 #include <array>
 #include <filesystem>
@@ -166,40 +165,6 @@ struct ForceModel {
 
   /// nullopt: other markers, or a seen one lies nowhere. Never NaN.
   [[nodiscard]] std::optional<Force> operator()(ForceInput input) const;
-  /// The same before floor, quantiles and range are known.
-  [[nodiscard]] ForceInput input_of(const Markers& markers,
-                                    const std::optional<Eigen::Vector2d>& place_mm) const;
-};
-
-/// Running mean of displacements, by which creep is told: dm/dt = (d - m) / creep_s. Starts anew
-/// after a gap of more than 5 creep_s or where time goes back.
-class CreepMean {
- public:
-  explicit CreepMean(double creep_s) : creep_s_(creep_s) {}
-  /// displacement less the running mean.
-  [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& displacement_px, double time_s);
-  void forget() { mean_.resize(0); }
-
- private:
-  double creep_s_, last_s_ = 0;
-  Eigen::VectorXd mean_;
-};
-
-/// Measures frame after frame. Remembers what creep needs, and nothing else.
-class ForceMeter {
- public:
-  explicit ForceMeter(std::shared_ptr<const ForceModel> model)
-      : model_(std::move(model)), creep_(model_->creep_s) {}
-  /// time_s: of capture; nullopt where there is none: creep is taken as none.
-  [[nodiscard]] std::optional<Force> operator()(const Markers& markers,
-                                                const std::optional<Eigen::Vector2d>& place_mm,
-                                                std::optional<double> time_s);
-  /// The next frame is not the neighbour of the last one in time.
-  void forget() { creep_.forget(); }
-
- private:
-  std::shared_ptr<const ForceModel> model_;
-  CreepMean creep_;
 };
 
 }  // namespace alltact
