@@ -35,6 +35,8 @@ CameraParameters read_camera(YamlSection section) {
     camera.fx_px = section.number("fx", strength_up_to(1e6));
     camera.fy_px = section.number("fy", strength_up_to(1e6));
   }
+  if (const auto made = Camera::create(camera); !made)
+    section.refuse("", made.error().what, made.error().advice);
   return camera;
 }
 
@@ -125,6 +127,8 @@ void read_effects(YamlSection& scene, Scene::Content& content) {
                        en::say("a lens does not change while it looks"),
                        en::say("leave 'from' and 'until' out"));
       named.effect->change_lens(content.finger.camera);
+      if (const auto made = Camera::create(content.finger.camera); !made)
+        section.refuse("", made.error().what, made.error().advice);
     }
     content.effects.push_back(named);
   }

@@ -268,6 +268,9 @@ TEST(Twist, RefusesWhatCannotBe) {
               testing::HasSubstr("a lens does not change while it looks"));
   EXPECT_THAT(refusal(scene_text("  - {use: port, gap_mm: 1, plate_mm: 2, plate_index: 4}\n")),
               testing::HasSubstr("plate_index"));
+  // Folds over within the picture.
+  EXPECT_THAT(refusal(scene_text("  - {use: distortion, coefficients: [-2.0]}\n")),
+              testing::HasSubstr("test.yaml:10: distortion"));
 }
 
 }  // namespace
