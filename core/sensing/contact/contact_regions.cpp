@@ -121,6 +121,7 @@ class RegionSums {
     const auto local = shape_.at(u, row);
     if (!local) return;
     region_.deepest_mm = depth_mm;
+    deepest_px_ = {u, row};
     region_.deepest_point_mm = untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ) -
                                Eigen::Vector3d(0.0, 0.0, depth_mm);
   }
@@ -137,6 +138,8 @@ class RegionSums {
     region.place_mm /= region.volume_mm3;
     region.place_px /= region.volume_mm3;
     region.place_on_face_mm = shape_.place_mm(region.place_px.x(), region.place_px.y());
+    if (options.pressed)
+      region.deepest_sd_mm = pressed_at(options, deepest_px_, region.deepest_mm).total();
     if (options.pressed)
       region.place_covariance_mm2 = contact_covariance_mm2(
           shape_, region.place_px, errors_.mean_sd_mm(region, options.correlated_px2));
@@ -187,6 +190,7 @@ class RegionSums {
   const Face& face_;
   double threshold_mm_;
   std::vector<ContactColumn> columns_;
+  Eigen::Vector2d deepest_px_{0, 0};
   std::vector<Eigen::Vector2d> ends_;  // of rows of pixels, mm on the face
   MeanErrors errors_;
   ContactRegion region_;  // places not yet divided by the volume

@@ -51,9 +51,10 @@ struct ContactRegion {
   Eigen::Vector2d place_on_face_mm = {
       0, 0};  ///< the same along the face and across it (FaceShape::place_mm)
   Eigen::Vector3d deepest_point_mm;
-  double deepest_mm = 0;  ///< greatest depth
-  double area_mm2 = 0;    ///< on the face
-  double volume_mm3 = 0;  ///< displaced, along z
+  double deepest_mm = 0;                ///< greatest depth
+  std::optional<double> deepest_sd_mm;  ///< as RegionOptions::pressed says; absent without it
+  double area_mm2 = 0;                  ///< on the face
+  double volume_mm3 = 0;                ///< displaced, along z
   int pixels = 0;
   /// Of place_mm: the face errs along the line of sight, the depth along z, the latter by what
   /// RegionOptions::pressed says. Not how well the lens is known. Absent without `pressed`.
