@@ -22,7 +22,7 @@ class ContactState {
  public:
   static constexpr double kRelease = 0.6;
   static constexpr double kOnset_s = 0.015, kRelease_s = 0.05, kMostGap_s = 1.0;
-  static constexpr double kWindow_s = 0.25, kSlipSds = 4.0, kLeastSlip_mm = 0.4;
+  static constexpr double kWindow_s = 0.25, kSlipSds = 5.0, kLeastSlip_mm = 0.4;
 
   struct Seen {
     std::optional<double> time_s;  ///< of any clock

@@ -75,8 +75,8 @@ struct ContactSigns {
 /// kept where this one does not tell it. The place is that of the largest region; of the other
 /// faces there is none, since how the markers' motion is shared between the modes of bending hangs
 /// as much on how the finger's stiffness falls towards its tip, which nobody measured, as on where
-/// it is pushed: with a stiffness that is even or falls to an eighth, the same shares belong to
-/// places half the length apart.
+/// it is pushed: of a stiffness that is even and one that falls to an eighth, the same shares
+/// belong to places up to a third of the length apart.
 [[nodiscard]] FingerContact finger_contact(const ContactSigns& signs,
                                            const FaceShape& shape,
                                            std::optional<PushedFace> before);
