@@ -70,11 +70,10 @@ PlaceOnFinger place_of_region(const ContactRegion& region, const FaceShape& shap
   place.across_mm = region.place_on_face_mm.y();
   place.depth_mm = region.deepest_mm;
   place.depth_sd_mm = region.deepest_sd_mm;
-  const auto plane = contact_plane(shape, region.place_px);
-  if (!plane || !region.place_covariance_mm2) return place;
-  const Eigen::Matrix2d covariance = plane->transpose() * *region.place_covariance_mm2 * *plane;
-  place.along_sd_mm = std::sqrt(covariance(0, 0));
-  place.across_sd_mm = std::sqrt(covariance(1, 1));
+  if (const auto covariance = place_covariance_on_face_mm2(region, shape)) {
+    place.along_sd_mm = std::sqrt((*covariance)(0, 0));
+    place.across_sd_mm = std::sqrt((*covariance)(1, 1));
+  }
   return place;
 }
 
@@ -107,6 +106,15 @@ std::optional<TipWay> tip_way(const Markers& markers,
   result.covariance_mm2 = told * ways_px2 * told.transpose();
   result.towards_back.normalize();
   return result;
+}
+
+std::optional<Eigen::Matrix2d> place_covariance_on_face_mm2(const ContactRegion& region,
+                                                            const FaceShape& shape) {
+  const auto plane = contact_plane(shape, region.place_px);
+  if (!plane || !region.place_covariance_mm2 || !region.centre_sd_mm) return std::nullopt;
+  const double centre = *region.centre_sd_mm;
+  return Eigen::Matrix2d(plane->transpose() * *region.place_covariance_mm2 * *plane +
+                         centre * centre * Eigen::Matrix2d::Identity());
 }
 
 double ContactSigns::push_strength() const {

@@ -32,10 +32,11 @@ struct TipWay {
                                             const FaceShape& shape,
                                             const Eigen::MatrixXd& ways_px2);
 
-/// On the finger, mm. Standard deviations hold what the depth is told with, not how well the lens
-/// is known.
+/// On the finger, mm. Standard deviations hold the picture's noise and how well the face's distance
+/// and the depth are known, not the lens, and not where along_mm begins: at the first column that
+/// shows the face, on drawn fingers 0.1 to 0.4 mm behind its base's end.
 struct PlaceOnFinger {
-  double along_mm = 0;   ///< along the face from where its base comes into the picture
+  double along_mm = 0;   ///< along the face from its base (FaceShape::length_at)
   double across_mm = 0;  ///< from its middle line towards +y
   double depth_mm = 0;   ///< the deepest, along z
   /// Absent where the region tells no covariance.
@@ -70,6 +71,11 @@ struct ContactSigns {
   [[nodiscard]] double push_strength() const;
   [[nodiscard]] double depth_strength() const;
 };
+
+/// Covariance of a region's place on the face, along it and across it. nullopt: its own is not
+/// told.
+[[nodiscard]] std::optional<Eigen::Matrix2d> place_covariance_on_face_mm2(
+    const ContactRegion& region, const FaceShape& shape);
 
 /// Of a frame with a contact. `before`: the face of the same contact in the frame before, which is
 /// kept where this one does not tell it. The place is that of the largest region; of the other

@@ -1,7 +1,5 @@
 #include "core/sensing/contact/finger_contact_tracker.h"
 
-#include "core/sensing/contact/contact_frame.h"
-
 namespace alltact {
 namespace {
 
@@ -22,10 +20,10 @@ ContactState::Seen seen_in(const FingerContactTracker::FrameSigns& frame, double
   seen.strength = strength;
   if (frame.regions == nullptr || frame.regions->empty()) return seen;
   const ContactRegion& region = frame.regions->front();
-  const auto plane = contact_plane(*frame.shape, region.place_px);
-  if (!plane || !region.place_covariance_mm2) return seen;
+  const auto covariance = place_covariance_on_face_mm2(region, *frame.shape);
+  if (!covariance) return seen;
   seen.place_mm = region.place_on_face_mm;
-  seen.place_covariance_mm2 = plane->transpose() * *region.place_covariance_mm2 * *plane;
+  seen.place_covariance_mm2 = *covariance;
   // The skin of a flat sensor stays where it is.
   if (frame.markers != nullptr)
     seen.skin_along_mm = skin_along_mm(*frame.markers, *frame.shape).value_or(0);

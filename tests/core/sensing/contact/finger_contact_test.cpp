@@ -199,6 +199,8 @@ TEST(FingerContact, TheFaceThatIsPushedIsToldOnDrawnFingers) {
         continue;
       }
       ++count;
+      EXPECT_FALSE(told->contact->place);  // no depth was told, and markers do not tell it
+      EXPECT_FALSE(told->contact->no_place.empty());
       const bool is_right = told->contact->face == told->truth.contacts[0].face;
       good += is_right;
       ++right[face][is_right ? 0 : 1];
@@ -212,6 +214,48 @@ TEST(FingerContact, TheFaceThatIsPushedIsToldOnDrawnFingers) {
   print_distribution("degrees between the way told and the force", off_deg);
   EXPECT_GT(count, 140);
   EXPECT_GE(good, 0.995 * count);
+}
+
+// What is pressed in tells the face, however the finger is dragged.
+TEST(FingerContact, ADentTellsTheFaceAndTheMarkersTheWay) {
+  Face face;
+  face.kind = FaceKind::kFlat;
+  face.layer_mm = 1.5, face.plane_z_mm = 30;
+  CameraParameters camera;
+  camera.width_px = 320, camera.height_px = 180;
+  camera.fx_px = camera.fy_px = 170, camera.cx_px = 160, camera.cy_px = 90;
+  const FaceShape shape = FaceShape::plane(Camera::create(camera).value(), face);
+  Push push;
+  push.offset_px = {0, 40};
+  ContactSigns signs;
+  signs.push = &push;
+  signs.push_threshold_px = 10;
+  signs.way.emplace();
+  signs.way->way_mm = {0, 3};
+  signs.way->towards_back = {0, 0, -1};
+  signs.way->covariance_mm2 = 0.03 * 0.03 * Eigen::Matrix2d::Identity();
+  EXPECT_EQ(finger_contact(signs, shape, {}).face, PushedFace::kUpper);
+  ContactRegion region;
+  region.place_mm = region.deepest_point_mm = {0, 0, 31.2};
+  region.place_px = {160, 90};
+  region.place_on_face_mm = {12, 3};
+  region.deepest_mm = 0.3;
+  const std::vector<ContactRegion> regions{region};
+  signs.regions = &regions;
+  const FingerContact dragged = finger_contact(signs, shape, {});
+  EXPECT_EQ(dragged.face, PushedFace::kContact);
+  EXPECT_NEAR((*dragged.direction - Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
+  EXPECT_NEAR(*dragged.direction_sd_deg, 0.01 * 180 / std::numbers::pi, 1e-9);
+  ASSERT_TRUE(dragged.place);
+  EXPECT_EQ(dragged.place->along_mm, 12);
+  EXPECT_EQ(dragged.place->across_mm, 3);
+  EXPECT_FALSE(dragged.place->along_sd_mm) << "the region tells none";
+  // A slight dent is that of a contact which pressed there before, and else of none.
+  std::vector<ContactRegion> slight{region};
+  slight[0].deepest_mm = 0.12;
+  signs.regions = &slight;
+  EXPECT_EQ(finger_contact(signs, shape, {}).face, PushedFace::kUpper);
+  EXPECT_EQ(finger_contact(signs, shape, PushedFace::kContact).face, PushedFace::kContact);
 }
 
 }  // namespace
