@@ -28,10 +28,35 @@ class PressedFinger {
         between(-4, 4),
         between(0.3, 1.0));
   }
-  FrameResult seen(std::int64_t time_ns = 0) {
+  FrameResult seen() {
     const Plan untouched = plan(""), pressed = plan(press_);
     truth = pressed.truth(0);
-    Finger finger = pressed.finger();
+    Pipeline pipeline = over(untouched);
+    EXPECT_FALSE(pipeline(frame_of(untouched, 0))->contact) << "of the untouched finger";
+    pipeline.forget();
+    return pipeline(frame_of(pressed, 0)).value();
+  }
+  /// Of 16 frames in half a second, in which the ball goes so far along and deeper.
+  std::vector<FrameResult> seen_moving(double along_mm, double deeper_mm) {
+    const double s = between(30, 50);
+    const Plan moving = plan(fmt::format(
+        "  - {{use: ball, radius_mm: 4, s_mm: [{{at: 0, is: {}}}, {{at: 15, is: {}}}], y_mm: 1, "
+        "depth_mm: [{{at: 0, is: 0.4}}, {{at: 15, is: {}}}]}}\n",
+        s,
+        s + along_mm,
+        0.4 + deeper_mm));
+    Pipeline pipeline = over(plan(""));
+    std::vector<FrameResult> results;
+    for (int i = 0; i < 16; ++i) results.push_back(pipeline(frame_of(moving, i)).value());
+    return results;
+  }
+  Truth truth;
+
+ private:
+  static constexpr double kScatter_per_mm = 0.6, kLayer_mm = 1.5;
+
+  static Pipeline over(const Plan& untouched) {
+    Finger finger = untouched.finger();
     // Exact for a layer without absorption.
     const double s = kScatter_per_mm * kLayer_mm;
     MappingParameters mapping;
@@ -39,30 +64,23 @@ class PressedFinger {
     mapping.along = MappingAlong::kProjected;
     mapping.a_mm = kLayer_mm * (1 + s), mapping.b = s, mapping.x_max = 0.9;
     finger.mapping = mapping;
-    Pipeline pipeline = Pipeline::over(ReferenceLibrary::single(untouched.render(0, 2)).value(),
-                                       FingerSnapshot::of({}, finger).value(),
-                                       {});
-    auto frame = std::make_shared<Frame>();
-    frame->time_ns = time_ns;
-    frame->grey = untouched.render(0, 2);
-    EXPECT_FALSE(pipeline(frame)->contact) << "of the untouched finger";
-    pipeline.forget();
-    frame = std::make_shared<Frame>();
-    frame->time_ns = time_ns;
-    frame->grey = pressed.render(0, 2);
-    return pipeline(frame).value();
+    return Pipeline::over(ReferenceLibrary::single(untouched.render(0, 2)).value(),
+                          FingerSnapshot::of({}, finger).value(),
+                          {});
   }
-  Truth truth;
-
- private:
-  static constexpr double kScatter_per_mm = 0.6, kLayer_mm = 1.5;
-
+  static FramePtr frame_of(const Plan& plan, int i) {
+    auto frame = std::make_shared<Frame>();
+    frame->sequence = static_cast<std::uint64_t>(i);
+    frame->time_ns = 1000000000 + i * std::int64_t{33333333};
+    frame->grey = plan.render(i, 2);
+    return frame;
+  }
   double between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
   [[nodiscard]] Plan plan(const std::string& press) const {
     const std::string text = fmt::format(
-        "name: places\nwhy: to learn what a place is worth\nframes: 1\n"
+        "name: places\nwhy: to learn what a place is worth\nframes: 16\n"
         "finger:\n"
         "  camera: {{model: pinhole, size: [960, 540], fx: {0}, fy: {0}, cx: 479.5, cy: 269.5}}\n"
         "  face: {{kind: fin_ray, width_mm: {1}, layer_mm: {2}}}\n"
@@ -133,6 +151,23 @@ TEST(ContactPlace, OfABallIsTheTruths) {
   EXPECT_LT(std::max(-along.front(), along.back()), 0.5);
   EXPECT_LT(across.back(), 0.02);
   EXPECT_LT(depth.back(), 0.04);
+}
+
+TEST(ContactPlace, ABallThatSlidesIsToldToSlipAndOneThatIsPressedDeeperIsNot) {
+  for (unsigned run = 0; run < 4; ++run) {
+    PressedFinger finger(700 + run);
+    const auto sliding = finger.seen_moving(run % 2 == 0 ? 4 : -4, 0);
+    const auto pressed = finger.seen_moving(0, 0.5);
+    for (std::size_t i = 0; i < 16; ++i) {
+      ASSERT_TRUE(sliding[i].contact && pressed[i].contact) << i;
+      EXPECT_EQ(sliding[i].contact->is_new, i == 0);
+      EXPECT_NEAR(sliding[i].contact->held_s.value(), static_cast<double>(i) / 30, 1e-6);
+      EXPECT_FALSE(pressed[i].contact->is_slipping.value()) << run << ' ' << i;
+      if (i >= 4) {
+        EXPECT_TRUE(sliding[i].contact->is_slipping.value()) << run << ' ' << i;
+      }
+    }
+  }
 }
 
 }  // namespace

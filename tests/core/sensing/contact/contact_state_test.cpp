@@ -7,10 +7,10 @@
 namespace alltact {
 namespace {
 
-using Seen = ContactState::Seen;
+using StateInput = ContactState::Seen;
 
-Seen strong(double time_s, double strength) {
-  Seen seen;
+StateInput strong(double time_s, double strength) {
+  StateInput seen;
   seen.time_s = time_s;
   seen.strength = strength;
   return seen;
@@ -87,7 +87,7 @@ TEST(ContactState, LostFramesAndUnsteadyTimesDoNotMatter) {
 
 TEST(ContactState, WithoutTimesEachFrameCountsByItself) {
   ContactState state;
-  Seen seen;
+  StateInput seen;
   for (const auto& [strength, touched] :
        {std::pair{0.9, false}, {1.0, true}, {0.7, true}, {0.5, false}, {0.9, false}, {1.1, true}}) {
     seen.strength = strength;
@@ -123,7 +123,7 @@ Slips slips_of(const std::string& push, double sd_mm, unsigned seed, double skin
   Slips slips;
   for (int i = 0; i < n; ++i) {
     const FrameGeometry truth = placed.at(i);
-    Seen seen = strong(i / 30.0, truth.contacts.empty() ? 0 : 5);
+    StateInput seen = strong(i / 30.0, truth.contacts.empty() ? 0 : 5);
     if (!truth.contacts.empty()) {
       // Where the base comes into the picture, places along the face begin.
       seen.skin_along_mm = skin_drift_mm * i / n;
