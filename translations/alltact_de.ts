@@ -8765,5 +8765,17 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Only {} groups could be held out: errors and intervals are rough.</source>
         <translation>Nur {} Gruppen ließen sich auslassen: Fehler und Intervalle sind grob.</translation>
     </message>
+    <message>
+        <source>the markers tell from which side the finger is pushed, but not how far from its base: that hangs on how its stiffness falls towards the tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without a depth there is no place on the contact face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is seen to be pressed into the part of the contact face in view</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 </TS>

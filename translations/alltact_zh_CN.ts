@@ -8742,5 +8742,17 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Only {} groups could be held out: errors and intervals are rough.</source>
         <translation>只能留出 {} 组：误差和区间较粗略。</translation>
     </message>
+    <message>
+        <source>the markers tell from which side the finger is pushed, but not how far from its base: that hangs on how its stiffness falls towards the tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without a depth there is no place on the contact face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is seen to be pressed into the part of the contact face in view</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 </TS>

@@ -1,6 +1,7 @@
 #include "core/sensing/pipeline.h"
 
 #include "core/force/force_meter.h"
+#include "core/sensing/contact/finger_contact_tracker.h"
 #include "core/sensing/contact/reference_free_contact.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/smoothing.h"
@@ -67,6 +68,7 @@ struct Pipeline::State {
   std::optional<ForceMeter> force;       // fingers with a force model,
   std::optional<Error> force_problem;    // or why it cannot be used
   FramePtr last;                         // of a continuous source
+  FingerContactTracker touched;
 
   [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
   void look_at_picture(FrameResult& result);
@@ -77,6 +79,8 @@ struct Pipeline::State {
   void find_reference(FrameResult& result, StopWatch& watch);
   void find_depth(FrameResult& result, StopWatch& watch) const;
   void find_contact(FrameResult& result, StopWatch& watch) const;
+  [[nodiscard]] Eigen::MatrixXd markers_covariance(const FrameResult& result) const;
+  void tell_contact(FrameResult& result, StopWatch& watch);
   void find_force(FrameResult& result, StopWatch& watch);
 };
 
@@ -95,6 +99,7 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   if (result.shape && state.library) state.find_reference(result, watch);
   if (result.reference) state.find_depth(result, watch);
   if (result.depth) state.find_contact(result, watch);
+  if (result.reference) state.tell_contact(result, watch);
   if (result.markers && state.library) state.find_force(result, watch);
   watch.total(result.times_ms.total);
   return result;
@@ -193,7 +198,10 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
         result.shape = std::move(*turned);
   }
   if (seen && finger->contact)
-    result.push = push_of(*result.markers, *finger->contact, result.shape->base_at_low_u());
+    result.push = push_of(*result.markers,
+                          *finger->contact,
+                          result.shape->base_at_low_u(),
+                          markers_covariance(result));
   result.reference = library->reference_for(
       result.markers ? *result.markers : Markers{}, *result.shape, settings.reference);
   if (!result.reference->known_pose) {
@@ -241,6 +249,32 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   result.regions = contact_regions(*result.depth, *result.shape, finger->face, options);
   result.touch = face_touch(result.regions);
   watch.lap(result.times_ms.contact);
+}
+
+// Of their ways from rest.
+Eigen::MatrixXd Pipeline::State::markers_covariance(const FrameResult& result) const {
+  const MarkerModel* model = library->marker_model();
+  const bool all_seen = std::all_of(
+      result.markers->begin(), result.markers->end(), [](const Marker& m) { return m.seen; });
+  return ways_covariance_px2(
+      *result.markers, model && !all_seen ? model->covariance_px2(*result.markers) : std::nullopt);
+}
+
+void Pipeline::State::tell_contact(FrameResult& result, StopWatch& watch) {
+  FingerContactTracker::FrameSigns signs;
+  if (result.frame->time_ns != 0) signs.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
+  signs.shape = &*result.shape;
+  if (result.markers) signs.markers = &*result.markers;
+  if (result.depth) signs.regions = &result.regions;
+  if (result.push) {
+    signs.push = &*result.push;
+    signs.settings = &*finger->contact;
+    signs.ways_px2 = markers_covariance(result);
+  }
+  result.contact = touched(signs);
+  double milliseconds = 0;
+  watch.lap(milliseconds);
+  result.times_ms.contact += milliseconds;
 }
 
 void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
@@ -321,6 +355,7 @@ void Pipeline::forget() {
   if (state_->rows) state_->rows->forget();
   if (state_->force) state_->force->forget();
   state_->contact.forget();
+  state_->touched.forget();
   state_->last.reset();
 }
 bool Pipeline::has_reference() const {

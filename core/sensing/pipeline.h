@@ -9,6 +9,7 @@
 #include "core/result.h"
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/contact/face_touch.h"
+#include "core/sensing/contact/finger_contact.h"
 #include "core/sensing/contact/push.h"
 #include "core/sensing/depth/local_depth.h"
 #include "core/sensing/face/face_edges.h"
@@ -45,6 +46,9 @@ struct FrameResult {
   std::optional<DepthMap> depth;         ///< of one with a mapping
   std::optional<Push> push;
   std::vector<ContactRegion> regions;
+  /// While something touches a finger with a reference (contact_state.h says from when on and until
+  /// when): of push and regions together.
+  std::optional<FingerContact> contact;
   std::optional<Force> force;  ///< of a finger with a force model
   /// Against the reference; before there is one, against the frames before
   /// (reference_free_contact.h).
@@ -64,8 +68,8 @@ struct FrameResult {
 /// Before there is a reference, nothing is said of the picture as a whole (frame_faults.h).
 ///
 /// Remembers only what lies between frames of one continuous source: where the markers were, the
-/// last picture, how they crept, and before there is a reference how bright the skin was.
-/// Everything else depends on the frame alone. Another frame of the source (is_same_frame in
+/// last picture, how they crept, what touched, and before there is a reference how bright the skin
+/// was. Everything else depends on the frame alone. Another frame of the source (is_same_frame in
 /// frame_faults.h) whose picture is the last one to the grey level is named as that of a camera
 /// that stands still.
 class Pipeline {

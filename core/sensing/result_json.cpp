@@ -68,6 +68,26 @@ Json push_json(const Push& push) {
   return entry;
 }
 
+Json contact_json(const FingerContact& contact) {
+  Json entry = Json::object();
+  entry["face"] = to_string(contact.face);
+  if (contact.direction) put_vector(entry, "direction", *contact.direction, 5);
+  if (contact.direction_sd_deg) put(entry, "direction_sd_deg", *contact.direction_sd_deg, 2);
+  if (const auto& place = contact.place) {
+    put(entry, "along_mm", place->along_mm, 3);
+    if (place->along_sd_mm) put(entry, "along_sd_mm", *place->along_sd_mm, 4);
+    put(entry, "across_mm", place->across_mm, 3);
+    if (place->across_sd_mm) put(entry, "across_sd_mm", *place->across_sd_mm, 4);
+    put(entry, "depth_mm", place->depth_mm, 4);
+    if (place->depth_sd_mm) put(entry, "depth_sd_mm", *place->depth_sd_mm, 4);
+  }
+  if (!contact.no_place.empty()) entry["no_place"] = contact.no_place.english();
+  entry["new"] = contact.is_new;
+  if (contact.held_s) put(entry, "held_s", *contact.held_s, 3);
+  if (contact.is_slipping) entry["slipping"] = *contact.is_slipping;
+  return entry;
+}
+
 /// xx, xy, xz, yy, yz, zz.
 Eigen::Vector<double, 6> upper_triangle(const Eigen::Matrix3d& m) {
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
@@ -163,7 +183,7 @@ Json times_json(const FrameResult& result) {
   if (result.markers) put(entry, "markers", times.markers, 3);
   if (result.reference) put(entry, "reference", times.reference, 3);
   if (result.difference || result.depth) put(entry, "local", times.local, 3);
-  if (result.depth) put(entry, "contact", times.contact, 3);
+  if (result.reference) put(entry, "contact", times.contact, 3);
   if (result.force) put(entry, "force", times.force, 3);
   put(entry, "total", times.total, 3);
   return entry;
@@ -181,6 +201,7 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   if (result.reference)
     line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);
   if (result.push) line["contact"] = push_json(*result.push);
+  if (result.contact) line["finger_contact"] = contact_json(*result.contact);
   if (result.depth && !result.depth->flags.empty())
     line["validity"] = validity_json(result.depth->flags);
   if (result.depth) line["regions"] = regions_json(result.regions);

@@ -192,11 +192,12 @@ TEST(Uncertainty, OfATouchsDirectionIsTrue) {
     settings.threshold_px = 1.0;
     Markers markers;
     for (int m = 0; m < 12; ++m) {
-      settings.rest_markers.emplace_back(100.0 + 40 * (m % 6), m < 6 ? 50.0 : 300.0);
-      markers.push_back({settings.rest_markers.back().x() + 0.6 * std::cos(angle) + noise(random),
-                         settings.rest_markers.back().y() + 0.6 * std::sin(angle) + noise(random),
+      const Eigen::Vector2d rest(100.0 + 40 * (m % 6), m < 6 ? 50.0 : 300.0);
+      markers.push_back({rest.x() + 0.6 * std::cos(angle) + noise(random),
+                         rest.y() + 0.6 * std::sin(angle) + noise(random),
                          true,
                          sd_px});
+      settings.rest_markers.emplace_back(rest.x() + noise(random), rest.y() + noise(random));
     }
     const Push told = push_of(markers, settings, true);
     ASSERT_TRUE(told.direction && told.sd_deg);

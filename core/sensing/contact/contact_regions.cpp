@@ -121,6 +121,7 @@ class RegionSums {
     const auto local = shape_.at(u, row);
     if (!local) return;
     region_.deepest_mm = depth_mm;
+    deepest_px_ = {u, row};
     region_.deepest_point_mm = untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ) -
                                Eigen::Vector3d(0.0, 0.0, depth_mm);
   }
@@ -138,8 +139,11 @@ class RegionSums {
     region.place_px /= region.volume_mm3;
     region.place_on_face_mm = shape_.place_mm(region.place_px.x(), region.place_px.y());
     if (options.pressed)
+      region.deepest_sd_mm = pressed_at(options, deepest_px_, region.deepest_mm).total();
+    if (options.pressed)
       region.place_covariance_mm2 = contact_covariance_mm2(
           shape_, region.place_px, errors_.mean_sd_mm(region, options.correlated_px2));
+    if (options.pressed) region.centre_sd_mm = centre_sd_mm(region, options.correlated_px2);
     if (const auto local = shape_.at(region.place_px.x(), region.place_px.y()))
       region.normal = local->normal;
     find_angle(options, region);
@@ -149,6 +153,13 @@ class RegionSums {
   }
 
  private:
+  /// Of a mean weighted with depth, whose pixels lie about it as those of a disc of that area:
+  /// sqrt(sum of their noise^2 R^2 / 4) / sum of their depths.
+  [[nodiscard]] double centre_sd_mm(const ContactRegion& region, double correlated_px2) const {
+    const double square_mm2 = region.area_mm2 / (4 * M_PI);
+    return std::sqrt(correlated_px2 * errors_.noise_square * square_mm2) / depth_;
+  }
+
   /// Principal axis, where one can be told: where points drawn from the contact, as many as it has
   /// independent pixels, would show it to kLargestAngleSdDeg, sqrt(l1 l2 / n) / (l1 - l2).
   void find_angle(const RegionOptions& options, ContactRegion& region) const {
@@ -187,6 +198,7 @@ class RegionSums {
   const Face& face_;
   double threshold_mm_;
   std::vector<ContactColumn> columns_;
+  Eigen::Vector2d deepest_px_{0, 0};
   std::vector<Eigen::Vector2d> ends_;  // of rows of pixels, mm on the face
   MeanErrors errors_;
   ContactRegion region_;  // places not yet divided by the volume

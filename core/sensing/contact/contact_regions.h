@@ -10,6 +10,8 @@
 //                                       the finger's ContactSettings::threshold_px, which install
 //                                       of a reference sets to 5 sd (reference_recording.cpp);
 //                                       whether the whole finger is pushed, from any side; results
+//   FingerContact                       Push and ContactRegion together, the latter from 0.15 mm;
+//   (finger_contact.h)                  lasts until both are below 0.6 of that; results
 //   dented cells (depth_along_z.cpp)    depth: cells deeper than 0.02 to 0.1 mm, by the quietest
 //                                       quarter of the face; where depth is looked up along z
 //   untouched skin (light_gain.h)       brightness over the reference's: within 4 sd of a smooth
@@ -51,13 +53,17 @@ struct ContactRegion {
   Eigen::Vector2d place_on_face_mm = {
       0, 0};  ///< the same along the face and across it (FaceShape::place_mm)
   Eigen::Vector3d deepest_point_mm;
-  double deepest_mm = 0;  ///< greatest depth
-  double area_mm2 = 0;    ///< on the face
-  double volume_mm3 = 0;  ///< displaced, along z
+  double deepest_mm = 0;                ///< greatest depth
+  std::optional<double> deepest_sd_mm;  ///< as RegionOptions::pressed says; absent without it
+  double area_mm2 = 0;                  ///< on the face
+  double volume_mm3 = 0;                ///< displaced, along z
   int pixels = 0;
   /// Of place_mm: the face errs along the line of sight, the depth along z, the latter by what
   /// RegionOptions::pressed says. Not how well the lens is known. Absent without `pressed`.
   std::optional<Eigen::Matrix3d> place_covariance_mm2;
+  /// How far noise moves the centre over the face, along and across alike; absent without
+  /// `pressed`.
+  std::optional<double> centre_sd_mm;
   /// Principal axis on the face from the finger's length (base to tip) towards +y, in
   /// (-90, 90]; absent when the region is round, or the sd above 15 degrees.
   std::optional<double> angle_deg;

@@ -6,9 +6,8 @@
 namespace alltact {
 namespace {
 
-constexpr double kTouchedDarker = 0.12;    // of x: about a tenth of a layer
-constexpr double kTouchedShare = 0.001;    // of the face: a ball of 4 mm pressed in 0.2 mm is more
-constexpr double kTouchedDepth_mm = 0.15;  // noise and old dents stay below
+constexpr double kTouchedDarker = 0.12;  // of x: about a tenth of a layer
+constexpr double kTouchedShare = 0.001;  // of the face: a ball of 4 mm pressed in 0.2 mm is more
 
 }  // namespace
 

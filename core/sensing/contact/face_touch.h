@@ -15,7 +15,9 @@ enum class FaceTouch {
   kTouched,
 };
 
-/// By depth: kTouched where a region is deeper than 0.15 mm, which noise and old dents stay below.
+inline constexpr double kTouchedDepth_mm = 0.15;  ///< noise and old dents stay below
+
+/// By depth: kTouched where a region is deeper than kTouchedDepth_mm.
 [[nodiscard]] FaceTouch face_touch(const std::vector<ContactRegion>& regions);
 
 /// Before calibration, by a dark patch against the reference: kTouched where more than 0.1 % of the

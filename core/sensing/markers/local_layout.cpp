@@ -79,4 +79,34 @@ LocalLayout::Discrepancy LocalLayout::discrepancy(int marker, const Eigen::Vecto
   return {told.norm(), std::sqrt(std::max(0.0, residual.dot(told)) / noise)};
 }
 
+Eigen::MatrixXd LocalLayout::covariance_px2(const Markers& markers) const {
+  const Eigen::Index size = deviations_.rows(), count = deviations_.cols();
+  std::vector<Eigen::Index> seen, hidden;  // coordinates
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(size);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const Marker& marker = markers[static_cast<std::size_t>(k / 2)];
+    (marker.seen ? seen : hidden).push_back(k);
+    if (marker.seen) own[k] = marker.sd_px * marker.sd_px;
+  }
+  Eigen::MatrixXd result = own.asDiagonal();
+  if (hidden.empty()) return result;
+  const double noise = noise_px_ * noise_px_;
+  const double told = seen.empty() ? 0.0 : own.sum() / static_cast<double>(seen.size());
+  const double off_mixture = std::max(0.0, noise - told);
+  const Eigen::MatrixXd hidden_rows = deviations_(hidden, Eigen::all);
+  const Eigen::MatrixXd gain =  // of the hidden ones on the seen ones
+      hidden_rows * covariance_ * deviations_(seen, Eigen::all).transpose() / noise;
+  const Eigen::VectorXd seen_own = own(seen);
+  // The ridge expects coefficients twice as wide as the neighbours' are.
+  const Eigen::MatrixXd pulled = hidden_rows * covariance_ * (0.25 * std::sqrt(count));
+  const Eigen::MatrixXd shared = gain * seen_own.asDiagonal();
+  result(hidden, seen) = shared;
+  result(seen, hidden) = shared.transpose();
+  Eigen::MatrixXd among = shared * gain.transpose() + off_mixture * gain * gain.transpose() +
+                          pulled * pulled.transpose();
+  among.diagonal().array() += off_mixture;
+  result(hidden, hidden) = among;
+  return result;
+}
+
 }  // namespace alltact

@@ -43,6 +43,11 @@ class LocalLayout {
   /// What the fit leaves, in squared standard deviations; without a marker it falls by the square
   /// of that marker's discrepancy.
   [[nodiscard]] double misfit() const { return misfit_; }
+  /// Covariance of a layout (4n x 4n) of the markers seen and, for the others, place(): seen ones
+  /// err by their own sd_px, estimated ones by what that and the recording's noise make of the
+  /// mixture, by the mixture's pull to the neighbours' mean, and by what no mixture follows.
+  /// `markers` are those that the mixture was told from.
+  [[nodiscard]] Eigen::MatrixXd covariance_px2(const Markers& markers) const;
 
  private:
   double noise_px_, misfit_ = 0;

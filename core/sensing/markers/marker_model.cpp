@@ -312,6 +312,12 @@ std::optional<Markers> MarkerModel::complete(Markers markers) const {
   }
 }
 
+std::optional<Eigen::MatrixXd> MarkerModel::covariance_px2(const Markers& markers) const {
+  if (static_cast<int>(markers.size()) != marker_count() || seen_count(markers) == 0)
+    return std::nullopt;
+  return local_layout(markers).covariance_px2(markers);
+}
+
 Eigen::VectorXd MarkerModel::modes(const Markers& markers) const {
   Eigen::VectorXd layout(mean_.size());
   for (int m = 0; m < marker_count(); ++m) {

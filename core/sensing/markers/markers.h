@@ -85,6 +85,11 @@ class MarkerModel {
   /// rest (partly covered dots) into estimates. nullopt when too few are seen.
   [[nodiscard]] std::optional<Markers> complete(Markers markers) const;
 
+  /// Covariance (4n x 4n) of the coordinates (u0, v0, u1, ...) of completed markers: those seen err
+  /// by their own sd_px, the estimates as LocalLayout::covariance_px2 says, together with the seen
+  /// ones that they were told from. nullopt where no marker is seen or their number is another.
+  [[nodiscard]] std::optional<Eigen::MatrixXd> covariance_px2(const Markers& markers) const;
+
   /// Coordinates of a complete layout in the modes, each divided by its standard deviation in the
   /// recording.
   [[nodiscard]] Eigen::VectorXd modes(const Markers& markers) const;

@@ -55,6 +55,30 @@ TEST(ResultLine, ForcesStandWithTheirErrors) {
                             "half_95_n": [0.2, 0.1, 0.4], "in_range": true})"));
 }
 
+TEST(ResultLine, ContactsStandWithTheirPlaceOrWhyThereIsNone) {
+  FrameResult result = empty_result();
+  FingerContact& contact = result.contact.emplace();
+  contact.direction = Eigen::Vector3d(0.6, 0, -0.8);
+  contact.place = PlaceOnFinger{52.3, -1.5, 0.4, 0.05, 0.06, 0.01};
+  contact.is_new = true;
+  contact.held_s = 0.0;
+  const auto line = [&] {
+    return Json::parse(result_line(result, 3, ReferenceMethod::kLocal)).at("finger_contact");
+  };
+  EXPECT_EQ(line(),
+            Json::parse(R"({"face": "contact", "direction": [0.6, 0.0, -0.8], "along_mm": 52.3,
+                "along_sd_mm": 0.05, "across_mm": -1.5, "across_sd_mm": 0.06, "depth_mm": 0.4,
+                "depth_sd_mm": 0.01, "new": true, "held_s": 0.0})"));
+  contact = {};
+  contact.face = PushedFace::kUpper;
+  contact.direction_sd_deg = 1.25;
+  contact.no_place = en::say("nobody knows");
+  contact.is_slipping = true;
+  EXPECT_EQ(line(),
+            Json::parse(R"({"face": "upper", "direction_sd_deg": 1.25, "no_place": "nobody knows",
+                "new": false, "slipping": true})"));
+}
+
 TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
   FrameResult result = empty_result();
   result.markers = Markers{{101.2, 48.9, true, 0.02}, {1.0, 2.0, false, 0.5}};

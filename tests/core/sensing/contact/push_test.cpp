@@ -64,7 +64,10 @@ TEST(Push, StatedUncertaintyIsTheSpreadOfNoisyRepeats) {
   for (int i = 0; i < kRepeats; ++i) {
     auto markers = moved(settings, {0.3, 0.2});
     for (Marker& m : markers) m.u += noise(random), m.v += noise(random);
-    const Push result = push_of(markers, settings, true);
+    ContactSettings recorded = settings;  // in one frame, that is as noisy
+    for (Eigen::Vector2d& rest : recorded.rest_markers)
+      rest += Eigen::Vector2d(noise(random), noise(random));
+    const Push result = push_of(markers, recorded, true);
     const double angle =
         std::atan2(result.direction->y(), result.direction->x()) - std::atan2(0.2, 0.3);
     square += angle * angle;

@@ -1,0 +1,95 @@
+// What touches the finger: which face, which way it is pushed, and where on the finger.
+#pragma once
+
+#include "core/message.h"
+#include "core/sensing/contact/contact_regions.h"
+#include "core/sensing/contact/push.h"
+#include "core/sensing/face/face_shape.h"
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// How the finger gave way at its tip, in its own section: towards its back (as a push on the
+/// contact face moves it) and towards +y (as one on the upper face does), mm.
+struct TipWay {
+  Eigen::Vector2d way_mm = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d covariance_mm2 = Eigen::Matrix2d::Zero();  ///< of the markers' noise
+  Eigen::Vector3d towards_back = Eigen::Vector3d::Zero();    ///< unit, camera frame, at the tip
+};
+
+/// Least squares over the markers of two motions that both grow with the square of the way from the
+/// base, as those of a cantilever do to first order: towards the back and aside. How far each moves
+/// a marker in the picture follows from where the face lies (`shape`, this frame's), so that a
+/// millimetre counts the same in both, which it does not in the picture. How much stiffer the
+/// finger is to one side is not known: this is the way it moved, not the force's.
+/// nullopt: a flat sensor, markers that are not those of `rest`, or ones too few to tell both.
+[[nodiscard]] std::optional<TipWay> tip_way(const Markers& markers,
+                                            const std::vector<Eigen::Vector2d>& rest,
+                                            const FaceShape& shape,
+                                            const Eigen::MatrixXd& ways_px2);
+
+/// On the finger, mm. Standard deviations hold the picture's noise and how well the face's distance
+/// and the depth are known, not the lens, and not where along_mm begins: at the first column that
+/// shows the face, on drawn fingers 0.1 to 0.4 mm behind its base's end.
+struct PlaceOnFinger {
+  double along_mm = 0;   ///< along the face from its base (FaceShape::length_at)
+  double across_mm = 0;  ///< from its middle line towards +y
+  double depth_mm = 0;   ///< the deepest, along z
+  /// Absent where the region tells no covariance.
+  std::optional<double> along_sd_mm, across_sd_mm, depth_sd_mm;
+};
+
+struct FingerContact {
+  /// The contact face where something is pressed into it; else that from which the finger gave way.
+  PushedFace face = PushedFace::kContact;
+  /// Unit, camera frame: the way that the finger gave way (tip_way), or where it did not, the
+  /// normal into the contact face at the place. Absent: neither is told.
+  std::optional<Eigen::Vector3d> direction;
+  /// Within the finger's section; absent where the direction is the face's normal.
+  std::optional<double> direction_sd_deg;
+  std::optional<PlaceOnFinger> place;
+  Message no_place;              ///< why there is none; empty when there is one
+  bool is_new = false;           ///< it began in this frame
+  std::optional<double> held_s;  ///< since it began; absent where frames have no time
+  /// The thing moves over the skin (contact_state.h); absent where that cannot be told.
+  std::optional<bool> is_slipping;
+};
+
+/// What a frame tells of a contact.
+struct ContactSigns {
+  const Push* push = nullptr;  ///< null: no marker tells one
+  double push_threshold_px = 0;
+  std::optional<TipWay> way;
+  const std::vector<ContactRegion>* regions = nullptr;  ///< null: no depth was told
+  /// 1 where a push begins to be one (push.h) or a region is as deep as face_touch.h asks for, the
+  /// larger of both.
+  [[nodiscard]] double strength() const;
+  [[nodiscard]] double push_strength() const;
+  [[nodiscard]] double depth_strength() const;
+};
+
+/// Covariance of a region's place on the face, along it and across it. nullopt: its own is not
+/// told.
+[[nodiscard]] std::optional<Eigen::Matrix2d> place_covariance_on_face_mm2(
+    const ContactRegion& region, const FaceShape& shape);
+
+/// Of a frame with a contact. `before`: the face of the same contact in the frame before, which is
+/// kept where this one does not tell it. The place is that of the largest region; of the other
+/// faces there is none, since how the markers' motion is shared between the modes of bending hangs
+/// as much on how the finger's stiffness falls towards its tip, which nobody measured, as on where
+/// it is pushed: of a stiffness that is even and one that falls to an eighth, the same shares
+/// belong to places up to a third of the length apart.
+[[nodiscard]] FingerContact finger_contact(const ContactSigns& signs,
+                                           const FaceShape& shape,
+                                           std::optional<PushedFace> before);
+
+/// Mean over all markers of where their columns lie along the face, mm: how the skin lies in the
+/// coordinates of PlaceOnFinger::along_mm, whose beginning moves as the finger bends. nullopt:
+/// none.
+[[nodiscard]] std::optional<double> skin_along_mm(const Markers& markers, const FaceShape& shape);
+
+}  // namespace alltact

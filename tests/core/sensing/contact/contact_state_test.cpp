@@ -1,0 +1,190 @@
+#include "core/sensing/contact/contact_state.h"
+
+#include "tests/core/simulation/effects/pushed_scene.h"
+
+#include <random>
+
+namespace alltact {
+namespace {
+
+using StateInput = ContactState::Seen;
+
+StateInput strong(double time_s, double strength) {
+  StateInput seen;
+  seen.time_s = time_s;
+  seen.strength = strength;
+  return seen;
+}
+
+TEST(ContactState, BeginsAndEndsOnceWhateverChattersAroundTheThreshold) {
+  std::mt19937 random(12);
+  std::normal_distribution<double> noise(0.0, 0.08);
+  for (const double rate : {15.0, 30.0, 60.0, 120.0}) {
+    ContactState state;
+    int began = 0, touched = 0, crossings = 0;
+    bool was = false;
+    const int n = static_cast<int>(4 * rate);
+    for (int i = 0; i < n; ++i) {
+      const double t = i / rate;
+      // Rests, rises slowly through the threshold, stays near it, falls slowly.
+      const double level = t < 1   ? 0.2
+                           : t < 2 ? 0.2 + 0.9 * (t - 1)
+                           : t < 3 ? 1.05
+                                   : 1.05 * (4 - t);
+      const double strength = level + noise(random);
+      crossings += (strength >= 1) != was;
+      was = strength >= 1;
+      const auto told = state.add(strong(t, strength));
+      began += told.is_new;
+      touched += told.is_touched;
+    }
+    EXPECT_EQ(began, 1) << rate;
+    EXPECT_GT(crossings, 4) << "the sequence chatters";
+    EXPECT_NEAR(touched / rate, 1.6, 0.25) << rate;
+  }
+}
+
+TEST(ContactState, OneStrayFrameIsNoContactAndOneWeakFrameNoEnd) {
+  ContactState state;
+  for (int i = 0; i < 60; ++i)
+    EXPECT_FALSE(state.add(strong(i / 30.0, i % 7 == 3 ? 5.0 : 0.1)).is_touched) << i;
+  state.forget();
+  for (int i = 0; i < 60; ++i) {
+    const auto told = state.add(strong(i / 30.0, i % 7 == 3 ? 0.0 : 3.0));
+    EXPECT_TRUE(told.is_touched) << i;
+    EXPECT_EQ(told.is_new, i == 0);
+    EXPECT_NEAR(told.held_s.value(), i / 30.0, 1e-12);
+  }
+}
+
+TEST(ContactState, LostFramesAndUnsteadyTimesDoNotMatter) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> one(0.0, 1.0);
+  for (int run = 0; run < 200; ++run) {
+    const double on = 0.5 + one(random), off = on + 0.3 + one(random);
+    ContactState state;
+    std::optional<double> first, last;
+    int began = 0;
+    double longest = 0, before = 0;
+    for (double t = 0; t < off + 0.7;) {
+      const auto told = state.add(strong(t, t >= on && t < off ? 2.0 : 0.0));
+      began += told.is_new;
+      if (told.is_touched && !first) first = t;
+      if (told.is_touched) last = t;
+      longest = std::max(longest, t - before);
+      before = t;
+      t += one(random) < 0.15 ? 0.2 * one(random) : 0.004 + 0.03 * one(random);
+    }
+    ASSERT_TRUE(first && last);
+    EXPECT_EQ(began, 1);
+    // Told within the duration and the gap that it fell into and the one behind.
+    EXPECT_GE(*first, on);
+    EXPECT_LT(*first, on + ContactState::kOnset_s + 2 * longest);
+    EXPECT_GE(*last + longest, off);
+    EXPECT_LT(*last, off + ContactState::kRelease_s + longest);
+  }
+}
+
+TEST(ContactState, WithoutTimesEachFrameCountsByItself) {
+  ContactState state;
+  StateInput seen;
+  for (const auto& [strength, touched] :
+       {std::pair{0.9, false}, {1.0, true}, {0.7, true}, {0.5, false}, {0.9, false}, {1.1, true}}) {
+    seen.strength = strength;
+    const auto told = state.add(seen);
+    EXPECT_EQ(told.is_touched, touched) << strength;
+    EXPECT_FALSE(told.held_s || told.is_slipping);
+  }
+}
+
+TEST(ContactState, APauseOrTimeGoingBackBeginsAnew) {
+  for (const double next : {9.0, -1.0}) {
+    ContactState state;
+    for (int i = 0; i < 5; ++i) (void)state.add(strong(i / 30.0, 2));
+    const auto told = state.add(strong(next, 2));
+    EXPECT_TRUE(told.is_new);
+    EXPECT_EQ(told.held_s.value(), 0);
+    state.forget();
+    (void)state.add(strong(0, 2));
+    EXPECT_FALSE(state.add(strong(next, 0.7)).is_touched);
+  }
+}
+
+// The share of frames told as slipping, of a simulated push, its place told with that noise.
+struct Slips {
+  int slipping = 0, frames = 0;
+};
+Slips slips_of(const std::string& push, double sd_mm, unsigned seed, double skin_drift_mm = 0) {
+  const int n = 45;
+  const PlacedScene placed(with_frames(n, pushing(push) + kPushedBody));
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0.0, sd_mm);
+  ContactState state;
+  Slips slips;
+  for (int i = 0; i < n; ++i) {
+    const FrameGeometry truth = placed.at(i);
+    StateInput seen = strong(i / 30.0, truth.contacts.empty() ? 0 : 5);
+    if (!truth.contacts.empty()) {
+      // Where the base comes into the picture, places along the face begin.
+      seen.skin_along_mm = skin_drift_mm * i / n;
+      seen.place_mm =
+          Eigen::Vector2d(truth.contacts[0].along_mm + seen.skin_along_mm + noise(random),
+                          truth.contacts[0].across_mm + noise(random));
+      seen.place_covariance_mm2 = sd_mm * sd_mm * Eigen::Matrix2d::Identity();
+    }
+    const auto told = state.add(seen);
+    if (i < 12) continue;  // once the window is full
+    ++slips.frames;
+    slips.slipping += told.is_slipping.value_or(false);
+  }
+  return slips;
+}
+
+TEST(ContactState, ABallThatSlidesSlipsAndOneThatIsDraggedOrPressedHarderDoesNot) {
+  Parameters random(8);
+  Slips sliding, dragged, pressed;
+  const auto add = [](Slips& all, const Slips& one) {
+    all.slipping += one.slipping;
+    all.frames += one.frames;
+  };
+  for (unsigned run = 0; run < 12; ++run) {
+    const double s = random.between(45, 75), y = random.between(-4, 4), sd = random.between(0, 0.1);
+    const double mm_per_s = random.between(4, 20), drift = random.between(-3, 3);
+    const double way = mm_per_s * 1.5 * (run % 2 == 0 ? 1 : -1);
+    const std::string ball = fmt::format("radius_mm: 4, y_mm: {}", y);
+    add(sliding,
+        slips_of(
+            fmt::format(
+                "{}, force_N: 1, s_mm: [{{at: 0, is: {}}}, {{at: 44, is: {}}}]", ball, s, s + way),
+            sd,
+            run,
+            drift));
+    add(dragged,
+        slips_of(fmt::format("{}, force_N: 1, s_mm: {}, friction: 0.9, along_N: [{{at: 0, is: 0}}, "
+                             "{{at: 44, is: 0.8}}]",
+                             ball,
+                             s),
+                 sd,
+                 run,
+                 drift));
+    add(pressed,
+        slips_of(fmt::format(
+                     "{}, s_mm: {}, force_N: [{{at: 0, is: 0.2}}, {{at: 44, is: 1.5}}]", ball, s),
+                 sd,
+                 run,
+                 drift));
+  }
+  printf("slipping: sliding %d of %d frames, dragged %d of %d, pressed harder %d of %d\n",
+         sliding.slipping,
+         sliding.frames,
+         dragged.slipping,
+         dragged.frames,
+         pressed.slipping,
+         pressed.frames);
+  EXPECT_GE(sliding.slipping, 0.98 * sliding.frames);
+  EXPECT_EQ(dragged.slipping, 0);
+  EXPECT_EQ(pressed.slipping, 0);
+}
+
+}  // namespace
+}  // namespace alltact

@@ -1,0 +1,262 @@
+// Pushes on simulated fingers drawn at random: which face, and which way.
+#include "core/sensing/contact/finger_contact.h"
+
+#include "core/sensing/contact/contact_state.h"
+#include "core/sensing/pipeline.h"
+#include "tests/core/simulation/effects/pushed_scene.h"
+
+#include <array>
+#include <map>
+#include <numbers>
+
+namespace alltact {
+namespace {
+
+constexpr double kMarkerNoise_px = 0.08;
+
+// A finger of a drawn size, slope, camera and number of dots; frame 0 is at rest.
+struct DrawnFinger {
+  double length_mm, incline_deg, width_mm;
+  int per_row;
+  std::string head;
+
+  explicit DrawnFinger(Parameters& random)
+      : length_mm(random.between(95, 130)),
+        incline_deg(random.between(28, 42)),
+        width_mm(random.between(18, 28)),
+        per_row(static_cast<int>(random.between(5, 13))) {
+    const double f = random.between(230, 300);
+    head = fmt::format(
+        "name: test\nwhy: drawn\nfinger:\n  camera: {{model: pinhole, size: [480, 270], fx: {0}, "
+        "fy: {0}, cx: {1}, cy: {2}}}\n  face: {{kind: fin_ray, width_mm: {3}, layer_mm: 1.5}}\n  "
+        "markers: {{per_row: {4}, polarity: bright}}\nframes: 2\nuntouched: {{x_mm: {5}, z_mm: "
+        "{6}, "
+        "incline_deg: {7}, length_mm: {8}}}\neffects:\n",
+        f,
+        random.between(225, 255),
+        random.between(125, 145),
+        width_mm,
+        per_row,
+        random.between(-27, -20),
+        random.between(27, 36),
+        incline_deg,
+        length_mm);
+    tail = fmt::format(
+        "  - {{use: markers, radius_mm: 1.2, setback_mm: {}, first: {}, last: {}, albedo: 0.9}}\n"
+        "  - {{use: layer, scatter_per_mm: 0.6, along: normal}}\n"
+        "  - {{use: sides, albedo: 0.12, depth_mm: 14.0}}\n"
+        "  - {{use: leds, lamps: [{{at_mm: [0, -3, 0], power: 270000}}, {{at_mm: [0, 3, 0], power: "
+        "270000}}, {{at_mm: [4, 0, -20], power: 3300000, aim_mm: [71, 0, 93], lobe: 8}}]}}\n"
+        "  - {{use: read, sd: 1.0}}\n  - {{use: quantisation}}\n",
+        random.between(3, 6),
+        random.between(0.08, 0.2),
+        random.between(0.75, 0.92));
+  }
+  [[nodiscard]] std::string with(const std::string& effects) const { return head + effects + tail; }
+
+ private:
+  std::string tail;
+};
+
+// From 0 in the first frame to this in the second.
+std::string reaching(double value) {
+  return fmt::format("[{{at: 0, is: 0}}, {{at: 1, is: {}}}]", value);
+}
+
+// What a frame of it tells: the face's shape from its picture, markers with noise.
+struct Told {
+  Push push;
+  std::optional<TipWay> way;
+  std::optional<FingerContact> contact;
+  Truth truth;
+};
+
+std::optional<Told> told_of(const std::string& scene, Parameters& random) {
+  const auto parsed = Scene::parse(scene, "drawn.yaml");
+  EXPECT_TRUE(parsed) << parsed.error().sentence();
+  const auto plan = Plan::compile(*parsed, 3);
+  if (!plan) return std::nullopt;  // a push that is more than this finger bears
+  const auto snapshot = FingerSnapshot::of("", plan->finger());
+  EXPECT_TRUE(snapshot);
+  auto frame = std::make_shared<Frame>();
+  frame->grey = plan->render(1);
+  const auto result = Pipeline::before_reference(*snapshot, {})(frame);
+  if (!result || !result->shape) return std::nullopt;
+  const Truth rest = plan->truth(0);
+  Told told;
+  told.truth = plan->truth(1);
+  std::mt19937 bits(static_cast<unsigned>(1e9 * random.between(0, 1)));
+  std::normal_distribution<double> noise(0.0, kMarkerNoise_px);
+  ContactSettings settings;
+  Markers markers;
+  for (std::size_t m = 0; m < rest.markers.size(); ++m) {
+    settings.rest_markers.emplace_back(rest.markers[m].u + noise(bits),
+                                       rest.markers[m].v + noise(bits));
+    markers.push_back({told.truth.markers[m].u + noise(bits),
+                       told.truth.markers[m].v + noise(bits),
+                       true,
+                       kMarkerNoise_px});
+  }
+  // As install_reference sets it.
+  const auto count = static_cast<double>(markers.size());
+  settings.threshold_px = std::max(5 * kMarkerNoise_px * std::sqrt(2 * count), 0.2 * count);
+  const Eigen::MatrixXd ways = ways_covariance_px2(markers);
+  told.push = push_of(markers, settings, result->shape->base_at_low_u(), ways);
+  told.way = tip_way(markers, settings.rest_markers, *result->shape, ways);
+  ContactSigns signs;
+  signs.push = &told.push;
+  signs.push_threshold_px = settings.threshold_px;
+  signs.way = told.way;
+  if (signs.strength() >= 1) told.contact = finger_contact(signs, *result->shape, {});
+  return told;
+}
+
+double degrees_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+}
+
+void print_distribution(const char* what, std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  };
+  printf("%s: median %.2f, 95 %% %.2f, 99 %% %.2f, worst %.2f (%zu)\n",
+         what,
+         at(0.5),
+         at(0.95),
+         at(0.99),
+         values.back(),
+         values.size());
+}
+
+TEST(FingerContact, OneOfEightWaysIsToldOnDrawnFingers) {
+  int right = 0, by_picture = 0, count = 0;
+  std::vector<double> off_deg;
+  Parameters random(41);
+  for (int f = 0; f < 60; ++f) {
+    const DrawnFinger finger(random);
+    for (int way = 0; way < 8; ++way) {
+      // Within the middle two thirds of a region, as far as pushes move a finger.
+      const double angle = (45 * way + random.between(-15, 15)) * std::numbers::pi / 180;
+      const double mm = random.between(1.5, 5);
+      const std::string motion = fmt::format(
+          "motion: {{kind: poses, poses: [{{}}, {{q1_mm: {}, q2_mm: {}, sway_mm: {}}}]}}\n",
+          -mm * std::cos(angle),
+          0.3 * mm * std::cos(angle) * random.between(-1, 1),
+          mm * std::sin(angle));
+      const auto told = told_of(
+          motion +
+              finger.with("  - {use: bend, q1_mm: {from: -6, to: 6}, q2_mm: {from: -3, to: 3}}\n"
+                          "  - {use: sway, sway_mm: {from: -6, to: 6}}\n"),
+          random);
+      ASSERT_TRUE(told && told->contact && told->contact->direction) << f << ' ' << way;
+      const double found = std::atan2(told->way->way_mm.y(), told->way->way_mm.x());
+      const double off =
+          std::remainder(found - angle, 2 * std::numbers::pi) * 180 / std::numbers::pi;
+      off_deg.push_back(std::abs(off));
+      const auto region = [](double a) {
+        return (static_cast<int>(std::lround(a / (std::numbers::pi / 4))) + 8) % 8;
+      };
+      right += region(found) == way;
+      const Eigen::Vector3d& d = *told->push.direction;
+      by_picture += region(std::atan2(d.y(), d.x())) == way;
+      ++count;
+    }
+  }
+  printf("one of 8 ways: right %d of %d; by the picture's offset alone %d\n",
+         right,
+         count,
+         by_picture);
+  print_distribution("degrees off the way", off_deg);
+  EXPECT_GE(right, 0.995 * count);
+}
+
+TEST(FingerContact, TheFaceThatIsPushedIsToldOnDrawnFingers) {
+  std::map<std::string, std::array<int, 2>> right;
+  std::vector<double> off_deg;
+  Parameters random(77);
+  int count = 0, good = 0, below = 0;
+  for (int f = 0; f < 45; ++f) {
+    const DrawnFinger finger(random);
+    const std::string body = fmt::format(
+        "  - {{use: body, shore_a: {}, wall_mm: {}, base_depth_mm: {}, tip_depth_mm: {}, coupling: "
+        "{}}}\n",
+        random.between(30, 55),
+        random.between(3, 5),
+        random.between(28, 38),
+        random.between(11, 16),
+        random.between(0.2, 0.8));
+    for (const std::string face : {"contact", "back", "upper", "lower"}) {
+      const std::string push = pushing(fmt::format("s_mm: {}, y_mm: {}, radius_mm: 5, force_N: {}",
+                                                   random.between(0.5, 0.85) * finger.length_mm,
+                                                   random.between(-3, 3),
+                                                   reaching(random.between(0.5, 1.5))),
+                                       face);
+      const auto told = told_of(finger.with(push + body), random);
+      if (!told) continue;
+      if (!told->contact) {
+        ++below;
+        continue;
+      }
+      ++count;
+      EXPECT_FALSE(told->contact->place);  // no depth was told, and markers do not tell it
+      EXPECT_FALSE(told->contact->no_place.empty());
+      const bool is_right = told->contact->face == told->truth.contacts[0].face;
+      good += is_right;
+      ++right[face][is_right ? 0 : 1];
+      off_deg.push_back(
+          degrees_between(*told->contact->direction, told->truth.contacts[0].direction));
+    }
+  }
+  for (const auto& [face, counts] : right)
+    printf("%s: right %d, wrong %d\n", face.c_str(), counts[0], counts[1]);
+  printf("faces: right %d of %d; %d moved the markers too little\n", good, count, below);
+  print_distribution("degrees between the way told and the force", off_deg);
+  EXPECT_GT(count, 140);
+  EXPECT_GE(good, 0.995 * count);
+}
+
+// What is pressed in tells the face, however the finger is dragged.
+TEST(FingerContact, ADentTellsTheFaceAndTheMarkersTheWay) {
+  Face face;
+  face.kind = FaceKind::kFlat;
+  face.layer_mm = 1.5, face.plane_z_mm = 30;
+  CameraParameters camera;
+  camera.width_px = 320, camera.height_px = 180;
+  camera.fx_px = camera.fy_px = 170, camera.cx_px = 160, camera.cy_px = 90;
+  const FaceShape shape = FaceShape::plane(Camera::create(camera).value(), face);
+  Push push;
+  push.offset_px = {0, 40};
+  ContactSigns signs;
+  signs.push = &push;
+  signs.push_threshold_px = 10;
+  signs.way.emplace();
+  signs.way->way_mm = {0, 3};
+  signs.way->towards_back = {0, 0, -1};
+  signs.way->covariance_mm2 = 0.03 * 0.03 * Eigen::Matrix2d::Identity();
+  EXPECT_EQ(finger_contact(signs, shape, {}).face, PushedFace::kUpper);
+  ContactRegion region;
+  region.place_mm = region.deepest_point_mm = {0, 0, 31.2};
+  region.place_px = {160, 90};
+  region.place_on_face_mm = {12, 3};
+  region.deepest_mm = 0.3;
+  const std::vector<ContactRegion> regions{region};
+  signs.regions = &regions;
+  const FingerContact dragged = finger_contact(signs, shape, {});
+  EXPECT_EQ(dragged.face, PushedFace::kContact);
+  EXPECT_NEAR((*dragged.direction - Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
+  EXPECT_NEAR(*dragged.direction_sd_deg, 0.01 * 180 / std::numbers::pi, 1e-9);
+  ASSERT_TRUE(dragged.place);
+  EXPECT_EQ(dragged.place->along_mm, 12);
+  EXPECT_EQ(dragged.place->across_mm, 3);
+  EXPECT_FALSE(dragged.place->along_sd_mm) << "the region tells none";
+  // A slight dent is that of a contact which pressed there before, and else of none.
+  std::vector<ContactRegion> slight{region};
+  slight[0].deepest_mm = 0.12;
+  signs.regions = &slight;
+  EXPECT_EQ(finger_contact(signs, shape, {}).face, PushedFace::kUpper);
+  EXPECT_EQ(finger_contact(signs, shape, PushedFace::kContact).face, PushedFace::kContact);
+}
+
+}  // namespace
+}  // namespace alltact
