@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kBenchRecording = "demo_reference";
 constexpr const char* kBenchPresses = "demo_presses";
-constexpr const char* kBenchFinger = "finger";
+constexpr const char* kBenchFinger = "experiment_finger";
 
 Result<std::filesystem::path> scene_file(const std::string& scene) {
   return find_resource(fmt::format("scenes/{}.yaml", scene));
@@ -94,6 +94,9 @@ Result<ExperimentBench> ExperimentBench::make(const BenchOptions& options, const
   auto finger = open_finger(recorded->folder);
   if (!finger) return finger.error();
   bench.finger_ = std::move(*finger);
+  auto library = ReferenceLibrary::load(bench.finger(), job);
+  if (!library) return library.error();
+  bench.library_ = std::move(*library);
   return bench;
 }
 

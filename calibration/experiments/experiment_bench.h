@@ -6,6 +6,7 @@
 #include "core/job.h"
 #include "core/result.h"
 #include "core/sensing/pipeline.h"
+#include "core/sensing/reference/reference_library.h"
 #include "core/simulation/plan.h"
 
 #include <cstdint>
@@ -18,9 +19,11 @@
 namespace alltact {
 
 struct BenchOptions {
-  std::filesystem::path folder;  ///< for the fingers; what earlier experiments left there goes
-  std::uint64_t seed = 1;        ///< of everything random
-  int threads = 1;               ///< that render; the figures are the same for any number
+  /// For the fingers. What earlier experiments left there goes: experiment_finger and
+  /// experiment_hd_finger.
+  std::filesystem::path folder;
+  std::uint64_t seed = 1;  ///< of everything random
+  int threads = 1;         ///< that render; the figures are the same for any number
 };
 
 class ExperimentBench {
@@ -72,6 +75,7 @@ class ExperimentBench {
   BenchOptions options_;
   const Job* job_;
   FingerPtr finger_;
+  std::optional<ReferenceLibrary> library_;  // held, so that every pipeline shares what was read
   Truth truth_at_rest_;
 };
 

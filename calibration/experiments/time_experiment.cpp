@@ -14,8 +14,8 @@ constexpr int kRounds = 6;  // through the scene; the first one warms up
 Result<ExperimentOutcome> run_time(const ExperimentBench& bench) {
   const auto plan = bench.plan("experiment_time");
   if (!plan) return plan.error();
-  auto recorded =
-      ExperimentBench::record("demo_hd_reference", "hd_finger", bench.options(), bench.job());
+  auto recorded = ExperimentBench::record(
+      "demo_hd_reference", "experiment_hd_finger", bench.options(), bench.job());
   if (!recorded) return recorded.error();
   // A mapping is of layer and light, not of pixels.
   recorded->finger.mapping = bench.finger().finger.mapping;

@@ -10,10 +10,11 @@ namespace {
 
 constexpr double kMiddleOfArray_mm = 60, kInnerReach_mm = 20, kTipRow_mm = 100;
 
-/// Distance along the face of a region from the place that is truly touched: what lies along the
-/// normal is depth, not place.
+/// Distance along the face of a region's place from the deepest point of what truly touches, both
+/// on the pressed face, p_CF = p_LUF - (0, 0, d); what lies along the normal is depth, not place.
 double place_error_mm(const ContactRegion& region, const ContactTruth& contact) {
-  const Eigen::Vector3d off = region.place_mm - contact.point_mm;
+  const Eigen::Vector3d deepest_mm = contact.point_mm - Eigen::Vector3d(0, 0, contact.depth_mm);
+  const Eigen::Vector3d off = region.place_mm - deepest_mm;
   return (off - off.dot(contact.direction) * contact.direction).norm();
 }
 
