@@ -201,6 +201,16 @@ struct DemoOptions {
 /// A whole day of a simulated finger, and what was measured against the truth.
 Status run_demo(const DemoOptions& options, Console& console);
 
+struct ExperimentsOptions {
+  std::vector<std::string> names;  ///< none: all
+  std::optional<Path> folder;  ///< keeps the fingers and experiments.json; empty: nothing is kept
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+/// Repeats the source paper's experiments in simulation and prints its figures beside ours. Error:
+/// no such experiment; one of them told no figure.
+Status run_experiments(const ExperimentsOptions& options, Console& console);
+
 struct DevicesOptions {
   bool details = false;       ///< every format and control, too
   bool learn_button = false;  ///< waits for a button and says how to recognise it
@@ -222,6 +232,7 @@ void add_force(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);
 void add_export(CLI::App& program, Chosen& chosen);
 void add_gripper(CLI::App& program, Chosen& chosen);
+void add_experiments(CLI::App& program, Chosen& chosen);
 void add_demo(CLI::App& program, Chosen& chosen);
 void add_devices(CLI::App& program, Chosen& chosen);
 

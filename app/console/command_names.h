@@ -32,6 +32,8 @@ inline constexpr std::array kCommands = {
                 "Where the cameras of two fingers are for a motor position, and what they hold"},
     CommandName{"devices",
                 "Cameras and HID devices found, with what is wrong with those that can't be used"},
+    CommandName{"experiments",
+                "The source paper's experiments in simulation, beside the paper's own figures"},
     CommandName{"demo",
                 "A whole day in a minute: simulated finger, reference, calibration, "
                 "reconstruction, report"},

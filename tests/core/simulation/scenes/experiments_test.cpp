@@ -69,6 +69,28 @@ TEST(ShippedScenes, ExperimentLeastTouch) {
   }
 }
 
+TEST(ShippedScenes, ExperimentLeastForce) {
+  const Plan plan = ShippedScene("experiment_least_force").plan();
+  ASSERT_EQ(plan.frame_count(), 129);
+  constexpr std::array kForces_N{0.05, 0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.0};
+  const Truth free = plan.truth(128);
+  EXPECT_TRUE(free.contacts.empty());
+  for (int frame = 0; frame < 128; frame += 5) {
+    const Truth truth = plan.truth(frame);
+    ASSERT_EQ(truth.contacts.size(), 1U) << frame;
+    const ContactTruth& contact = truth.contacts.front();
+    EXPECT_EQ(static_cast<int>(contact.face), 1 + frame / 32) << frame;
+    EXPECT_NEAR(contact.force_N->norm(), kForces_N[static_cast<std::size_t>(frame % 8)], 1e-6);
+    EXPECT_EQ(contact.along_mm, 25 + 20 * (frame % 32 / 8));
+    // Body and skin give way, so that the dots tell.
+    double moved_px = 0;
+    for (std::size_t i = 0; i < free.markers.size(); ++i)
+      moved_px += std::hypot(truth.markers[i].u - free.markers[i].u,
+                             truth.markers[i].v - free.markers[i].v);
+    EXPECT_GT(moved_px, 0.05 * contact.force_N->norm()) << frame;
+  }
+}
+
 TEST(ShippedScenes, ExperimentDirection) {
   const Plan plan = ShippedScene("experiment_direction").plan();
   ASSERT_EQ(plan.frame_count(), 9);

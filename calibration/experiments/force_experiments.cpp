@@ -1,0 +1,130 @@
+// How little is felt: depth on the contact face, and force on every face.
+#include "calibration/experiments/experiment_runs.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace alltact {
+namespace {
+
+constexpr double kBase_mm = 20;  // the paper's figure is of what lies beyond
+
+/// One touch: how strong, and whether it was felt.
+struct FeltTouch {
+  double strength;
+  bool felt;
+};
+
+/// The least strength from which on all that were tried were felt; nullopt: not even the greatest.
+std::optional<double> least_felt(const std::vector<FeltTouch>& touches) {
+  double greatest_missed = -1;
+  for (const FeltTouch& touch : touches)
+    if (!touch.felt) greatest_missed = std::max(greatest_missed, touch.strength);
+  std::optional<double> least;
+  for (const FeltTouch& touch : touches)
+    if (touch.strength > greatest_missed && (!least || touch.strength < *least))
+      least = touch.strength;
+  return least;
+}
+
+Message face_phrase(PushedFace face) {
+  switch (face) {
+    case PushedFace::kContact:
+      return en::say("least force felt on the contact face, over all heights");
+    case PushedFace::kBack:
+      return en::say("least force felt on the back, over all heights");
+    case PushedFace::kUpper:
+      return en::say("least force felt on the upper side, over all heights");
+    case PushedFace::kLower:
+      break;
+  }
+  return en::say("least force felt on the lower side, over all heights");
+}
+
+/// A frame of experiment_least_force.
+struct PushedFrame {
+  std::optional<ContactTruth> contact;
+  std::optional<Markers> markers;
+  bool base_at_low_u = true;
+  bool has_region = false;
+};
+
+}  // namespace
+
+Result<ExperimentOutcome> run_least_touch(const ExperimentBench& bench) {
+  static constexpr const char* kScene = "experiment_least_touch";
+  std::map<double, std::vector<FeltTouch>> by_height;
+  const auto frames = bench.measure(
+      kScene,
+      {PipelineSettings{}},
+      [&](std::size_t, const Truth& truth, const FrameResult& result) {
+        const ContactTruth& contact = truth.contacts.front();
+        by_height[contact.along_mm].push_back({contact.depth_mm, !result.regions.empty()});
+      });
+  if (!frames) return frames.error();
+  ExperimentOutcome outcome;
+  outcome.frames = *frames;
+  for (const auto& [along_mm, touches] : by_height) {
+    const auto least = least_felt(touches);
+    if (!least) return untold(kScene);
+    outcome.figures.push_back(
+        {en::say("least depth felt, {:.0f} mm from the base", along_mm), "mm", *least, {}, {}});
+  }
+  outcome.remarks = {
+      en::say("Depths are doubled from 0.01 mm on, so that the least lies between a "
+              "figure and its half")};
+  return outcome;
+}
+
+Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench) {
+  static constexpr const char* kScene = "experiment_least_force";
+  std::vector<PushedFrame> pushes;
+  const auto frames =
+      bench.measure(kScene,
+                    {PipelineSettings{}},
+                    [&](std::size_t, const Truth& truth, const FrameResult& result) {
+                      PushedFrame frame;
+                      if (!truth.contacts.empty()) frame.contact = truth.contacts.front();
+                      frame.markers = result.markers;
+                      frame.base_at_low_u = !result.shape || result.shape->base_at_low_u();
+                      frame.has_region = !result.regions.empty();
+                      pushes.push_back(std::move(frame));
+                    });
+  if (!frames) return frames.error();
+  // Where the dots rest is taken from the frame in which nothing pushes: the recording's own rest
+  // is one of its poses, bent a little.
+  const auto free = std::find_if(
+      pushes.begin(), pushes.end(), [](const PushedFrame& frame) { return !frame.contact; });
+  if (free == pushes.end() || !free->markers) return untold(kScene);
+  ContactSettings rested = bench.finger().finger.contact.value_or(ContactSettings{});
+  rested.rest_markers.clear();
+  for (const Marker& marker : *free->markers) rested.rest_markers.emplace_back(marker.u, marker.v);
+
+  std::map<PushedFace, std::map<double, std::vector<FeltTouch>>> touches;
+  for (const PushedFrame& frame : pushes) {
+    if (!frame.contact || frame.contact->along_mm < kBase_mm) continue;
+    const bool pushed =
+        frame.markers && push_of(*frame.markers, rested, frame.base_at_low_u).pushed;
+    touches[frame.contact->face][frame.contact->along_mm].push_back(
+        {frame.contact->force_N.value().norm(), pushed || frame.has_region});
+  }
+  ExperimentOutcome outcome;
+  outcome.frames = *frames;
+  for (const auto& [face, by_height] : touches) {
+    double most_N = 0;
+    for (const auto& [along_mm, felt] : by_height) {
+      const auto least = least_felt(felt);
+      if (!least) return untold(kScene);
+      most_N = std::max(most_N, *least);
+    }
+    outcome.figures.push_back({face_phrase(face), "N", most_N, 2.0, {}});
+  }
+  outcome.remarks = {
+      en::say("All heights lie beyond {:.0f} mm, where the paper has less than 2 N; the body is "
+              "rubber of Shore 40 A as the scene has it, and the paper's silicone is another",
+              kBase_mm)};
+  return outcome;
+}
+
+}  // namespace alltact

@@ -1,0 +1,138 @@
+// What the dots tell: from where the finger is pushed, and which untouched picture a pose is
+// compared with.
+#include "calibration/experiments/experiment_runs.h"
+#include "calibration/study/evaluate.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace alltact {
+namespace {
+
+constexpr int kRegions = 8;
+
+/// Number of the eighth of the circle that a direction lies in, the first one around +u.
+int region_of(const Eigen::Vector2d& direction) {
+  const double eighths = std::atan2(direction.y(), direction.x()) * kRegions / 2 / std::numbers::pi;
+  return (static_cast<int>(std::lround(eighths)) + kRegions) % kRegions;
+}
+
+/// Sum of the dots' ways from where they rest, px.
+Eigen::Vector2d true_offset_px(const Truth& now, const Truth& rest) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < now.markers.size(); ++i)
+    sum +=
+        Eigen::Vector2d(now.markers[i].u - rest.markers[i].u, now.markers[i].v - rest.markers[i].v);
+  return sum;
+}
+
+double angle_between_deg(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b))) * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
+  const double least_px = bench.finger().finger.contact.value_or(ContactSettings{}).threshold_px;
+  ExperimentOutcome outcome;
+  ErrorSamples angles;
+  int pushed = 0, right = 0;
+  for (const char* scene : {"experiment_direction", "experiment_references"}) {
+    const auto frames =
+        bench.measure(scene,
+                      {PipelineSettings{}},
+                      [&](std::size_t, const Truth& truth, const FrameResult& result) {
+                        const Eigen::Vector2d truly = true_offset_px(truth, bench.truth_at_rest());
+                        if (truly.norm() <= least_px) return;  // pushed less than can be told
+                        ++pushed;
+                        if (!result.push || !result.push->direction) return;
+                        const Eigen::Vector2d told = result.push->direction->head<2>();
+                        right += region_of(told) == region_of(truly);
+                        angles.add(angle_between_deg(told, truly));
+                      });
+    if (!frames) return frames.error();
+    outcome.frames += *frames;
+  }
+  if (angles.count == 0) return untold("experiment_direction");
+  outcome.figures = {
+      {en::say("pushes whose side of 8 is told right"),
+       "%",
+       percent_of(right, pushed),
+       98.1,
+       99.5,
+       true},
+      {en::say("direction of a push in the picture, mean error"), "degrees", angles.mean(), {}, {}},
+      {en::say("direction of a push in the picture, greatest error"),
+       "degrees",
+       angles.greatest,
+       {},
+       {}},
+  };
+  outcome.remarks = {en::say(
+      "{} pushes, by how the dots truly moved in the picture; those near a border of two sides are "
+      "counted as all others",
+      pushed)};
+  return outcome;
+}
+
+Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
+  static constexpr double kClose_px = 40;  // summed over the dots, as the paper has it
+  static constexpr std::array kMethods{
+      ReferenceMethod::kSingle, ReferenceMethod::kNearest, ReferenceMethod::kLocal};
+  std::vector<PipelineSettings> settings(kMethods.size());
+  for (std::size_t i = 0; i < kMethods.size(); ++i) settings[i].reference = kMethods[i];
+  std::array<int, kMethods.size()> close{};
+  std::vector<Evaluator> errors(kMethods.size(), Evaluator(bench.finger().camera));
+  const auto frames =
+      bench.measure("experiment_references",
+                    settings,
+                    [&](std::size_t which, const Truth& truth, const FrameResult& result) {
+                      if (result.reference) {
+                        const double sum_px = result.reference->distance_px *
+                                              static_cast<double>(truth.markers.size());
+                        close[which] += sum_px < kClose_px;
+                      }
+                      if (!result.depth) return errors[which].add_missing();
+                      errors[which].add(truth,
+                                        result.depth->depth_mm,
+                                        contact_face_points_mm(result, bench.finger().finger.face),
+                                        result.markers.value_or(Markers{}));
+                    });
+  if (!frames) return frames.error();
+  std::array<double, kMethods.size()> false_depth_mm{};
+  for (std::size_t i = 0; i < kMethods.size(); ++i) {
+    const auto mean = errors[i].evaluation().false_depth_mm;
+    if (!mean) return untold("experiment_references");
+    false_depth_mm[i] = *mean;
+  }
+  ExperimentOutcome outcome;
+  outcome.frames = *frames;
+  outcome.figures = {
+      {en::say("frames under 40 px, nearest of a recording"),
+       "%",
+       percent_of(close[1], *frames),
+       91.0,
+       {},
+       true},
+      {en::say("frames under 40 px, one reference"),
+       "%",
+       percent_of(close[0], *frames),
+       40.6,
+       {},
+       true},
+      {en::say("depth where nothing touches, one reference"), "mm", false_depth_mm[0], {}, {}},
+      {en::say("depth where nothing touches, nearest of a recording"),
+       "mm",
+       false_depth_mm[1],
+       {},
+       {}},
+      {en::say("depth where nothing touches, local regression"), "mm", false_depth_mm[2], {}, {}},
+  };
+  outcome.remarks = {
+      en::say("How many frames a single reference is near to depends on how far the finger moves, "
+              "which is the scene's choice here and was the paper's there")};
+  return outcome;
+}
+
+}  // namespace alltact

@@ -1,0 +1,162 @@
+// The source paper's experiments: what the table says of them, and one from end to end.
+#include "calibration/experiments/experiments.h"
+
+#include "core/simulation/scene.h"
+#include "tests/support/temporary_folder.h"
+
+#include <filesystem>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+using testing::HasSubstr;
+
+std::set<std::string> scenes_of_experiments() {
+  std::set<std::string> scenes;
+  for (const Experiment& experiment : experiments())
+    scenes.insert(experiment.scenes.begin(), experiment.scenes.end());
+  return scenes;
+}
+
+TEST(Experiments, NamesAreDifferentAndScenesAreThere) {
+  std::set<std::string> names;
+  const std::filesystem::path folder = ALLTACT_SOURCE_DIR "/resources/scenes";
+  for (const Experiment& experiment : experiments()) {
+    EXPECT_TRUE(names.insert(experiment.name).second) << experiment.name;
+    EXPECT_FALSE(experiment.measures.empty());
+    ASSERT_FALSE(experiment.scenes.empty());
+    for (const std::string& name : experiment.scenes) {
+      const auto scene = Scene::load(folder / (name + ".yaml"));
+      ASSERT_TRUE(scene) << scene.error().sentence();
+      std::string expected = name;
+      std::replace(expected.begin(), expected.end(), '_', ' ');
+      EXPECT_EQ(scene->name(), expected);
+    }
+  }
+}
+
+// A scene that no experiment measures says in vain what it is for.
+TEST(Experiments, EverySceneOfAnExperimentIsMeasured) {
+  const std::set<std::string> measured = scenes_of_experiments();
+  int scenes = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(ALLTACT_SOURCE_DIR "/resources/scenes")) {
+    const std::string stem = entry.path().stem().string();
+    if (!stem.starts_with("experiment_")) continue;
+    EXPECT_TRUE(measured.contains(stem)) << stem;
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 9);
+}
+
+TEST(Experiments, AreChosenByNameInTheTablesOrder) {
+  const auto all = experiments_named({});
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->size(), experiments().size());
+  const auto some = experiments_named({"time", "pose", "time"});
+  ASSERT_TRUE(some);
+  ASSERT_EQ(some->size(), 2U);
+  EXPECT_EQ(some->front()->name, "pose");
+  EXPECT_EQ(some->back()->name, "time");
+}
+
+TEST(Experiments, AnUnknownNameIsRefusedWithTheNearest) {
+  const auto refused = experiments_named({"pose", "localization"});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().sentence(), HasSubstr("'localization'"));
+  EXPECT_THAT(refused.error().sentence(), HasSubstr("Try: 'localisation'"));
+}
+
+TEST(Experiments, AnAimIsReachedFromTheRightSide) {
+  EXPECT_TRUE((ExperimentFigure{"", "mm", 0.2, {}, 0.2}.reaches_aim()));
+  EXPECT_FALSE((ExperimentFigure{"", "mm", 0.21, {}, 0.2}.reaches_aim()));
+  EXPECT_FALSE((ExperimentFigure{"", "%", 99.4, {}, 99.5, true}.reaches_aim()));
+  EXPECT_TRUE((ExperimentFigure{"", "%", 99.5, {}, 99.5, true}.reaches_aim()));
+  EXPECT_TRUE((ExperimentFigure{"", "ms", 1e9, 2.0, {}}.reaches_aim()));
+}
+
+class ExperimentsOnAFinger : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new test::TemporaryFolder;
+    auto bench = ExperimentBench::make({folder_->path(), 1, 2}, job_);
+    ASSERT_TRUE(bench) << bench.error().sentence();
+    bench_ = new ExperimentBench(std::move(bench).value());
+  }
+  static void TearDownTestSuite() {
+    delete bench_;
+    delete folder_;
+  }
+
+  static ExperimentOutcome outcome_of(const std::string& name) {
+    auto outcome = experiments_named({name}).value().front()->run(*bench_);
+    EXPECT_TRUE(outcome) << outcome.error().sentence();
+    return std::move(outcome).value();
+  }
+
+  static inline const Job job_;
+  static inline test::TemporaryFolder* folder_ = nullptr;
+  static inline ExperimentBench* bench_ = nullptr;
+};
+
+// Bars lie at multiples of 15 degrees, which their names in the scene tell apart from the picture.
+TEST_F(ExperimentsOnAFinger, PoseIsThatOfTheBars) {
+  const ExperimentOutcome pose = outcome_of("pose");
+  EXPECT_EQ(pose.frames, 12);
+  ASSERT_EQ(pose.figures.size(), 3U);
+  EXPECT_LT(pose.figures[0].ours, 0.3);
+  EXPECT_GT(pose.figures[0].ours, 0);  // noise is in the pictures
+  EXPECT_LT(pose.figures[1].ours, 1.0);
+  EXPECT_GE(pose.figures[1].ours, pose.figures[0].ours);
+  EXPECT_EQ(pose.figures[2].ours, 100);
+  EXPECT_EQ(pose.figures[0].paper, 3.22);
+}
+
+// The scene's balls stand at known centres: along the face a ball touches deepest below its middle.
+TEST_F(ExperimentsOnAFinger, LocalisationHoldsAgainstTheBallsOwnCentres) {
+  double greatest_mm = 0;
+  const auto frames = bench_->measure(
+      "experiment_localisation",
+      {PipelineSettings{}},
+      [&](std::size_t, const Truth& truth, const FrameResult& result) {
+        ASSERT_FALSE(result.regions.empty());
+        const Eigen::Vector3d normal = truth.contacts.front().direction;
+        Eigen::Vector3d off = result.regions.front().place_mm - truth.ball->centre_mm;
+        off -= off.dot(normal) * normal;
+        greatest_mm = std::max(greatest_mm, off.norm());
+      });
+  ASSERT_TRUE(frames) << frames.error().sentence();
+  EXPECT_EQ(*frames, 27);
+  EXPECT_LT(greatest_mm, 0.2);
+  const ExperimentOutcome told = outcome_of("localisation");
+  ASSERT_EQ(told.figures.size(), 4U);
+  EXPECT_NEAR(told.figures[2].ours, greatest_mm, 0.01);
+  EXPECT_LE(told.figures[0].ours, told.figures[2].ours);
+  EXPECT_EQ(told.figures[3].ours, 100);
+}
+
+// What happens to a finger is the scene's; that one reference is worse is what the paper is about.
+TEST_F(ExperimentsOnAFinger, OneReferenceIsWorseThanARecording) {
+  const ExperimentOutcome references = outcome_of("references");
+  EXPECT_EQ(references.frames, 40);
+  ASSERT_EQ(references.figures.size(), 5U);
+  EXPECT_GT(references.figures[0].ours, 90);                          // nearest
+  EXPECT_LT(references.figures[1].ours, references.figures[0].ours);  // single
+  EXPECT_GT(references.figures[2].ours, 1.5 * references.figures[3].ours);
+  EXPECT_GT(references.figures[3].ours, references.figures[4].ours);
+}
+
+TEST_F(ExperimentsOnAFinger, AStopIsHeard) {
+  Job stopped;
+  stopped.request_stop();
+  test::TemporaryFolder folder;
+  const auto bench = ExperimentBench::make({folder.path(), 1, 1}, stopped);
+  EXPECT_FALSE(bench);
+}
+
+}  // namespace
+}  // namespace alltact
