@@ -8767,15 +8767,223 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the markers tell from which side the finger is pushed, but not how far from its base: that hangs on how its stiffness falls towards the tip</source>
-        <translation type="unfinished"></translation>
+        <translation>die Marker sagen, von welcher Seite der Finger gedrückt wird, aber nicht, wie weit von seiner Basis: das hängt davon ab, wie seine Steifigkeit zur Spitze hin abnimmt</translation>
     </message>
     <message>
         <source>without a depth there is no place on the contact face</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Tiefe gibt es keinen Ort auf der Kontaktfläche</translation>
     </message>
     <message>
         <source>nothing is seen to be pressed into the part of the contact face in view</source>
-        <translation type="unfinished"></translation>
+        <translation>im sichtbaren Teil der Kontaktfläche ist nichts eingedrückt</translation>
+    </message>
+    <message>
+        <source>stopped before the experiments were over</source>
+        <translation>abgebrochen, bevor die Experimente zu Ende waren</translation>
+    </message>
+    <message>
+        <source>{}: frame {} of {}</source>
+        <translation>{}: Bild {} von {}</translation>
+    </message>
+    <message>
+        <source>no frame tells what the experiment asks for</source>
+        <translation>kein Bild sagt, wonach das Experiment fragt</translation>
+    </message>
+    <message>
+        <source>where a touch is, at 9 x 3 places of the face</source>
+        <translation>wo eine Berührung ist, an 9 x 3 Stellen der Fläche</translation>
+    </message>
+    <message>
+        <source>how a held bar is turned</source>
+        <translation>wie ein gehaltener Stab gedreht ist</translation>
+    </message>
+    <message>
+        <source>the least depth of a ball that is felt</source>
+        <translation>die geringste Tiefe einer Kugel, die gespürt wird</translation>
+    </message>
+    <message>
+        <source>the least force that is felt, on every face</source>
+        <translation>die geringste Kraft, die gespürt wird, auf jeder Fläche</translation>
+    </message>
+    <message>
+        <source>from which of 8 sides the finger is pushed</source>
+        <translation>von welcher von 8 Seiten der Finger gedrückt wird</translation>
+    </message>
+    <message>
+        <source>one untouched picture against a recording of all poses</source>
+        <translation>ein unberührtes Bild gegen eine Aufnahme aller Posen</translation>
+    </message>
+    <message>
+        <source>depth in rooms of 300, 1100 and 2500 lux</source>
+        <translation>Tiefe in Räumen von 300, 1100 und 2500 Lux</translation>
+    </message>
+    <message>
+        <source>relief of an M8 thread, against a single reference</source>
+        <translation>Relief eines M8-Gewindes, gegen eine einzige Referenz</translation>
+    </message>
+    <message>
+        <source>relief of a USB plug, against a single reference</source>
+        <translation>Relief eines USB-Steckers, gegen eine einzige Referenz</translation>
+    </message>
+    <message>
+        <source>time of a frame&apos;s steps, in full HD with 24 dots</source>
+        <translation>Zeit der Schritte eines Bildes, in Full HD mit 24 Punkten</translation>
+    </message>
+    <message>
+        <source>there is no experiment &apos;{}&apos;</source>
+        <translation>es gibt kein Experiment &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>least force felt on the contact face, over all heights</source>
+        <translation>geringste gespürte Kraft auf der Kontaktfläche, über alle Höhen</translation>
+    </message>
+    <message>
+        <source>least force felt on the back, over all heights</source>
+        <translation>geringste gespürte Kraft auf dem Rücken, über alle Höhen</translation>
+    </message>
+    <message>
+        <source>least force felt on the upper side, over all heights</source>
+        <translation>geringste gespürte Kraft auf der oberen Seite, über alle Höhen</translation>
+    </message>
+    <message>
+        <source>least force felt on the lower side, over all heights</source>
+        <translation>geringste gespürte Kraft auf der unteren Seite, über alle Höhen</translation>
+    </message>
+    <message>
+        <source>least depth felt, {:.0f} mm from the base</source>
+        <translation>geringste gespürte Tiefe, {:.0f} mm von der Basis</translation>
+    </message>
+    <message>
+        <source>Depths are doubled from 0.01 mm on, so that the least lies between a figure and its half</source>
+        <translation>Die Tiefen verdoppeln sich ab 0,01 mm, sodass die geringste zwischen einer Zahl und ihrer Hälfte liegt</translation>
+    </message>
+    <message>
+        <source>All heights lie beyond {:.0f} mm, where the paper has less than 2 N; the body is rubber of Shore 40 A as the scene has it, and the paper&apos;s silicone is another</source>
+        <translation>Alle Höhen liegen jenseits von {:.0f} mm, wo der Aufsatz weniger als 2 N nennt; der Körper ist Gummi von Shore 40 A, wie ihn die Szene hat, das Silikon des Aufsatzes ist ein anderes</translation>
+    </message>
+    <message>
+        <source>pushes whose side of 8 is told right</source>
+        <translation>Stöße, deren Seite von 8 richtig erkannt ist</translation>
+    </message>
+    <message>
+        <source>direction of a push in the picture, mean error</source>
+        <translation>Richtung eines Stoßes im Bild, mittlerer Fehler</translation>
+    </message>
+    <message>
+        <source>direction of a push in the picture, greatest error</source>
+        <translation>Richtung eines Stoßes im Bild, größter Fehler</translation>
+    </message>
+    <message>
+        <source>{} pushes, by how the dots truly moved in the picture; those near a border of two sides are counted as all others</source>
+        <translation>{} Stöße, danach, wie sich die Punkte im Bild wirklich bewegt haben; die nahe der Grenze zweier Seiten zählen wie alle anderen</translation>
+    </message>
+    <message>
+        <source>frames under 40 px, nearest of a recording</source>
+        <translation>Bilder unter 40 px, nächstes einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>frames under 40 px, one reference</source>
+        <translation>Bilder unter 40 px, eine Referenz</translation>
+    </message>
+    <message>
+        <source>depth where nothing touches, one reference</source>
+        <translation>Tiefe, wo nichts berührt, eine Referenz</translation>
+    </message>
+    <message>
+        <source>depth where nothing touches, nearest of a recording</source>
+        <translation>Tiefe, wo nichts berührt, nächstes einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>depth where nothing touches, local regression</source>
+        <translation>Tiefe, wo nichts berührt, lokale Regression</translation>
+    </message>
+    <message>
+        <source>How many frames a single reference is near to depends on how far the finger moves, which is the scene&apos;s choice here and was the paper&apos;s there</source>
+        <translation>Wie vielen Bildern eine einzige Referenz nahe ist, hängt davon ab, wie weit sich der Finger bewegt; das bestimmt hier die Szene und bestimmte dort der Aufsatz</translation>
+    </message>
+    <message>
+        <source>relief, mean depth error, straight</source>
+        <translation>Relief, mittlerer Tiefenfehler, gerade</translation>
+    </message>
+    <message>
+        <source>relief, mean depth error, bent</source>
+        <translation>Relief, mittlerer Tiefenfehler, gebogen</translation>
+    </message>
+    <message>
+        <source>the same straight, single reference</source>
+        <translation>dasselbe gerade, eine Referenz</translation>
+    </message>
+    <message>
+        <source>the same bent, single reference</source>
+        <translation>dasselbe gebogen, eine Referenz</translation>
+    </message>
+    <message>
+        <source>The paper shows pictures of reliefs and no figure</source>
+        <translation>Der Aufsatz zeigt Bilder von Reliefs und keine Zahl</translation>
+    </message>
+    <message>
+        <source>edges and global shape, median</source>
+        <translation>Kanten und Gesamtform, Median</translation>
+    </message>
+    <message>
+        <source>markers and reference, median</source>
+        <translation>Marker und Referenz, Median</translation>
+    </message>
+    <message>
+        <source>local depth and contacts, median</source>
+        <translation>örtliche Tiefe und Berührungen, Median</translation>
+    </message>
+    <message>
+        <source>whole frame, median</source>
+        <translation>ganzes Bild, Median</translation>
+    </message>
+    <message>
+        <source>Times are of this computer, those of the paper of its own; the finger measures with the demonstration&apos;s mapping and 24 recorded poses</source>
+        <translation>Die Zeiten sind von diesem Computer, die des Aufsatzes von seinem; der Finger misst mit der Abbildung der Vorführung und 24 aufgenommenen Posen</translation>
+    </message>
+    <message>
+        <source>place, mean error within +-20 mm of the middle</source>
+        <translation>Ort, mittlerer Fehler innerhalb von +-20 mm um die Mitte</translation>
+    </message>
+    <message>
+        <source>place, mean error at the tip</source>
+        <translation>Ort, mittlerer Fehler an der Spitze</translation>
+    </message>
+    <message>
+        <source>place, greatest error</source>
+        <translation>Ort, größter Fehler</translation>
+    </message>
+    <message>
+        <source>touches that are found</source>
+        <translation>gefundene Berührungen</translation>
+    </message>
+    <message>
+        <source>angle, mean error</source>
+        <translation>Winkel, mittlerer Fehler</translation>
+    </message>
+    <message>
+        <source>angle, greatest error</source>
+        <translation>Winkel, größter Fehler</translation>
+    </message>
+    <message>
+        <source>bars whose angle is told</source>
+        <translation>Stäbe, deren Winkel gesagt wird</translation>
+    </message>
+    <message>
+        <source>The lesser of the paper&apos;s two figures stands beside the mean error, the greater one beside the greatest error</source>
+        <translation>Die kleinere der beiden Zahlen des Aufsatzes steht neben dem mittleren Fehler, die größere neben dem größten</translation>
+    </message>
+    <message>
+        <source>depth inside contacts, mean error at {} lux</source>
+        <translation>Tiefe in Berührungen, mittlerer Fehler bei {} Lux</translation>
+    </message>
+    <message>
+        <source>the same at {} lux, without correction of the light</source>
+        <translation>dasselbe bei {} Lux, ohne Ausgleich des Lichts</translation>
+    </message>
+    <message>
+        <source>How much of a room&apos;s light gets into a finger is a guess of the scene, 4 grey levels of a white surface for every 1000 lux</source>
+        <translation>Wie viel Licht eines Raums in einen Finger gelangt, ist eine Annahme der Szene: 4 Graustufen einer weißen Fläche auf je 1000 Lux</translation>
     </message>
 </context>
 </TS>

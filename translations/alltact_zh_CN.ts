@@ -8744,15 +8744,223 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the markers tell from which side the finger is pushed, but not how far from its base: that hangs on how its stiffness falls towards the tip</source>
-        <translation type="unfinished"></translation>
+        <translation>标记能说明手指从哪一侧被推，但不能说明离根部多远：这取决于手指刚度向指尖如何减小</translation>
     </message>
     <message>
         <source>without a depth there is no place on the contact face</source>
-        <translation type="unfinished"></translation>
+        <translation>没有深度就没有接触面上的位置</translation>
     </message>
     <message>
         <source>nothing is seen to be pressed into the part of the contact face in view</source>
-        <translation type="unfinished"></translation>
+        <translation>在可见的接触面部分没有看到任何压入</translation>
+    </message>
+    <message>
+        <source>stopped before the experiments were over</source>
+        <translation>在实验结束之前被停止</translation>
+    </message>
+    <message>
+        <source>{}: frame {} of {}</source>
+        <translation>{}：第 {} 帧，共 {} 帧</translation>
+    </message>
+    <message>
+        <source>no frame tells what the experiment asks for</source>
+        <translation>没有任何一帧能回答该实验的问题</translation>
+    </message>
+    <message>
+        <source>where a touch is, at 9 x 3 places of the face</source>
+        <translation>在接触面的 9 x 3 个位置上，接触在哪里</translation>
+    </message>
+    <message>
+        <source>how a held bar is turned</source>
+        <translation>被夹持的杆转了多少</translation>
+    </message>
+    <message>
+        <source>the least depth of a ball that is felt</source>
+        <translation>能感觉到的最小压球深度</translation>
+    </message>
+    <message>
+        <source>the least force that is felt, on every face</source>
+        <translation>每个面上能感觉到的最小力</translation>
+    </message>
+    <message>
+        <source>from which of 8 sides the finger is pushed</source>
+        <translation>手指从 8 个方向中的哪一个被推</translation>
+    </message>
+    <message>
+        <source>one untouched picture against a recording of all poses</source>
+        <translation>一张未接触图像与全部姿态录像的比较</translation>
+    </message>
+    <message>
+        <source>depth in rooms of 300, 1100 and 2500 lux</source>
+        <translation>在 300、1100 和 2500 勒克斯的房间里的深度</translation>
+    </message>
+    <message>
+        <source>relief of an M8 thread, against a single reference</source>
+        <translation>M8 螺纹的浮雕，与单一参考比较</translation>
+    </message>
+    <message>
+        <source>relief of a USB plug, against a single reference</source>
+        <translation>USB 插头的浮雕，与单一参考比较</translation>
+    </message>
+    <message>
+        <source>time of a frame&apos;s steps, in full HD with 24 dots</source>
+        <translation>全高清、24 个点时每帧各步骤的时间</translation>
+    </message>
+    <message>
+        <source>there is no experiment &apos;{}&apos;</source>
+        <translation>没有实验 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>least force felt on the contact face, over all heights</source>
+        <translation>接触面上能感觉到的最小力，全部高度</translation>
+    </message>
+    <message>
+        <source>least force felt on the back, over all heights</source>
+        <translation>背面能感觉到的最小力，全部高度</translation>
+    </message>
+    <message>
+        <source>least force felt on the upper side, over all heights</source>
+        <translation>上侧面能感觉到的最小力，全部高度</translation>
+    </message>
+    <message>
+        <source>least force felt on the lower side, over all heights</source>
+        <translation>下侧面能感觉到的最小力，全部高度</translation>
+    </message>
+    <message>
+        <source>least depth felt, {:.0f} mm from the base</source>
+        <translation>距根部 {:.0f} mm 处能感觉到的最小深度</translation>
+    </message>
+    <message>
+        <source>Depths are doubled from 0.01 mm on, so that the least lies between a figure and its half</source>
+        <translation>深度从 0.01 mm 起逐次加倍，因此最小值在所给数字与其一半之间</translation>
+    </message>
+    <message>
+        <source>All heights lie beyond {:.0f} mm, where the paper has less than 2 N; the body is rubber of Shore 40 A as the scene has it, and the paper&apos;s silicone is another</source>
+        <translation>所有高度都超过 {:.0f} mm，论文在那里不到 2 N；手指主体是场景中的 Shore 40 A 橡胶，论文的硅胶不同</translation>
+    </message>
+    <message>
+        <source>pushes whose side of 8 is told right</source>
+        <translation>在 8 个方向中判断正确的推压</translation>
+    </message>
+    <message>
+        <source>direction of a push in the picture, mean error</source>
+        <translation>图像中推压方向的平均误差</translation>
+    </message>
+    <message>
+        <source>direction of a push in the picture, greatest error</source>
+        <translation>图像中推压方向的最大误差</translation>
+    </message>
+    <message>
+        <source>{} pushes, by how the dots truly moved in the picture; those near a border of two sides are counted as all others</source>
+        <translation>{} 次推压，以点在图像中的真实运动为准；靠近两个方向边界的与其他的一样计入</translation>
+    </message>
+    <message>
+        <source>frames under 40 px, nearest of a recording</source>
+        <translation>低于 40 px 的帧，录像中最近的一帧</translation>
+    </message>
+    <message>
+        <source>frames under 40 px, one reference</source>
+        <translation>低于 40 px 的帧，单一参考</translation>
+    </message>
+    <message>
+        <source>depth where nothing touches, one reference</source>
+        <translation>无接触处的深度，单一参考</translation>
+    </message>
+    <message>
+        <source>depth where nothing touches, nearest of a recording</source>
+        <translation>无接触处的深度，录像中最近的一帧</translation>
+    </message>
+    <message>
+        <source>depth where nothing touches, local regression</source>
+        <translation>无接触处的深度，局部回归</translation>
+    </message>
+    <message>
+        <source>How many frames a single reference is near to depends on how far the finger moves, which is the scene&apos;s choice here and was the paper&apos;s there</source>
+        <translation>单一参考接近多少帧取决于手指移动的幅度，这里由场景决定，那里由论文决定</translation>
+    </message>
+    <message>
+        <source>relief, mean depth error, straight</source>
+        <translation>浮雕，平均深度误差，伸直</translation>
+    </message>
+    <message>
+        <source>relief, mean depth error, bent</source>
+        <translation>浮雕，平均深度误差，弯曲</translation>
+    </message>
+    <message>
+        <source>the same straight, single reference</source>
+        <translation>同上，伸直，单一参考</translation>
+    </message>
+    <message>
+        <source>the same bent, single reference</source>
+        <translation>同上，弯曲，单一参考</translation>
+    </message>
+    <message>
+        <source>The paper shows pictures of reliefs and no figure</source>
+        <translation>论文给出浮雕的图片，没有数字</translation>
+    </message>
+    <message>
+        <source>edges and global shape, median</source>
+        <translation>边缘和整体形状，中位数</translation>
+    </message>
+    <message>
+        <source>markers and reference, median</source>
+        <translation>标记和参考，中位数</translation>
+    </message>
+    <message>
+        <source>local depth and contacts, median</source>
+        <translation>局部深度和接触，中位数</translation>
+    </message>
+    <message>
+        <source>whole frame, median</source>
+        <translation>整帧，中位数</translation>
+    </message>
+    <message>
+        <source>Times are of this computer, those of the paper of its own; the finger measures with the demonstration&apos;s mapping and 24 recorded poses</source>
+        <translation>时间是本计算机的，论文的是其自己的；手指使用演示的映射和 24 个录制姿态测量</translation>
+    </message>
+    <message>
+        <source>place, mean error within +-20 mm of the middle</source>
+        <translation>位置，中部 +-20 mm 内的平均误差</translation>
+    </message>
+    <message>
+        <source>place, mean error at the tip</source>
+        <translation>位置，指尖处的平均误差</translation>
+    </message>
+    <message>
+        <source>place, greatest error</source>
+        <translation>位置，最大误差</translation>
+    </message>
+    <message>
+        <source>touches that are found</source>
+        <translation>找到的接触</translation>
+    </message>
+    <message>
+        <source>angle, mean error</source>
+        <translation>角度，平均误差</translation>
+    </message>
+    <message>
+        <source>angle, greatest error</source>
+        <translation>角度，最大误差</translation>
+    </message>
+    <message>
+        <source>bars whose angle is told</source>
+        <translation>给出角度的杆</translation>
+    </message>
+    <message>
+        <source>The lesser of the paper&apos;s two figures stands beside the mean error, the greater one beside the greatest error</source>
+        <translation>论文两个数字中较小的与平均误差并列，较大的与最大误差并列</translation>
+    </message>
+    <message>
+        <source>depth inside contacts, mean error at {} lux</source>
+        <translation>接触内的深度，{} 勒克斯时的平均误差</translation>
+    </message>
+    <message>
+        <source>the same at {} lux, without correction of the light</source>
+        <translation>同上，{} 勒克斯，不校正光照</translation>
+    </message>
+    <message>
+        <source>How much of a room&apos;s light gets into a finger is a guess of the scene, 4 grey levels of a white surface for every 1000 lux</source>
+        <translation>房间光线进入手指多少是场景的假设：每 1000 勒克斯为白色表面的 4 个灰度级</translation>
     </message>
 </context>
 </TS>
