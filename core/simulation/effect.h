@@ -6,9 +6,9 @@
 #pragma once
 
 #include "core/result.h"
+#include "core/simulation/elastic_finger.h"
 #include "core/simulation/exposure.h"
 #include "core/simulation/frame_geometry.h"
-#include "core/simulation/elastic_finger.h"
 #include "core/simulation/motion.h"
 #include "core/simulation/row_view.h"
 #include "core/simulation/sent_picture.h"
