@@ -4,6 +4,7 @@
 #include "core/sensing/contact/contact_state.h"
 #include "core/sensing/contact/face_touch.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -26,24 +27,46 @@ struct MarkerMotion {
   double share;  // of the tip's way
 };
 
-std::optional<MarkerMotion> motion_at(const Marker& marker,
-                                      const FaceShape& shape,
-                                      double length_mm) {
+Eigen::Vector3d at_depth(const Ray& ray, double z_mm) {
+  return ray.origin_mm + (z_mm - ray.origin_mm.z()) / ray.direction.z() * ray.direction;
+}
+
+// Where a marker's ray meets the side face it lies on, which stands behind the face's edge.
+std::optional<Eigen::Vector3d> on_side_face(const Marker& marker, const FaceShape& shape) {
   const auto middle = shape.middle_at(marker.u);
   const auto ray = shape.camera().unproject({marker.u, marker.v});
   if (!middle || !ray) return std::nullopt;
-  const double t = std::clamp(shape.length_at(marker.u) / length_mm, 0.0, 1.0);
-  const double z_mm = middle->point_mm.z();
-  const Eigen::Vector3d at(middle->point_mm.x(), z_mm * ray->direction.y(), z_mm);
-  // The normal away from the camera is to the tangent as z is to x.
-  Eigen::Vector3d back(middle->tangent_z, 0, -middle->tangent_x);
+  const double across_at_face = at_depth(*ray, middle->point_mm.z()).y() - middle->point_mm.y();
+  const double side_y_mm =
+      middle->point_mm.y() + std::copysign(0.5 * shape.face().width_mm, across_at_face);
+  const double z_mm = ray->origin_mm.z() +
+                      (side_y_mm - ray->origin_mm.y()) / ray->direction.y() * ray->direction.z();
+  if (!(std::isfinite(z_mm) && z_mm > 0)) return std::nullopt;
+  return at_depth(*ray, z_mm);
+}
+
+std::optional<MarkerMotion> motion_at(const Marker& marker,
+                                      const FaceShape& shape,
+                                      double length_mm) {
+  const auto at = on_side_face(marker, shape);
+  const auto foot = at ? shape.foot_of(at->x(), at->z()) : std::nullopt;
+  if (!foot) return std::nullopt;
+  const double t = std::clamp(shape.length_at(foot->u) / length_mm, 0.0, 1.0);
+  Eigen::Vector3d back(foot->tangent_z, 0, -foot->tangent_x);
   if (back.z() > 0) back = -back;
+  const double to_tip = shape.base_at_low_u() ? 1 : -1;
+  const Eigen::Vector3d tangent = to_tip * Eigen::Vector3d(foot->tangent_x, 0, foot->tangent_z);
+  // The section turns with the slope 2 t / L of the deflection, and what stands off the face is
+  // carried along it.
+  const double off_mm = (*at - foot->point_mm).dot(back);
   MarkerMotion motion{Eigen::Matrix2d::Zero(), back, t * t};
+  const std::array<Eigen::Vector3d, 2> ways{t * t * back - off_mm * 2 * t / length_mm * tangent,
+                                            t * t * Eigen::Vector3d::UnitY()};
   for (int way = 0; way < 2; ++way) {
-    const Eigen::Vector3d step = kStep_mm * (way == 0 ? back : Eigen::Vector3d::UnitY());
-    const auto to = shape.camera().project(at + step), from = shape.camera().project(at - step);
+    const Eigen::Vector3d step = kStep_mm * ways[static_cast<std::size_t>(way)];
+    const auto to = shape.camera().project(*at + step), from = shape.camera().project(*at - step);
     if (!to || !from) return std::nullopt;
-    motion.px_per_mm.col(way) = motion.share * (*to - *from) / (2 * kStep_mm);
+    motion.px_per_mm.col(way) = (*to - *from) / (2 * kStep_mm);
   }
   return motion;
 }

@@ -23,8 +23,9 @@ struct TipWay {
 
 /// Least squares over the markers of two motions that both grow with the square of the way from the
 /// base, as those of a cantilever do to first order: towards the back and aside. How far each moves
-/// a marker in the picture follows from where the face lies (`shape`, this frame's), so that a
-/// millimetre counts the same in both, which it does not in the picture. How much stiffer the
+/// a marker in the picture follows from where face and marker lie (`shape`, this frame's; the
+/// section turns as it is bent and carries along what stands off the face), so that a millimetre
+/// counts the same in both, which it does not in the picture. How much stiffer the
 /// finger is to one side is not known: this is the way it moved, not the force's.
 /// nullopt: a flat sensor, markers that are not those of `rest`, or ones too few to tell both.
 [[nodiscard]] std::optional<TipWay> tip_way(const Markers& markers,
