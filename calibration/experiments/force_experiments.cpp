@@ -1,6 +1,7 @@
 // How little is felt: depth on the contact face, and force on every face.
 #include "calibration/experiments/experiment_runs.h"
 
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -40,6 +41,11 @@ Message face_phrase(PushedFace face) {
       break;
   }
   return en::say("least force felt on the lower side, over all heights");
+}
+
+/// Heights of the scene are 20 mm apart; a push slides along the face a little as the finger bends.
+int height_of_mm(const ContactTruth& contact) {
+  return 5 * static_cast<int>(std::lround(contact.along_mm / 5));
 }
 
 /// A frame of experiment_least_force.
@@ -101,12 +107,12 @@ Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench) {
   rested.rest_markers.clear();
   for (const Marker& marker : *free->markers) rested.rest_markers.emplace_back(marker.u, marker.v);
 
-  std::map<PushedFace, std::map<double, std::vector<FeltTouch>>> touches;
+  std::map<PushedFace, std::map<int, std::vector<FeltTouch>>> touches;
   for (const PushedFrame& frame : pushes) {
     if (!frame.contact || frame.contact->along_mm < kBase_mm) continue;
     const bool pushed =
         frame.markers && push_of(*frame.markers, rested, frame.base_at_low_u).pushed;
-    touches[frame.contact->face][frame.contact->along_mm].push_back(
+    touches[frame.contact->face][height_of_mm(*frame.contact)].push_back(
         {frame.contact->force_N.value().norm(), pushed || frame.has_region});
   }
   ExperimentOutcome outcome;

@@ -80,8 +80,8 @@ TEST(ShippedScenes, ExperimentLeastForce) {
     ASSERT_EQ(truth.contacts.size(), 1U) << frame;
     const ContactTruth& contact = truth.contacts.front();
     EXPECT_EQ(static_cast<int>(contact.face), 1 + frame / 32) << frame;
-    EXPECT_NEAR(contact.force_N->norm(), kForces_N[static_cast<std::size_t>(frame % 8)], 1e-6);
-    EXPECT_EQ(contact.along_mm, 25 + 20 * (frame % 32 / 8));
+    EXPECT_NEAR(contact.force_N->norm(), kForces_N[static_cast<std::size_t>(frame % 8)], 1e-3);
+    EXPECT_NEAR(contact.along_mm, 25 + 20 * (frame % 32 / 8), 0.6) << "slides a little";
     // Body and skin give way, so that the dots tell.
     double moved_px = 0;
     for (std::size_t i = 0; i < free.markers.size(); ++i)
