@@ -13,28 +13,28 @@ namespace alltact {
 namespace {
 
 // Gauss-Legendre on [0, 1]: 16 points integrate what bends this little to rounding.
-constexpr std::array<double, 8> kGaussPlace{0.0950125098376374,
-                                            0.2816035507792589,
-                                            0.4580167776572274,
-                                            0.6178762444026438,
-                                            0.7554044083550030,
-                                            0.8656312023878318,
-                                            0.9445750230732326,
-                                            0.9894009349916499};
-constexpr std::array<double, 8> kGaussWeight{0.1894506104550685,
-                                             0.1826034150449236,
-                                             0.1691565193950025,
-                                             0.1495959888165767,
-                                             0.1246289712555339,
-                                             0.0951585116824928,
-                                             0.0622535239386479,
-                                             0.0271524594117541};
+constexpr std::array<double, 8> kBodyGaussPlace{0.0950125098376374,
+                                                0.2816035507792589,
+                                                0.4580167776572274,
+                                                0.6178762444026438,
+                                                0.7554044083550030,
+                                                0.8656312023878318,
+                                                0.9445750230732326,
+                                                0.9894009349916499};
+constexpr std::array<double, 8> kBodyGaussWeight{0.1894506104550685,
+                                                 0.1826034150449236,
+                                                 0.1691565193950025,
+                                                 0.1495959888165767,
+                                                 0.1246289712555339,
+                                                 0.0951585116824928,
+                                                 0.0622535239386479,
+                                                 0.0271524594117541};
 
 template <class Add>
 void for_gauss_points(const Add& add) {
-  for (std::size_t i = 0; i < kGaussPlace.size(); ++i)
+  for (std::size_t i = 0; i < kBodyGaussPlace.size(); ++i)
     for (const double side : {-1.0, 1.0})
-      add(0.5 + 0.5 * side * kGaussPlace[i], 0.5 * kGaussWeight[i]);
+      add(0.5 + 0.5 * side * kBodyGaussPlace[i], 0.5 * kBodyGaussWeight[i]);
 }
 
 // The slope angle that q1 = 1 and q2 = 1 add at t, times the length.
@@ -66,7 +66,7 @@ struct RestWay {
   double s_mm, length_mm;
   Eigen::Vector3d middle_mm;  // x and z of the base, y of the section
   double theta, twist;        // of the section
-  std::array<double, 2 * kGaussPlace.size()> way_theta;
+  std::array<double, 2 * kBodyGaussPlace.size()> way_theta;
   [[nodiscard]] double t() const { return s_mm / length_mm; }
 };
 
