@@ -1,5 +1,6 @@
 #include "calibration/study/accuracy_study.h"
 
+#include "calibration/study/truly_pressed.h"
 #include "core/numerics/median.h"
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/depth/depth_cells.h"
@@ -13,10 +14,7 @@
 namespace alltact {
 namespace {
 
-constexpr float kPressedMm = 0.05F;    // truly deeper: inside a contact
-constexpr float kUntouchedMm = 0.01F;  // truly less: not contact
-constexpr double kAwayMm = 1.0;        // from any contact
-constexpr std::size_t kBatch = 8;      // choices that take turns with the base
+constexpr std::size_t kBatch = 8;  // choices that take turns with the base
 
 std::optional<ErrorSpread> spread_of(std::vector<float>& errors) {
   if (errors.empty()) return std::nullopt;

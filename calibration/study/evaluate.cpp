@@ -1,5 +1,6 @@
 #include "calibration/study/evaluate.h"
 
+#include "calibration/study/truly_pressed.h"
 #include "core/finger/finger.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
@@ -19,10 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-constexpr float kPressedMm = 0.05F;    // truly deeper: inside a contact
-constexpr float kUntouchedMm = 0.01F;  // truly less: not contact
-constexpr double kAwayMm = 1.0;        // distance from any contact that counts as away
 
 std::optional<double> median(std::vector<double> values) {
   if (values.empty()) return std::nullopt;

@@ -6,7 +6,7 @@
 namespace alltact {
 namespace {
 
-constexpr float kPressedMm = 0.02F;
+constexpr float kLeastPressMm = 0.02F;
 
 // 64-bit FNV-1a.
 void mix(std::uint64_t& hash, const cv::Mat& picture) {
@@ -21,7 +21,7 @@ void mix(std::uint64_t& hash, const cv::Mat& picture) {
 
 std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm, bool base_at_low_u) {
   int first = depth_mm.cols, last = -1, deepest = -1;
-  float greatest = kPressedMm;
+  float greatest = kLeastPressMm;
   for (int v = 0; v < depth_mm.rows; ++v) {
     const auto* depth = depth_mm.ptr<float>(v);
     for (int u = 0; u < depth_mm.cols; ++u) {
