@@ -48,6 +48,22 @@ Setting<S> number_setting(std::string name, Message sentence, T S::*member, T lo
   return setting;
 }
 
+/// A name, of a file for instance: anything but nothing.
+template <class S>
+Setting<S> text_setting(std::string name,
+                        Message sentence,
+                        std::string S::*member,
+                        std::string range) {
+  Setting<S> setting{std::move(name), std::move(sentence), std::move(range), {}, {}};
+  setting.get = [member](const S& s) { return s.*member; };
+  setting.set = [member, name = setting.name](S& s, std::string_view text) -> Status {
+    if (text.empty()) return Error{en::say("it is empty"), name, ""};
+    s.*member = text;
+    return {};
+  };
+  return setting;
+}
+
 /// One of several words.
 template <class S, class E>
 Setting<S> choice_setting(std::string name,

@@ -63,11 +63,12 @@ struct Pipeline::State {
   // With the reference.
   std::optional<ReferenceLibrary> library;
   std::optional<Mapping> mapping;
-  std::optional<FaceShape> plane;        // flat sensors: known beforehand
-  std::optional<MarkerTracker> tracker;  // fingers with markers
-  std::optional<ForceMeter> force;       // fingers with a force model,
-  std::optional<Error> force_problem;    // or why it cannot be used
-  FramePtr last;                         // of a continuous source
+  std::optional<FaceShape> plane;         // flat sensors: known beforehand
+  std::unique_ptr<MarkerFinder> markers;  // fingers with markers,
+  std::optional<Error> marker_problem;    // or why they cannot be found
+  std::optional<ForceMeter> force;        // fingers with a force model,
+  std::optional<Error> force_problem;     // or why it cannot be used
+  FramePtr last;                          // of a continuous source
   FingerContactTracker touched;
 
   [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
@@ -161,8 +162,11 @@ void Pipeline::State::find_without_reference(FrameResult& result, StopWatch& wat
 // False: they are needed and could not be had.
 bool Pipeline::State::find_markers(FrameResult& result) {
   Message problem;
-  if (tracker) {
-    result.markers = (*tracker)(result.grey, *result.shape, &problem);
+  if (marker_problem) {
+    problem = en::say("{}.", marker_problem->message());
+  } else if (markers) {
+    result.markers = (*markers)(result.grey, *result.shape, &problem);
+    if (result.markers) result.marker_method = settings.marker_method;
   } else if (const MarkerModel* model = library->marker_model()) {
     result.markers =
         model->complete(markers_at(*finger->reference->places, edge_curves(*result.shape)));
@@ -171,7 +175,7 @@ bool Pipeline::State::find_markers(FrameResult& result) {
     return true;
   }
   if (!result.markers) result.problems.push_back(problem);
-  if (!result.markers && tracker) find_markers_by_shape(result);
+  if (!result.markers && (markers || marker_problem)) find_markers_by_shape(result);
   return result.markers.has_value();
 }
 
@@ -192,7 +196,7 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
   watch.lap(result.times_ms.markers);
   if (!found) return;
   const bool seen = result.markers && any_seen(*result.markers);
-  if (tracker && seen) {
+  if (markers && seen) {
     if (const TwistModel* model = library->twist_model())
       if (auto turned = model->twisted(*result.markers, *result.shape))
         result.shape = std::move(*turned);
@@ -299,7 +303,9 @@ Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
                                   const Job& job) {
   auto library = ReferenceLibrary::load(finger, job);
   if (!library) return library.error();
-  return over(std::move(library).value(), finger, settings);
+  Pipeline pipeline = over(std::move(library).value(), finger, settings);
+  if (pipeline.state_->marker_problem) return *pipeline.state_->marker_problem;
+  return pipeline;
 }
 
 Pipeline Pipeline::over(ReferenceLibrary library,
@@ -313,8 +319,13 @@ Pipeline Pipeline::over(ReferenceLibrary library,
   if (finger.face.kind == FaceKind::kFlat)
     state.plane = FaceShape::plane(snapshot.camera, finger.face);
   const bool by_shape = finger.reference && finger.reference->places;
-  if (const MarkerModel* model = state.library->marker_model(); model && !by_shape)
-    state.tracker.emplace(finger.markers, *model);
+  if (const MarkerModel* model = state.library->marker_model(); model && !by_shape) {
+    auto made = make_marker_finder(settings.marker_method, settings.marker_network, finger, *model);
+    if (made)
+      state.markers = std::move(made).value();
+    else
+      state.marker_problem = made.error();
+  }
   state.force_problem = snapshot.force_problem;
   if (!snapshot.force) return pipeline;
   if (const Status belongs = snapshot.force->belongs_to(finger); belongs)
@@ -351,7 +362,7 @@ Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 Pipeline::~Pipeline() = default;
 
 void Pipeline::forget() {
-  if (state_->tracker) state_->tracker->forget();
+  if (state_->markers) state_->markers->forget();
   if (state_->rows) state_->rows->forget();
   if (state_->force) state_->force->forget();
   state_->contact.forget();

@@ -1,5 +1,7 @@
 #include "core/sensing/pipeline_settings.h"
 
+#include <fmt/format.h>
+
 namespace alltact {
 
 const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
@@ -22,6 +24,21 @@ const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
                         &S::profile_degree,
                         2,
                         12),
+      choice_setting<S, MarkerMethod>(
+          "marker-method",
+          en::say("how the engraved dots are found and numbered: spots followed by how the finger "
+                  "moves, the source paper's two sorted rows, or a convolutional network in every "
+                  "frame"),
+          &S::marker_method,
+          {{"blobs", MarkerMethod::kBlobs},
+           {"paper", MarkerMethod::kPaper},
+           {"network", MarkerMethod::kNetwork}}),
+      text_setting<S>(
+          "marker-network",
+          en::say("the network that marker-method network uses, and paper too where one is named: "
+                  "an ONNX file, a detector such as YOLO11 among them"),
+          &S::marker_network,
+          fmt::format("a file, or {}", kOwnNetwork)),
       choice_setting<S, ReferenceMethod>(
           "reference-method",
           en::say("which untouched picture a frame is compared with: the one of the finger at "
