@@ -87,8 +87,8 @@ Result<cv::Mat> DotNetwork::Content::run(const cv::Mat& input) {
     const QuietOpenCv quiet;
     net.setInput(input);
     net.forward(outputs, net.getUnconnectedOutLayersNames());
-  } catch (const cv::Exception& exception) {
-    return unusable(en::say("OpenCV cannot run this network ({})", exception.err), onnx);
+  } catch (const std::exception&) {
+    return unusable(en::say("OpenCV cannot run this network"), onnx);
   }
   // By their shapes: OpenCV gives several outputs in an order of its own.
   const auto output = std::find_if(
@@ -156,7 +156,7 @@ Result<DotNetwork> DotNetwork::load(const std::filesystem::path& onnx) {
     content->net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
     // With it OpenCV 4.6 gets YOLO11's attention wrong without a word.
     content->net.enableFusion(content->kind == NetworkKind::kDots);
-  } catch (const cv::Exception&) {
+  } catch (const std::exception&) {
     return unusable(
         en::say("OpenCV cannot read this network (opset {}; it knows those up to 12 well)",
                 header->opset),

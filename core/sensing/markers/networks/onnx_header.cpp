@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace alltact {
@@ -46,6 +47,14 @@ class Fields {
     }
   }
   [[nodiscard]] bool is_broken() const { return is_broken_; }
+  /// The next of numbers that stand one behind the other; nullopt at the end.
+  std::optional<std::uint64_t> packed_number() {
+    std::uint64_t value = 0;
+    if (rest_.empty() || is_broken_) return std::nullopt;
+    if (whole_number(value)) return value;
+    is_broken_ = true;
+    return std::nullopt;
+  }
 
  private:
   bool fail() {
@@ -106,46 +115,151 @@ bool read_port(std::string_view message, OnnxPort& port) {
   return is_whole;
 }
 
-/// GraphProto: node 1, initializer 5 (TensorProto: name 8), input 11, output 12.
-bool read_graph(std::string_view message, OnnxHeader& header, int& nodes) {
-  bool is_whole = true;
-  std::set<std::string, std::less<>> weights;
-  is_whole &= each_field(message, [&](const Field& field) {
-    if (!field.is_bytes) return;
-    if (field.number == 1) ++nodes;
-    if (field.number == 5)
-      is_whole &= each_field(field.bytes, [&](const Field& f) {
-        if (f.number == 8 && f.is_bytes) weights.emplace(f.bytes);
-      });
-    if (field.number != 11 && field.number != 12) return;
-    OnnxPort port;
-    is_whole &= read_port(field.bytes, port);
-    (field.number == 11 ? header.inputs : header.outputs).push_back(std::move(port));
-  });
-  std::erase_if(header.inputs, [&](const OnnxPort& port) { return weights.contains(port.name); });
-  return is_whole;
+constexpr std::uint64_t kMostNumbers = std::uint64_t{1} << 28U;
+
+/// Bytes of one number of a tensor, by TensorProto.DataType; 0 of kinds that no network here needs.
+std::uint64_t bytes_of(std::uint64_t kind) {
+  switch (kind) {
+    case 1:  // float
+    case 6:  // int32
+      return 4;
+    case 7:   // int64
+    case 11:  // double
+      return 8;
+    case 2:  // uint8
+    case 3:  // int8
+    case 9:  // bool
+      return 1;
+    case 10:  // float16
+      return 2;
+    default:
+      return 0;
+  }
 }
+
+/// Whole numbers of a repeated field, packed or one by one.
+bool add_numbers(const Field& field, std::vector<std::uint64_t>& numbers) {
+  if (!field.is_bytes) return numbers.push_back(field.value), true;
+  Fields packed(field.bytes);
+  while (auto value = packed.packed_number()) numbers.push_back(*value);
+  return !packed.is_broken();
+}
+
+/// TensorProto: dims 1, data_type 2, float_data 4, int32_data 5, int64_data 7, name 8, raw_data 9,
+/// double_data 10. True where there are as many numbers as its dimensions say: OpenCV believes
+/// them.
+bool is_sound_tensor(std::string_view message, std::string* name) {
+  std::vector<std::uint64_t> dims, numbers;
+  std::uint64_t kind = 0, given = 0;
+  bool is_whole = true;
+  std::optional<std::uint64_t> raw;
+  is_whole &= each_field(message, [&](const Field& field) {
+    if (field.number == 1) is_whole &= add_numbers(field, dims);
+    if (field.number == 2) kind = field.value;
+    if (field.number == 4) given += field.is_bytes ? field.bytes.size() / 4 : 1;
+    if (field.number == 10) given += field.is_bytes ? field.bytes.size() / 8 : 1;
+    if (field.number == 5 || field.number == 7) is_whole &= add_numbers(field, numbers);
+    if (field.number == 8 && field.is_bytes && name) *name = field.bytes;
+    if (field.number == 9 && field.is_bytes) raw = field.bytes.size();
+  });
+  std::uint64_t count = 1;
+  for (const std::uint64_t n : dims) {
+    if (n > kMostNumbers || (n > 0 && count > kMostNumbers / n)) return false;
+    count *= n;
+  }
+  const std::uint64_t size = bytes_of(kind);
+  if (!is_whole || size == 0) return false;
+  return raw ? *raw == count * size : given + numbers.size() == count;
+}
+
+/// AttributeProto: name 1, i 3, t 5, ints 8. Sizes, steps and groups are at least 1.
+bool is_sound_attribute(std::string_view message) {
+  std::string_view name;
+  std::vector<std::uint64_t> numbers;
+  bool is_whole = true;
+  is_whole &= each_field(message, [&](const Field& field) {
+    if (field.number == 1 && field.is_bytes) name = field.bytes;
+    if (field.number == 3 || field.number == 8) is_whole &= add_numbers(field, numbers);
+    if (field.number == 5 && field.is_bytes) is_whole &= is_sound_tensor(field.bytes, nullptr);
+  });
+  const bool is_size =
+      name == "kernel_shape" || name == "strides" || name == "dilations" || name == "group";
+  constexpr std::uint64_t kMostSize = 1U << 16U;
+  return is_whole && (!is_size || std::all_of(numbers.begin(), numbers.end(), [](std::uint64_t n) {
+           return n >= 1 && n <= kMostSize;
+         }));
+}
+
+/// A graph while it is read, node by node.
+struct Graph {
+  OnnxHeader header;
+  int nodes = 0;
+  bool is_sound = true;
+  std::set<std::string, std::less<>> known;  // weights, inputs and what earlier nodes make
+  std::set<std::string, std::less<>> weights;
+
+  /// GraphProto: node 1, initializer 5, input 11, output 12.
+  void read(std::string_view message) {
+    // What nodes take may stand behind them in the file.
+    is_sound &= each_field(message, [&](const Field& field) {
+      if (field.is_bytes && field.number == 5) add_weights(field.bytes);
+      if (!field.is_bytes || (field.number != 11 && field.number != 12)) return;
+      OnnxPort port;
+      is_sound &= read_port(field.bytes, port);
+      if (field.number == 11) known.insert(port.name);
+      (field.number == 11 ? header.inputs : header.outputs).push_back(std::move(port));
+    });
+    is_sound &= each_field(message, [&](const Field& field) {
+      if (field.is_bytes && field.number == 1) add_node(field.bytes);
+    });
+    std::erase_if(header.inputs,
+                  [this](const OnnxPort& port) { return weights.contains(port.name); });
+    for (const OnnxPort& port : header.outputs) is_sound &= known.contains(port.name);
+  }
+
+ private:
+  void add_weights(std::string_view message) {
+    std::string name;
+    is_sound &= is_sound_tensor(message, &name) && weights.insert(name).second;
+    known.insert(std::move(name));
+  }
+  /// NodeProto: input 1, output 2, op_type 4, attribute 5. An input without a name is left out.
+  void add_node(std::string_view message) {
+    std::vector<std::string> made;
+    ++nodes;
+    is_sound &= each_field(message, [&](const Field& field) {
+      if (!field.is_bytes) return;
+      if (field.number == 1) is_sound &= field.bytes.empty() || known.contains(field.bytes);
+      if (field.number == 2) made.emplace_back(field.bytes);
+      if (field.number == 5) is_sound &= is_sound_attribute(field.bytes);
+    });
+    is_sound &= !made.empty();
+    for (std::string& name : made) is_sound &= name.empty() || known.insert(std::move(name)).second;
+  }
+};
 
 }  // namespace
 
 Result<OnnxHeader> read_onnx_header(std::string_view bytes, const Where& where) {
-  OnnxHeader header;
-  int nodes = 0;
+  Graph graph;
   bool is_whole = true;
   // ModelProto: graph 7, opset_import 8 (version 2).
   is_whole &= each_field(bytes, [&](const Field& field) {
-    if (field.number == 7 && field.is_bytes) is_whole &= read_graph(field.bytes, header, nodes);
-    if (field.number == 8 && field.is_bytes)
-      is_whole &= each_field(field.bytes, [&](const Field& f) {
-        if (f.number == 2 && !f.is_bytes)
-          header.opset = std::max<std::int64_t>(header.opset, static_cast<int>(f.value & 0xFFFF));
-      });
+    if (!field.is_bytes) return;
+    if (field.number == 7) graph.read(field.bytes);
+    if (field.number != 8) return;
+    is_whole &= each_field(field.bytes, [&](const Field& f) {
+      if (f.number == 2 && !f.is_bytes)
+        graph.header.opset =
+            std::max<std::int64_t>(graph.header.opset, static_cast<int>(f.value & 0xFFFFU));
+    });
   });
-  if (!is_whole || nodes == 0 || header.inputs.empty() || header.outputs.empty())
-    return Error{en::say("this is no network in the ONNX format, or only part of one"),
+  if (!is_whole || !graph.is_sound || graph.nodes == 0 || graph.header.inputs.empty() ||
+      graph.header.outputs.empty())
+    return Error{en::say("this is no network in the ONNX format, or only part of one, or damaged"),
                  where,
                  en::say("copying or exporting the file again")};
-  return header;
+  return std::move(graph.header);
 }
 
 }  // namespace alltact

@@ -23,7 +23,10 @@ struct OnnxHeader {
 };
 
 /// Walks the protocol buffer of a model (onnx.proto3: ModelProto, GraphProto, ValueInfoProto).
-/// `where` is the file, for errors. Error: not an ONNX model, or cut off.
+/// OpenCV believes a damaged file and then reads where nothing is, so every length is held against
+/// what there is, every weight's dimensions against its bytes, and every name that a node takes
+/// against those that are made before it. `where` is the file, for errors. Error: not an ONNX
+/// model, cut off, or damaged.
 [[nodiscard]] Result<OnnxHeader> read_onnx_header(std::string_view bytes, const Where& where);
 
 }  // namespace alltact
