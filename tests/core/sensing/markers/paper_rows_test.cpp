@@ -17,9 +17,9 @@ using test::Bend;
 using test::MarkedFinger;
 using test::random_bend;
 
-std::vector<Dot> dots_of(const MarkedFinger& finger,
-                         const Bend& bend,
-                         const std::set<int>& hidden) {
+std::vector<Dot> drawn_dots(const MarkedFinger& finger,
+                            const Bend& bend,
+                            const std::set<int>& hidden) {
   std::vector<Dot> dots;
   const auto discs = finger.discs(bend);
   for (std::size_t m = 0; m < discs.size(); ++m) {
@@ -47,7 +47,7 @@ TEST(PaperRows, NumbersDotsInAnyOrderFromBaseToTip) {
     MarkedFinger finger;
     finger.mirrored = is_mirrored;
     const Bend bend = random_bend(random);
-    auto dots = dots_of(finger, bend, {});
+    auto dots = drawn_dots(finger, bend, {});
     std::shuffle(dots.begin(), dots.end(), random);
     const auto markers = paper_rows(dots, finger.per_row, !is_mirrored);
     ASSERT_TRUE(markers.has_value());
@@ -75,7 +75,8 @@ TEST(PaperRows, TellsAnyInnerHiddenMarkerFromItsNeighbours) {
     const auto discs = finger.discs(bend);
     const int inner = 1 + static_cast<int>(random() % static_cast<unsigned>(finger.per_row - 2));
     const int hidden = world % 2 == 0 ? inner : finger.per_row + inner;
-    const auto markers = paper_rows(dots_of(finger, bend, {hidden}), finger.per_row, true, &before);
+    const auto markers =
+        paper_rows(drawn_dots(finger, bend, {hidden}), finger.per_row, true, &before);
     ASSERT_TRUE(markers.has_value());
     for (std::size_t m = 0; m < discs.size(); ++m) {
       const bool is_hidden = static_cast<int>(m) == hidden;
@@ -100,7 +101,8 @@ TEST(PaperRows, AnEarlierFrameTellsAtWhichEndARowIsShort) {
   const Markers before = markers_of(finger, Bend{});
   const auto discs = finger.discs(now);
   for (const int hidden : {0, 5, 6, 11}) {
-    const auto markers = paper_rows(dots_of(finger, now, {hidden}), finger.per_row, true, &before);
+    const auto markers =
+        paper_rows(drawn_dots(finger, now, {hidden}), finger.per_row, true, &before);
     ASSERT_TRUE(markers.has_value());
     for (std::size_t m = 0; m < discs.size(); ++m) {
       const bool is_hidden = static_cast<int>(m) == hidden;
@@ -111,7 +113,7 @@ TEST(PaperRows, AnEarlierFrameTellsAtWhichEndARowIsShort) {
     EXPECT_GT((*markers)[static_cast<std::size_t>(hidden)].sd_px, 1.0);
   }
   // Without it the base's are taken to be seen.
-  const auto markers = paper_rows(dots_of(finger, now, {0}), finger.per_row, true);
+  const auto markers = paper_rows(drawn_dots(finger, now, {0}), finger.per_row, true);
   ASSERT_TRUE(markers.has_value());
   EXPECT_TRUE((*markers)[0].seen);
   EXPECT_FALSE((*markers)[5].seen);
@@ -119,7 +121,7 @@ TEST(PaperRows, AnEarlierFrameTellsAtWhichEndARowIsShort) {
 
 TEST(PaperRows, LeavesOutTheFaintestOfTooMany) {
   const MarkedFinger finger;
-  auto dots = dots_of(finger, Bend{}, {});
+  auto dots = drawn_dots(finger, Bend{}, {});
   Dot speck = dots[2];
   speck.u += 11, speck.contrast = -20;
   dots.insert(dots.begin(), speck);
@@ -132,8 +134,8 @@ TEST(PaperRows, LeavesOutTheFaintestOfTooMany) {
 
 TEST(PaperRows, SaysNothingOfARowWithOneDot) {
   const MarkedFinger finger;
-  EXPECT_FALSE(paper_rows(dots_of(finger, Bend{}, {0, 1, 2, 3, 4}), 6, true).has_value());
-  EXPECT_TRUE(paper_rows(dots_of(finger, Bend{}, {0, 1, 2, 3}), 6, true).has_value());
+  EXPECT_FALSE(paper_rows(drawn_dots(finger, Bend{}, {0, 1, 2, 3, 4}), 6, true).has_value());
+  EXPECT_TRUE(paper_rows(drawn_dots(finger, Bend{}, {0, 1, 2, 3}), 6, true).has_value());
   EXPECT_FALSE(paper_rows({}, 6, true).has_value());
   EXPECT_FALSE(paper_rows({}, 0, true).has_value());
 }
