@@ -204,8 +204,8 @@ def write(network: MarkerNetwork, folder: Path) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", type=Path, required=True, help="alltact, which renders the pictures")
-    parser.add_argument("--fingers", type=int, default=160, help="to train on (default 160)")
-    parser.add_argument("--minutes", type=float, default=12, help="of training (default 12)")
+    parser.add_argument("--fingers", type=int, default=110, help="to train on (default 110)")
+    parser.add_argument("--minutes", type=float, default=14, help="of training (default 14)")
     parser.add_argument("--keep", type=Path, help="folder in which rendered pictures are kept for the next time")
     parser.add_argument("-o", "--output", type=Path, default=Path(__file__).parent, help="folder (default: this one)")
     arguments = parser.parse_args()
