@@ -19,7 +19,7 @@
 
 namespace alltact {
 
-/// What can be set: a number between two others, or one of several words.
+/// What can be set: a number between two others, one of several words, or something else.
 struct SettingRange {
   struct Numbers {
     double low, high;  ///< both can be set
@@ -27,19 +27,22 @@ struct SettingRange {
   };
   std::optional<Numbers> numbers;
   std::vector<std::string> words;  ///< empty for numbers
+  std::string other;               ///< in words, of what is neither
 
   /// "1 to 64" or "nearest or local"
   [[nodiscard]] std::string text() const {
-    return numbers ? fmt::format("{} to {}", numbers->low, numbers->high) : either(words).english();
+    if (numbers) return fmt::format("{} to {}", numbers->low, numbers->high);
+    return words.empty() ? other : either(words).english();
   }
 };
 
 /// Of a setting that trades accuracy for time. Figures are the study's to tell, of one finger on
 /// one computer; here stands what does not hang on either.
 struct Trade {
-  Message gains;                   ///< what more of it brings, or which of the words, and when
-  Message costs;                   ///< what that takes
-  std::vector<std::string> tried;  ///< what a study looks at, cheapest first, with the default
+  Message gains;                        ///< what more of it brings, or which of the words, and when
+  Message costs;                        ///< what that takes
+  std::vector<std::string> tried;       ///< what a study looks at, cheapest first, with the default
+  std::vector<std::string> alone = {};  ///< of these, what is too slow to be tried beside others
 };
 
 /// One choice within a group S of settings.
@@ -71,6 +74,23 @@ Setting<S> number_setting(std::string name, Message sentence, T S::*member, T lo
       return Error{
           en::say("'{}' is not a number from {} to {}", printable(text), low, high), name, ""};
     s.*member = value;
+    return {};
+  };
+  return setting;
+}
+
+/// A name, of a file for instance: anything but nothing.
+template <class S>
+Setting<S> text_setting(std::string name,
+                        Message sentence,
+                        std::string S::*member,
+                        std::string range) {
+  Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
+  setting.range.other = std::move(range);
+  setting.get = [member](const S& s) { return s.*member; };
+  setting.set = [member, name = setting.name](S& s, std::string_view text) -> Status {
+    if (text.empty()) return Error{en::say("it is empty"), name, ""};
+    s.*member = text;
     return {};
   };
   return setting;

@@ -1,5 +1,6 @@
 #include "calibration/study/study_choice.h"
 
+#include <algorithm>
 #include <cassert>
 #include <set>
 
@@ -10,6 +11,11 @@ namespace {
 struct TriedValue {
   const Setting<PipelineSettings>* setting;
   std::string value;
+
+  [[nodiscard]] bool is_alone() const {
+    const auto& alone = setting->trade->alone;
+    return std::find(alone.begin(), alone.end(), value) != alone.end();
+  }
 };
 
 std::vector<TriedValue> tried_values(const PipelineSettings& base) {
@@ -53,6 +59,7 @@ std::vector<PipelineSettings> study_choices(const PipelineSettings& base, StudyE
   for (std::size_t i = 0; i < values.size(); ++i)
     for (std::size_t k = i + 1; k < values.size(); ++k) {
       if (values[i].setting == values[k].setting) continue;
+      if (values[i].is_alone() || values[k].is_alone()) continue;
       PipelineSettings choice = base;
       put(values[i], choice);
       put(values[k], choice);

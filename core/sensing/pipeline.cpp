@@ -63,12 +63,13 @@ struct Pipeline::State {
   // With the reference.
   std::optional<ReferenceLibrary> library;
   std::optional<Mapping> mapping;
-  std::optional<FaceShape> plane;        // flat sensors: known beforehand
-  std::optional<MarkerTracker> tracker;  // fingers with markers
-  std::optional<ForceMeter> force;       // fingers with a force model,
-  std::optional<Error> force_problem;    // or why it cannot be used
-  FramePtr last;                         // of a continuous source
-  Eigen::MatrixXd ways_px2;              // of the markers, in a frame that tells a push
+  std::optional<FaceShape> plane;         // flat sensors: known beforehand
+  std::unique_ptr<MarkerFinder> markers;  // fingers with markers,
+  std::optional<Error> marker_problem;    // or why they cannot be found
+  std::optional<ForceMeter> force;        // fingers with a force model,
+  std::optional<Error> force_problem;     // or why it cannot be used
+  FramePtr last;                          // of a continuous source
+  Eigen::MatrixXd ways_px2;               // of the markers, in a frame that tells a push
   FingerContactTracker touched;
 
   [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
@@ -162,8 +163,11 @@ void Pipeline::State::find_without_reference(FrameResult& result, StopWatch& wat
 // False: they are needed and could not be had.
 bool Pipeline::State::find_markers(FrameResult& result) {
   Message problem;
-  if (tracker) {
-    result.markers = (*tracker)(result.grey, *result.shape, &problem);
+  if (marker_problem) {
+    problem = en::say("{}.", marker_problem->message());
+  } else if (markers) {
+    result.markers = (*markers)(result.grey, *result.shape, &problem);
+    if (result.markers) result.marker_method = settings.marker_method;
   } else if (const MarkerModel* model = library->marker_model()) {
     result.markers =
         model->complete(markers_at(*finger->reference->places, edge_curves(*result.shape)));
@@ -172,7 +176,7 @@ bool Pipeline::State::find_markers(FrameResult& result) {
     return true;
   }
   if (!result.markers) result.problems.push_back(problem);
-  if (!result.markers && tracker) find_markers_by_shape(result);
+  if (!result.markers && (markers || marker_problem)) find_markers_by_shape(result);
   return result.markers.has_value();
 }
 
@@ -193,7 +197,7 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
   watch.lap(result.times_ms.markers);
   if (!found) return;
   const bool seen = result.markers && any_seen(*result.markers);
-  if (tracker && seen) {
+  if (markers && seen) {
     if (const TwistModel* model = library->twist_model())
       if (auto turned = model->twisted(*result.markers, *result.shape))
         result.shape = std::move(*turned);
@@ -300,7 +304,9 @@ Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
                                   const Job& job) {
   auto library = ReferenceLibrary::load(finger, job);
   if (!library) return library.error();
-  return over(std::move(library).value(), finger, settings);
+  Pipeline pipeline = over(std::move(library).value(), finger, settings);
+  if (pipeline.state_->marker_problem) return *pipeline.state_->marker_problem;
+  return pipeline;
 }
 
 Pipeline Pipeline::over(ReferenceLibrary library,
@@ -314,8 +320,13 @@ Pipeline Pipeline::over(ReferenceLibrary library,
   if (finger.face.kind == FaceKind::kFlat)
     state.plane = FaceShape::plane(snapshot.camera, finger.face);
   const bool by_shape = finger.reference && finger.reference->places;
-  if (const MarkerModel* model = state.library->marker_model(); model && !by_shape)
-    state.tracker.emplace(finger.markers, *model);
+  if (const MarkerModel* model = state.library->marker_model(); model && !by_shape) {
+    auto made = make_marker_finder(settings.marker_method, settings.marker_network, finger, *model);
+    if (made)
+      state.markers = std::move(made).value();
+    else
+      state.marker_problem = made.error();
+  }
   state.force_problem = snapshot.force_problem;
   if (!snapshot.force) return pipeline;
   if (const Status belongs = snapshot.force->belongs_to(finger); belongs)
@@ -352,7 +363,7 @@ Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 Pipeline::~Pipeline() = default;
 
 void Pipeline::forget() {
-  if (state_->tracker) state_->tracker->forget();
+  if (state_->markers) state_->markers->forget();
   if (state_->rows) state_->rows->forget();
   if (state_->force) state_->force->forget();
   state_->contact.forget();
@@ -370,25 +381,6 @@ const Camera& Pipeline::camera() const {
 }
 const PipelineSettings& Pipeline::settings() const {
   return state_->settings;
-}
-
-cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face) {
-  const cv::Mat& depth = result.depth->depth_mm;
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  cv::Mat points(depth.size(), CV_32FC3, cv::Scalar(kNaN, kNaN, kNaN));
-  for (int row = 0; row < depth.rows; ++row) {
-    const float* d = depth.ptr<float>(row);
-    auto* point = points.ptr<cv::Vec3f>(row);
-    for (int u = 0; u < depth.cols; ++u) {
-      if (!std::isfinite(d[u])) continue;
-      const auto local = result.shape->at(u, row);
-      if (!local) continue;
-      const Eigen::Vector3d p = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ);
-      point[u] = {
-          static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()) - d[u]};
-    }
-  }
-  return points;
 }
 
 }  // namespace alltact

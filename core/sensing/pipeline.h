@@ -38,6 +38,8 @@ struct FrameResult {
   std::optional<FaceEdges> edges;
   std::optional<FaceShape> shape;  ///< turned by the twist that the markers tell
   std::optional<Markers> markers;
+  MarkerMethod marker_method =
+      MarkerMethod::kBlobs;  ///< that found them, where there is a reference
   /// Of a finger without a reference recording, in frames whose two rows are not plain: dots that
   /// are no markers yet.
   std::vector<Dot> dots;
@@ -75,12 +77,14 @@ struct FrameResult {
 class Pipeline {
  public:
   /// Reads the finger's reference recording. A finger without a mapping works up to `difference`.
-  /// Errors: those of ReferenceLibrary::load.
+  /// Errors: those of ReferenceLibrary::load, and of DotNetwork::load where a network finds the
+  /// markers.
   static Result<Pipeline> create(const FingerSnapshot& finger,
                                  const PipelineSettings& settings,
                                  const Job& job);
 
-  /// A pipeline over a library that is already in memory.
+  /// A pipeline over a library that is already in memory. A network for the markers that cannot be
+  /// used is a problem of every frame.
   static Pipeline over(ReferenceLibrary library,
                        const FingerSnapshot& finger,
                        const PipelineSettings& settings);

@@ -1,5 +1,7 @@
 #include "core/sensing/pipeline_settings.h"
 
+#include <fmt/format.h>
+
 namespace alltact {
 namespace {
 
@@ -35,6 +37,32 @@ std::vector<Setting<S>> settings_of_edges() {
                        "hidden"),
                en::say("higher makes the fit longer"),
                {"3", "5", "7", "9"}})};
+}
+
+std::vector<Setting<S>> settings_of_markers() {
+  return {
+      trading(
+          choice_setting<S, MarkerMethod>(
+              "marker-method",
+              en::say(
+                  "how the engraved dots are found and numbered: spots followed by how the "
+                  "finger moves, the source paper's two sorted rows, or a convolutional network "
+                  "in every frame"),
+              &S::marker_method,
+              {{"blobs", MarkerMethod::kBlobs},
+               {"paper", MarkerMethod::kPaper},
+               {"network", MarkerMethod::kNetwork}}),
+          {en::say("'network' finds more dots that are worn, dark or badly lit; 'paper' loses its "
+                   "numbers where dots are hidden"),
+           en::say("'network' takes many times as long"),
+           {"paper", "blobs", "network"},
+           {"network"}}),
+      text_setting<S>(
+          "marker-network",
+          en::say("the network that marker-method network uses, and paper too where one is named: "
+                  "an ONNX file, a detector such as YOLO11 among them"),
+          &S::marker_network,
+          fmt::format("a file, or {}", kOwnNetwork))};
 }
 
 std::vector<Setting<S>> settings_of_depth() {
@@ -84,7 +112,8 @@ std::vector<Setting<S>> settings_of_depth() {
 const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
   static const std::vector<Setting<S>> settings = [] {
     std::vector<Setting<S>> all = settings_of_edges();
-    for (Setting<S>& setting : settings_of_depth()) all.push_back(std::move(setting));
+    for (const auto& more : {settings_of_markers(), settings_of_depth()})
+      all.insert(all.end(), more.begin(), more.end());
     return all;
   }();
   return settings;

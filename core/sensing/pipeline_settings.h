@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/sensing/face/face_edges.h"
+#include "core/sensing/markers/marker_methods.h"
 #include "core/sensing/reference/reference_library.h"
 #include "core/settings.h"
+
+#include <string>
 
 namespace alltact {
 
@@ -17,6 +20,8 @@ struct PipelineSettings {
   EdgeMethod edge_method = EdgeMethod::kCrossing;
   int edge_columns = 8;
   int profile_degree = 7;
+  MarkerMethod marker_method = MarkerMethod::kBlobs;
+  std::string marker_network = kOwnNetwork;  ///< an ONNX file
   ReferenceMethod reference = ReferenceMethod::kLocal;
   LightChange light = LightChange::kCorrected;
   double smoothing_px = 1.0;

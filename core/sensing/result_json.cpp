@@ -198,6 +198,8 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   if (result.frame->time_ns != 0) line["time_ns"] = result.frame->time_ns;
   if (result.depth && result.shape) line["face"] = face_json(*result.shape);
   if (result.markers) line["markers"] = markers_json(*result.markers);
+  if (result.markers && result.marker_method != MarkerMethod::kBlobs)
+    line["marker_method"] = to_string(result.marker_method);
   if (result.reference)
     line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);
   if (result.push) line["contact"] = push_json(*result.push);

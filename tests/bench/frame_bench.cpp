@@ -89,12 +89,10 @@ struct Rig {
   ~Rig() { std::filesystem::remove_all(folder); }
 };
 
-void whole_frame(benchmark::State& state, ReferenceMethod method) {
+void whole_frame(benchmark::State& state, const PipelineSettings& settings) {
   cv::setNumThreads(1);
   const auto scale = static_cast<int>(state.range(0));
   const Rig rig(scale);
-  PipelineSettings settings;
-  settings.reference = method;
   auto pipeline =
       Pipeline::create(FingerSnapshot::of(rig.folder, rig.finger).value(), settings, Job());
   if (!pipeline) {
@@ -126,10 +124,23 @@ void whole_frame(benchmark::State& state, ReferenceMethod method) {
 }
 
 void BM_WholeFrame(benchmark::State& state) {
-  whole_frame(state, ReferenceMethod::kLocal);
+  whole_frame(state, {});
 }
 void BM_WholeFrameNearest(benchmark::State& state) {
-  whole_frame(state, ReferenceMethod::kNearest);
+  PipelineSettings settings;
+  settings.reference = ReferenceMethod::kNearest;
+  whole_frame(state, settings);
+}
+/// markers_ms tells what each way of finding the markers costs.
+void BM_WholeFramePaperMarkers(benchmark::State& state) {
+  PipelineSettings settings;
+  settings.marker_method = MarkerMethod::kPaper;
+  whole_frame(state, settings);
+}
+void BM_WholeFrameNetworkMarkers(benchmark::State& state) {
+  PipelineSettings settings;
+  settings.marker_method = MarkerMethod::kNetwork;
+  whole_frame(state, settings);
 }
 
 /// The bytes a frame cannot do without: the picture, its reference, the depth.
@@ -146,6 +157,8 @@ void BM_CopySameBytes(benchmark::State& state) {
 BENCHMARK(BM_CopySameBytes)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_WholeFrame)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_WholeFrameNearest)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_WholeFramePaperMarkers)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_WholeFrameNetworkMarkers)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace alltact

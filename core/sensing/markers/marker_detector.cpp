@@ -212,19 +212,18 @@ double unevenness(const std::vector<Dot>& dots, int per_row, bool base_at_low_u)
 
 }  // namespace
 
-MarkerDetector::Found MarkerDetector::operator()(const cv::Mat& grey,
-                                                 const FaceShape& shape) const {
+FoundDots MarkerDetector::operator()(const cv::Mat& grey, const FaceShape& shape) const {
   const SideEdges edges(shape);
   if (grey.type() != CV_8UC1 || grey.cols != shape.width_px() || rows_.per_row <= 0) return {};
   const Small small = shrink(grey, edges);
   const auto found = [&](Polarity polarity) {
-    Found result{detect(grey, edges, small, polarity == Polarity::kBright, rows_.per_row),
-                 polarity};
+    FoundDots result{
+        detect(grey, edges, small, polarity == Polarity::kBright, rows_.per_row), polarity, {}};
     place_on_finger(result.dots, shape, edges);
     return result;
   };
   if (rows_.polarity != Polarity::kAuto) return found(rows_.polarity);
-  Found bright = found(Polarity::kBright), dark = found(Polarity::kDark);
+  FoundDots bright = found(Polarity::kBright), dark = found(Polarity::kDark);
   const bool base = shape.base_at_low_u();
   return unevenness(dark.dots, rows_.per_row, base) < unevenness(bright.dots, rows_.per_row, base)
              ? dark

@@ -50,16 +50,22 @@ std::optional<Markers> MarkerTracker::operator()(const cv::Mat& grey,
     last_ = follow(grey, shape);
     if (last_) return last_;
   }
-  const auto found = detector_(grey, shape);
-  last_ = model_.number(found.dots);
-  if (last_ && model_.residual_px(*last_) > kMostResidualPx) last_.reset();
-  if (!last_ && problem)
+  last_ = numbered(detector_(grey, shape), model_, problem);
+  return last_;
+}
+
+std::optional<Markers> numbered(const FoundDots& found,
+                                const MarkerModel& model,
+                                Message* problem) {
+  auto markers = model.number(found.dots);
+  if (markers && model.residual_px(*markers) > kMostResidualPx) markers.reset();
+  if (!markers && problem)
     *problem = en::say(
         "{} dots were found beside the face, but no third of the {} markers among them fits a pose "
         "of the reference recording",
         found.dots.size(),
-        model_.present_count());
-  return last_;
+        model.present_count());
+  return markers;
 }
 
 }  // namespace alltact

@@ -8,6 +8,8 @@
 #include "core/message.h"
 #include "core/result.h"
 #include "core/sensing/face/face_shape.h"
+#include "core/sensing/markers/dot.h"
+#include "core/sensing/markers/dot_finder.h"
 
 #include <algorithm>
 #include <optional>
@@ -20,41 +22,14 @@ namespace alltact {
 
 class LocalLayout;
 
-struct Marker {
-  double u = 0, v = 0;  ///< px, oriented picture; an estimate when not seen
-  bool seen = false;
-  double sd_px = 0;  ///< expected standard deviation of u and of v
-};
-
-/// 2n markers by number.
-using Markers = std::vector<Marker>;
-
-/// A dot found in the picture, not yet numbered.
-struct Dot {
-  double u = 0, v = 0;
-  double radius_px = 0;  ///< of the disc of the same area
-  double contrast = 0;   ///< grey levels against the surroundings; sign is the polarity
-  double sd_px = 0;
-  bool upper = false;   ///< on the side face at small v
-  double along_mm = 0;  ///< length of the face from its base to the dot's foot on it
-  double face_px = 0;   ///< width of the face at the dot's distance
-  double off_face = 0;  ///< distance from the face, in parts of its width
-  double half_u_px = 0, half_v_px = 0;  ///< half extents at half height; 0: not known
-};
-
 /// Finds dots on the side faces (outside the face's edges) by multi-scale blob response, sub-pixel
 /// by the centroid above the local background. Remembers nothing.
-class MarkerDetector {
+class MarkerDetector : public DotFinder {
  public:
   explicit MarkerDetector(MarkerRows rows) : rows_(rows) {}
 
-  /// Every plausible dot, also false ones; numbering them is for MarkerModel and the recording.
   /// With Polarity::kAuto the polarity that gives the more even rows wins and is reported.
-  struct Found {
-    std::vector<Dot> dots;
-    Polarity polarity = Polarity::kBright;
-  };
-  [[nodiscard]] Found operator()(const cv::Mat& grey, const FaceShape& shape) const;
+  [[nodiscard]] FoundDots operator()(const cv::Mat& grey, const FaceShape& shape) const override;
 
  private:
   MarkerRows rows_;
@@ -131,18 +106,22 @@ class MarkerModel {
   int present_ = 0;
 };
 
+/// Numbers the dots of one picture by the model. nullopt with `problem` set, where it is not null,
+/// when they fit no pose of the recording.
+[[nodiscard]] std::optional<Markers> numbered(const FoundDots& found,
+                                              const MarkerModel& model,
+                                              Message* problem);
+
 /// Follows the markers from frame to frame: looks near where each was, and detects anew only when
 /// that fails. Remembers the last frame.
-class MarkerTracker {
+class MarkerTracker : public MarkerFinder {
  public:
   MarkerTracker(MarkerRows rows, MarkerModel model);
 
-  /// nullopt with `problem` set when the markers could not be found.
   [[nodiscard]] std::optional<Markers> operator()(const cv::Mat& grey,
                                                   const FaceShape& shape,
-                                                  Message* problem);
-  /// Forgets the last frame: the next one is looked at as if it were the first.
-  void forget() { last_.reset(); }
+                                                  Message* problem) override;
+  void forget() override { last_.reset(); }
 
  private:
   [[nodiscard]] std::optional<Markers> follow(const cv::Mat& grey, const FaceShape& shape);

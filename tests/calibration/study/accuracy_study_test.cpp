@@ -147,7 +147,7 @@ TEST(AccuracyStudy, GoesOnWhereItWasStopped) {
 
 TEST(StudyChoices, HoldEveryValueOnceAndEveryTwoOfThem) {
   const PipelineSettings base;
-  std::size_t singles = 0, pairs = 0;
+  std::size_t singles = 0, combined = 0, pairs = 0;
   for (const auto& setting : pipeline_settings()) {
     if (!setting.trade) continue;
     const auto& tried = setting.trade->tried;
@@ -155,7 +155,9 @@ TEST(StudyChoices, HoldEveryValueOnceAndEveryTwoOfThem) {
         << setting.name << ": its default is among what is tried";
     EXPECT_FALSE(setting.trade->gains.empty());
     EXPECT_FALSE(setting.trade->costs.empty());
-    pairs += singles * (tried.size() - 1);
+    const std::size_t both = tried.size() - 1 - setting.trade->alone.size();
+    pairs += combined * both;
+    combined += both;
     singles += tried.size() - 1;
   }
   const auto quick = study_choices(base, StudyExtent::kQuick);

@@ -144,5 +144,21 @@ TEST(FailureLine, IsOneObjectWithItsReason) {
   EXPECT_EQ(json.at("problems")[0], "broken\nfile");
 }
 
+TEST(ResultJson, TheWayMarkersWereFoundIsSaidUnlessItIsTheUsualOne) {
+  FrameResult result;
+  auto frame = std::make_shared<Frame>();
+  frame->name = "one";
+  result.frame = frame;
+  result.markers = Markers{{1.5, 2.5, true, 0.1}};
+  EXPECT_EQ(result_line(result, 0, ReferenceMethod::kLocal).find("marker_method"),
+            std::string::npos);
+  result.marker_method = MarkerMethod::kNetwork;
+  EXPECT_NE(result_line(result, 0, ReferenceMethod::kLocal).find(R"("marker_method":"network")"),
+            std::string::npos);
+  result.markers.reset();
+  EXPECT_EQ(result_line(result, 0, ReferenceMethod::kLocal).find("marker_method"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace alltact

@@ -1,0 +1,116 @@
+#include "core/sensing/markers/marker_methods.h"
+
+#include "core/program.h"
+#include "core/sensing/markers/networks/network_dot_finder.h"
+#include "core/sensing/markers/paper_rows.h"
+
+#include <utility>
+
+namespace alltact {
+namespace {
+
+/// Every frame for itself, numbered by the model.
+class ModelledDots : public MarkerFinder {
+ public:
+  ModelledDots(std::unique_ptr<const DotFinder> finder, MarkerModel model)
+      : finder_(std::move(finder)), model_(std::move(model)) {}
+
+  std::optional<Markers> operator()(const cv::Mat& grey,
+                                    const FaceShape& shape,
+                                    Message* problem) override {
+    const FoundDots found = (*finder_)(grey, shape);
+    if (found.problem.empty()) return numbered(found, model_, problem);
+    if (problem) *problem = en::say("{}.", found.problem);
+    return std::nullopt;
+  }
+  void forget() override {}
+
+ private:
+  std::unique_ptr<const DotFinder> finder_;
+  MarkerModel model_;
+};
+
+/// The source paper's rows; remembers the last frame's to tell which markers are hidden.
+class SortedDots : public MarkerFinder {
+ public:
+  SortedDots(std::unique_ptr<const DotFinder> finder, int per_row, Markers rest)
+      : finder_(std::move(finder)), per_row_(per_row), rest_(std::move(rest)), last_(rest_) {}
+
+  std::optional<Markers> operator()(const cv::Mat& grey,
+                                    const FaceShape& shape,
+                                    Message* problem) override {
+    const FoundDots found = (*finder_)(grey, shape);
+    auto markers =
+        paper_rows(found.dots, per_row_, shape.base_at_low_u(), last_.empty() ? nullptr : &last_);
+    if (markers)
+      last_ = *markers;
+    else if (problem)
+      *problem = found.problem.empty()
+                     ? en::say("{} dots were found beside the face: too few to sort into two rows",
+                               found.dots.size())
+                     : en::say("{}.", found.problem);
+    return markers;
+  }
+  void forget() override { last_ = rest_; }
+
+ private:
+  std::unique_ptr<const DotFinder> finder_;
+  int per_row_;
+  Markers rest_, last_;  // empty: not known
+};
+
+Result<std::unique_ptr<const DotFinder>> network_finder(const std::string& network,
+                                                        const MarkerRows& rows) {
+  std::filesystem::path file = network;
+  if (network == kOwnNetwork) {
+    const auto own = find_resource(kOwnMarkerNetwork);
+    if (!own) return own.error();
+    file = *own;
+  }
+  auto loaded = DotNetwork::load(file);
+  if (!loaded) return loaded.error();
+  return std::unique_ptr<const DotFinder>(
+      std::make_unique<NetworkDotFinder>(std::move(loaded).value(), rows));
+}
+
+Markers rest_of(const Finger& finger) {
+  Markers rest;
+  if (!finger.contact) return rest;
+  for (const Eigen::Vector2d& place : finger.contact->rest_markers)
+    rest.push_back({place.x(), place.y(), true, 0});
+  return rest;
+}
+
+}  // namespace
+
+const char* to_string(MarkerMethod method) {
+  switch (method) {
+    case MarkerMethod::kPaper:
+      return "paper";
+    case MarkerMethod::kNetwork:
+      return "network";
+    case MarkerMethod::kBlobs:
+      break;
+  }
+  return "blobs";
+}
+
+Result<std::unique_ptr<MarkerFinder>> make_marker_finder(MarkerMethod method,
+                                                         const std::string& network,
+                                                         const Finger& finger,
+                                                         const MarkerModel& model) {
+  const MarkerRows& rows = finger.markers;
+  using Made = std::unique_ptr<MarkerFinder>;
+  if (method == MarkerMethod::kBlobs) return Made(std::make_unique<MarkerTracker>(rows, model));
+  std::unique_ptr<const DotFinder> dots = std::make_unique<MarkerDetector>(rows);
+  if (method == MarkerMethod::kNetwork || network != kOwnNetwork) {
+    auto loaded = network_finder(network, rows);
+    if (!loaded) return loaded.error();
+    dots = std::move(loaded).value();
+  }
+  if (method == MarkerMethod::kNetwork)
+    return Made(std::make_unique<ModelledDots>(std::move(dots), model));
+  return Made(std::make_unique<SortedDots>(std::move(dots), rows.per_row, rest_of(finger)));
+}
+
+}  // namespace alltact
