@@ -136,6 +136,7 @@ Result<GaugeReport> GaugeReport::parse(const std::string& text) {
 Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
                                              const std::filesystem::path& origin) {
   GaugeReport report;
+  Value value;  // what a line leaves empty is as above
   std::vector<std::string> names;
   std::istringstream lines{std::string(csv)};
   int number = 0;
@@ -151,7 +152,6 @@ Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
     if (cells.size() != names.size())
       return Error{
           en::say("has {} cells, not {}", cells.size(), names.size()), where, report_advice()};
-    Value value;
     bool has_place = false;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].empty()) continue;

@@ -30,7 +30,7 @@ struct GaugeReport {
   /// byte first, or with "be" behind high byte first. Error: not of that form or impossible.
   static Result<GaugeReport> parse(const std::string& text);
   /// A table: CSV whose first line names at, type and as it likes scale, zero, unit, id; a line a
-  /// value. Errors name the line.
+  /// value, where empty cells are as above. Errors name the line.
   static Result<GaugeReport> parse_table(std::string_view csv, const std::filesystem::path& origin);
   /// `told`: the text of parse(), or the file of a table.
   static Result<GaugeReport> from(const std::string& told);

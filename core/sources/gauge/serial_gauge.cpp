@@ -123,7 +123,8 @@ bool SerialGauge::is_of_this_gauge(const GaugeLine& line) {
 
 void SerialGauge::take_line(const GaugeLineReader::Line& line, GaugeNews& news) {
   const GaugeLine told = read_gauge_line(line.text, options_.rules);
-  const double told_s = asked_s_ ? 0.5 * (*asked_s_ + line.time_s) : line.time_s;
+  const double told_s =
+      asked_s_ ? 0.5 * (*asked_s_ + std::max(*asked_s_, line.time_s)) : line.time_s;
   if (told.kind != GaugeLine::Kind::kNoise) unanswered_ = 0;
   if (!options_.ask.empty() && asked_s_) asked_s_.reset();
   if (told.kind == GaugeLine::Kind::kNoise ||
