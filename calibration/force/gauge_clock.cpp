@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kFineStep_s = 0.01, kCoarseStep_s = 0.05;
 constexpr double kLeastClockR2 = 0.3, kMostClockSd_s = 0.05;
-/// How much worse the next best shift must be, unless it is beside the best.
-constexpr double kUnlikeR2 = 0.02, kBeside_s = 0.75;
+/// How much worse the next best shift must be, and how deep the valley is that makes it another.
+constexpr double kUnlikeR2 = 0.02, kValleyR2 = 0.06;
 /// The fast part of the force must be more than this of the whole, or it is but rounding.
 constexpr double kLeastFastPart = 1e-2;
 constexpr double kDriftWindow_s = 30, kDriftSearch_s = 0.3, kMostDrift = 2e-3;
@@ -35,6 +35,21 @@ ShiftPeak peak_of(const std::vector<double>& values, double first_s, double step
   if (bend < 0)
     peak.shift_s += step_s * std::clamp(0.5 * (values[at - 1] - values[at + 1]) / bend, -0.5, 0.5);
   return peak;
+}
+
+/// No other shift is as good: whatever beats like a clock fits every beat.
+bool is_alone(const std::vector<double>& values) {
+  const auto best = std::max_element(values.begin(), values.end());
+  const double most = *best;
+  const auto goes_on = [&](auto from, auto to) {
+    double valley = most;
+    for (; from != to; ++from) {
+      valley = std::min(valley, *from);
+      if (valley<most - kValleyR2&& * from> most - kUnlikeR2) return false;
+    }
+    return true;
+  };
+  return goes_on(best, values.end()) && goes_on(std::make_reverse_iterator(best), values.rend());
 }
 
 class ClockSearch {
@@ -84,7 +99,7 @@ class ClockSearch {
       r2.push_back(whole.r2());
     }
     const ShiftPeak peak = peak_of(r2, -steps * kFineStep_s, kFineStep_s);
-    if (!peak.is_inside || peak.r2 < kLeastClockR2 || !is_alone(r2, peak)) return false;
+    if (!peak.is_inside || peak.r2 < kLeastClockR2 || !is_alone(r2)) return false;
     clock.sd_s = jackknife_sd_s(parts, peak, steps);
     if (!(clock.sd_s <= kMostClockSd_s)) return false;
     clock.shift_s += peak.shift_s;
@@ -109,12 +124,7 @@ class ClockSearch {
     }
     if (r2.empty()) return false;
     const ShiftPeak peak = peak_of(r2, first_s, kCoarseStep_s);
-    ShiftPeak by_index = peak;
-    by_index.shift_s -= first_s;
-    for (std::size_t i = 0; i < r2.size(); ++i)
-      if (std::abs(kCoarseStep_s * static_cast<double>(i) - by_index.shift_s) > kBeside_s &&
-          r2[i] > peak.r2 - kUnlikeR2)
-        return false;
+    if (!is_alone(r2)) return false;
     if (peak.r2 < kLeastClockR2) return false;
     clock.shift_s = peak.shift_s;
     return true;
@@ -140,15 +150,6 @@ class ClockSearch {
   }
 
  private:
-  [[nodiscard]] static bool is_alone(const std::vector<double>& r2, const ShiftPeak& peak) {
-    const double middle = 0.5 * static_cast<double>(r2.size() - 1);
-    for (std::size_t i = 0; i < r2.size(); ++i)
-      if (std::abs(kFineStep_s * (static_cast<double>(i) - middle) - peak.shift_s) > kBeside_s &&
-          r2[i] > peak.r2 - kUnlikeR2)
-        return false;
-    return true;
-  }
-
   [[nodiscard]] static double jackknife_sd_s(
       const std::array<std::vector<FitSums>, kClockStretches>& parts,
       const ShiftPeak& peak,
