@@ -120,6 +120,8 @@ class GaugeReader {
       } else if (const auto force = force_column(cell, options_.unit_N)) {
         name = force->first;
         columns_.unit_N[name == "fy" ? 1 : name == "fz" ? 2 : 0] = force->second;
+      } else if (name == "fx" || name == "fy" || name == "fz" || name == "f") {
+        return wrong(en::say("the column '{}' counts in no unit of force", printable(cell)));
       }
       if (!columns_.at.emplace(name, static_cast<int>(count_++)).second)
         return wrong(en::say("the column '{}' is given twice", printable(cell)));

@@ -220,7 +220,8 @@ class TableReader {
   }
 
   Result<ForceTable> whole() {
-    if (count_ == 0) return Error{en::say("the table has no rows"), origin_, table_advice()};
+    if (count_ == 0)
+      return Error{en::say("{} rows are too few to learn from", 0), origin_, table_advice()};
     using ByRow = Eigen::Matrix<double, -1, -1, Eigen::RowMajor>;
     const auto matrix = [&](const std::vector<double>& numbers) -> Eigen::MatrixXd {
       return Eigen::Map<const ByRow>(
