@@ -5,6 +5,7 @@
 #include "app/console/console.h"
 #include "calibration/checks/press_check.h"
 #include "calibration/export/export_finger.h"
+#include "calibration/force/collect_force.h"
 #include "calibration/force/train_force.h"
 #include "calibration/joint/calibrate.h"
 #include "calibration/lens/calibrate_lens.h"
@@ -16,6 +17,7 @@
 #include "core/recording/recorder.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
+#include "core/sources/gauge/open_gauge.h"
 #include "core/sources/hid/hid_button.h"
 #include "core/sources/source.h"
 #include "widgets/scene3d/scene_options.h"
@@ -140,6 +142,7 @@ struct RecordOptions {
   int threads = 1;
   std::optional<std::uint64_t> frames;  ///< ends after so many
   std::optional<double> seconds;        ///< ends after so much recorded time
+  GaugeChoice gauge;                    ///< read beside; none where its name is empty
 };
 /// Records a source until it ends or is stopped; with a button, between one press and the next, or
 /// a picture a press. Error: frames were lost on this computer, or could not be read; the recording
@@ -160,13 +163,18 @@ Status run_check_numerics(Console& console);
 
 struct ForceOptions {
   Path finger;
-  Path table;
-  ForceTraining training;
-  bool again = false;  ///< with the table that the finger keeps
+  std::vector<Path> tables;
+  std::optional<ForceSplit> split;
+  std::optional<ForceKind> kind;
+  bool is_kind_told = false;  ///< else, with `again`, as before; kind is empty for "auto"
+  std::optional<double> creep_s;
+  bool again = false;  ///< with the table that the finger keeps, split, kind and creep as before
   bool undo = false;   ///< back to the model from before
   int threads = 1;
   std::vector<Path> recording;  ///< a table is made of it, and of:
-  Path gauge, output;
+  Path gauge, output;           ///< gauge: empty where it lies beside the recording
+  GaugeFileOptions gauge_file;
+  CollectOptions collect;
 };
 /// Trains a finger's force model, or collects a table for that.
 Status run_force(const ForceOptions& options, Console& console);

@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/commands/gauge_flags.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "calibration/force/collect_force.h"
@@ -83,14 +84,39 @@ void tell_training(const TrainedForce& trained, Console& console) {
   answer["remarks"] = in_english(trained.remarks);
 }
 
+/// The gauge's file that was told, or the one that was written beside the recording.
+Result<Path> gauge_file_of(const ForceOptions& options) {
+  if (!options.gauge.empty()) return options.gauge;
+  const Path beside = gauge_log_of(options.recording.front());
+  std::error_code ignored;
+  if (options.recording.size() == 1 && std::filesystem::exists(beside, ignored)) return beside;
+  return Error{en::say("there are no readings of a gauge beside the recording"),
+               beside,
+               en::say("--gauge FILE, or alltact record --gauge")};
+}
+
+Console::Json json_of(const GaugeClock& clock) {
+  static constexpr std::array<const char*, 3> kSources{"assumed", "given", "motion"};
+  Console::Json json{{"source", kSources.at(static_cast<std::size_t>(clock.source) - 1)},
+                     {"shift_s", clock.shift_s},
+                     {"drift_ppm", 1e6 * clock.drift}};
+  if (clock.source == GaugeClock::Source::kMotion) {
+    json["sd_s"] = clock.sd_s;
+    json["r2"] = clock.r2;
+  }
+  return json;
+}
+
 Status run_collect_force(const ForceOptions& options, Console& console) {
   const auto finger = open_finger(options.finger, console);
   if (!finger) return finger.error();
-  const auto gauge = ForceGauge::load(options.gauge);
+  const auto file = gauge_file_of(options);
+  if (!file) return file.error();
+  const auto gauge = ForceGauge::load(*file, options.gauge_file);
   if (!gauge) return gauge.error();
   const auto frames = marker_frames(options.recording, **finger, console.job());
   if (!frames) return frames.error();
-  const auto collected = collect_force(*frames, *gauge);
+  const auto collected = collect_force(*frames, *gauge, options.collect);
   if (!collected) return collected.error();
   for (const Message& remark : collected->remarks) console.warn(remark.english());
   if (const Status kept = write_file_atomically(options.output, collected->table.to_csv()); !kept)
@@ -103,9 +129,28 @@ Status run_collect_force(const ForceOptions& options, Console& console) {
   Console::Json& answer = console.answer();
   answer["rows"] = collected->table.rows();
   answer["left_out"] = collected->left_out;
+  answer["clock"] = json_of(collected->clock);
+  if (std::isfinite(collected->reading_sd_N)) {
+    console.say(fmt::format("The gauge rounds to an sd of {:.2g} N.", collected->reading_sd_N));
+    answer["reading_sd_n"] = collected->reading_sd_N;
+  }
   answer["remarks"] = in_english(collected->remarks);
   answer["table"] = options.output.string();
   return {};
+}
+
+/// As it was trained before where it is trained again, and as it is told now.
+Result<ForceTraining> training_of(const ForceOptions& options) {
+  ForceTraining training;
+  if (options.again) {
+    const auto before = kept_force_training(options.finger);
+    if (!before) return before.error();
+    training = *before;
+  }
+  if (options.split) training.split = *options.split;
+  if (options.is_kind_told) training.kind = options.kind;
+  if (options.creep_s) training.creep_s = *options.creep_s;
+  return training;
 }
 
 Status run_undo_force(const Path& folder, Console& console) {
@@ -125,8 +170,10 @@ Status run_force(const ForceOptions& options, Console& console) {
   if (!options.recording.empty()) return run_collect_force(options, console);
   const auto finger = open_finger(options.finger, console);
   if (!finger) return finger.error();
+  const auto training = training_of(options);
+  if (!training) return training.error();
   const auto table =
-      options.again ? kept_force_table(options.finger) : ForceTable::load(options.table);
+      options.again ? kept_force_table(options.finger) : ForceTable::load_all(options.tables);
   if (!table) return table.error();
   if (!table->passed_over.empty()) {
     std::string names;
@@ -134,7 +181,7 @@ Status run_force(const ForceOptions& options, Console& console) {
     console.warn(fmt::format("Columns that are passed over: {}", names));
   }
   cv::setNumThreads(options.threads);
-  const auto trained = give_force(options.finger, *table, options.training, console.job());
+  const auto trained = give_force(options.finger, *table, *training, console.job());
   if (!trained) return trained.error();
   tell_training(*trained, console);
   return {};
@@ -144,33 +191,32 @@ void add_force(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ForceOptions>();
   CLI::App* command = add_command(program, "force");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
-  CLI::Option* table = command->add_option(
-      "TABLE",
-      options->table,
-      "CSV with columns u0, v0, u1, ... (px), fx_n, fy_n and, as it likes, fz_n, seen0, ..., "
-      "along_mm, across_mm, t_s, block, day, indenter");
-  auto split = std::make_shared<std::string>("block"), kind = std::make_shared<std::string>("auto");
+  CLI::Option* table =
+      command->add_option("TABLE",
+                          options->tables,
+                          "CSV (one, or several of the same finger) with columns u0, v0, u1, ... "
+                          "(px), fx_n, fy_n and, as it likes, fz_n, seen0, ..., "
+                          "along_mm, across_mm, t_s, block, day, indenter");
+  auto split = std::make_shared<std::string>(), kind = std::make_shared<std::string>();
   command
       ->add_option(
           "--split",
           *split,
           "What is held out together: block, day, indenter; random holds out single frames "
-          "and tells too small errors")
-      ->check(CLI::IsMember({"block", "day", "indenter", "random"}))
-      ->capture_default_str();
+          "and tells too small errors (default block; with --again as before)")
+      ->check(CLI::IsMember({"block", "day", "indenter", "random"}));
   command
       ->add_option("--model",
                    *kind,
                    "What is kept: auto (the simplest that no other beats), mean, ridge, quadratic, "
-                   "network")
-      ->check(CLI::IsMember({"auto", "mean", "ridge", "quadratic", "network"}))
-      ->capture_default_str();
+                   "network (default auto; with --again as before)")
+      ->check(CLI::IsMember({"auto", "mean", "ridge", "quadratic", "network"}));
   command
       ->add_option("--creep-s",
-                   options->training.creep_s,
-                   "Creep as an input: displacements less their running mean over so many seconds "
-                   "(default: none)")
-      ->check(CLI::Range(0.01, 1e5));
+                   options->creep_s,
+                   "Creep as an input: displacements less their running mean over so many seconds, "
+                   "0: none (default none; with --again as before)")
+      ->check(CLI::Range(0.0, 1e5));
   CLI::Option* again =
       command->add_flag("--again", options->again, "Trains with the table that the finger keeps");
   CLI::Option* undo = command->add_flag(
@@ -184,26 +230,30 @@ void add_force(CLI::App& program, Chosen& chosen) {
           ->type_name("RECORDING");
   CLI::Option* gauge = command->add_option("--gauge",
                                            options->gauge,
-                                           "With --collect: CSV with t_s or frame, fx_n, fy_n; or "
-                                           "truth.json of alltact simulate");
+                                           "With --collect: CSV with t_s or frame, fx_n, fy_n (or "
+                                           "force_n alone); or truth.json of alltact simulate "
+                                           "(default: RECORDING's NAME.gauge.csv)");
   gauge->type_name("FILE");
   CLI::Option* output =
       command->add_option("-o,--output", options->output, "With --collect: the table's file");
   output->type_name("TABLE");
-  collect->needs(gauge)->needs(output);
+  collect->needs(output);
+  add_gauge_file_flags(*command, collect, options->gauge_file, options->collect);
   gauge->needs(collect), output->needs(collect);
   table->excludes(again)->excludes(undo)->excludes(collect);
   again->excludes(undo)->excludes(collect);
   undo->excludes(collect);
   add_threads_flag(*command, options->threads);
   command->callback([=, &chosen] {
-    if (options->table.empty() && !options->again && !options->undo && options->recording.empty())
+    if (options->tables.empty() && !options->again && !options->undo && options->recording.empty())
       throw CLI::ValidationError("TABLE", "is required, or --again, --undo or --collect");
     const auto place = [](const auto& words, const std::string& word) {
       return std::find(words.begin(), words.end(), word) - words.begin() + 1;
     };
-    options->training.split = static_cast<ForceSplit>(place(kForceSplits, *split));
-    if (*kind != "auto") options->training.kind = static_cast<ForceKind>(place(kForceKinds, *kind));
+    if (!split->empty()) options->split = static_cast<ForceSplit>(place(kForceSplits, *split));
+    options->is_kind_told = !kind->empty();
+    if (options->is_kind_told && *kind != "auto")
+      options->kind = static_cast<ForceKind>(place(kForceKinds, *kind));
     chosen = [=](Console& console) { return run_force(*options, console); };
   });
 }

@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/commands/gauge_flags.h"
 #include "app/commands/source_reader.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
@@ -57,14 +58,20 @@ Message progress(const RecorderCounts& counts) {
 
 /// From `first` (or the next frame) to the last; what it ended for, for the journal. The recorder's
 /// own end shows in Recorder::problem().
-std::string record_all(
-    SourceReader& reading, FramePtr first, Recorder& recorder, Extent& extent, Console& console) {
+std::string record_all(SourceReader& reading,
+                       FramePtr first,
+                       Recorder& recorder,
+                       Extent& extent,
+                       GaugeLog* gauge,
+                       Console& console) {
   const Source& source = reading.source();
   while (true) {
     const FramePtr frame = first ? std::exchange(first, nullptr) : reading.next();
+    tell_gauge(gauge, console);
     if (reading.is_over()) return reading.why().english();
     if (reading.is_pressed() && extent.frames() > 0) return "the button was pressed";
     if (!frame) continue;
+    if (gauge != nullptr) gauge->meet(*frame);
     const bool is_taken = source.is_live() ? recorder.add(frame) : recorder.add_waiting(frame);
     if (!is_taken && recorder.problem()) return {};
     extent.add(*frame);
@@ -104,21 +111,26 @@ Status record_one(SourceReader& reading,
                   const FramePtr& first,
                   const Path& video,
                   const RecordOptions& options,
+                  GaugeLog* gauge,
                   Console::Json& answer,
                   Console& console) {
   auto recorder = Recorder::start(
       video, options.recorder, reading.source().frames_per_s(), options.inputs.front().string());
   if (!recorder) return recorder.error();
+  if (gauge != nullptr)
+    if (const Status begun = gauge->begin(gauge_log_of(video)); !begun) return begun;
   Extent extent(options);
-  const std::string why = record_all(reading, first, **recorder, extent, console);
+  const std::string why = record_all(reading, first, **recorder, extent, gauge, console);
   const Status finished = (*recorder)->finish(why, console.job());
   const RecorderCounts counts = (*recorder)->counts();
   tell(video, counts, extent, answer, console);
+  const Status told = end_gauge(gauge, video, answer, console);
   const Message lost = en::say("{} frames were lost here", counts.dropped);
   if (!finished) {
     if (counts.dropped > 0) console.warn(fmt::format("{}.", lost));
     return finished;
   }
+  if (!told) return told;
   if (counts.dropped > 0)
     return Error{en::say("{}, because the disk or this computer was too slow", lost),
                  video.string(),
@@ -133,7 +145,7 @@ Status all_was_readable(const SourceReader& reading, const RecordOptions& option
                ""};
 }
 
-/// NAME-001.mkv, the first from `number` on that neither it nor its journal exists; `number` is
+/// NAME-001.mkv, the first from `number` on of which nothing exists; `number` is
 /// left behind it.
 Path next_free(const Path& output, int& number) {
   std::error_code ignored;
@@ -142,7 +154,8 @@ Path next_free(const Path& output, int& number) {
     file = output.parent_path() /
            fmt::format("{}-{:03}{}", output.stem().string(), number++, output.extension().string());
   } while (std::filesystem::exists(file, ignored) ||
-           std::filesystem::exists(journal_of(file), ignored));
+           std::filesystem::exists(journal_of(file), ignored) ||
+           std::filesystem::exists(gauge_log_of(file), ignored));
   return file;
 }
 
@@ -165,7 +178,10 @@ Status end_of_presses(const SourceReader& reading, bool is_any, const RecordOpti
                en::say("press it while the source runs")};
 }
 
-Status record_by_button(SourceReader& reading, const RecordOptions& options, Console& console) {
+Status record_by_button(SourceReader& reading,
+                        const RecordOptions& options,
+                        GaugeLog* gauge,
+                        Console& console) {
   Console::Json& recordings = console.answer()["recordings"] = Console::Json::array();
   console.say("Press the button to begin a recording, and again to end it. Ctrl-C ends all.");
   int number = 1;
@@ -173,7 +189,7 @@ Status record_by_button(SourceReader& reading, const RecordOptions& options, Con
     const Path video = next_free(options.output, number);
     console.say(fmt::format("Recording {}", video.string()));
     Console::Json answer;
-    const Status status = record_one(reading, first, video, options, answer, console);
+    const Status status = record_one(reading, first, video, options, gauge, answer, console);
     recordings.push_back(std::move(answer));
     if (!status) return status;
   }
@@ -260,6 +276,8 @@ void check_output(const RecordOptions& options) {
   if (!takes_pictures(options)) return;
   if (!options.button)
     throw CLI::ValidationError("--output", "pictures are taken with a --button; a video is .mkv");
+  if (!options.gauge.gauge.empty())
+    throw CLI::ValidationError("--gauge", "is read beside a video, not beside pictures");
   if (options.seconds)
     throw CLI::ValidationError("--seconds", "pictures have no length; --frames counts them");
 }
@@ -286,9 +304,11 @@ Status run_record(const RecordOptions& options, Console& console) {
   if (takes_pictures(options)) *source = std::make_unique<NewestSource>(std::move(*source));
   SourceReader reading(**source, button.get(), console);
   if (takes_pictures(options)) return take_pictures(reading, options, console);
-  if (button) return record_by_button(reading, options, console);
-  const Status status =
-      record_one(reading, nullptr, options.output, options, console.answer(), console);
+  const auto gauge = start_gauge(options.gauge);
+  if (!gauge) return gauge.error();
+  if (button) return record_by_button(reading, options, gauge->get(), console);
+  const Status status = record_one(
+      reading, nullptr, options.output, options, gauge->get(), console.answer(), console);
   console.answer()["unreadable"] = reading.unreadable();
   return status ? all_was_readable(reading, options) : status;
 }
@@ -313,6 +333,7 @@ void add_record(CLI::App& program, Chosen& chosen) {
       ->required();
   add_button_flag(*command, *options);
   add_light_flags(*command, options->light);
+  add_gauge_flags(*command, options->gauge);
   command
       ->add_option(
           "--frames",

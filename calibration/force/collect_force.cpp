@@ -1,173 +1,67 @@
 #include "calibration/force/collect_force.h"
 
-#include "core/io/atomic_file.h"
-#include "core/sensing/pipeline.h"
-#include "core/sources/open/open_source.h"
+#include "calibration/force/gauge_clock.h"
+#include "calibration/force/still_frames.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-
-#include <nlohmann/json.hpp>
+#include <numeric>
 
 namespace alltact {
 namespace {
 
-using MarkerJson = nlohmann::json;
-
-/// nullopt: not as reconstruct and simulate write markers.
-std::optional<Markers> markers_from(const MarkerJson& list, const char* seen_key) {
-  if (!list.is_array() || list.empty()) return std::nullopt;
-  Markers markers;
-  for (const MarkerJson& entry : list) {
-    if (!entry.is_object() || !entry.contains(seen_key) || !entry.at(seen_key).is_boolean())
-      return std::nullopt;
-    Marker marker;
-    marker.seen = entry.at(seen_key).get<bool>();
-    const auto u = entry.find("u"), v = entry.find("v");
-    const bool has_place = u != entry.end() && v != entry.end() && u->is_number() && v->is_number();
-    if (has_place) marker.u = u->get<double>(), marker.v = v->get<double>();
-    marker.seen = marker.seen && has_place;
-    markers.push_back(marker);
-  }
-  return markers;
-}
-
-std::optional<Eigen::Vector2d> region_place(const MarkerJson& line) {
-  const auto regions = line.find("regions");
-  if (regions == line.end() || !regions->is_array() || regions->empty()) return std::nullopt;
-  const MarkerJson& region = regions->front();
-  if (!region.is_object() || !region.contains("place_on_face_mm")) return std::nullopt;
-  const MarkerJson& place = region.at("place_on_face_mm");
-  if (!place.is_array() || place.size() != 2 || !place[0].is_number() || !place[1].is_number())
-    return std::nullopt;
-  return Eigen::Vector2d(place[0].get<double>(), place[1].get<double>());
-}
-
-/// A line of results.jsonl or a frame of truth.json; nothing of one without markers.
-void take_markers(const MarkerJson& line, const char* seen_key, std::vector<MarkerFrame>& frames) {
-  if (!line.is_object() || !line.contains("markers") || !line.contains("frame") ||
-      !line.at("frame").is_string())
-    return;
-  auto markers = markers_from(line.at("markers"), seen_key);
-  if (!markers) return;
-  frames.push_back(
-      {line.at("frame").get<std::string>(), std::nullopt, std::move(*markers), region_place(line)});
-}
-
-Result<std::vector<MarkerFrame>> frames_from_file(const std::filesystem::path& file) {
-  const auto content = read_file(file);
-  if (!content) return content.error();
-  std::vector<MarkerFrame> frames;
-  if (file.extension() == ".json") {
-    const MarkerJson truth = MarkerJson::parse(*content, nullptr, false);
-    if (truth.is_object() && truth.contains("frames") && truth.at("frames").is_array())
-      for (const MarkerJson& frame : truth.at("frames")) take_markers(frame, "visible", frames);
-  } else {
-    std::size_t begin = 0;
-    while (begin < content->size()) {
-      const std::size_t end = std::min(content->find('\n', begin), content->size());
-      take_markers(
-          MarkerJson::parse(content->substr(begin, end - begin), nullptr, false), "seen", frames);
-      begin = end + 1;
-    }
-  }
-  if (frames.empty())
-    return Error{en::say("holds no frame with markers"),
-                 file,
-                 en::say("results.jsonl of alltact reconstruct, or the recording itself")};
-  return frames;
-}
-
-Result<std::vector<MarkerFrame>> measured_frames(const std::vector<std::filesystem::path>& inputs,
-                                                 const FingerSnapshot& finger,
-                                                 const Job& job) {
-  auto source = open_source(inputs);
-  if (!source) return source.error();
-  auto pipeline = Pipeline::create(finger, {}, job);
-  if (!pipeline) return pipeline.error();
-  const auto count = static_cast<double>((*source)->count().value_or(1000));
-  std::vector<MarkerFrame> frames;
-  for (std::size_t number = 0;; ++number) {
-    if (job.stop_requested())
-      return Error{en::say("stopped before all frames were measured"), "", ""};
-    const auto frame = (*source)->next();
-    if (!frame) return frame.error();
-    if (*frame == nullptr) break;
-    job.report(std::min(1.0, static_cast<double>(number) / count),
-               en::say("measuring frame {}", number));
-    auto result = (*pipeline)(*frame);
-    if (!result) return result.error();
-    if (!result->markers) continue;
-    MarkerFrame one{(*frame)->name, std::nullopt, std::move(*result->markers), std::nullopt};
-    if ((*frame)->time_ns != 0) one.time_s = 1e-9 * static_cast<double>((*frame)->time_ns);
-    if (!result->regions.empty()) one.place_mm = result->regions.front().place_on_face_mm;
-    frames.push_back(std::move(one));
-  }
-  if (frames.empty())
-    return Error{en::say("the markers were found in no frame"),
-                 inputs.front(),
-                 en::say("alltact reconstruct, which says why")};
-  return frames;
-}
-
 /// The readings of a gauge, asked for by frame.
 class GaugeLookup {
  public:
-  GaugeLookup(const ForceGauge& gauge, double shift_s) : gauge_(gauge), shift_s_(shift_s) {
-    for (const GaugeReading& reading : gauge.readings)
-      if (!gauge.by_time) by_name_[reading.frame] = &reading;
+  /// `frames` in the order in which they are asked for.
+  GaugeLookup(const std::vector<MarkerFrame>& frames,
+              const ForceGauge& gauge,
+              const GaugeClock& clock)
+      : gauge_(gauge), clock_(clock) {
+    if (gauge.by_time) {
+      held_ = held_readings(frames, gauge, clock);
+      return;
+    }
+    for (const GaugeReading& reading : gauge.readings) by_name_[reading.frame] = &reading;
   }
 
-  [[nodiscard]] std::optional<GaugeReading> operator()(const MarkerFrame& frame) const {
-    if (!gauge_.by_time) {
-      const auto found = by_name_.find(frame.name);
-      return found == by_name_.end() ? std::nullopt : std::optional(*found->second);
-    }
-    if (!frame.time_s) return std::nullopt;
-    const double time_s = *frame.time_s + shift_s_;
+  [[nodiscard]] std::optional<GaugeReading> operator()(const MarkerFrame& frame,
+                                                       std::size_t at) const {
+    if (gauge_.by_time)
+      return held_[at] >= 0 ? gauge_.readings[static_cast<std::size_t>(held_[at])]
+                            : between(clock_.gauge_time_s(*frame.time_s));
+    const auto found = by_name_.find(frame.name);
+    if (found == by_name_.end() || !found->second->has_force) return std::nullopt;
+    return *found->second;
+  }
+
+ private:
+  [[nodiscard]] std::optional<GaugeReading> between(double time_s) const {
     const auto after =
         std::lower_bound(gauge_.readings.begin(),
                          gauge_.readings.end(),
                          time_s,
                          [](const GaugeReading& r, double t) { return r.time_s < t; });
     if (after == gauge_.readings.end()) return std::nullopt;
+    if (after->holds || !after->has_force) return std::nullopt;
     if (after->time_s == time_s) return *after;
     if (after == gauge_.readings.begin()) return std::nullopt;
     const GaugeReading &one = *(after - 1), &two = *after;
     const double gap_s = two.time_s - one.time_s;
-    if (gap_s > kLongestGaugeGapS || one.block != two.block) return std::nullopt;
+    if (!one.has_force || one.holds || gap_s > kLongestGaugeGapS || one.block != two.block)
+      return std::nullopt;
     const double part = (time_s - one.time_s) / gap_s;
-    GaugeReading between = part < 0.5 ? one : two;
-    between.force_N = (1 - part) * one.force_N + part * two.force_N;
-    return between;
+    GaugeReading told = part < 0.5 ? one : two;
+    told.force_N = (1 - part) * one.force_N + part * two.force_N;
+    return told;
   }
 
- private:
   const ForceGauge& gauge_;
-  double shift_s_;
+  GaugeClock clock_;
+  std::vector<int> held_;
   std::map<std::string, const GaugeReading*> by_name_;
 };
-
-/// Added to a frame's time it is the gauge's.
-double clock_shift_s(const std::vector<MarkerFrame>& frames,
-                     const ForceGauge& gauge,
-                     std::vector<Message>& remarks) {
-  if (!gauge.by_time) return 0;
-  std::optional<double> first_s;
-  for (const MarkerFrame& frame : frames) {
-    if (!frame.time_s) continue;
-    if (!first_s) first_s = frame.time_s;
-    if (*frame.time_s >= gauge.readings.front().time_s &&
-        *frame.time_s <= gauge.readings.back().time_s)
-      return 0;
-  }
-  if (!first_s) return 0;
-  remarks.push_back(
-      en::say("The gauge and the camera were on different clocks: their beginnings are taken for "
-              "one moment."));
-  return gauge.readings.front().time_s - *first_s;
-}
 
 void add_row(const MarkerFrame& frame,
              const GaugeReading& reading,
@@ -191,39 +85,72 @@ void add_row(const MarkerFrame& frame,
   if (table.time_s.size() > 0) table.time_s[row] = *frame.time_s;
 }
 
-}  // namespace
-
-Result<std::vector<MarkerFrame>> marker_frames(const std::vector<std::filesystem::path>& inputs,
-                                               const FingerSnapshot& finger,
-                                               const Job& job) {
-  if (inputs.size() == 1)
-    if (const auto ending = inputs.front().extension(); ending == ".jsonl" || ending == ".json")
-      return frames_from_file(inputs.front());
-  return measured_frames(inputs, finger, job);
+/// Rows of a press, from one moment without load to the next, were pressed in one go. Too few
+/// presses are no blocks.
+void name_presses(ForceTable& table) {
+  constexpr double kUnloaded = 0.1;
+  constexpr int kLeastPresses = 5;
+  const Eigen::VectorXd force_N = table.force_N.rowwise().norm();
+  std::vector<double> sorted(force_N.begin(), force_N.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double loaded_N = sorted.empty() ? 0 : sorted[sorted.size() * 95 / 100];
+  int presses = 0;
+  bool is_loaded = false;
+  std::vector<std::string> names;
+  for (const double force : force_N) {
+    // Loaded from 2 kUnloaded on, so that what trembles around the bound is one press.
+    if (!is_loaded && force > 2 * kUnloaded * loaded_N) is_loaded = true, ++presses;
+    if (is_loaded && force < kUnloaded * loaded_N) is_loaded = false;
+    names.push_back(fmt::format("press {}", presses));
+  }
+  if (presses >= kLeastPresses) table.block = std::move(names);
 }
 
-Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& frames,
-                                     const ForceGauge& gauge) {
-  const bool all_timed = std::all_of(frames.begin(), frames.end(), [](const MarkerFrame& frame) {
-    return frame.time_s.has_value();
+double median_sd_N(const std::vector<std::pair<const MarkerFrame*, GaugeReading>>& rows) {
+  std::vector<double> sds;
+  for (const auto& [frame, reading] : rows)
+    if (std::isfinite(reading.sd_N)) sds.push_back(reading.sd_N);
+  if (sds.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::nth_element(sds.begin(), sds.begin() + static_cast<long>(sds.size() / 2), sds.end());
+  return sds[sds.size() / 2];
+}
+
+std::vector<MarkerFrame> in_order(const std::vector<MarkerFrame>& frames) {
+  std::vector<MarkerFrame> ordered = frames;
+  std::stable_sort(ordered.begin(), ordered.end(), [](const MarkerFrame& a, const MarkerFrame& b) {
+    return *a.time_s < *b.time_s;
   });
+  return ordered;
+}
+
+}  // namespace
+
+Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all,
+                                     const ForceGauge& gauge,
+                                     const CollectOptions& options) {
+  const bool all_timed = std::all_of(
+      all.begin(), all.end(), [](const MarkerFrame& frame) { return frame.time_s.has_value(); });
   if (gauge.by_time && !all_timed)
     return Error{en::say("the recording's frames have no times, the gauge has nothing but times"),
                  "",
                  en::say("a recording of alltact record, or a gauge file with a column 'frame'")};
+  const std::vector<MarkerFrame> frames = all_timed ? in_order(all) : all;
   CollectedForce collected;
   collected.frames = frames.size();
-  const GaugeLookup lookup(gauge, clock_shift_s(frames, gauge, collected.remarks));
+  collected.clock = settle_gauge_clock(frames, gauge, options, collected.remarks);
+  const GaugeLookup lookup(frames, gauge, collected.clock);
   std::vector<std::pair<const MarkerFrame*, GaugeReading>> rows;
-  for (const MarkerFrame& frame : frames) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const MarkerFrame& frame = frames[i];
     const bool any = std::any_of(
         frame.markers.begin(), frame.markers.end(), [](const Marker& m) { return m.seen; });
-    auto reading = any ? lookup(frame) : std::nullopt;
+    auto reading = any ? lookup(frame, i) : std::nullopt;
     if (reading && frame.markers.size() == frames.front().markers.size())
       rows.emplace_back(&frame, std::move(*reading));
     else
       ++collected.left_out;
   }
+  collected.reading_sd_N = median_sd_N(rows);
   ForceTable& table = collected.table;
   const auto count = static_cast<Eigen::Index>(rows.size());
   table.marker_count = frames.empty() ? 0 : static_cast<int>(frames.front().markers.size());
@@ -238,8 +165,9 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& frames,
     add_row(*frame, reading, gauge, row, table);
   }
   if (!table.place_mm.array().isFinite().any()) table.place_mm.resize(0, 0);
+  if (gauge.by_time && !gauge.has_block) name_presses(table);
   // Whatever a table must be, this one must be too.
-  auto checked = ForceTable::parse(table.to_csv(), "");
+  auto checked = ForceTable::parse_part(table.to_csv(), "");
   if (!checked) {
     Error error = checked.error();
     return Error{

@@ -19,27 +19,46 @@
 
 namespace alltact {
 
-/// What a gauge said. Its file is
-///   a CSV with fx_n, fy_n[, fz_n] and either t_s or frame (readings typed beside a picture's
-///   name),
-///     and as it likes along_mm and across_mm, block, day, indenter; or
-///   truth.json of `alltact simulate`: the forces of a frame's contacts, summed; a frame without a
-///     contact has none, and the place is that of the greatest force.
 struct GaugeReading {
   double time_s = std::numeric_limits<double>::quiet_NaN();
   std::string frame;
+  bool has_force = true;  ///< else there is none from its time on: over range, unplugged
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+  double sd_N = std::numeric_limits<double>::quiet_NaN();  ///< of the gauge's last digit
+  /// Typed beside a finger at rest: of the frames around its time in which the markers stand still;
+  /// else of one moment.
+  bool holds = false;
   std::optional<Eigen::Vector2d> place_mm;
   std::string block, day, indenter;
 };
+
+/// What is not told by a gauge's file itself.
+struct GaugeFileOptions {
+  double unit_N = 1;  ///< newtons in what columns without a unit count
+  Eigen::Vector3d direction =
+      Eigen::Vector3d::UnitX();  ///< of a file with one force, a unit vector
+};
+
+/// What a gauge said. Its file is
+///   NAME.gauge.csv of `alltact record --gauge`; or
+///   a CSV with fx_n, fy_n[, fz_n] (or fx_gf, "fx (kgf)" and so on), or force_n alone, and either
+///     t_s (t_ms, time_ns) or frame (readings typed beside a picture's name), and as it likes sd_n,
+///     holds, along_mm and across_mm, block, day, indenter; lines that begin with '#' are remarks,
+///     lines with empty forces say that there is none from then on; or
+///   truth.json of `alltact simulate`: the forces of a frame's contacts, summed; a frame without a
+///     contact has none, and the place is that of the greatest force.
 struct ForceGauge {
   int axes = 2;
   bool by_time = false;                ///< ascending time_s; else by frame
+  bool is_on_frame_clock = false;      ///< recorded beside the frames; else it must show
   std::vector<GaugeReading> readings;  ///< not empty
   bool has_block = false, has_day = false, has_indenter = false;
 
-  static Result<ForceGauge> load(const std::filesystem::path& file);
-  static Result<ForceGauge> parse_csv(std::string_view csv, const std::filesystem::path& origin);
+  static Result<ForceGauge> load(const std::filesystem::path& file,
+                                 const GaugeFileOptions& options = {});
+  static Result<ForceGauge> parse_csv(std::string_view csv,
+                                      const std::filesystem::path& origin,
+                                      const GaugeFileOptions& options = {});
   static Result<ForceGauge> parse_truth(std::string_view json, const std::filesystem::path& origin);
 };
 
@@ -56,19 +75,49 @@ struct MarkerFrame {
 [[nodiscard]] Result<std::vector<MarkerFrame>> marker_frames(
     const std::vector<std::filesystem::path>& inputs, const FingerSnapshot& finger, const Job& job);
 
+/// How the gauge's clock stands to the frames': gauge = frame + shift_s + drift (frame - first_s).
+/// A gauge that tells late has a shift above 0.
+struct GaugeClock {
+  enum class Source {
+    kAssumed = 1,  ///< the same clock and no delay, or both began at one moment
+    kGiven,
+    kMotion,  ///< by the markers' motion
+  };
+  Source source = Source::kAssumed;
+  double shift_s = 0, drift = 0, first_s = 0;
+  double sd_s = std::numeric_limits<double>::quiet_NaN();  ///< of shift_s, where by motion
+  double r2 = 0;  ///< part of the force's fast changes that the markers' motion tells at this shift
+
+  [[nodiscard]] double gauge_time_s(double frame_s) const {
+    return frame_s + shift_s + drift * (frame_s - first_s);
+  }
+  [[nodiscard]] double frame_time_s(double gauge_s) const {
+    return (gauge_s - shift_s + drift * first_s) / (1 + drift);
+  }
+};
+
+struct CollectOptions {
+  /// Given by a person; else by the markers' motion where that tells it. Without a shift a drift is
+  /// given to the estimate.
+  std::optional<double> shift_s, drift;
+};
+
 struct CollectedForce {
-  ForceTable table;
+  ForceTable table;          ///< fit for ForceTable::parse_part
   std::size_t frames = 0;    ///< with markers
   std::size_t left_out = 0;  ///< of these without a reading
+  GaugeClock clock;
+  double reading_sd_N = std::numeric_limits<double>::quiet_NaN();  ///< median of those told
   std::vector<Message> remarks;
 };
 
 /// By name, or by time: the reading between the two readings around the frame, which are at most
-/// `kLongestGaugeGapS` apart. Where no frame lies between the gauge's readings, both beginnings
-/// count as one moment. Errors: markers without times for a gauge that has only times; fewer than
-/// ForceTable::kLeastRows rows; what ForceTable::parse refuses.
+/// `kLongestGaugeGapS` apart, or the one that holds. Where the gauge names no blocks, presses are:
+/// from one moment without load to the next. Errors: markers without times for a gauge that has
+/// only times; what ForceTable::parse_part refuses.
 [[nodiscard]] Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& frames,
-                                                   const ForceGauge& gauge);
+                                                   const ForceGauge& gauge,
+                                                   const CollectOptions& options = {});
 inline constexpr double kLongestGaugeGapS = 0.5;
 
 }  // namespace alltact

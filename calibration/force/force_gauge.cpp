@@ -3,6 +3,8 @@
 #include "calibration/force/csv_lines.h"
 #include "core/io/atomic_file.h"
 #include "core/printable.h"
+#include "core/sources/gauge/force_unit.h"
+#include "core/sources/gauge/gauge_log.h"
 
 #include <algorithm>
 #include <array>
@@ -26,23 +28,73 @@ Error wrong_gauge(Message what, const std::filesystem::path& origin, int line) {
 /// Where the gauge's columns stand; -1: it has none.
 struct GaugeColumns {
   std::map<std::string, int> at;
+  std::array<double, 3> unit_N{1, 1, 1};
+  bool is_single = false;  ///< one force along a direction
+  double time_unit_s = 1;
   [[nodiscard]] int operator[](const char* name) const {
     const auto found = at.find(name);
     return found == at.end() ? -1 : found->second;
   }
 };
 
+/// "fx_kgf", "Fx [kgf]", "force (g)": the name before the unit, and what it counts in; without one,
+/// `unit_N`. nullopt: no column of forces.
+std::optional<std::pair<std::string, double>> force_column(std::string_view cell, double unit_N) {
+  const std::size_t end = std::min(cell.find_first_of(" _([/"), cell.size());
+  std::string name;
+  for (const char c : cell.substr(0, end))
+    name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (name == "force" || name == "load") name = "f";
+  if (name != "f" && name != "fx" && name != "fy" && name != "fz") return std::nullopt;
+  std::string unit;
+  for (const char c : cell.substr(end))
+    if (std::string_view(" _()[]/").find(c) == std::string_view::npos) unit += c;
+  if (unit.empty()) return std::pair{name, unit_N};
+  const auto told_N = newtons_in(unit);
+  return told_N ? std::optional(std::pair{name, *told_N}) : std::nullopt;
+}
+
+/// Seconds in the unit of a column "t", "t_ms", "time_ns"; nullopt: no column of times.
+std::optional<double> time_column(std::string_view cell) {
+  std::string name;
+  for (const char c : cell)
+    name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c == ' ' ? '_' : c;
+  for (const char* word : {"time", "t"}) {
+    if (!name.starts_with(word)) continue;
+    const std::string unit = name.substr(std::string_view(word).size());
+    if (unit.empty() || unit == "_s" || unit == "_(s)" || unit == "_[s]") return 1.0;
+    if (unit == "_ms" || unit == "_(ms)") return 1e-3;
+    if (unit == "_us") return 1e-6;
+    if (unit == "_ns") return 1e-9;
+  }
+  return std::nullopt;
+}
+
 class GaugeReader {
  public:
-  GaugeReader(std::string_view csv, const std::filesystem::path& origin)
-      : lines_(csv), origin_(origin) {}
+  GaugeReader(std::string_view csv,
+              const std::filesystem::path& origin,
+              const GaugeFileOptions& options)
+      : lines_(csv), origin_(origin), options_(options) {
+    gauge_.is_on_frame_clock = csv.starts_with(kGaugeLogFormat);
+  }
 
   Result<ForceGauge> read() {
     if (Status head = read_head(); !head) return head.error();
-    while (const auto line = lines_.next())
+    while (const auto line = next_line())
       if (Status status = read_line(csv_cells(*line)); !status) return status.error();
-    if (gauge_.readings.empty())
-      return Error{en::say("the gauge's file holds no reading"), origin_, gauge_advice()};
+    const bool any = std::any_of(gauge_.readings.begin(),
+                                 gauge_.readings.end(),
+                                 [](const GaugeReading& reading) { return reading.has_force; });
+    gauge_.has_block = std::any_of(
+        gauge_.readings.begin(), gauge_.readings.end(), [](const GaugeReading& reading) {
+          return !reading.block.empty();
+        });
+    gauge_.has_indenter = std::any_of(
+        gauge_.readings.begin(), gauge_.readings.end(), [](const GaugeReading& reading) {
+          return !reading.indenter.empty();
+        });
+    if (!any) return Error{en::say("the gauge's file holds no reading"), origin_, gauge_advice()};
     return std::move(gauge_);
   }
 
@@ -51,19 +103,34 @@ class GaugeReader {
     return wrong_gauge(std::move(what), origin_, lines_.number());
   }
 
+  std::optional<std::string_view> next_line() {
+    auto line = lines_.next();
+    while (line && line->starts_with('#')) line = lines_.next();
+    return line;
+  }
+
   Status read_head() {
-    const auto line = lines_.next();
+    const auto line = next_line();
     if (!line) return Error{en::say("the gauge's file is empty"), origin_, gauge_advice()};
     for (const std::string_view cell : csv_cells(*line)) {
       std::string name = csv_column(cell);
-      if (name == "time") name = "t";
+      if (const auto time = time_column(cell)) {
+        name = "t";
+        columns_.time_unit_s = *time;
+      } else if (const auto force = force_column(cell, options_.unit_N)) {
+        name = force->first;
+        columns_.unit_N[name == "fy" ? 1 : name == "fz" ? 2 : 0] = force->second;
+      } else if (name == "fx" || name == "fy" || name == "fz" || name == "f") {
+        return wrong(en::say("the column '{}' counts in no unit of force", printable(cell)));
+      }
       if (!columns_.at.emplace(name, static_cast<int>(count_++)).second)
         return wrong(en::say("the column '{}' is given twice", printable(cell)));
     }
+    columns_.is_single = columns_["f"] >= 0 && columns_["fx"] < 0 && columns_["fy"] < 0;
     for (const char* axis : {"fx", "fy"})
-      if (columns_[axis] < 0)
+      if (columns_[axis] < 0 && !columns_.is_single)
         return wrong(en::say("the column '{}' is missing", std::string(axis) + "_n"));
-    gauge_.axes = columns_["fz"] >= 0 ? 3 : 2;
+    gauge_.axes = columns_["fz"] >= 0 || columns_.is_single ? 3 : 2;
     gauge_.by_time = columns_["t"] >= 0 && columns_["frame"] < 0;
     if (columns_["t"] < 0 && columns_["frame"] < 0)
       return wrong(en::say("there is neither a column 't_s' nor a column 'frame'"));
@@ -81,20 +148,14 @@ class GaugeReader {
                                 : cells[static_cast<std::size_t>(columns_[name])];
     };
     GaugeReading reading;
-    static constexpr std::array<const char*, 3> kAxes{"fx", "fy", "fz"};
-    for (int axis = 0; axis < gauge_.axes; ++axis) {
-      const auto force = csv_number(cell(kAxes[static_cast<std::size_t>(axis)]));
-      if (!force || std::abs(*force) > 1e5)
-        return wrong(
-            en::say("'{}' is no force", printable(cell(kAxes[static_cast<std::size_t>(axis)]))));
-      reading.force_N[axis] = *force;
-    }
+    if (Status status = read_force(cells, reading); !status) return status;
     if (gauge_.by_time) {
       const auto time = csv_number(cell("t"));
       if (!time) return wrong(en::say("'{}' is no time", printable(cell("t"))));
-      if (!gauge_.readings.empty() && *time <= gauge_.readings.back().time_s)
-        return wrong(en::say("{} s comes after {} s", *time, gauge_.readings.back().time_s));
-      reading.time_s = *time;
+      reading.time_s = *time * columns_.time_unit_s;
+      if (!gauge_.readings.empty() && reading.time_s <= gauge_.readings.back().time_s)
+        return wrong(
+            en::say("{} s comes after {} s", reading.time_s, gauge_.readings.back().time_s));
     }
     if (!cell("along").empty() || !cell("across").empty()) {
       const auto along = csv_number(cell("along")), across = csv_number(cell("across"));
@@ -107,8 +168,42 @@ class GaugeReader {
     return {};
   }
 
+  /// Empty cells: there is none from then on.
+  Status read_force(const std::vector<std::string_view>& cells, GaugeReading& reading) {
+    static constexpr std::array<const char*, 3> kAxes{"fx", "fy", "fz"};
+    const auto cell = [&](const char* name) {
+      return cells[static_cast<std::size_t>(columns_[name])];
+    };
+    const auto number = [&](const char* name, double unit_N) -> Result<double> {
+      const auto force = csv_number(cell(name));
+      if (!force || std::abs(*force * unit_N) > 1e5)
+        return wrong(en::say("'{}' is no force", printable(cell(name))));
+      return *force * unit_N;
+    };
+    const int values = columns_.is_single ? 1 : gauge_.axes;
+    const auto name_of = [&](int value) {
+      return columns_.is_single ? "f" : kAxes[static_cast<std::size_t>(value)];
+    };
+    int empty = 0;
+    for (int value = 0; value < values; ++value) empty += cell(name_of(value)).empty() ? 1 : 0;
+    reading.has_force = empty < values;
+    for (int value = 0; value < values && reading.has_force; ++value) {
+      const auto force = number(name_of(value), columns_.unit_N[static_cast<std::size_t>(value)]);
+      if (!force) return force.error();
+      if (columns_.is_single)
+        reading.force_N = *force * options_.direction;
+      else
+        reading.force_N[value] = *force;
+    }
+    if (columns_["sd"] >= 0)
+      reading.sd_N = csv_number(cell("sd")).value_or(std::numeric_limits<double>::quiet_NaN());
+    reading.holds = columns_["holds"] >= 0 && cell("holds") == "1";
+    return {};
+  }
+
   CsvLines lines_;
   std::filesystem::path origin_;
+  GaugeFileOptions options_;
   GaugeColumns columns_;
   std::size_t count_ = 0;
   ForceGauge gauge_;
@@ -142,8 +237,9 @@ bool add_contact(const GaugeJson& contact, double& greatest_N, GaugeReading& rea
 }  // namespace
 
 Result<ForceGauge> ForceGauge::parse_csv(std::string_view csv,
-                                         const std::filesystem::path& origin) {
-  return GaugeReader(csv, origin).read();
+                                         const std::filesystem::path& origin,
+                                         const GaugeFileOptions& options) {
+  return GaugeReader(csv, origin, options).read();
 }
 
 Result<ForceGauge> ForceGauge::parse_truth(std::string_view text,
@@ -175,10 +271,12 @@ Result<ForceGauge> ForceGauge::parse_truth(std::string_view text,
   return gauge;
 }
 
-Result<ForceGauge> ForceGauge::load(const std::filesystem::path& file) {
+Result<ForceGauge> ForceGauge::load(const std::filesystem::path& file,
+                                    const GaugeFileOptions& options) {
   const auto content = read_file(file);
   if (!content) return content.error();
-  return file.extension() == ".json" ? parse_truth(*content, file) : parse_csv(*content, file);
+  return file.extension() == ".json" ? parse_truth(*content, file)
+                                     : parse_csv(*content, file, options);
 }
 
 }  // namespace alltact

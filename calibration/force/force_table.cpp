@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kMostTableMarkers = 512;
 constexpr double kFarthestPx = 1e5, kGreatestN = 1e5;
-constexpr std::size_t kLargestTable = std::size_t{1} << 30;
 
 Message table_advice() {
   return en::say(
@@ -221,12 +220,8 @@ class TableReader {
   }
 
   Result<ForceTable> whole() {
-    const auto too_bad = [&](Message what, Message advice) {
-      return Error{std::move(what), origin_, std::move(advice)};
-    };
-    if (count_ < static_cast<Eigen::Index>(ForceTable::kLeastRows))
-      return too_bad(en::say("{} rows are too few to learn from", count_),
-                     en::say("at least {}, better several hundred", ForceTable::kLeastRows));
+    if (count_ == 0)
+      return Error{en::say("{} rows are too few to learn from", 0), origin_, table_advice()};
     using ByRow = Eigen::Matrix<double, -1, -1, Eigen::RowMajor>;
     const auto matrix = [&](const std::vector<double>& numbers) -> Eigen::MatrixXd {
       return Eigen::Map<const ByRow>(
@@ -240,31 +235,7 @@ class TableReader {
       table_.place_mm = matrix(rows_.place);
     if (!rows_.time.empty()) table_.time_s = matrix(rows_.time);
     table_.passed_over = columns_.passed_over;
-    static constexpr std::array<const char*, 3> kAxes{"fx_n", "fy_n", "fz_n"};
-    for (int axis = 0; axis < table_.axes; ++axis) {
-      const auto column = table_.force_N.col(axis).array();
-      if (column.maxCoeff() - column.minCoeff() < 1e-9)
-        return too_bad(en::say("the force '{}' is the same in all rows",
-                               std::string(kAxes[static_cast<std::size_t>(axis)])),
-                       en::say("pressing with different forces, or leaving the column fz_n out"));
-    }
-    if (!something_moves())
-      return too_bad(en::say("no marker ever moves"),
-                     en::say("a table of this recording's markers"));
     return std::move(table_);
-  }
-
-  [[nodiscard]] bool something_moves() const {
-    for (Eigen::Index c = 0; c < table_.layouts.cols(); ++c) {
-      double least = std::numeric_limits<double>::infinity(), most = -least;
-      for (Eigen::Index row = 0; row < table_.layouts.rows(); ++row)
-        if (table_.seen(row, c / 2) > 0.5) {
-          least = std::min(least, table_.layouts(row, c));
-          most = std::max(most, table_.layouts(row, c));
-        }
-      if (most - least > 1e-6) return true;
-    }
-    return false;
   }
 
   CsvLines lines_;
@@ -274,6 +245,19 @@ class TableReader {
   ForceTable table_;
   Eigen::Index count_ = 0;
 };
+
+bool something_moves(const ForceTable& table) {
+  for (Eigen::Index c = 0; c < table.layouts.cols(); ++c) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (Eigen::Index row = 0; row < table.rows(); ++row)
+      if (table.seen(row, c / 2) > 0.5) {
+        least = std::min(least, table.layouts(row, c));
+        most = std::max(most, table.layouts(row, c));
+      }
+    if (most - least > 1e-6) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -288,12 +272,47 @@ std::string csv_column(std::string_view name) {
   return column;
 }
 
-Result<ForceTable> ForceTable::parse(std::string_view csv, const std::filesystem::path& origin) {
+Status ForceTable::check(const std::filesystem::path& origin) {
+  const auto too_bad = [&](Message what, Message advice) {
+    return Error{std::move(what), origin, std::move(advice)};
+  };
+  if (rows() < static_cast<Eigen::Index>(kLeastRows))
+    return too_bad(en::say("{} rows are too few to learn from", rows()),
+                   en::say("at least {}, better several hundred", kLeastRows));
+  if (axes == 3 && (force_N.col(2).array() == 0).all()) {
+    force_N.conservativeResize(Eigen::NoChange, 2);
+    axes = 2;
+    passed_over.emplace_back("fz_n");
+  }
+  static constexpr std::array<const char*, 3> kAxes{"fx_n", "fy_n", "fz_n"};
+  for (int axis = 0; axis < axes; ++axis) {
+    const auto column = force_N.col(axis).array();
+    if (column.maxCoeff() - column.minCoeff() < 1e-9)
+      return too_bad(
+          en::say("the force '{}' is the same in all rows",
+                  std::string(kAxes[static_cast<std::size_t>(axis)])),
+          axis < 2 ? en::say("pressing in different directions; several tables may be given")
+                   : en::say("pressing with different forces, or leaving the column fz_n out"));
+  }
+  if (!something_moves(*this))
+    return too_bad(en::say("no marker ever moves"), en::say("a table of this recording's markers"));
+  return {};
+}
+
+Result<ForceTable> ForceTable::parse_part(std::string_view csv,
+                                          const std::filesystem::path& origin) {
   return TableReader(csv, origin).read();
 }
 
+Result<ForceTable> ForceTable::parse(std::string_view csv, const std::filesystem::path& origin) {
+  auto table = parse_part(csv, origin);
+  if (!table) return table;
+  if (Status status = table->check(origin); !status) return status.error();
+  return table;
+}
+
 Result<ForceTable> ForceTable::load(const std::filesystem::path& file) {
-  const auto content = read_file(file, kLargestTable);
+  const auto content = read_file(file, kMostBytes);
   if (!content) return content.error();
   return parse(*content, file);
 }

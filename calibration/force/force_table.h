@@ -26,6 +26,7 @@ namespace alltact {
 /// Other columns are passed over.
 struct ForceTable {
   static constexpr std::size_t kLeastRows = 20;
+  static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
   int marker_count = 0;
   int axes = 2;              ///< 2: Fx, Fy; 3: Fz too
@@ -41,10 +42,19 @@ struct ForceTable {
   [[nodiscard]] bool has_place() const { return place_mm.rows() > 0; }
 
   /// Errors name file, line and column: columns that are missing or given twice, a cell that is no
-  /// finite number, lines with too few cells, fewer than kLeastRows rows, a force that never
-  /// changes, markers that never move, rows without a marker.
+  /// finite number, lines with too few cells, and those of check().
   static Result<ForceTable> parse(std::string_view csv, const std::filesystem::path& origin);
   static Result<ForceTable> load(const std::filesystem::path& file);
+  /// A table that need not be learnt from alone, such as one with pushes in one direction: without
+  /// check(), but at least one row.
+  static Result<ForceTable> parse_part(std::string_view csv, const std::filesystem::path& origin);
+  /// Several tables as one, each block named after its file where there are several. Errors: those
+  /// of parse_part, other numbers of markers or axes, and those of check() of them all.
+  static Result<ForceTable> load_all(const std::vector<std::filesystem::path>& files);
+  /// Whether something can be learnt: at least kLeastRows rows, forces that change, markers that
+  /// move. An fz that is exactly 0 everywhere is passed over: gauges that tell one direction leave
+  /// it so.
+  [[nodiscard]] Status check(const std::filesystem::path& origin);
   /// What load() reads as the same values.
   [[nodiscard]] std::string to_csv() const;
 };

@@ -5,6 +5,7 @@
 #include "core/program.h"
 #include "core/utc_time.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,7 +19,9 @@ namespace fs = std::filesystem;
 constexpr const char* kForceFolder = "force";
 constexpr const char* kForceBefore = "force_before";  // provenance: the model before this one
 constexpr const char* kForceDate = "force_date";
-constexpr const char* kForceTable = "table";  // in the model's record
+constexpr const char* kForceTable = "table";       // in the model's record
+constexpr const char* kForceSplit = "split";       // there, too
+constexpr const char* kForceAsked = "asked_kind";  // there: a kind, or "auto"
 constexpr const char* kNoForce = "none";
 
 /// 64-bit FNV-1a.
@@ -46,7 +49,8 @@ std::string numbers_text(const Eigen::VectorXd& values) {
 /// What people ask of a model later.
 void write_record(const TrainedForce& trained, const ForceTraining& options, ForceModel& model) {
   auto& record = model.record;
-  record["split"] = std::string(kForceSplits.at(static_cast<std::size_t>(options.split) - 1));
+  record[kForceAsked] = options.kind ? to_string(*options.kind) : "auto";
+  record[kForceSplit] = std::string(kForceSplits.at(static_cast<std::size_t>(options.split) - 1));
   record["rows"] = fmt::format("{}", trained.held_out_N.rows());
   for (const ForceComparison& row : trained.comparison)
     record["held_out_" + to_string(row.kind) + "_n"] = numbers_text(row.mae_N);
@@ -154,7 +158,10 @@ Result<FingerPtr> take_back_force(const fs::path& folder) {
   });
 }
 
-Result<ForceTable> kept_force_table(const fs::path& folder) {
+namespace {
+
+/// The model that a finger has now. Error: none, or it cannot be read.
+Result<std::shared_ptr<const ForceModel>> kept_model(const fs::path& folder) {
   const auto snapshot = FingerStore::of(folder)->snapshot();
   if (!snapshot) return snapshot.error();
   if ((*snapshot)->force_problem) return *(*snapshot)->force_problem;
@@ -162,7 +169,33 @@ Result<ForceTable> kept_force_table(const fs::path& folder) {
     return Error{en::say("the finger has no force model yet"),
                  folder,
                  en::say("giving the table to train with")};
-  const auto& record = (*snapshot)->force->record;
+  return (*snapshot)->force;
+}
+
+}  // namespace
+
+Result<ForceTraining> kept_force_training(const fs::path& folder) {
+  const auto model = kept_model(folder);
+  if (!model) return model.error();
+  ForceTraining training;
+  training.creep_s = (*model)->creep_s;
+  const auto told = [&](const char* key) {
+    const auto found = (*model)->record.find(key);
+    return found == (*model)->record.end() ? std::string() : found->second;
+  };
+  const auto split = std::find(kForceSplits.begin(), kForceSplits.end(), told(kForceSplit));
+  if (split != kForceSplits.end())
+    training.split = static_cast<ForceSplit>(split - kForceSplits.begin() + 1);
+  const auto kind = std::find(kForceKinds.begin(), kForceKinds.end(), told(kForceAsked));
+  if (kind != kForceKinds.end())
+    training.kind = static_cast<ForceKind>(kind - kForceKinds.begin() + 1);
+  return training;
+}
+
+Result<ForceTable> kept_force_table(const fs::path& folder) {
+  const auto model = kept_model(folder);
+  if (!model) return model.error();
+  const auto& record = (*model)->record;
   const auto table = record.find(kForceTable);
   if (table == record.end() || fs::path(table->second).parent_path() != fs::path(kForceFolder))
     return Error{en::say("the force model does not say which table it is of"),

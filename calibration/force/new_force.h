@@ -28,6 +28,10 @@ namespace alltact {
 /// The table of the finger's force model. Error: it has none, or the table is gone.
 [[nodiscard]] Result<ForceTable> kept_force_table(const std::filesystem::path& folder);
 
+/// How the finger's force model was trained: split, kind if one was asked for, creep. What is not
+/// told there is as usual. Errors: those of kept_force_table, but for the table itself.
+[[nodiscard]] Result<ForceTraining> kept_force_training(const std::filesystem::path& folder);
+
 /// Error: the rows are not of this finger's markers.
 [[nodiscard]] Status check_force_markers(const ForceTable& table, const Finger& finger);
 

@@ -40,6 +40,9 @@ struct ForceBench {
   [[nodiscard]] std::string yaml() const {
     return read_file(folder / "finger/finger.yaml").value();
   }
+  [[nodiscard]] ForceTable folder_table() const {
+    return ForceTable::load(folder / "table.csv").value();
+  }
   [[nodiscard]] ProgramRun run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"force", (folder / "finger").string()});
     return run_alltact(arguments);
@@ -72,6 +75,123 @@ TEST(ForceCommand, TrainsKeepsRepeatsAndTakesBack) {
   EXPECT_EQ(model_line(bench.yaml()), model_line(first));
 }
 
+/// What is written in the finger's force model.
+ForceAnswer kept_model(const ForceBench& bench) {
+  const std::string yaml = bench.yaml();
+  const std::size_t at = yaml.find("force/model-");
+  if (at == std::string::npos) return ForceAnswer::object();
+  const std::string file = yaml.substr(at, yaml.find('}', at) - at);
+  return ForceAnswer::parse(read_file(bench.folder / ("finger/" + file)).value());
+}
+
+TEST(ForceCommand, AgainKeepsSplitKindAndCreepUnlessTold) {
+  const ForceBench bench;
+  ForceTable table = bench.folder_table();
+  for (Eigen::Index row = 0; row < table.rows(); ++row)
+    table.day.push_back(row < table.rows() / 2 ? "Monday" : "Tuesday");
+  table.time_s =
+      Eigen::VectorXd::LinSpaced(table.rows(), 0, 0.1 * static_cast<double>(table.rows()));
+  bench.write("timed.csv", table.to_csv());
+  const ProgramRun first = bench.run(
+      {bench.file("timed.csv"), "--split", "day", "--creep-s", "2.5", "--model", "ridge"});
+  ASSERT_EQ(first.status, 0) << first.errors;
+  const ForceAnswer before = kept_model(bench);
+  EXPECT_EQ(before.at("creep_s"), 2.5);
+  EXPECT_EQ(before.at("record").at("split"), "day");
+  const ProgramRun again = bench.run({"--again"});
+  ASSERT_EQ(again.status, 0) << again.errors;
+  EXPECT_EQ(kept_model(bench), before) << "the same model to the last byte";
+  const ProgramRun other = bench.run({"--again", "--creep-s", "0", "--model", "mean"});
+  ASSERT_EQ(other.status, 0) << other.errors;
+  EXPECT_EQ(kept_model(bench).at("creep_s"), 0.0);
+  EXPECT_EQ(kept_model(bench).at("record").at("split"), "day") << "not told, so as before";
+  EXPECT_EQ(kept_model(bench).at("kind"), "mean");
+  const ProgramRun automatic = bench.run({"--again", "--model", "auto", "--split", "block"});
+  ASSERT_EQ(automatic.status, 0) << automatic.errors;
+  EXPECT_EQ(kept_model(bench).at("record").at("split"), "block");
+  EXPECT_NE(kept_model(bench).at("kind"), "mean");
+}
+
+TEST(ForceCommand, BadTablesAndModelsLeaveTheFingerAsItWas) {
+  const ForceBench bench;
+  ASSERT_EQ(bench.run({bench.file("table.csv"), "--model", "ridge"}).status, 0);
+  const auto finger = [&] { return contents_of(bench.folder / "finger"); };
+  const auto before = finger();
+  const auto refused = [&](const std::vector<std::string>& arguments, const char* words) {
+    const ProgramRun run = bench.run(arguments);
+    EXPECT_EQ(run.status, 1) << words;
+    EXPECT_THAT(run.errors, HasSubstr(words));
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    EXPECT_TRUE(finger() == before) << words;
+  };
+  const auto changed = [&](const char* name, const auto& change) {
+    ForceTable table = bench.folder_table();
+    change(table);
+    bench.write(name, table.to_csv());
+    return bench.file(name);
+  };
+  refused({changed("constant.csv", [](ForceTable& t) { t.force_N.col(1).setConstant(2); })},
+          "'fy_n' is the same in all rows");
+  refused(
+      {changed("still.csv",
+               [](ForceTable& t) { t.layouts.rowwise() = Eigen::RowVectorXd(t.layouts.row(0)); })},
+      "no marker ever moves");
+  refused({changed("three.csv",
+                   [](ForceTable& t) {
+                     t.layouts.conservativeResize(3, Eigen::NoChange);
+                     t.seen.conservativeResize(3, Eigen::NoChange);
+                     t.force_N.conservativeResize(3, Eigen::NoChange);
+                     t.block.resize(3);
+                   })},
+          "3 rows are too few");
+  refused({changed("fewer.csv",
+                   [](ForceTable& t) {
+                     t.marker_count = 10;
+                     t.layouts.conservativeResize(Eigen::NoChange, 20);
+                     t.seen.conservativeResize(Eigen::NoChange, 10);
+                   })},
+          "the table has 10 markers, the finger has 12");
+  refused({changed("other.csv", [](ForceTable& t) { t.layouts.array() += 200; })},
+          "another finger's");
+  refused({bench.file("none.csv")}, "none.csv");
+  refused({bench.file("table.csv"), "--creep-s", "2"}, "has times");
+  refused({bench.file("table.csv"), bench.file("fewer.csv")}, "has 10 markers");
+  bench.write("nan.csv", "u0,v0,fx_n,fy_n\n1,2,nan,4\n");
+  refused({bench.file("nan.csv")}, "'nan' is no number");
+  bench.write("half.csv", read_file(bench.folder / "table.csv").value().substr(0, 2000));
+  refused({bench.file("half.csv")}, "half.csv, line");
+}
+
+TEST(ForceCommand, ABrokenModelIsNamedAndATableMakesAnother) {
+  const ForceBench bench;
+  ASSERT_EQ(bench.run({bench.file("table.csv"), "--model", "network"}).status, 0);
+  const ForceAnswer whole = kept_model(bench);
+  const std::string yaml = bench.yaml();
+  const std::size_t at = yaml.find("force/model-");
+  const std::string file = "finger/" + yaml.substr(at, yaml.find('}', at) - at);
+  const auto again_says = [&](const std::string& model, const char* words) {
+    bench.write(file, model);
+    const auto before = contents_of(bench.folder / "finger");
+    const ProgramRun run = bench.run({"--again"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.errors, HasSubstr(words));
+    EXPECT_TRUE(contents_of(bench.folder / "finger") == before);
+  };
+  again_says(whole.dump().substr(0, 3000), "broken or cut off");
+  ForceAnswer wrong = whole;
+  wrong["members"][0]["regressors"][0].erase(1);
+  again_says(wrong.dump(), "has not the shape");
+  wrong = whole;
+  wrong["members"][0]["regressors"][0][2]["bias"].push_back(1.0);
+  again_says(wrong.dump(), "has not the shape");
+  wrong = whole;
+  wrong["members"][0]["regressors"][0][1]["weights"]["numbers"][0] = 1e30;
+  again_says(wrong.dump(), "no possible number");
+  const ProgramRun run = bench.run({bench.file("table.csv"), "--model", "ridge"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(kept_model(bench).at("kind"), "ridge");
+}
+
 TEST(ForceCommand, BadInputIsASentenceAndNothingIsLost) {
   const ForceBench bench;
   const std::string before = bench.yaml();
@@ -95,6 +215,10 @@ TEST(ForceCommand, BadInputIsASentenceAndNothingIsLost) {
               HasSubstr("no column 'day'"));
   EXPECT_EQ(bench.run({}).status, 2);
   EXPECT_EQ(bench.run({"--collect", "a.jsonl"}).status, 2);
+  const ProgramRun without = bench.run({"--collect", "a.jsonl", "-o", "b.csv"});
+  EXPECT_EQ(without.status, 1);
+  EXPECT_THAT(without.errors, HasSubstr("no readings of a gauge beside"));
+  EXPECT_EQ(bench.run({bench.file("table.csv"), "--gauge-unit", "g"}).status, 2);
   EXPECT_EQ(bench.run({bench.file("table.csv"), "--undo"}).status, 2);
   EXPECT_EQ(bench.run({"--undo"}).status, 1);
 }

@@ -1,9 +1,13 @@
 // Recording and live measurement from the command line.
+#include "calibration/force/collect_force.h"
 #include "core/recording/video_file.h"
+#include "tests/rigs/serial_line.h"
 #include "tests/support/flat_finger.h"
 #include "tests/support/small_disk.h"
 
+#include <atomic>
 #include <fstream>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -194,6 +198,93 @@ TEST(Live, WantsEitherAFolderOrLines) {
   const ProgramRun both = run_alltact({"reconstruct", "f", "v.mkv", "--live", "--json"});
   EXPECT_EQ(both.status, 1);
   EXPECT_THAT(both.errors, HasSubstr("without --json"));
+}
+
+// Whoever types waits until the recording runs.
+TEST(RecordGauge, WhatIsTypedLiesBesideTheVideo) {
+  const TemporaryFolder folder;
+  write_scene(folder / "s.yaml");
+  const std::string log = (folder / "press.gauge.csv").string();
+  const ProgramRun run = run_shell(
+      "(while [ ! -s '" + log +
+      "' ]; do sleep 0.05; done; sleep 0.3; echo 1,5; sleep 0.2; echo 'y 250 g'; echo nonsense; "
+      "echo) | '" ALLTACT_PROGRAM "' record '" +
+      (folder / "s.yaml").string() + "' -o '" + (folder / "press.mkv").string() +
+      "' --seconds 5 --gauge typed");
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("2 readings of the gauge in"));
+  EXPECT_THAT(run.errors, HasSubstr("'nonsense' is no reading"));
+  const auto gauge = ForceGauge::load(log);
+  ASSERT_TRUE(gauge) << gauge.error().sentence();
+  ASSERT_EQ(gauge->readings.size(), 3U) << text_of(log);
+  EXPECT_TRUE(gauge->is_on_frame_clock);
+  EXPECT_TRUE(gauge->readings[0].holds);
+  EXPECT_EQ(gauge->readings[0].force_N.x(), 1.5);
+  EXPECT_NEAR(gauge->readings[1].force_N.y(), 2.4516625, 1e-6);
+  EXPECT_EQ(gauge->readings[1].block, "typed 2");
+  EXPECT_FALSE(gauge->readings[2].has_force);
+  // On the scene's clock, which begins at 0 with the recording.
+  EXPECT_GT(gauge->readings[0].time_s, 0);
+  EXPECT_LT(gauge->readings[1].time_s, 5.5);
+}
+
+TEST(RecordGauge, ASerialGaugeIsReadAsLongAsTheRecordingRuns) {
+  const TemporaryFolder folder;
+  write_scene(folder / "s.yaml");
+  const SerialLine line;
+  std::atomic<bool> is_over{false};
+  std::thread gauge([&] {
+    for (int i = 0; !is_over; ++i) {
+      const std::string asked = line.hear(20);
+      if (!asked.empty()) line.say(i % 7 == 3 ? "OVER\r\n" : "0.25 lbF\r\n");
+    }
+  });
+  const ProgramRun run = record(folder / "s.yaml",
+                                folder / "v.mkv",
+                                {"--seconds",
+                                 "3",
+                                 "--gauge",
+                                 "serial:" + line.node(),
+                                 "--gauge-model",
+                                 "mark10",
+                                 "--gauge-direction",
+                                 "-y",
+                                 "--json"});
+  is_over = true;
+  gauge.join();
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const json answer = json::parse(run.output);
+  EXPECT_EQ(answer.at("gauge"), (folder / "v.gauge.csv").string());
+  EXPECT_GT(answer.at("readings").get<int>(), 5);
+  const auto told = ForceGauge::load(folder / "v.gauge.csv");
+  ASSERT_TRUE(told) << told.error().sentence();
+  int over = 0;
+  for (const GaugeReading& reading : told->readings) {
+    if (reading.has_force)
+      EXPECT_NEAR(reading.force_N.y(), -0.25 * 4.4482216, 1e-5);
+    else
+      ++over;
+  }
+  EXPECT_GT(over, 0);
+  EXPECT_EQ(static_cast<int>(told->readings.size()) - over, answer.at("readings").get<int>());
+}
+
+TEST(RecordGauge, WhatCannotBeReadIsSaidBeforeAnythingIsRecorded) {
+  const TemporaryFolder folder;
+  write_scene(folder / "s.yaml");
+  const auto refused = [&](const std::vector<std::string>& options, int status, const char* words) {
+    const ProgramRun run = record(folder / "s.yaml", folder / "v.mkv", options);
+    EXPECT_EQ(run.status, status) << words;
+    EXPECT_THAT(run.errors, HasSubstr(words));
+    EXPECT_FALSE(fs::exists(folder / "v.mkv"));
+    EXPECT_FALSE(fs::exists(folder / "v.gauge.csv"));
+  };
+  refused({"--gauge", "serial:/dev/ttyNone"}, 1, "no such serial line");
+  refused({"--gauge", "hid:ffff:ffff", "--gauge-report", "at=1"}, 1, "HID device");
+  refused({"--gauge", "scale"}, 1, "'scale' is no gauge");
+  refused({"--gauge", "typed", "--gauge-model", "mark10"}, 1, "of a serial gauge");
+  refused({"--gauge-unit", "g"}, 2, "--gauge");
+  refused({"--gauge", "serial:/dev/ttyS0", "--gauge-baud", "123"}, 2, "123");
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 #include "calibration/force/force_table.h"
 
 #include "calibration/force/collect_force.h"
+#include "core/io/atomic_file.h"
 #include "tests/calibration/force/force_worlds.h"
+#include "tests/support/temporary_folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -158,7 +160,8 @@ TEST(CollectForce, ReadingsAreInterpolatedAtTheFramesTimes) {
   ASSERT_TRUE(gauge) << gauge.error().sentence();
   const auto collected = collect_force(forty_frames(true), *gauge);
   ASSERT_TRUE(collected) << collected.error().sentence();
-  EXPECT_TRUE(collected->remarks.empty());
+  ASSERT_EQ(collected->remarks.size(), 1U) << "a steady pull tells no delay";
+  EXPECT_NE(collected->remarks[0].english().find("could not be told"), std::string::npos);
   EXPECT_EQ(collected->frames, 40U);
   EXPECT_EQ(collected->left_out, 10U) << "those of the first second";
   const ForceTable& table = collected->table;
@@ -187,7 +190,8 @@ TEST(CollectForce, TypedReadingsGoByTheFramesNames) {
     csv += fmt::format("frame_{:05},{},1,{},{},2,ball\n", i, i, 0.5 * i, 30 + i);
   const auto collected =
       collect_force(forty_frames(false), *ForceGauge::parse_csv(csv, "gauge.csv"));
-  ASSERT_FALSE(collected) << "fy_n never changes";
+  ASSERT_TRUE(collected) << "a part of a table, in which fy_n may stay the same";
+  EXPECT_FALSE(ForceTable::parse(collected->table.to_csv(), "table.csv"));
   std::string good = csv;
   good.replace(good.find(",1,"), 3, ",2,");
   const auto again = collect_force(forty_frames(false), *ForceGauge::parse_csv(good, "gauge.csv"));
@@ -197,6 +201,89 @@ TEST(CollectForce, TypedReadingsGoByTheFramesNames) {
   EXPECT_EQ(again->table.force_N(4, 2), 7);
   EXPECT_EQ(again->table.place_mm(4, 0), 44);
   EXPECT_EQ(again->table.indenter[0], "ball");
+}
+
+TEST(CollectForce, UnitsTimesAndSingleForcesOfOtherProgramsAreUnderstood) {
+  const auto first = [](const char* csv, const GaugeFileOptions& options = {}) {
+    const auto gauge = ForceGauge::parse_csv(csv, "gauge.csv", options);
+    EXPECT_TRUE(gauge) << csv << gauge.error().sentence();
+    return gauge ? gauge->readings.at(0) : GaugeReading();
+  };
+  EXPECT_NEAR(first("t_s,fx_kgf,fy_gf\n1,2,3\n").force_N.x(), 19.6133, 1e-12);
+  EXPECT_NEAR(first("t_s,fx_kgf,fy_gf\n1,2,3\n").force_N.y(), 0.02941995, 1e-12);
+  EXPECT_NEAR(first("Time (ms),Fx [lbf],Fy [lbf]\n1500,1,0\n").force_N.x(), 4.4482216152605, 1e-12);
+  EXPECT_EQ(first("Time (ms),Fx [lbf],Fy [lbf]\n1500,1,0\n").time_s, 1.5);
+  EXPECT_EQ(first("time_ns,fx,fy\n81234567890000,1,0\n").time_s, 81234.56789);
+  GaugeFileOptions options;
+  options.unit_N = 9.80665e-3;
+  options.direction = Eigen::Vector3d(0, -1, 0);
+  EXPECT_NEAR(first("t_s,Force\n1,100\n", options).force_N.y(), -0.980665, 1e-12);
+  EXPECT_NEAR(first("t_s,force_n\n1,100\n", options).force_N.y(), -100, 1e-12);
+  const auto unknown = ForceGauge::parse_csv("t_s,fx_mm,fy_mm\n1,2,3\n", "gauge.csv");
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error().sentence().find("no unit of force"), std::string::npos);
+}
+
+TEST(CollectForce, WhereAGaugeIsOverRangeThereIsNoForce) {
+  std::string csv =
+      "# alltact-gauge/1\n# gauge: serial:x\n"
+      "t_s,fx_n,fy_n,fz_n,sd_n,holds,block,indenter\n";
+  for (int i = 0; i < 41; ++i)
+    csv += i == 20 ? fmt::format("{},,,,,0,,\n", 500 + 0.1 * i)
+                   : fmt::format("{},{},{},0,0.01,0,,\n", 500 + 0.1 * i, i, i % 3);
+  const auto gauge = ForceGauge::parse_csv(csv, "a.gauge.csv");
+  ASSERT_TRUE(gauge) << gauge.error().sentence();
+  EXPECT_TRUE(gauge->is_on_frame_clock);
+  EXPECT_FALSE(gauge->has_block);
+  CollectOptions options;
+  options.shift_s = 0.05;
+  const auto collected = collect_force(forty_frames(true), *gauge, options);
+  ASSERT_TRUE(collected) << collected.error().sentence();
+  EXPECT_EQ(collected->left_out, 2U) << "between 19 and 20, and between 20 and 21";
+  EXPECT_NEAR(collected->reading_sd_N, 0.01, 1e-12);
+  EXPECT_EQ(collected->clock.source, GaugeClock::Source::kGiven);
+  EXPECT_NEAR(collected->table.force_N(5, 0), 5.5, 1e-6);
+  const auto none = ForceGauge::parse_csv("t_s,fx_n,fy_n\n1,,\n", "gauge.csv");
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().sentence().find("holds no reading"), std::string::npos);
+}
+
+TEST(ForceTable, TablesOfSeveralRecordingsAreOne) {
+  const test::TemporaryFolder folder;
+  const auto write = [&](const char* name, const char* axis, bool has_blocks) {
+    std::string csv =
+        fmt::format("frame,t_s,fx_n,fy_n,fz_n,u0,v0,u1,v1{}\n", has_blocks ? ",block" : "");
+    for (int i = 0; i < 15; ++i)
+      csv += fmt::format("f{0},{0},{1},{2},0,{3},50,200,450{4}\n",
+                         i,
+                         *axis == 'x' ? i : 0,
+                         *axis == 'y' ? i : 0,
+                         100 + i,
+                         has_blocks ? fmt::format(",press {}", i / 5) : "");
+    EXPECT_TRUE(write_file_atomically(folder / name, csv));
+    return folder / name;
+  };
+  const auto x = write("x.csv", "x", true), y = write("y.csv", "y", false);
+  EXPECT_FALSE(ForceTable::load(x)) << "alone there is too little of it";
+  const auto both = ForceTable::load_all({x, y});
+  ASSERT_TRUE(both) << both.error().sentence();
+  EXPECT_EQ(both->rows(), 30);
+  EXPECT_EQ(both->axes, 2) << "an fz that is 0 everywhere was not measured";
+  EXPECT_EQ(both->passed_over, std::vector<std::string>{"fz_n"});
+  EXPECT_EQ(both->force_N(14, 0), 14);
+  EXPECT_EQ(both->force_N(29, 1), 14);
+  EXPECT_EQ(both->block[0], "x press 0");
+  EXPECT_EQ(both->block[29], "y 4");
+  EXPECT_EQ(both->frame[15], "f0");
+  EXPECT_EQ(both->time_s.size(), 30);
+  ASSERT_TRUE(write_file_atomically(folder / "z.csv", "fx_n,fy_n,fz_n,u0,v0\n1,2,3,4,5\n"));
+  const auto other = ForceTable::load_all({x, folder / "z.csv"});
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().sentence().find("has 1 markers and 3 axes"), std::string::npos)
+      << other.error().sentence();
+  EXPECT_FALSE(ForceTable::load_all({x, folder / "none.csv"}));
+  EXPECT_NE(ForceTable::load_all({x, x}).error().sentence().find("'fy_n' is the same"),
+            std::string::npos);
 }
 
 TEST(CollectForce, TheTruthOfASimulationIsAGauge) {

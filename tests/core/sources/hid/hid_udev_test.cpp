@@ -1,3 +1,4 @@
+#include "core/sources/gauge/open_gauge.h"
 #include "core/sources/hid/hid_button.h"
 #include "core/sources/hid/led_dimmer.h"
 #include "tests/rigs/hid_device.h"
@@ -123,6 +124,33 @@ TEST(HidPort, ADimmerTakesOutputAndFeatureReports) {
   const Status status = dimmer->set(0.42);
   ASSERT_TRUE(status.ok()) << status.error().sentence();
   EXPECT_THAT(device.feature(), ElementsAre(7, 42, 0));
+}
+
+TEST(HidPort, AForceGaugeIsReadByItsDescription) {
+  TestBed bed;
+  bed.add(TestBed::hid(0, "1209", "0002", "Gauge"));
+  const Device device(bed);
+  GaugeChoice choice;
+  choice.gauge = "hid:1209:0002";
+  choice.report = "id=3 at=1 type=s16 scale=0.01 unit=N";
+  choice.direction = "-y";
+  const auto opener = gauge_opener(choice);
+  ASSERT_TRUE(opener.ok()) << opener.error().sentence();
+  auto gauge = (*opener)();
+  ASSERT_TRUE(gauge.ok()) << gauge.error().sentence();
+  std::vector<GaugeSample> samples;
+  // What is not read before the next one merges with it on this kind of node.
+  for (const Report& report : {Report{3, 0, 0x2E, 0xFB},     // -1234
+                               Report{4, 0, 1, 0},           // another report
+                               Report{3, 0, 0xFF, 0x7F}}) {  // over range
+    device.say(report);
+    const auto news = (*gauge)->read(500);
+    ASSERT_TRUE(news.ok()) << news.error().sentence();
+    samples.insert(samples.end(), news->samples.begin(), news->samples.end());
+  }
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_NEAR(samples[0].force_N.y(), 12.34, 1e-9);
+  EXPECT_FALSE(samples[1].has_force);
 }
 
 }  // namespace

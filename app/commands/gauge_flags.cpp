@@ -1,0 +1,137 @@
+#include "app/commands/gauge_flags.h"
+
+#include "core/sources/gauge/force_unit.h"
+#include "core/sources/gauge/serial_port.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+void check_unit(const std::string& unit) {
+  if (!newtons_in(unit))
+    throw CLI::ValidationError("--gauge-unit",
+                               "'" + unit + "' is none of N, mN, kN, g, kgf, lbf, ozf");
+}
+
+GaugeDirections checked_direction(const std::string& text) {
+  const auto directions = GaugeDirections::parse(text);
+  if (!directions) throw CLI::ValidationError("--gauge-direction", directions.error().sentence());
+  return *directions;
+}
+
+}  // namespace
+
+void add_gauge_flags(CLI::App& command, GaugeChoice& gauge) {
+  CLI::Option* chosen =
+      command
+          .add_option("--gauge",
+                      gauge.gauge,
+                      "A force gauge to read beside, into NAME.gauge.csv: typed (each number and "
+                      "Enter while the finger rests; 'y 1.2 N' along y; 'block NAME'; an empty "
+                      "line where it moves again), serial:/dev/ttyUSB0, or hid:DEVICE")
+          ->type_name("GAUGE");
+  const auto add = [&](const char* flag, auto& value, const char* sentence, const char* type) {
+    return command.add_option(flag, value, sentence)->type_name(type)->needs(chosen);
+  };
+  add("--gauge-model",
+      gauge.model,
+      "Of a serial gauge: its speed, question and answers as the maker set them",
+      "mark10|imada|sauter")
+      ->check(CLI::IsMember({"mark10", "imada", "sauter"}));
+  add("--gauge-baud", gauge.baud, "Speed of a serial gauge, 8N1 (default 9600)", "BAUD")
+      ->check(CLI::IsMember(serial_speeds()));
+  add("--gauge-ask",
+      gauge.ask,
+      "What a serial gauge is asked with for each reading, such as '?\\r' (default: it tells by "
+      "itself)",
+      "TEXT");
+  add("--gauge-every-s", gauge.ask_every_s, "How often it is asked (default 0.05)", "S")
+      ->check(CLI::Range(0.001, 60.0));
+  add("--gauge-report",
+      gauge.report,
+      "Of a HID gauge: where its reports tell the force, as 'id=3 at=1 type=s16 scale=0.01 "
+      "unit=N', or a CSV with at, type, scale, zero, unit",
+      "TEXT|FILE");
+  add("--gauge-unit",
+      gauge.unit,
+      "Of readings that name none: N, mN, kN, g, kgf, lbf, ozf",
+      "UNIT");
+  add("--gauge-direction",
+      gauge.direction,
+      "Where a push on the gauge points in the table's axes: x, -y, 0.6,0.8,0; for several values "
+      "x/y/z (default: x, or the axes in their order)",
+      "DIRECTION");
+}
+
+void add_gauge_file_flags(CLI::App& command,
+                          CLI::Option* collect,
+                          GaugeFileOptions& file,
+                          CollectOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--gauge-unit",
+          [&file](const std::string& unit) {
+            check_unit(unit);
+            file.unit_N = *newtons_in(unit);
+          },
+          "With --collect: of the gauge's columns that name none: N, mN, kN, g, kgf, lbf, ozf "
+          "(default N)")
+      ->type_name("UNIT")
+      ->needs(collect);
+  command
+      .add_option_function<std::string>(
+          "--gauge-direction",
+          [&file](const std::string& text) { file.direction = checked_direction(text).of[0]; },
+          "With --collect: of a gauge's file with one column force_n: x, -y, 0.6,0.8,0 (default x)")
+      ->type_name("DIRECTION")
+      ->needs(collect);
+  command
+      .add_option(
+          "--gauge-shift-s",
+          options.shift_s,
+          "With --collect: the gauge's clock less the frames', at the first frame (default: "
+          "by the markers' motion)")
+      ->type_name("S")
+      ->check(CLI::Range(-1e12, 1e12))
+      ->needs(collect);
+  command
+      .add_option_function<double>(
+          "--gauge-drift-ppm",
+          [&options](double ppm) { options.drift = 1e-6 * ppm; },
+          "With --collect: by how much the gauge's clock is faster (default: by the markers' "
+          "motion, where the clocks differ)")
+      ->type_name("PPM")
+      ->check(CLI::Range(-1e4, 1e4))
+      ->needs(collect);
+}
+
+Result<std::unique_ptr<GaugeLog>> start_gauge(const GaugeChoice& gauge) {
+  if (gauge.gauge.empty()) return std::unique_ptr<GaugeLog>();
+  const auto opener = gauge_opener(gauge);
+  if (!opener) return opener.error();
+  return GaugeLog::start(*opener, gauge.gauge);
+}
+
+void tell_gauge(GaugeLog* gauge, Console& console) {
+  if (gauge == nullptr) return;
+  for (const Message& remark : gauge->take_remarks()) console.warn(remark.english());
+}
+
+Status end_gauge(GaugeLog* gauge,
+                 const std::filesystem::path& video,
+                 Console::Json& answer,
+                 Console& console) {
+  if (gauge == nullptr) return {};
+  const auto counts = gauge->end();
+  tell_gauge(gauge, console);
+  if (!counts) return counts.error();
+  const std::filesystem::path file = gauge_log_of(video);
+  console.say(fmt::format("{} readings of the gauge in {}", counts->readings, file.string()));
+  answer["gauge"] = file.string();
+  answer["readings"] = counts->readings;
+  if (counts->readings == 0) console.warn("The gauge told no force while this was recorded.");
+  return {};
+}
+
+}  // namespace alltact

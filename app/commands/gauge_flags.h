@@ -1,0 +1,34 @@
+// What commands are told of a force gauge, and what they tell of it.
+#pragma once
+
+#include "app/console/console.h"
+#include "calibration/force/collect_force.h"
+#include "core/sources/gauge/gauge_log.h"
+#include "core/sources/gauge/open_gauge.h"
+
+#include <CLI/CLI.hpp>
+
+namespace alltact {
+
+/// Of a gauge that is read while recording.
+void add_gauge_flags(CLI::App& command, GaugeChoice& gauge);
+
+/// Of a gauge's file; `collect` is the flag that they go with.
+void add_gauge_file_flags(CLI::App& command,
+                          CLI::Option* collect,
+                          GaugeFileOptions& file,
+                          CollectOptions& options);
+
+/// Null where no gauge is chosen. Errors: those of gauge_opener and of opening it.
+[[nodiscard]] Result<std::unique_ptr<GaugeLog>> start_gauge(const GaugeChoice& gauge);
+
+/// What came since the last call, for the person at the gauge.
+void tell_gauge(GaugeLog* gauge, Console& console);
+
+/// Ends the file beside `video` and tells what is in it.
+[[nodiscard]] Status end_gauge(GaugeLog* gauge,
+                               const std::filesystem::path& video,
+                               Console::Json& answer,
+                               Console& console);
+
+}  // namespace alltact
