@@ -52,6 +52,9 @@ struct ContactRegion {
   Eigen::Vector2d place_px;  ///< the same in the picture
   Eigen::Vector2d place_on_face_mm = {
       0, 0};  ///< the same along the face and across it (FaceShape::place_mm)
+  /// Where on the face the skin lies that is pressed deepest (FaceShape::place_mm), told from all
+  /// of the region, as if what presses were alike on both sides of its middle.
+  Eigen::Vector2d deepest_on_face_mm = {0, 0};
   Eigen::Vector3d deepest_point_mm;
   double deepest_mm = 0;                ///< greatest depth
   std::optional<double> deepest_sd_mm;  ///< as RegionOptions::pressed says; absent without it
@@ -61,9 +64,8 @@ struct ContactRegion {
   /// Of place_mm: the face errs along the line of sight, the depth along z, the latter by what
   /// RegionOptions::pressed says. Not how well the lens is known. Absent without `pressed`.
   std::optional<Eigen::Matrix3d> place_covariance_mm2;
-  /// How far noise moves the centre over the face, along and across alike; absent without
-  /// `pressed`.
-  std::optional<double> centre_sd_mm;
+  /// How noise moves the centre over the face, along it and across; absent without `pressed`.
+  std::optional<Eigen::Matrix2d> centre_covariance_mm2;
   /// Principal axis on the face from the finger's length (base to tip) towards +y, in
   /// (-90, 90]; absent when the region is round, or the sd above 15 degrees.
   std::optional<double> angle_deg;
@@ -91,10 +93,14 @@ struct RegionOptions {
 /// threshold and at least 4 times what noise and reference can make of untouched skin there:
 /// sd^2 = noise^2 / n + systematic^2, n its independent pixels (one in correlated_px2). A
 /// region's mean depth must be that, too, with n its own.
-/// The angle is that of principal_axis.h. Its sd holds what noise does, not how well lens, mapping
-/// and light are known: in rendered pictures 1.36 times its square for a smooth body of noise
-/// alone, and beyond it 0.03 to 0.04 degrees for bars with upright ends, which depth along z
-/// undercuts.
+/// Where the skin is pressed deepest: skin moves along z, so that on a face inclined by theta the
+/// middle of a body, that of the volume which it displaces, and the skin that lies deepest below it
+/// differ by d sin(theta) along the face, d the greatest depth. The skin's own centre, weighted
+/// with d - h (h the depth at which the region ends), lies between them, (sum of (d - h)^2 / sum of
+/// (d - h) / 2 + h) sin(theta) from the middle, by partial integration. The angle is that of
+/// principal_axis.h. Its sd holds what noise does, not how well lens, mapping and light are known:
+/// in rendered pictures 1.36 times its square for a smooth body of noise alone, and beyond it 0.03
+/// to 0.04 degrees for bars with upright ends, which depth along z undercuts.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                                          const FaceShape& shape,
                                                          const Face& face,

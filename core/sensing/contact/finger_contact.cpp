@@ -89,12 +89,13 @@ void tell_direction(const TipWay& way, FingerContact& contact) {
 
 PlaceOnFinger place_of_region(const ContactRegion& region, const FaceShape& shape) {
   PlaceOnFinger place;
-  place.along_mm = region.place_on_face_mm.x();
-  place.across_mm = region.place_on_face_mm.y();
+  place.along_mm = region.deepest_on_face_mm.x();
+  place.across_mm = region.deepest_on_face_mm.y();
   place.depth_mm = region.deepest_mm;
   place.depth_sd_mm = region.deepest_sd_mm;
   if (const auto covariance = place_covariance_on_face_mm2(region, shape)) {
-    place.along_sd_mm = std::sqrt((*covariance)(0, 0));
+    if (const auto base_sd_mm = shape.base_sd_mm())
+      place.along_sd_mm = std::hypot(std::sqrt((*covariance)(0, 0)), *base_sd_mm);
     place.across_sd_mm = std::sqrt((*covariance)(1, 1));
   }
   return place;
@@ -134,10 +135,9 @@ std::optional<TipWay> tip_way(const Markers& markers,
 std::optional<Eigen::Matrix2d> place_covariance_on_face_mm2(const ContactRegion& region,
                                                             const FaceShape& shape) {
   const auto plane = contact_plane(shape, region.place_px);
-  if (!plane || !region.place_covariance_mm2 || !region.centre_sd_mm) return std::nullopt;
-  const double centre = *region.centre_sd_mm;
+  if (!plane || !region.place_covariance_mm2 || !region.centre_covariance_mm2) return std::nullopt;
   return Eigen::Matrix2d(plane->transpose() * *region.place_covariance_mm2 * *plane +
-                         centre * centre * Eigen::Matrix2d::Identity());
+                         *region.centre_covariance_mm2);
 }
 
 double ContactSigns::push_strength() const {

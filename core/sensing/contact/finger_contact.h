@@ -33,14 +33,15 @@ struct TipWay {
                                             const FaceShape& shape,
                                             const Eigen::MatrixXd& ways_px2);
 
-/// On the finger, mm. Standard deviations hold the picture's noise and how well the face's distance
-/// and the depth are known, not the lens, and not where along_mm begins: at the first column that
-/// shows the face, on drawn fingers 0.1 to 0.4 mm behind its base's end.
+/// On the finger, mm: the skin that is pressed deepest (ContactRegion::deepest_on_face_mm).
+/// Standard deviations hold the picture's noise, where the face's end at the base is seen, and how
+/// well the face's distance and the depth are known; not the lens.
 struct PlaceOnFinger {
   double along_mm = 0;   ///< along the face from its base (FaceShape::length_at)
   double across_mm = 0;  ///< from its middle line towards +y
   double depth_mm = 0;   ///< the deepest, along z
-  /// Absent where the region tells no covariance.
+  /// Absent where the region tells no covariance; along_sd_mm also where the base's end is not
+  /// seen, so that along_mm counts from the first column that shows the face.
   std::optional<double> along_sd_mm, across_sd_mm, depth_sd_mm;
 };
 

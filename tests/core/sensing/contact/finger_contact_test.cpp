@@ -238,7 +238,7 @@ TEST(FingerContact, ADentTellsTheFaceAndTheMarkersTheWay) {
   ContactRegion region;
   region.place_mm = region.deepest_point_mm = {0, 0, 31.2};
   region.place_px = {160, 90};
-  region.place_on_face_mm = {12, 3};
+  region.deepest_on_face_mm = {12, 3};
   region.deepest_mm = 0.3;
   const std::vector<ContactRegion> regions{region};
   signs.regions = &regions;
