@@ -217,7 +217,10 @@ class RegionSums {
     const double drawn_deg = kDegPerRad *
                              std::sqrt(axis->greater_mm2 * axis->smaller_mm2 / independent) /
                              (axis->greater_mm2 - axis->smaller_mm2);
-    const double sd_deg = kDegPerRad * axis->sd_rad;
+    const double width_mm = std::sqrt(axis->smaller_mm2);
+    const double sd_deg = std::hypot(
+        kDegPerRad * axis->sd_rad,
+        width_mm > 0 ? options.axis_beyond_noise_deg / std::sqrt(width_mm) : kLargestAngleSdDeg);
     if (!(drawn_deg <= kLargestAngleSdDeg && sd_deg <= kLargestAngleSdDeg)) return;
     region.angle_deg = kDegPerRad * axis->angle_rad;
     region.angle_sd_deg = sd_deg;

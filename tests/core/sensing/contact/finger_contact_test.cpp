@@ -12,7 +12,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kMarkerNoise_px = 0.05;  // of pictures that are 960 px wide
+constexpr double kMarkerNoise_px = 0.05;  // sd
 
 // A finger of a drawn size, slope, camera and number of dots; frame 0 is at rest.
 struct DrawnFinger {
@@ -20,27 +20,30 @@ struct DrawnFinger {
   int per_row;
   std::string head;
 
-  explicit DrawnFinger(Parameters& random)
+  /// In pictures of 480 x 270 px times `scale`.
+  explicit DrawnFinger(Parameters& random, int scale = 1)
       : length_mm(random.between(95, 130)),
         incline_deg(random.between(28, 42)),
         width_mm(random.between(18, 28)),
         per_row(static_cast<int>(random.between(5, 13))) {
-    const double f = random.between(460, 600);
+    const double f = scale * random.between(230, 300);
     head = fmt::format(
-        "name: test\nwhy: drawn\nfinger:\n  camera: {{model: pinhole, size: [960, 540], fx: {0}, "
+        "name: test\nwhy: drawn\nfinger:\n  camera: {{model: pinhole, size: [{9}, {10}], fx: {0}, "
         "fy: {0}, cx: {1}, cy: {2}}}\n  face: {{kind: fin_ray, width_mm: {3}, layer_mm: 1.5}}\n  "
         "markers: {{per_row: {4}, polarity: bright}}\nframes: 2\nuntouched: {{x_mm: {5}, z_mm: "
         "{6}, "
         "incline_deg: {7}, length_mm: {8}}}\neffects:\n",
         f,
-        random.between(450, 510),
-        random.between(250, 290),
+        scale * random.between(225, 255),
+        scale * random.between(125, 145),
         width_mm,
         per_row,
         random.between(-27, -20),
         random.between(27, 36),
         incline_deg,
-        length_mm);
+        length_mm,
+        480 * scale,
+        270 * scale);
     tail = fmt::format(
         "  - {{use: markers, radius_mm: 1.2, setback_mm: {}, first: {}, last: {}, albedo: 0.9}}\n"
         "  - {{use: layer, scatter_per_mm: 0.6, along: normal}}\n"
@@ -146,7 +149,7 @@ TEST(FingerContact, OneOfEightWaysIsToldOnDrawnFingers) {
   std::vector<double> off_deg;
   Parameters random(41);
   for (int f = 0; f < 60; ++f) {
-    const DrawnFinger finger(random);
+    const DrawnFinger finger(random, 2);
     for (int way = 0; way < 8; ++way) {
       const double angle = (45 * way + random.between(-22.5, 22.5)) * std::numbers::pi / 180;
       const double mm = random.between(1.5, 5);  // as far as pushes move a finger
