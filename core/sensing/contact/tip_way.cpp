@@ -9,9 +9,9 @@
 namespace alltact {
 namespace {
 
-constexpr int kCells = 40;            // along the finger
+constexpr int kCells = 24;            // along the finger
 constexpr double kStep_mm = 0.25;     // of a mode, for its derivative
-constexpr int kSteps = 5;             // each leaves a tenth of what is left
+constexpr int kSteps = 4;             // each leaves a tenth of what is left
 constexpr double kWellTold = 1e-6;    // least share of the smaller of both motions' information
 constexpr double kModelPart = 0.005;  // of the way, that modes and face leave
 // Of q2 by q1: -0.9 to -0.5 in an even beam that is pushed from its base to its tip, -1.3 to 0.1 in
@@ -23,6 +23,7 @@ using Modes = Eigen::Vector3d;  // q1, q2, q3, mm
 /// A place of the middle line, in the x-z plane and in y, and its slope there.
 struct LinePlace {
   double x = 0, z = 0, y = 0, theta = 0;
+  Eigen::Vector2d tangent = Eigen::Vector2d::Zero();  // of the line's own places alone
 };
 
 /// The middle line in even steps of its length, from base to tip.
@@ -48,7 +49,8 @@ std::optional<Line> line_of(const FaceShape& shape, double length_mm) {
         middle->point_mm.x(),
         middle->point_mm.z(),
         middle->point_mm.y(),
-        std::atan2(to_tip * middle->tangent_z, to_tip * middle->tangent_x)};
+        std::atan2(to_tip * middle->tangent_z, to_tip * middle->tangent_x),
+        {to_tip * middle->tangent_x, to_tip * middle->tangent_z}};
   }
   return line;
 }
@@ -62,10 +64,37 @@ LinePlace place_at(const Line& line, double cells, double cell_mm) {
   LinePlace place{a.x + part * (b.x - a.x),
                   a.z + part * (b.z - a.z),
                   a.y + part * (b.y - a.y),
-                  a.theta + part * (b.theta - a.theta)};
-  place.x += beyond_mm * std::cos(place.theta);
-  place.z += beyond_mm * std::sin(place.theta);
+                  a.theta + part * (b.theta - a.theta),
+                  {0, 0}};
+  if (beyond_mm != 0) {
+    place.x += beyond_mm * std::cos(place.theta);
+    place.z += beyond_mm * std::sin(place.theta);
+  }
   return place;
+}
+
+/// Where along the finger a smooth function falls through 0; beyond both ends a cell at most. Even
+/// over a cell, so that the chord's place is near enough twice.
+template <class Function>
+double cells_where_zero(const Function& function) {
+  double low = -1, high = kCells + 1;
+  while (high - low > 1.5) {
+    const double middle = std::floor(0.5 * (low + high));
+    (function(middle) > 0 ? low : high) = middle;
+  }
+  double at_low = function(low), at_high = function(high);
+  double cells = low;
+  for (int step = 0; step < 2; ++step) {
+    cells = at_low > at_high ? low + (high - low) * at_low / (at_low - at_high) : low;
+    cells = std::clamp(cells, low, high);
+    const double here = function(cells);
+    if (here > 0)
+      low = cells, at_low = here;
+    else
+      high = cells, at_high = here;
+  }
+  return at_low > at_high ? std::clamp(low + (high - low) * at_low / (at_low - at_high), low, high)
+                          : cells;
 }
 
 /// The line before the modes moved it.
@@ -78,8 +107,8 @@ Line unbent(const Line& now, const Modes& q_mm, double length_mm) {
     here.theta -= (2 * t * q_mm[0] + (3 * t * t - 2 * t) * q_mm[1]) / length_mm;
     here.y -= t * t * q_mm[2];
     // Only what is turned is summed up, so that nothing is lost of where it was seen.
-    const Eigen::Vector2d turned(std::cos(here.theta) - std::cos(now[k].theta),
-                                 std::sin(here.theta) - std::sin(now[k].theta));
+    here.tangent = {std::cos(here.theta), std::sin(here.theta)};
+    const Eigen::Vector2d turned = here.tangent - now[k].tangent;
     if (k > 0) {
       const Eigen::Vector2d step = 0.5 * length_mm / kCells * (turned_before + turned);
       here.x = line[k - 1].x + now[k].x - now[k - 1].x + step.x();
@@ -160,14 +189,10 @@ class BodyMarkers {
 
   /// Of the normal through a point.
   [[nodiscard]] double foot_cells(double x, double z) const {
-    double low = -1, high = kCells + 1;
-    for (int step = 0; step < 24; ++step) {
-      const double cells = 0.5 * (low + high);
+    return cells_where_zero([&](double cells) {
       const LinePlace at = place_at(line_, cells, length_mm_ / kCells);
-      const double ahead = (x - at.x) * std::cos(at.theta) + (z - at.z) * std::sin(at.theta);
-      (ahead > 0 ? low : high) = cells;
-    }
-    return 0.5 * (low + high);
+      return (x - at.x) * std::cos(at.theta) + (z - at.z) * std::sin(at.theta);
+    });
   }
 
   /// Where the ray meets the row, by its x alone: near its own side of the picture's middle a ray
@@ -176,15 +201,12 @@ class BodyMarkers {
     if (!place.is_known) return;
     const auto ray = shape_.camera().unproject({marker.u, marker.v});
     const double to_tip = shape_.base_at_low_u() ? 1 : -1;
-    double low = -1, high = kCells + 1;
-    for (int step = 0; step < 30; ++step) {
-      const double cells = 0.5 * (low + high), off = off_at(cells);
+    place.cells = cells_where_zero([&](double cells) {
+      const double off = off_at(cells);
       const LinePlace at = place_at(line_, cells, length_mm_ / kCells);
       const double x = at.x + off * std::sin(at.theta), z = at.z - off * std::cos(at.theta);
-      const double behind = to_tip * (ray->point_at(z).x() - x);
-      (behind > 0 ? low : high) = cells;
-    }
-    place.cells = 0.5 * (low + high);
+      return to_tip * (ray->point_at(z).x() - x);
+    });
     place.off_mm = off_at(place.cells);
   }
   [[nodiscard]] double off_at(double cells) const {
