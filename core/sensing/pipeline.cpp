@@ -248,6 +248,9 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   options.threshold_mm = settings.contact_threshold_mm;
   options.correlated_px2 = std::pow(smoothing_of(settings.smoothing_px).noise_part(), -2);
   options.noise_mm = result.depth->noise_mm;
+  // Of bars at drawn places and angles in rendered pictures: their upright ends.
+  constexpr double kAxisBeyondNoiseDeg = 0.021;
+  options.axis_beyond_noise_deg = kAxisBeyondNoiseDeg;
   DepthError error(*result.depth, *result.reference, *result.shape, *mapping);
   options.untouched = [&](int u, int v) { return error.untouched(u, v); };
   options.pressed = [&](int u, int v, double mm) { return error.of_depth(u, v, mm); };

@@ -4,9 +4,12 @@
 #include "core/simulation/plan.h"
 #include "core/sources/source.h"
 
+#include <algorithm>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include <benchmark/benchmark.h>
@@ -143,6 +146,54 @@ void BM_WholeFrameNetworkMarkers(benchmark::State& state) {
   whole_frame(state, settings);
 }
 
+/// Of the processor, so that what else the computer does is not counted.
+double processor_time_ms(Pipeline& pipeline, const FramePtr& frame, bool& told) {
+  const std::clock_t begin = std::clock();
+  const auto result = pipeline(frame);
+  const std::clock_t end = std::clock();
+  told = result && result->depth && !result->regions.empty() && result->contact;
+  return 1e3 * static_cast<double>(end - begin) / CLOCKS_PER_SEC;
+}
+
+/// What contact, pose and place add to a frame: each frame is measured with them and by a pipeline
+/// that only tells depth, in turns within one run; of ten turns the best of each make a pair. Of
+/// the pairs' differences come the median and what eight of ten lie between.
+void contact_beside_none(benchmark::State& state) {
+  cv::setNumThreads(1);
+  constexpr int kTurns = 10;
+  const Rig rig(static_cast<int>(state.range(0)));
+  const auto finger = FingerSnapshot::of(rig.folder, rig.finger).value();
+  auto with = Pipeline::create(finger, {}, Job());
+  PipelineSettings nothing_touches;
+  nothing_touches.contact_threshold_mm = 1.9;  // no region is as deep
+  Finger unpushed = rig.finger;
+  unpushed.contact.reset();  // no push is told either
+  auto without =
+      Pipeline::create(FingerSnapshot::of(rig.folder, unpushed).value(), nothing_touches, Job());
+  if (!with || !without) return state.SkipWithError("no pipeline");
+  std::vector<double> more_ms, alone_ms;
+  for (auto _ : state)
+    for (const FramePtr& frame : rig.frames) {
+      double with_ms = std::numeric_limits<double>::max(), without_ms = with_ms;
+      bool told = false, ignored = false;
+      for (int turn = 0; turn < kTurns; ++turn) {
+        with_ms = std::min(with_ms, processor_time_ms(*with, frame, told));
+        without_ms = std::min(without_ms, processor_time_ms(*without, frame, ignored));
+      }
+      if (!told) return state.SkipWithError("a frame showed no contact");
+      more_ms.push_back(with_ms - without_ms);
+      alone_ms.push_back(without_ms);
+    }
+  std::sort(more_ms.begin(), more_ms.end());
+  const auto at = [&](std::size_t percent) { return more_ms[more_ms.size() * percent / 100]; };
+  state.counters["more_ms"] = at(50);
+  double sum_ms = 0;
+  for (const double ms : alone_ms) sum_ms += ms / static_cast<double>(alone_ms.size());
+  state.counters["without_ms"] = sum_ms;
+  state.counters["more_ms_p10"] = at(10);
+  state.counters["more_ms_p90"] = at(90);
+}
+
 /// The bytes a frame cannot do without: the picture, its reference, the depth.
 void BM_CopySameBytes(benchmark::State& state) {
   const auto scale = static_cast<std::size_t>(state.range(0));
@@ -156,6 +207,7 @@ void BM_CopySameBytes(benchmark::State& state) {
 
 BENCHMARK(BM_CopySameBytes)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_WholeFrame)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(contact_beside_none)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(BM_WholeFrameNearest)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_WholeFramePaperMarkers)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_WholeFrameNetworkMarkers)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);

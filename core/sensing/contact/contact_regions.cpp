@@ -61,6 +61,43 @@ struct CellSums {
   double depth = 0, depth_square = 0, depth_u = 0, depth_v = 0;  // sums over the pixels
 };
 
+/// Where on the face the volume above the threshold has its centre. The weight begins at nothing,
+/// so that pixels of the rim which noise takes in or leaves out do not move it.
+class SkinCentre {
+ public:
+  void add(const CellSums& cell,
+           const Eigen::Vector2d& place_mm,
+           double pixel_mm2,
+           double threshold_mm,
+           double noise_mm) {
+    if (weight_ == 0) origin_mm_ = place_mm;
+    const Eigen::Vector2d off = place_mm - origin_mm_;
+    const double above = cell.depth - threshold_mm * cell.pixels;
+    weight_ += pixel_mm2 * above;
+    first_ += pixel_mm2 * above * off;
+    square_ += pixel_mm2 * (cell.depth_square - threshold_mm * (cell.depth + above));
+    const double variance = cell.pixels * std::pow(pixel_mm2 * noise_mm, 2);
+    noise_ += variance;
+    noise_first_ += variance * off;
+    noise_second_ += variance * off * off.transpose();
+  }
+  [[nodiscard]] Eigen::Vector2d mean_mm() const { return origin_mm_ + first_ / weight_; }
+  /// Of the depth above the threshold, weighted with itself.
+  [[nodiscard]] double mean_above_mm() const { return square_ / weight_; }
+  /// Of the mean, were pixels independent: an error e moves it by (place - mean) e / weights.
+  [[nodiscard]] Eigen::Matrix2d covariance_mm2() const {
+    const Eigen::Vector2d mean = first_ / weight_;
+    const Eigen::Matrix2d mixed = noise_first_ * mean.transpose();
+    return (noise_second_ - mixed - mixed.transpose() + noise_ * mean * mean.transpose()) /
+           (weight_ * weight_);
+  }
+
+ private:
+  Eigen::Vector2d origin_mm_{0, 0}, first_{0, 0}, noise_first_{0, 0};
+  Eigen::Matrix2d noise_second_ = Eigen::Matrix2d::Zero();
+  double weight_ = 0, square_ = 0, noise_ = 0;
+};
+
 /// What a region is told from, gathered cell by cell. Within a cell of 4 px the face is even: its
 /// own spread of (4^2 - 1) / 12 px^2 is the same in every direction and left out.
 class RegionSums {
@@ -91,9 +128,12 @@ class RegionSums {
     region_.volume_mm3 += volume;
     region_.place_mm += volume * pressed_mm;
     region_.place_px += volume * middle;
+    region_.place_on_face_mm += volume * shape_.place_mm(middle.x(), middle.y());
     region_.area_mm2 += cell.pixels * area->on_face_mm2;
     const DepthCauses causes = pressed_at(options, middle, cell.depth / cell.pixels);
     errors_.add(causes, volume, cell.pixels);
+    centre_.add(
+        cell, shape_.place_mm(middle.x(), middle.y()), area->flat_mm2, threshold_mm_, causes.noise);
     // The axis is that of the volume between the threshold and the depth: a weight that begins at
     // nothing, so that pixels of the rim which noise takes in or leaves out do not move it.
     const double above = cell.depth - threshold_mm_ * cell.pixels;
@@ -137,13 +177,13 @@ class RegionSums {
     ContactRegion region = region_;
     region.place_mm /= region.volume_mm3;
     region.place_px /= region.volume_mm3;
-    region.place_on_face_mm = shape_.place_mm(region.place_px.x(), region.place_px.y());
+    region.place_on_face_mm /= region.volume_mm3;
+    find_deepest_place(options, region);
     if (options.pressed)
       region.deepest_sd_mm = pressed_at(options, deepest_px_, region.deepest_mm).total();
     if (options.pressed)
       region.place_covariance_mm2 = contact_covariance_mm2(
           shape_, region.place_px, errors_.mean_sd_mm(region, options.correlated_px2));
-    if (options.pressed) region.centre_sd_mm = centre_sd_mm(region, options.correlated_px2);
     if (const auto local = shape_.at(region.place_px.x(), region.place_px.y()))
       region.normal = local->normal;
     find_angle(options, region);
@@ -153,11 +193,16 @@ class RegionSums {
   }
 
  private:
-  /// Of a mean weighted with depth, whose pixels lie about it as those of a disc of that area:
-  /// sqrt(sum of their noise^2 R^2 / 4) / sum of their depths.
-  [[nodiscard]] double centre_sd_mm(const ContactRegion& region, double correlated_px2) const {
-    const double square_mm2 = region.area_mm2 / (4 * M_PI);
-    return std::sqrt(correlated_px2 * errors_.noise_square * square_mm2) / depth_;
+  /// As contact_regions() says of the weights depth - h: the centre lies
+  /// (sum of (d - h)^2 / sum of (d - h) / 2 + h) sin(theta) from the middle.
+  void find_deepest_place(const RegionOptions& options, ContactRegion& region) const {
+    region.deepest_on_face_mm = centre_.mean_mm();
+    if (const auto plane = contact_plane(shape_, region.place_px))
+      region.deepest_on_face_mm +=
+          (region.deepest_mm - threshold_mm_ - 0.5 * centre_.mean_above_mm()) *
+          plane->row(2).transpose();
+    if (options.pressed)
+      region.centre_covariance_mm2 = options.correlated_px2 * centre_.covariance_mm2();
   }
 
   /// Principal axis, where one can be told: where points drawn from the contact, as many as it has
@@ -172,7 +217,10 @@ class RegionSums {
     const double drawn_deg = kDegPerRad *
                              std::sqrt(axis->greater_mm2 * axis->smaller_mm2 / independent) /
                              (axis->greater_mm2 - axis->smaller_mm2);
-    const double sd_deg = kDegPerRad * axis->sd_rad;
+    const double width_mm = std::sqrt(axis->smaller_mm2);
+    const double sd_deg = std::hypot(
+        kDegPerRad * axis->sd_rad,
+        width_mm > 0 ? options.axis_beyond_noise_deg / std::sqrt(width_mm) : kLargestAngleSdDeg);
     if (!(drawn_deg <= kLargestAngleSdDeg && sd_deg <= kLargestAngleSdDeg)) return;
     region.angle_deg = kDegPerRad * axis->angle_rad;
     region.angle_sd_deg = sd_deg;
@@ -204,6 +252,7 @@ class RegionSums {
   ContactRegion region_;  // places not yet divided by the volume
   Eigen::Vector3d origin_mm_ = Eigen::Vector3d::Zero();
   double depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
+  SkinCentre centre_;
 };
 
 /// A cell's pressed pixels, the deepest of them, and in each row the first and the last.

@@ -52,6 +52,9 @@ struct ContactRegion {
   Eigen::Vector2d place_px;  ///< the same in the picture
   Eigen::Vector2d place_on_face_mm = {
       0, 0};  ///< the same along the face and across it (FaceShape::place_mm)
+  /// Where on the face the skin lies that is pressed deepest (FaceShape::place_mm), told from all
+  /// of the region, as if what presses were alike on both sides of its middle.
+  Eigen::Vector2d deepest_on_face_mm = {0, 0};
   Eigen::Vector3d deepest_point_mm;
   double deepest_mm = 0;                ///< greatest depth
   std::optional<double> deepest_sd_mm;  ///< as RegionOptions::pressed says; absent without it
@@ -61,13 +64,12 @@ struct ContactRegion {
   /// Of place_mm: the face errs along the line of sight, the depth along z, the latter by what
   /// RegionOptions::pressed says. Not how well the lens is known. Absent without `pressed`.
   std::optional<Eigen::Matrix3d> place_covariance_mm2;
-  /// How far noise moves the centre over the face, along and across alike; absent without
-  /// `pressed`.
-  std::optional<double> centre_sd_mm;
+  /// How noise moves the centre over the face, along it and across; absent without `pressed`.
+  std::optional<Eigen::Matrix2d> centre_covariance_mm2;
   /// Principal axis on the face from the finger's length (base to tip) towards +y, in
   /// (-90, 90]; absent when the region is round, or the sd above 15 degrees.
   std::optional<double> angle_deg;
-  std::optional<double> angle_sd_deg;     ///< from the depth's noise, which neighbours share
+  std::optional<double> angle_sd_deg;     ///< as contact_regions() says
   std::optional<Eigen::Vector3d> axis;    ///< the same as a unit vector, camera frame
   std::optional<Eigen::Vector3d> normal;  ///< of the untouched face there, away from the camera
   /// Convex hull of the pressed pixels, as those that are stood on are: mm along the face and
@@ -79,7 +81,8 @@ struct RegionOptions {
   double threshold_mm = 0.1;  ///< depth that counts as a contact
   double noise_mm = 0.0;      ///< sd of a pixel's depth; the threshold is at least 4 of it
   double minimum_area_mm2 = 0.25;
-  double correlated_px2 = 1.0;  ///< pixels that share their noise, by the smoothing
+  double correlated_px2 = 1.0;         ///< pixels that share their noise, by the smoothing
+  double axis_beyond_noise_deg = 0.0;  ///< what turns the axis of a contact 1 mm wide besides noise
   /// How far off untouched skin may be told at a pixel (u, v), as DepthError::untouched; empty: by
   /// noise_mm everywhere.
   std::function<UntouchedSd(int, int)> untouched;
@@ -91,10 +94,14 @@ struct RegionOptions {
 /// threshold and at least 4 times what noise and reference can make of untouched skin there:
 /// sd^2 = noise^2 / n + systematic^2, n its independent pixels (one in correlated_px2). A
 /// region's mean depth must be that, too, with n its own.
-/// The angle is that of principal_axis.h. Its sd holds what noise does, not how well lens, mapping
-/// and light are known: in rendered pictures 1.36 times its square for a smooth body of noise
-/// alone, and beyond it 0.03 to 0.04 degrees for bars with upright ends, which depth along z
-/// undercuts.
+/// Where the skin is pressed deepest: skin moves along z, so that on a face inclined by theta the
+/// middle of a body, that of the volume which it displaces, and the skin that lies deepest below it
+/// differ by d sin(theta) along the face, d the greatest depth. The skin's own centre, weighted
+/// with d - h (h the depth at which the region ends), lies between them, (sum of (d - h)^2 / sum of
+/// (d - h) / 2 + h) sin(theta) from the middle, by partial integration.
+/// The angle is that of principal_axis.h. Its sd holds what noise does and axis_beyond_noise_deg,
+/// the latter over the square root of the region's width (sd across its axis, mm); not how well
+/// lens, mapping and light are known.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                                          const FaceShape& shape,
                                                          const Face& face,

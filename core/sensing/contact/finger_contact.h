@@ -4,6 +4,7 @@
 #include "core/message.h"
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/contact/push.h"
+#include "core/sensing/contact/tip_way.h"
 #include "core/sensing/face/face_shape.h"
 
 #include <optional>
@@ -13,34 +14,15 @@
 
 namespace alltact {
 
-/// How the finger gave way at its tip, in its own section: towards its back (as a push on the
-/// contact face moves it) and towards +y (as one on the upper face does), mm.
-struct TipWay {
-  Eigen::Vector2d way_mm = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d covariance_mm2 = Eigen::Matrix2d::Zero();  ///< of the markers' noise
-  Eigen::Vector3d towards_back = Eigen::Vector3d::Zero();    ///< unit, camera frame, at the tip
-};
-
-/// Least squares over the markers of two motions that both grow with the square of the way from the
-/// base, as those of a cantilever do to first order: towards the back and aside. How far each moves
-/// a marker in the picture follows from where face and marker lie (`shape`, this frame's; the
-/// section turns as it is bent and carries along what stands off the face), so that a millimetre
-/// counts the same in both, which it does not in the picture. How much stiffer the
-/// finger is to one side is not known: this is the way it moved, not the force's.
-/// nullopt: a flat sensor, markers that are not those of `rest`, or ones too few to tell both.
-[[nodiscard]] std::optional<TipWay> tip_way(const Markers& markers,
-                                            const std::vector<Eigen::Vector2d>& rest,
-                                            const FaceShape& shape,
-                                            const Eigen::MatrixXd& ways_px2);
-
-/// On the finger, mm. Standard deviations hold the picture's noise and how well the face's distance
-/// and the depth are known, not the lens, and not where along_mm begins: at the first column that
-/// shows the face, on drawn fingers 0.1 to 0.4 mm behind its base's end.
+/// On the finger, mm: the skin that is pressed deepest (ContactRegion::deepest_on_face_mm).
+/// Standard deviations hold the picture's noise, where the face's end at the base is seen, and how
+/// well the face's distance and the depth are known; not the lens.
 struct PlaceOnFinger {
   double along_mm = 0;   ///< along the face from its base (FaceShape::length_at)
   double across_mm = 0;  ///< from its middle line towards +y
   double depth_mm = 0;   ///< the deepest, along z
-  /// Absent where the region tells no covariance.
+  /// Absent where the region tells no covariance; along_sd_mm also where the base's end is not
+  /// seen, so that along_mm counts from the first column that shows the face.
   std::optional<double> along_sd_mm, across_sd_mm, depth_sd_mm;
 };
 

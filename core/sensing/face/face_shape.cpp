@@ -280,23 +280,7 @@ void FaceShape::finish() {
   const auto last = std::find_if(columns_.rbegin(), columns_.rend(), valid);
   base_at_low_u_ = first->z_mm <= last->z_mm;
 
-  length_mm_.assign(columns_.size(), 0.0);
-  std::optional<Eigen::Vector3d> before;
-  double length = 0;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const std::size_t u = base_at_low_u_ ? i : columns_.size() - 1 - i;
-    const FaceColumn& column = columns_[u];
-    if (column.valid) {
-      const auto ray =
-          camera_.unproject({static_cast<double>(u), 0.5 * (column.upper_v + column.lower_v)});
-      if (ray) {
-        const Eigen::Vector3d here = ray->point_at(column.z_mm);
-        if (before) length += std::hypot(here.x() - before->x(), here.z() - before->z());
-        before = here;
-      }
-    }
-    length_mm_[u] = length;
-  }
+  know_lengths();
   along_z_per_normal_.assign(columns_.size(), 1.0F);
   for (int u = 0; u < width_px(); ++u) {
     const FaceColumn& column = columns_[static_cast<std::size_t>(u)];

@@ -95,9 +95,13 @@ class FaceShape {
   /// middle line. For pixels on the face or near it; across is 0 off the valid columns.
   [[nodiscard]] Eigen::Vector2d place_mm(double u, double v) const;
 
-  /// Arc length along the face from the first valid column on the base's side to column u, mm,
-  /// measured on the middle of the face; grows from base to tip.
+  /// Arc length along the face from its end at the base to column u, mm, measured on the middle of
+  /// the face; grows from base to tip. Where no end was seen there it begins at the first valid
+  /// column; beyond both ends it stays what it is at them.
   [[nodiscard]] double length_at(double u) const;
+  /// Of where length_at begins, mm; 0 on a flat sensor. nullopt: the face's end at the base is out
+  /// of the picture or was not seen, so that nobody knows how much of the face lies before it.
+  [[nodiscard]] std::optional<double> base_sd_mm() const;
 
   /// A place half-way between the edges.
   struct Middle {
@@ -125,6 +129,8 @@ class FaceShape {
   }
   std::optional<Middle> middle_within(double u) const;  // u between valid columns
   void know_across();
+  std::optional<double> end_column(bool at_base) const;  // on the middle of the face
+  void know_lengths();
   double z_of_column(int u) const;  // on the middle of the face; 0 where there is none
   void finish();
   double column_of(double x) const;  // that a lens without distortion would show x in

@@ -72,6 +72,89 @@ FaceShape::Rows FaceShape::rows(int u, double margin_px) const {
   return {first, last};
 }
 
+// Its v is that of the nearest valid column: an end is steep.
+std::optional<double> FaceShape::end_column(bool at_base) const {
+  const std::optional<FaceEnd>& end = at_base == base_at_low_u_ ? ends_.first : ends_.last;
+  if (!end) return std::nullopt;
+  const auto is_valid = [](const FaceColumn& c) { return c.valid; };
+  const long first = std::find_if(columns_.begin(), columns_.end(), is_valid) - columns_.begin();
+  const long last =
+      columns_.rend() - std::find_if(columns_.rbegin(), columns_.rend(), is_valid) - 1;
+  double u = end->u_px;
+  for (int step = 0; step < 3; ++step) {
+    const FaceColumn& column =
+        columns_[static_cast<std::size_t>(std::clamp(std::lround(u), first, last))];
+    u = end->at(0.5 * (column.upper_v + column.lower_v));
+  }
+  // Where it lies far from what can be trusted, the length to it is not known.
+  constexpr double kNear_px = 2.0;
+  if (u < static_cast<double>(first) - kNear_px || u > static_cast<double>(last) + kNear_px)
+    return std::nullopt;
+  return u;
+}
+
+void FaceShape::know_lengths() {
+  struct Place {
+    std::size_t u;
+    double length_mm;
+  };
+  std::vector<Place> places;  // of the valid columns, from base to tip
+  std::optional<Eigen::Vector3d> before;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::size_t u = base_at_low_u_ ? i : columns_.size() - 1 - i;
+    const FaceColumn& column = columns_[u];
+    if (!column.valid) continue;
+    const auto ray =
+        camera_.unproject({static_cast<double>(u), 0.5 * (column.upper_v + column.lower_v)});
+    if (!ray) continue;
+    const Eigen::Vector3d here = ray->point_at(column.z_mm);
+    const double step_mm =
+        before ? std::hypot(here.x() - before->x(), here.z() - before->z()) : 0.0;
+    places.push_back({u, places.empty() ? 0.0 : places.back().length_mm + step_mm});
+    before = here;
+  }
+  length_mm_.assign(columns_.size(), 0.0);
+  if (places.size() < 2) return;
+  // An end lies between columns; on with the slope of the outermost two, or back where it slants.
+  const double way = base_at_low_u_ ? 1.0 : -1.0;
+  const auto length_to = [&](double u) {
+    const auto part = [&](const Place& a, const Place& b) {
+      return a.length_mm + (b.length_mm - a.length_mm) * (u - static_cast<double>(a.u)) /
+                               (static_cast<double>(b.u) - static_cast<double>(a.u));
+    };
+    std::size_t i = 1;
+    while (i + 1 < places.size() && way * (u - static_cast<double>(places[i].u)) > 0) ++i;
+    return part(places[i - 1], places[i]);
+  };
+  const auto base = end_column(true), tip = end_column(false);
+  const double zero_mm = base ? length_to(*base) : 0.0;
+  const double first_mm = std::min(zero_mm, 0.0);
+  const double last_mm = std::max(tip ? length_to(*tip) : 0.0, places.back().length_mm);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::size_t u = base_at_low_u_ ? i : columns_.size() - 1 - i;
+    if (next < places.size() && places[next].u == u) ++next;
+    const double length_mm = next == 0 ? first_mm
+                             : next == places.size() && places.back().u != u
+                                 ? last_mm
+                                 : places[next - 1].length_mm;
+    length_mm_[u] = length_mm - zero_mm;
+  }
+}
+
+std::optional<double> FaceShape::base_sd_mm() const {
+  if (whole_picture_) return 0.0;
+  const auto end = end_column(true);
+  if (!end) return std::nullopt;
+  const double half = base_at_low_u_ ? 1.0 : -1.0;
+  const double inner = std::clamp(*end + 2 * half, 0.0, width_px() - 1.0);
+  const double mm_per_px = std::abs(length_at(inner + half) - length_at(inner));
+  const double sd_px = (base_at_low_u_ ? ends_.first : ends_.last)->sd_px;
+  // Half-way between the levels on both sides is not quite where a blurred end lies.
+  constexpr double kEndBias_px = 0.07;
+  return mm_per_px * std::hypot(sd_px, kEndBias_px);
+}
+
 double FaceShape::length_at(double u) const {
   const double clamped = std::clamp(u, 0.0, static_cast<double>(columns_.size() - 1));
   const auto left = static_cast<std::size_t>(clamped);

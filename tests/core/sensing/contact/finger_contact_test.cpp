@@ -12,7 +12,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kMarkerNoise_px = 0.08;
+constexpr double kMarkerNoise_px = 0.05;  // sd
 
 // A finger of a drawn size, slope, camera and number of dots; frame 0 is at rest.
 struct DrawnFinger {
@@ -20,27 +20,30 @@ struct DrawnFinger {
   int per_row;
   std::string head;
 
-  explicit DrawnFinger(Parameters& random)
+  /// In pictures of 480 x 270 px times `scale`.
+  explicit DrawnFinger(Parameters& random, int scale = 1)
       : length_mm(random.between(95, 130)),
         incline_deg(random.between(28, 42)),
         width_mm(random.between(18, 28)),
         per_row(static_cast<int>(random.between(5, 13))) {
-    const double f = random.between(230, 300);
+    const double f = scale * random.between(230, 300);
     head = fmt::format(
-        "name: test\nwhy: drawn\nfinger:\n  camera: {{model: pinhole, size: [480, 270], fx: {0}, "
+        "name: test\nwhy: drawn\nfinger:\n  camera: {{model: pinhole, size: [{9}, {10}], fx: {0}, "
         "fy: {0}, cx: {1}, cy: {2}}}\n  face: {{kind: fin_ray, width_mm: {3}, layer_mm: 1.5}}\n  "
         "markers: {{per_row: {4}, polarity: bright}}\nframes: 2\nuntouched: {{x_mm: {5}, z_mm: "
         "{6}, "
         "incline_deg: {7}, length_mm: {8}}}\neffects:\n",
         f,
-        random.between(225, 255),
-        random.between(125, 145),
+        scale * random.between(225, 255),
+        scale * random.between(125, 145),
         width_mm,
         per_row,
         random.between(-27, -20),
         random.between(27, 36),
         incline_deg,
-        length_mm);
+        length_mm,
+        480 * scale,
+        270 * scale);
     tail = fmt::format(
         "  - {{use: markers, radius_mm: 1.2, setback_mm: {}, first: {}, last: {}, albedo: 0.9}}\n"
         "  - {{use: layer, scatter_per_mm: 0.6, along: normal}}\n"
@@ -129,16 +132,27 @@ void print_distribution(const char* what, std::vector<double> values) {
          values.size());
 }
 
+// How likely an error of this sd leaves the eighth of the circle that a direction lies in.
+double chance_to_leave_side(double angle_rad, double sd_deg) {
+  const double eighth = std::numbers::pi / 4;
+  const double off_deg =
+      std::remainder(angle_rad, eighth) * 180 / std::numbers::pi;  // from the side's middle
+  const auto beyond = [&](double deg) { return 0.5 * std::erfc(deg / sd_deg / std::sqrt(2.0)); };
+  return beyond(22.5 - off_deg) + beyond(22.5 + off_deg);
+}
+
+// Ways over whole sides: those that lie within their error of a border can be told to lie beyond
+// it, as many as the errors told say.
 TEST(FingerContact, OneOfEightWaysIsToldOnDrawnFingers) {
-  int right = 0, by_picture = 0, count = 0;
+  int right = 0, sure = 0, sure_right = 0, count = 0;
+  double expected_wrong = 0, normalised = 0;
   std::vector<double> off_deg;
   Parameters random(41);
   for (int f = 0; f < 60; ++f) {
-    const DrawnFinger finger(random);
+    const DrawnFinger finger(random, 2);
     for (int way = 0; way < 8; ++way) {
-      // Within the middle two thirds of a region, as far as pushes move a finger.
-      const double angle = (45 * way + random.between(-15, 15)) * std::numbers::pi / 180;
-      const double mm = random.between(1.5, 5);
+      const double angle = (45 * way + random.between(-22.5, 22.5)) * std::numbers::pi / 180;
+      const double mm = random.between(1.5, 5);  // as far as pushes move a finger
       const std::string motion = fmt::format(
           "motion: {{kind: poses, poses: [{{}}, {{q1_mm: {}, q2_mm: {}, sway_mm: {}}}]}}\n",
           -mm * std::cos(angle),
@@ -153,22 +167,34 @@ TEST(FingerContact, OneOfEightWaysIsToldOnDrawnFingers) {
       const double found = std::atan2(told->way->way_mm.y(), told->way->way_mm.x());
       const double off =
           std::remainder(found - angle, 2 * std::numbers::pi) * 180 / std::numbers::pi;
+      const double sd_deg = told->contact->direction_sd_deg.value();
       off_deg.push_back(std::abs(off));
-      const auto region = [](double a) {
-        return (static_cast<int>(std::lround(a / (std::numbers::pi / 4))) + 8) % 8;
-      };
-      right += region(found) == way;
-      const Eigen::Vector3d& d = *told->push.direction;
-      by_picture += region(std::atan2(d.y(), d.x())) == way;
+      normalised += off * off / (sd_deg * sd_deg);
+      const bool is_right =
+          (static_cast<int>(std::lround(found / (std::numbers::pi / 4))) + 8) % 8 == way;
+      const double chance = chance_to_leave_side(found, sd_deg);
+      expected_wrong += chance;
+      right += is_right;
       ++count;
+      if (chance > 0.01) continue;
+      ++sure;
+      sure_right += is_right;
     }
   }
-  printf("one of 8 ways: right %d of %d; by the picture's offset alone %d\n",
+  printf("one of 8 ways: right %d of %d, %.1f wrong by the errors told; of %d sure ones %d\n",
          right,
          count,
-         by_picture);
+         expected_wrong,
+         sure,
+         sure_right);
+  printf("direction: NEES %.2f\n", normalised / count);
   print_distribution("degrees off the way", off_deg);
   EXPECT_GE(right, 0.995 * count);
+  EXPECT_LT(expected_wrong, 0.02 * count);
+  EXPECT_GT(sure, 0.93 * count);
+  EXPECT_EQ(sure_right, sure);
+  EXPECT_GT(normalised / count, 0.6);
+  EXPECT_LT(normalised / count, 1.3);
 }
 
 TEST(FingerContact, TheFaceThatIsPushedIsToldOnDrawnFingers) {
@@ -238,7 +264,7 @@ TEST(FingerContact, ADentTellsTheFaceAndTheMarkersTheWay) {
   ContactRegion region;
   region.place_mm = region.deepest_point_mm = {0, 0, 31.2};
   region.place_px = {160, 90};
-  region.place_on_face_mm = {12, 3};
+  region.deepest_on_face_mm = {12, 3};
   region.deepest_mm = 0.3;
   const std::vector<ContactRegion> regions{region};
   signs.regions = &regions;

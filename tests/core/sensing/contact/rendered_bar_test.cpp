@@ -148,14 +148,21 @@ AxisErrors axis_errors(const std::string& body) {
   return errors;
 }
 
+// A mean of n normalised squares scatters by sqrt(2 / n).
+void expect_as_sure_as_told(const AxisErrors& errors) {
+  const double scatter = 3 * std::sqrt(2.0 / bar_runs());
+  EXPECT_GT(errors.normalised, 0.75 * (1 - scatter));
+  EXPECT_LT(errors.normalised, 1.25 * (1 + scatter));
+}
+
 TEST(RenderedBars, TheAxisIsToldToADegree) {
   for (const std::string body : {"cylinder, radius_mm: 3, length_mm: 12",
                                  "edge, angle_deg: 90, radius_mm: 0.3, length_mm: 12"}) {
     const AxisErrors errors = axis_errors(body);
     EXPECT_LT(errors.worst_deg, 1.0);
     EXPECT_LT(errors.worst_in_space_deg, 1.0) << "what a gripper turns by";
-    // Upright ends are undercut where one looks along z: beyond noise, some hundredths of a degree.
     EXPECT_LT(errors.rms_deg, 0.1);
+    expect_as_sure_as_told(errors);
   }
 }
 
@@ -175,11 +182,7 @@ TEST(RenderedBars, TheAxisOfASmoothBodyIsAsSureAsItSays) {
   const AxisErrors errors = axis_errors(
       fmt::format("relief, shape: picture, mm_per_px: 0.05, height_mm: 1.2, file: {}", file));
   EXPECT_LT(errors.worst_deg, 1.0);
-  // 1.4 in many runs: how the light is followed turns the axis, too, and is not counted. A mean of
-  // n normalised squares scatters by sqrt(2 / n).
-  const double scatter = 3 * std::sqrt(2.0 / bar_runs());
-  EXPECT_GT(errors.normalised, 0.8 * (1 - scatter));
-  EXPECT_LT(errors.normalised, 1.6 * (1 + scatter));
+  expect_as_sure_as_told(errors);
 }
 
 TEST(RenderedBars, ABallHasNoAxis) {
