@@ -17,6 +17,8 @@ constexpr double kDarkPart = 0.4;  // of the darkest difference
 constexpr float kLeastDark = 0.02F;
 constexpr int kOpeningPx = 5;
 constexpr std::size_t kLeastSamples = 50;
+constexpr double kZero_mm = 1e-3;    // what counts as no constant
+constexpr double kMostMisfit = 0.3;  // above, the cubic goes through noise
 
 Error no_circle(const Press& press, Message what) {
   return {std::move(what), press.name, en::say("pressing the ball in deeper, whole on the face")};
@@ -39,7 +41,7 @@ class CubicOfBall {
   [[nodiscard]] std::optional<Fit> operator()(const Eigen::Vector3d& centre_mm) const {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    double square = 0;
+    double square = 0, sum = 0;
     std::size_t met = 0;
     for (const Sample& sample : samples_) {
       const double d = ball_depth_mm(sample, MappingAlong::kZ, centre_mm, radius_mm_);
@@ -49,14 +51,16 @@ class CubicOfBall {
       normal.noalias() += row * row.transpose();
       right += d * row;
       square += d * d;
+      sum += d;
       ++met;
     }
-    if (met < kLeastSamples || 10 * met < 9 * samples_.size() || !(square > 0.0))
+    const double spread = square - sum * sum / static_cast<double>(std::max<std::size_t>(1, met));
+    if (met < kLeastSamples || 10 * met < 9 * samples_.size() || !(spread > 0.0))
       return std::nullopt;
     const Eigen::Vector4d c = normal.ldlt().solve(right);
     const double left = std::max(0.0, square - c.dot(right));
     if (!c.allFinite()) return std::nullopt;
-    return Fit{c[0] - c[1] + c[2] - c[3], std::sqrt(left / square)};
+    return Fit{c[0] - c[1] + c[2] - c[3], std::sqrt(left / spread)};
   }
 
  private:
@@ -80,40 +84,61 @@ class Search {
 
   /// At one middle, the size without a constant; of several the one whose cubic fits best.
   [[nodiscard]] std::optional<SearchedCircle> at(const Eigen::Vector2d& middle_px) const {
-    const auto foot = foot_of(middle_px);
-    if (!foot) return std::nullopt;
+    const auto local = shape_.at(middle_px.x(), middle_px.y());
+    if (!local) return std::nullopt;
     constexpr int kSteps = 24;
     std::optional<SearchedCircle> best, before;
+    double before_mm = 0;
     for (int step = 0; step <= kSteps; ++step) {
       const double depth_mm = face_.layer_mm * (step + 0.25) / kSteps;
-      const auto here = with_depth(middle_px, *foot, depth_mm);
+      const auto here = with_depth(middle_px, *local, depth_mm);
       if (before && here && before->constant_mm * here->constant_mm <= 0.0) {
-        const double drop = before->constant_mm - here->constant_mm;
-        const double part = drop == 0.0 ? 0.0 : before->constant_mm / drop;
-        const auto zero =
-            with_depth(middle_px, *foot, depth_mm - (1.0 - part) * face_.layer_mm / kSteps);
+        const auto zero = between(middle_px, *local, {before_mm, *before}, {depth_mm, *here});
         if (zero && (!best || zero->misfit < best->misfit)) best = zero;
       }
       before = here;
+      before_mm = depth_mm;
     }
     return best;
   }
 
+  /// A little more than the ball's radius in the picture.
+  [[nodiscard]] double reach_px(const Eigen::Vector2d& middle_px) const {
+    const auto local = shape_.at(middle_px.x(), middle_px.y());
+    return local ? 1.2 * radius_mm_ / camera_.mm_per_px_at(local->view_point_mm.z()) : 0.0;
+  }
+
  private:
-  /// The untouched face under a middle, along z.
-  [[nodiscard]] std::optional<Eigen::Vector3d> foot_of(const Eigen::Vector2d& pixel) const {
-    const auto local = shape_.at(pixel.x(), pixel.y());
-    if (!local) return std::nullopt;
-    return untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ);
+  struct AtDepth {
+    double depth_mm;
+    SearchedCircle circle;
+  };
+
+  /// Bisection; the sign may change at a pole or where samples come and go, which is no zero.
+  [[nodiscard]] std::optional<SearchedCircle> between(const Eigen::Vector2d& middle_px,
+                                                      const FaceShape::Local& local,
+                                                      AtDepth from,
+                                                      AtDepth to) const {
+    while (to.depth_mm - from.depth_mm > 1e-5) {
+      const double half_mm = 0.5 * (from.depth_mm + to.depth_mm);
+      const auto half = with_depth(middle_px, local, half_mm);
+      if (!half) return std::nullopt;
+      const bool before_zero = half->constant_mm * from.circle.constant_mm > 0.0;
+      (before_zero ? from : to) = {half_mm, *half};
+    }
+    if (!(std::abs(to.circle.constant_mm) < kZero_mm)) return std::nullopt;
+    return to.circle;
   }
 
   /// The circle of the ball in the middle's direction that goes into the face by about `depth_mm`.
   [[nodiscard]] std::optional<SearchedCircle> with_depth(const Eigen::Vector2d& middle_px,
-                                                         const Eigen::Vector3d& foot,
+                                                         const FaceShape::Local& local,
                                                          double depth_mm) const {
-    const auto circle = circle_at(middle_px, foot.z() + radius_mm_ - depth_mm, depth_mm);
+    const double untouched_mm = untouched_point_mm(local, face_.layer_mm, MappingAlong::kZ).z();
+    const double ahead_mm = (radius_mm_ - depth_mm) / local.cos_incline;
+    const auto circle = circle_at(middle_px, untouched_mm + ahead_mm, depth_mm);
     const auto ball =
-        circle ? ball_of_circle(*circle, camera_, radius_mm_, foot.z()) : std::nullopt;
+        circle ? ball_of_circle(*circle, camera_, radius_mm_, untouched_mm) : std::nullopt;
     const auto fit = ball ? cubic_(*ball) : std::nullopt;
     if (!fit) return std::nullopt;
     return SearchedCircle{*circle, *ball, fit->constant_mm, fit->misfit};
@@ -158,7 +183,7 @@ Result<Circle> dark_circle(const Press& press, const Camera& camera) {
     if (outline) return *outline;
   }
   cv::Mat x = press.difference.x.clone();
-  x.setTo(0, x != x);  // NaN
+  cv::patchNaNs(x, 0.0);
   cv::blur(x, x, {5, 5});
   const cv::Mat disc =
       cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kOpeningPx + 1, 2 * kOpeningPx + 1});
@@ -215,10 +240,17 @@ Result<SearchedCircle> search_circle(const Press& press,
         if (here && (!best || here->misfit < best->misfit)) best = here;
       }
   };
-  double reach_px = 0.5 * dark.radius;
-  look(dark.centre, reach_px, 4);
+  // Over an inclined face the ball's middle is seen beside the dark disc.
+  double reach_px = search.reach_px(dark.centre);
+  constexpr int kSteps = 10;
+  look(dark.centre, reach_px, kSteps);
   if (!best) return no_circle(press, en::say("no circle gives a cubic whose constant is zero"));
-  for (reach_px /= 4; reach_px > 0.05; reach_px /= 2) look(best->circle.centre, reach_px, 2);
+  for (reach_px /= kSteps; reach_px > 0.05; reach_px /= 2) look(best->circle.centre, reach_px, 2);
+  if (best->misfit > kMostMisfit)
+    return no_circle(press,
+                     en::say("the cubic without a constant leaves {:.0f} % of the depths' spread: "
+                             "its contact is too faint, small or steep",
+                             100.0 * best->misfit));
   return *best;
 }
 

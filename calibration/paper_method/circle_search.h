@@ -34,13 +34,14 @@ struct SearchedCircle {
   Circle circle;
   Eigen::Vector3d ball_mm = Eigen::Vector3d::Zero();
   double constant_mm = 0;  ///< of the cubic through (x, d): what is left of it
-  double misfit = 0;       ///< rms of what the cubic leaves, over the rms of d
+  double misfit = 0;       ///< rms of what the cubic leaves, over the spread of d
 };
 
 /// The circle for which the cubic's constant is zero. That is one equation for three unknowns: at
 /// each place of the middle some size meets it, and of these the one whose cubic fits best is
-/// taken. Middles within half a radius of `dark`; sizes for which the ball presses between nothing
-/// and the layer's thickness. `samples`: of the dark disc. Error: no circle meets it.
+/// taken. Middles within 1.2 of the ball's radius of `dark`; sizes for which the ball presses
+/// between nothing and the layer's thickness. `samples`: of the dark disc. Error: no circle meets
+/// it, or only such whose cubic leaves 0.3 of the depths' spread, as noise does.
 [[nodiscard]] Result<SearchedCircle> search_circle(const Press& press,
                                                    const Circle& dark,
                                                    const std::vector<Sample>& samples,
