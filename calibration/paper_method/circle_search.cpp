@@ -70,12 +70,12 @@ class CubicOfBall {
 };
 
 /// One press, its circles and their cubics.
-class Search {
+class CirclesOfPress {
  public:
-  Search(const Press& press,
-         const std::vector<Sample>& samples,
-         const Camera& camera,
-         const Face& face)
+  CirclesOfPress(const Press& press,
+                 const std::vector<Sample>& samples,
+                 const Camera& camera,
+                 const Face& face)
       : camera_(camera),
         shape_(press.shape),
         face_(face),
@@ -231,7 +231,7 @@ Result<SearchedCircle> search_circle(const Press& press,
                                      const std::vector<Sample>& samples,
                                      const Camera& camera,
                                      const Face& face) {
-  const Search search(press, samples, camera, face);
+  const CirclesOfPress search(press, samples, camera, face);
   std::optional<SearchedCircle> best;
   const auto look = [&](const Eigen::Vector2d& middle, double reach_px, int steps) {
     for (int i = -steps; i <= steps; ++i)

@@ -39,9 +39,9 @@ cv::Mat binarised(const cv::Mat& grey) {
 }
 
 /// A Chebyshev polynomial of least squares over x.
-class Curve {
+class PaperCurve {
  public:
-  Curve(const std::vector<double>& x, const std::vector<double>& y, int degree) {
+  PaperCurve(const std::vector<double>& x, const std::vector<double>& y, int degree) {
     const auto [least, most] = std::minmax_element(x.begin(), x.end());
     middle_ = 0.5 * (*least + *most);
     half_ = std::max(1e-9, 0.5 * (*most - *least));
@@ -63,7 +63,7 @@ class Curve {
 
 /// Where the line of sight x = across z meets the profile z = P(x); NaN where Newton's method does
 /// not get there from the column's own z.
-double meet_profile(const Curve& profile, double across, double z_mm) {
+double meet_profile(const PaperCurve& profile, double across, double z_mm) {
   for (int step = 0; step < 20; ++step) {
     const double off = profile.value(across * z_mm) - z_mm;
     const double slope = across * profile.slope(across * z_mm) - 1.0;
@@ -144,9 +144,9 @@ Result<PaperFace> PaperFace::fit(const PaperEdges& edges, const Camera& camera, 
   }
   if (columns.size() < 4 * (kProfileDegree + 1))
     return no_paper_face(en::say("no distance of the face follows from its edges"));
-  const Curve profile(x_mm, z_mm, kProfileDegree);
+  const PaperCurve profile(x_mm, z_mm, kProfileDegree);
   const std::vector<double> places(columns.begin(), columns.end());
-  const Curve line(places, middle, kProfileDegree);
+  const PaperCurve line(places, middle, kProfileDegree);
   PaperFace fitted;
   fitted.z_mm_.assign(width, kUnseen);
   fitted.middle_y_.assign(width, kUnseen);
