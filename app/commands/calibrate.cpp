@@ -209,16 +209,16 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
     if (!options->again && presses->count() == 0) throw CLI::RequiredError("PRESS");
     if (!options->again && radius->count() == 0) throw CLI::RequiredError("--ball-radius-mm");
     const auto change = [=](CalibrationSettings& how, PipelineSettings& frames) {
-      const CalibrationMethod before = how.method;
       how = calibration.applied_to(how);
-      // Each method has settings of its own to start from.
-      if (how.method != before)
-        frames = how.method == CalibrationMethod::kPaper ? paper_settings() : PipelineSettings{};
+      // The source paper's method has none of these.
+      if (how.method == CalibrationMethod::kPaper) frames = {};
       frames = pipeline.applied_to(frames);
     };
     options->calibration = {};
     options->pipeline = {};
     change(options->calibration, options->pipeline);
+    if (options->calibration.method == CalibrationMethod::kPaper)
+      pipeline.refuse_all("the source paper's method has none of these settings");
     options->change = change;
     options->say_of_presses = [=](PressSet& presses) { said.say(presses); };
     chosen = [=](Console& console) { return run_calibrate(*options, console); };

@@ -118,7 +118,8 @@ struct ReconstructOptions {
   Standpoint standpoint = Standpoint::kTilted;
   SceneOptions scene;
   int threads = 1;
-  bool live = false;  ///< lines on standard output instead of files, until stopped
+  bool live = false;      ///< lines on standard output instead of files, until stopped
+  bool as_paper = false;  ///< by the source paper's method, which has no settings
   PipelineSettings pipeline;
 };
 /// Turns pictures into depth. Error at the end when any of them could not be.

@@ -20,7 +20,6 @@ struct Contender {
   Path finger;
   Path results;
   CalibrationMethod calibration;
-  PipelineSettings pipeline;
   Evaluation evaluation;
 };
 
@@ -29,17 +28,11 @@ class Demo {
   Demo(const DemoOptions& options, Console& console)
       : options_(options),
         console_(console),
-        contenders_{{"ours",
-                     folder("finger"),
-                     folder("results"),
-                     CalibrationMethod::kJoint,
-                     PipelineSettings{},
-                     {}},
+        contenders_{{"ours", folder("finger"), folder("results"), CalibrationMethod::kJoint, {}},
                     {"paper",
                      folder("paper/finger"),
                      folder("paper/results"),
                      CalibrationMethod::kPaper,
-                     paper_settings(),
                      {}}} {}
 
   Status run() {
@@ -114,7 +107,6 @@ class Demo {
       headline(fmt::format("Calibration with the ball presses, method {}", contender.name));
       calibration.finger = contender.finger;
       calibration.calibration.method = contender.calibration;
-      calibration.pipeline = contender.pipeline;
       if (const Status status = run_calibrate(calibration, console_); !status) return status;
     }
     return {};
@@ -127,7 +119,7 @@ class Demo {
       reconstruction.finger = contender.finger;
       reconstruction.inputs = {folder("objects")};
       reconstruction.folder = contender.results;
-      reconstruction.pipeline = contender.pipeline;
+      reconstruction.as_paper = contender.calibration == CalibrationMethod::kPaper;
       std::error_code failed;  // results of an earlier demonstration
       fs::remove_all(contender.results, failed);
       if (const Status status = run_reconstruct(reconstruction, console_); !status) return status;
@@ -191,7 +183,9 @@ class Demo {
       }
       console_.say(line);
     }
-    console_.say("'paper' is the source paper's own method on the same pictures.");
+    console_.say(
+        "'paper' is the source paper's whole method, from its own edges to its own calibration, on "
+        "the same pictures.");
     console_.say(
         fmt::format("\nThe finger is {}, the depth of every frame in {} (float TIFF, mm), and\n"
                     "these figures in {}.",

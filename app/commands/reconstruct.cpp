@@ -3,6 +3,7 @@
 #include "app/console/flags.h"
 #include "app/pictures/pictures.h"
 #include "calibration/finger/measuring_settings.h"
+#include "calibration/paper_method/paper_pipeline.h"
 #include "calibration/reference/settings_record.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
@@ -30,6 +31,11 @@ struct Progress {
   std::set<std::string> names;
   std::unique_ptr<FacePictures> faces;  ///< where pictures are wanted
 };
+
+/// As results.jsonl names it.
+ReferenceMethod reference_method(const ReconstructOptions& options) {
+  return options.as_paper ? ReferenceMethod::kNearest : options.pipeline.reference;
+}
 
 Status write_files(const FrameResult& result,
                    const Pipeline& pipeline,
@@ -119,7 +125,7 @@ Status reconstruct_frame(const FramePtr& frame,
     return {};
   }
   progress.total_ms += result->times_ms.total;
-  progress.lines += result_line(*result, progress.index, options.pipeline.reference) + "\n";
+  progress.lines += result_line(*result, progress.index, reference_method(options)) + "\n";
   if (!result->depth) {
     for (const Message& problem : result->problems)
       console.warn(fmt::format("{}: {}", frame->name, problem));
@@ -169,7 +175,7 @@ std::string live_line(const Result<FramePtr>& frame,
   if (frame) {
     if (const auto result = pipeline(*frame)) {
       progress.failed += result->depth ? 0 : 1;
-      return result_line(*result, progress.index, options.pipeline.reference);
+      return result_line(*result, progress.index, reference_method(options));
     } else {
       problem = result.error();
     }
@@ -239,7 +245,8 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   how.job = &console.job();
   auto source = open_source(options.inputs, how);
   if (!source) return source.error();
-  auto pipeline = Pipeline::create(**finger, options.pipeline, console.job());
+  auto pipeline = options.as_paper ? paper_pipeline(**finger, console.job())
+                                   : Pipeline::create(**finger, options.pipeline, console.job());
   if (!pipeline) return pipeline.error();
   if (options.live) return reconstruct_live(std::move(*source), *pipeline, options, console);
   if (const Status status = make_folder(options.folder); !status) return status;
@@ -348,9 +355,11 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->type_name("MM")
       ->check(CLI::Range(0.1, 10.0));
   command
-      ->add_option("--method",
-                   *method,
-                   "paper: the source paper's own formulas, to compare with (default ours)")
+      ->add_option(
+          "--method",
+          *method,
+          "paper: the source paper's whole method, with its own calibration from the presses "
+          "that the finger keeps, to compare with (default ours)")
       ->type_name("ours|paper")
       ->check(CLI::IsMember({"ours", "paper"}));
   add_threads_flag(*command, options->threads);
@@ -369,8 +378,11 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     for (const char* kind : {"ply", "vtp", "stl", "glb"})
       if (wants(kind)) options->surfaces.emplace_back(kind);
     const bool is_paper = *method == "paper";
-    const PipelineSettings kept = is_paper ? paper_settings() : measuring_settings(options->finger);
+    options->as_paper = is_paper;
+    const PipelineSettings kept =
+        is_paper ? PipelineSettings{} : measuring_settings(options->finger);
     options->pipeline = pipeline.applied_to(kept);
+    if (is_paper) pipeline.refuse_all("the source paper's method has none of these settings");
     chosen = [=](Console& console) {
       if (!is_paper) warn_of_other_settings(kept, options->pipeline, console);
       return run_reconstruct(*options, console);

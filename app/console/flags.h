@@ -42,6 +42,11 @@ class SettingFlags {
     }
   }
 
+  /// Where a flag was given that would have no effect. Throws CLI::ValidationError.
+  void refuse_all(const std::string& because) const {
+    if (!given_->empty()) throw CLI::ValidationError("--" + given_->begin()->first, because);
+  }
+
   /// `base` with everything that was given.
   [[nodiscard]] S applied_to(S base) const {
     for (const auto& [name, flag] : *given_) {

@@ -170,8 +170,9 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
         en::say("leaving --reference out; this finger is compared with its reference recording")};
   }
   if (const Status status = take_presses(work, done, job); !status) return status.error();
-  if (const Status status =
-          solve_presses(done, work.references, work.compare_methods, job, work.on_round);
+  MeasureAsPaper as_paper;
+  if (work.compare_methods) as_paper = [&] { return take_presses_as_paper(work, done, job); };
+  if (const Status status = solve_presses(done, work.references, as_paper, job, work.on_round);
       !status) {
     if (job.stop_requested()) return status.error();
     Error refused = status.error();

@@ -141,10 +141,7 @@ std::string calibrate_command(const FingerCalibrationInput& input) {
   for (const auto& [flag, text] : said_of_presses(input.said)) add(flag.c_str(), text);
   if (input.reference) command += " --reference " + absolute(*input.reference);
   add_settings(input.calibration, CalibrationSettings{}, calibration_settings(), &command);
-  // Each method has settings of its own to start from.
-  const PipelineSettings usual =
-      input.calibration.method == CalibrationMethod::kPaper ? paper_settings() : PipelineSettings{};
-  add_settings(input.pipeline, usual, pipeline_settings(), &command);
+  add_settings(input.pipeline, PipelineSettings{}, pipeline_settings(), &command);
   if (!input.said.operator_name.empty()) add("operator", input.said.operator_name);
   if (!input.date.empty()) add("date", input.date);
   return command;

@@ -27,7 +27,7 @@ void add_remarks(Calibration& calibration) {
 
 Status solve_presses(FingerCalibration& done,
                      const std::vector<std::optional<Reference>>& references,
-                     bool compare,
+                     const MeasureAsPaper& as_paper,
                      const Job& job,
                      const RoundListener& on_round) {
   std::vector<Press> used;
@@ -86,10 +86,11 @@ Status solve_presses(FingerCalibration& done,
                           done.calibration.spread_mm,
                           static_cast<int>(done.calibration.balls.size()),
                           done.pixel_mm});
-  if (compare && done.inputs.calibration.method == CalibrationMethod::kJoint &&
+  if (as_paper && done.inputs.calibration.method == CalibrationMethod::kJoint &&
       !job.stop_requested()) {
     job.report(0.9, en::say("comparing with other methods"));
-    done.methods = compare_methods(used, *camera, done.finger.face, done.calibration, job);
+    done.methods =
+        compare_methods(used, as_paper(), *camera, done.finger.face, done.calibration, job);
   }
   return {};
 }

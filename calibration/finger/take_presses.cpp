@@ -1,5 +1,6 @@
 #include "calibration/finger/take_presses.h"
 
+#include "calibration/paper_method/paper_pipeline.h"
 #include "core/io/picture.h"
 #include "core/sensing/pipeline.h"
 
@@ -15,21 +16,40 @@ Error stopped() {
   return {en::say("stopped before the calibration was done"), "", ""};
 }
 
+/// Of the untouched picture that is to be installed.
+Result<ReferenceLibrary> flat_library(const CalibrationWork& work, const Finger& finger) {
+  const auto grey =
+      oriented_for(finger.camera,
+                   work.untouched->grey,
+                   en::say("the reference picture"),
+                   work.untouched->origin,
+                   en::say("the untouched picture of this sensor, at the size of its presses"));
+  if (!grey) return grey.error();
+  return ReferenceLibrary::single(*grey);
+}
+
+Result<PaperMethod> paper_method_of(const CalibrationWork& work,
+                                    const FingerSnapshot& blank,
+                                    const Job& job) {
+  if (!work.untouched) return PaperMethod::create(blank, job);
+  auto library = flat_library(work, blank.finger);
+  if (!library) return library.error();
+  return PaperMethod::flat(std::move(library).value(), blank);
+}
+
 Result<Pipeline> make_pipeline(const CalibrationWork& work,
                                const FingerCalibration& done,
                                const Job& job) {
   auto whole = FingerSnapshot::of(work.store->folder(), done.finger);
   if (!whole) return whole.error();
   const FingerSnapshot blank = whole->without_mapping();  // the old one must not matter
+  if (done.inputs.calibration.method == CalibrationMethod::kPaper) {
+    auto method = paper_method_of(work, blank, job);
+    if (!method) return method.error();
+    return Pipeline::of_paper(std::move(method).value());
+  }
   if (!work.untouched) return Pipeline::create(blank, done.inputs.pipeline, job);
-  const auto grey =
-      oriented_for(done.finger.camera,
-                   work.untouched->grey,
-                   en::say("the reference picture"),
-                   work.untouched->origin,
-                   en::say("the untouched picture of this sensor, at the size of its presses"));
-  if (!grey) return grey.error();
-  auto library = ReferenceLibrary::single(*grey);
+  auto library = flat_library(work, done.finger);
   if (!library) return library.error();
   return Pipeline::over(std::move(library).value(), blank, done.inputs.pipeline);
 }
@@ -115,6 +135,16 @@ Status check_names(const FingerCalibration& done) {
 }
 
 }  // namespace
+
+Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
+                                                 const FingerCalibration& done,
+                                                 const Job& job) {
+  const auto whole = FingerSnapshot::of(work.store->folder(), done.finger);
+  if (!whole) return whole.error();
+  auto method = paper_method_of(work, whole->without_mapping(), job);
+  if (!method) return method.error();
+  return paper_presses(*method, work.frames, done.inputs.said, job);
+}
 
 Status take_presses(CalibrationWork& work, FingerCalibration& done, const Job& job) {
   auto pipeline = make_pipeline(work, done, job);

@@ -33,4 +33,10 @@ struct CalibrationWork {
 /// presses of one name, something said of a press that is not there, the job was stopped.
 [[nodiscard]] Status take_presses(CalibrationWork& work, FingerCalibration& done, const Job& job);
 
+/// The presses that were taken, measured again by the source paper's own steps, to compare with.
+/// Errors: those of PaperMethod::create and paper_presses().
+[[nodiscard]] Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
+                                                               const FingerCalibration& done,
+                                                               const Job& job);
+
 }  // namespace alltact

@@ -8,6 +8,7 @@
 #include "calibration/joint/stored_curve.h"
 #include "calibration/joint/tangent_arc.h"
 #include "calibration/joint/verdict.h"
+#include "calibration/paper_method/paper_calibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -294,10 +295,11 @@ Result<Calibration> calibrate(const std::vector<Press>& presses,
                    press.name,
                    en::say("the radius in millimetres, as measured with callipers")};
   try {
+    if (settings.method == CalibrationMethod::kPaper)
+      return calibrate_as_paper(presses, camera, face, job);
     Calibration calibration;
     std::vector<Message> unusable;
-    const std::vector<FoundBall> found =
-        find_balls(presses, face, ball_finder_for(settings.method), job, &unusable);
+    const std::vector<FoundBall> found = find_balls(presses, face, job, &unusable);
     if (found.empty()) return job.stop_requested() ? stopped() : no_press(presses, unusable);
     for (const Message& reason : unusable) calibration.left_out.push_back(en::say("{}.", reason));
     Result<Calibration> result = [&]() -> Result<Calibration> {
@@ -308,8 +310,7 @@ Result<Calibration> calibrate(const std::vector<Press>& presses,
       }
       std::vector<OutlinePress> outlines;
       for (const FoundBall& f : found) outlines.push_back({f.press, f.guess});
-      return calibrate_by_outline(
-          outlines, settings.method, camera, face, job, std::move(calibration));
+      return calibrate_by_outline(outlines, settings.method, face, job, std::move(calibration));
     }();
     if (result) sort_as_given(presses, &result->balls);
     job.report(1.0, en::say("done"));

@@ -47,7 +47,6 @@ bool before(const FoundBall& a, const FoundBall& b) {
 
 std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
                                   const Face& face,
-                                  const BallFinderOptions& options,
                                   const Job& job,
                                   std::vector<Message>* unusable) {
   std::vector<FoundBall> found;
@@ -64,8 +63,8 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
                                  en::say("the same picture as {}, counted once", twin->name)));
       continue;
     }
-    auto guess = press.ball_mm ? guess_of_placed_ball(press, face, *press.ball_mm)
-                               : find_ball(press, face, options);
+    auto guess =
+        press.ball_mm ? guess_of_placed_ball(press, face, *press.ball_mm) : find_ball(press, face);
     if (!guess) {
       unusable->push_back(guess.error().message());
       continue;

@@ -25,7 +25,6 @@ struct FoundBall {
 /// picture as another press, too few samples in the contact. A stopped job ends it early.
 [[nodiscard]] std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
                                                 const Face& face,
-                                                const BallFinderOptions& options,
                                                 const Job& job,
                                                 std::vector<Message>* unusable);
 

@@ -1,6 +1,7 @@
 #include "calibration/live/frame_measurer.h"
 
 #include "calibration/finger/measuring_settings.h"
+#include "calibration/paper_method/paper_pipeline.h"
 #include "core/sensing/depth/depth_sd.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job
 
 Status FrameMeasurer::open_other(const Job& job) {
   if (other_) return {};
-  auto pipeline = Pipeline::create(*finger_, paper_settings(), job);
+  auto pipeline = paper_pipeline(*finger_, job);
   if (!pipeline) return pipeline.error();
   other_ = std::move(*pipeline);
   return {};

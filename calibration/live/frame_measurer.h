@@ -58,7 +58,7 @@ class FrameMeasurer {
 
   /// With both open. `number`: beyond the recording's end the last frame is taken. Errors: the
   /// frame cannot be read, or is not of the finger's size; by the other method those of
-  /// Pipeline::create.
+  /// paper_pipeline().
   [[nodiscard]] Result<MeasuredFrame> measure(std::size_t number,
                                               OtherMethod other,
                                               const Job& job);

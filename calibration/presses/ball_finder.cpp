@@ -20,6 +20,8 @@ constexpr double kRagged = 0.72;    // least share of the circle's inside that i
 constexpr int kMinimumPixels = 60;
 constexpr double kLeastContrast = 0.012;  // of the brightness: a tenth of a millimetre or so
 constexpr double kSurely = 5.0;           // times the scatter of what is untouched
+/// Two contacts are refused where the second weighs more than this part of the first.
+constexpr double kSecondContact = 0.3;
 
 Error refuse(const Press& press, Message what, Message advice) {
   return {std::move(what), press.name, std::move(advice)};
@@ -209,7 +211,7 @@ Inside look_inside(const Press& press, const cv::Mat& x, const Circle& circle, d
   return inside;
 }
 
-Result<BallGuess> find(const Press& press, const Face& face, const BallFinderOptions& options) {
+Result<BallGuess> find(const Press& press, const Face& face) {
   const double ball_radius_mm = press.ball_radius_mm;
   const cv::Mat x = smoothed(press.difference.x);
   const auto levels = levels_of(x);
@@ -228,12 +230,7 @@ Result<BallGuess> find(const Press& press, const Face& face, const BallFinderOpt
         en::say("pressing the ball in deeper, and checking that the reference shows the same "
                 "finger in the same pose"));
   const double level = std::max(0.0, levels->untouched) + kLevel * contrast;
-  cv::Mat dark = x > level;
-  if (options.opening_px > 0) {
-    const int side = 2 * options.opening_px + 1;
-    cv::morphologyEx(
-        dark, dark, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side}));
-  }
+  const cv::Mat dark = x > level;
   cv::Mat labels;
   const int count = cv::connectedComponents(dark, labels, 4, CV_32S);
   const auto patches = patches_of(labels, x, count);
@@ -241,7 +238,7 @@ Result<BallGuess> find(const Press& press, const Face& face, const BallFinderOpt
     return refuse(press,
                   en::say("only specks are dark, none larger than {} pixels", kMinimumPixels),
                   en::say("pressing the ball in deeper"));
-  if (patches.size() > 1 && patches[1].weight > options.second_contact * patches[0].weight)
+  if (patches.size() > 1 && patches[1].weight > kSecondContact * patches[0].weight)
     return refuse(press,
                   en::say("two contacts were found, the second with {:.0f} % of the first",
                           100.0 * patches[1].weight / patches[0].weight),
@@ -305,9 +302,7 @@ Result<BallGuess> find(const Press& press, const Face& face, const BallFinderOpt
 
 }  // namespace
 
-Result<BallGuess> find_ball(const Press& press,
-                            const Face& face,
-                            const BallFinderOptions& options) {
+Result<BallGuess> find_ball(const Press& press, const Face& face) {
   if (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm))
     return Error{en::say("a ball radius of {} mm is impossible", press.ball_radius_mm),
                  press.name,
@@ -317,7 +312,7 @@ Result<BallGuess> find_ball(const Press& press,
     return refuse(
         press, en::say("the press has no difference picture"), en::say("taking the picture again"));
   try {
-    return find(press, face, options);
+    return find(press, face);
   } catch (const cv::Exception& problem) {
     return refuse(press,
                   en::say("OpenCV failed: {}", std::string(problem.what())),

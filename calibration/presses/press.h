@@ -40,21 +40,11 @@ struct BallGuess {
   double disc_radius_px;
 };
 
-/// How the ball finder tells the contact from what else is dark.
-struct BallFinderOptions {
-  int opening_px = 0;  ///< parts of the dark region narrower than twice this are noise
-  /// Two contacts are refused where the second weighs more than this part of the first; from 1 on
-  /// the largest is simply taken.
-  double second_contact = 0.3;
-};
-
 /// Finds the dark disc of one ball by itself: off axis (an ellipse in the picture), with or without
 /// a bright halo, whole or cut by an edge of the face.
 /// Errors, each saying what was found and what to try: nothing dark enough; two contacts; a shape
 /// that is no disc on the face; less than 60 degrees of the rim visible; a disc larger than the
 /// ball; a ball radius that is not finite and positive.
-[[nodiscard]] Result<BallGuess> find_ball(const Press& press,
-                                          const Face& face,
-                                          const BallFinderOptions& options = {});
+[[nodiscard]] Result<BallGuess> find_ball(const Press& press, const Face& face);
 
 }  // namespace alltact

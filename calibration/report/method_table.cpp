@@ -25,6 +25,7 @@ MethodRow row_of(CalibrationMethod method, const Calibration& made, const Calibr
 }  // namespace
 
 std::vector<MethodRow> compare_methods(const std::vector<Press>& presses,
+                                       const Result<std::vector<Press>>& as_paper,
                                        const Camera& camera,
                                        const Face& face,
                                        const Calibration& joint,
@@ -34,7 +35,10 @@ std::vector<MethodRow> compare_methods(const std::vector<Press>& presses,
        {CalibrationMethod::kPaper, CalibrationMethod::kCircle, CalibrationMethod::kCone}) {
     CalibrationSettings settings;
     settings.method = method;
-    const auto made = calibrate(presses, camera, face, settings, job);
+    const bool is_paper = method == CalibrationMethod::kPaper;
+    const auto made = is_paper && !as_paper
+                          ? Result<Calibration>(as_paper.error())
+                          : calibrate(is_paper ? *as_paper : presses, camera, face, settings, job);
     if (job.stop_requested()) break;
     if (made) {
       rows.push_back(row_of(method, *made, joint));

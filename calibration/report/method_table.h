@@ -20,10 +20,12 @@ struct MethodRow {
   Message failed;             ///< why there is no mapping
 };
 
-/// `joint` is the solution of calibrate() for these presses; the paper's method, a circle and a
-/// cone are run on them as they are. Rows: joint, paper, circle, cone. Shorter when the job was
+/// `joint` is the solution of calibrate() for these presses; a circle and a cone are run on them as
+/// they are. `as_paper`: the same presses as the source paper's method measures them, which its row
+/// is of, or why it cannot. Rows: joint, paper, circle, cone. Shorter when the job was
 /// stopped.
 [[nodiscard]] std::vector<MethodRow> compare_methods(const std::vector<Press>& presses,
+                                                     const Result<std::vector<Press>>& as_paper,
                                                      const Camera& camera,
                                                      const Face& face,
                                                      const Calibration& joint,

@@ -1,6 +1,7 @@
 #include "core/sensing/pipeline.h"
 
 #include "core/force/force_meter.h"
+#include "core/paper_method/paper_method.h"
 #include "core/sensing/contact/finger_contact_tracker.h"
 #include "core/sensing/contact/reference_free_contact.h"
 #include "core/sensing/depth/depth_sd.h"
@@ -8,9 +9,9 @@
 #include "core/sensing/frame_faults.h"
 #include "core/sensing/markers/plain_rows.h"
 #include "core/sensing/reference/pose_places.h"
+#include "core/sensing/stop_watch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -21,23 +22,6 @@ constexpr int kFaultRows = 8;  // one in so many tells how much of the face is m
 /// Of a flat sensor, grey levels: what is dark and how the light is weighed does not hang on how
 /// noisy a picture is.
 constexpr double kPlaneNoise = 1.0;
-
-/// Writes the time since the last lap into a field of StepTimes.
-class StopWatch {
- public:
-  void lap(double& milliseconds) {
-    const auto now = Clock::now();
-    milliseconds = std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
-  }
-  void total(double& milliseconds) const {
-    milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now(), last_ = start_;
-};
 
 Message never_recorded(double distance_px) {
   return en::say(
@@ -53,6 +37,7 @@ bool any_seen(const Markers& markers) {
 }  // namespace
 
 struct Pipeline::State {
+  std::optional<PaperMethod> paper;  // in place of all that follows but finger and camera
   PipelineSettings settings;
   FaceEdgeFinder edge_finder;
   std::optional<Finger> finger;
@@ -88,6 +73,7 @@ struct Pipeline::State {
 
 Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   State& state = *state_;
+  if (state.paper) return (*state.paper)(frame);
   StopWatch watch;
   FrameResult result;
   result.frame = frame;
@@ -339,6 +325,14 @@ Pipeline Pipeline::over(ReferenceLibrary library,
   return pipeline;
 }
 
+Pipeline Pipeline::of_paper(PaperMethod method) {
+  Pipeline pipeline = of_unknown_finger();
+  pipeline.state_->finger = method.finger();
+  pipeline.state_->camera = method.camera();
+  pipeline.state_->paper = std::move(method);
+  return pipeline;
+}
+
 Pipeline Pipeline::before_reference(const FingerSnapshot& snapshot,
                                     const PipelineSettings& settings) {
   const Finger& finger = snapshot.finger;
@@ -366,6 +360,7 @@ Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 Pipeline::~Pipeline() = default;
 
 void Pipeline::forget() {
+  if (state_->paper) state_->paper->forget();
   if (state_->markers) state_->markers->forget();
   if (state_->rows) state_->rows->forget();
   if (state_->force) state_->force->forget();
@@ -374,7 +369,7 @@ void Pipeline::forget() {
   state_->last.reset();
 }
 bool Pipeline::has_reference() const {
-  return state_->library.has_value();
+  return state_->library.has_value() || state_->paper.has_value();
 }
 const Finger& Pipeline::finger() const {
   return *state_->finger;

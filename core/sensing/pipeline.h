@@ -24,6 +24,8 @@
 
 namespace alltact {
 
+class PaperMethod;
+
 /// How long each step took, milliseconds of wall clock.
 struct StepTimes {
   double prepare = 0, edges = 0, global = 0, markers = 0, reference = 0, local = 0, contact = 0;
@@ -88,6 +90,9 @@ class Pipeline {
   static Pipeline over(ReferenceLibrary library,
                        const FingerSnapshot& finger,
                        const PipelineSettings& settings);
+
+  /// The source paper's method, which measures in place of all of ours.
+  static Pipeline of_paper(PaperMethod method);
 
   /// Of a finger before its reference recording; one that it names is not read.
   static Pipeline before_reference(const FingerSnapshot& finger, const PipelineSettings& settings);

@@ -119,14 +119,4 @@ const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
   return settings;
 }
 
-PipelineSettings paper_settings() {
-  PipelineSettings settings;
-  settings.edge_method = EdgeMethod::kInteger;
-  settings.edge_columns = 1;
-  settings.reference = ReferenceMethod::kNearest;
-  settings.light = LightChange::kIgnored;
-  settings.smoothing_px = 0.0;
-  return settings;
-}
-
 }  // namespace alltact

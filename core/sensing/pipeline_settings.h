@@ -12,7 +12,7 @@ namespace alltact {
 
 /// Whether the light is taken to be that of the recording.
 enum class LightChange {
-  kIgnored = 1,  ///< the light of the recording is that of now (the paper)
+  kIgnored = 1,  ///< the light of the recording is that of now
   kCorrected,    ///< the untouched skin tells how it has changed (light_gain.h)
 };
 
@@ -30,9 +30,5 @@ struct PipelineSettings {
 
 /// The table that flags, help and files are made from.
 [[nodiscard]] const std::vector<Setting<PipelineSettings>>& pipeline_settings();
-
-/// The source paper's own choices, as the peer to compare with: whole-pixel edges, nearest frame,
-/// no gain correction, no smoothing.
-[[nodiscard]] PipelineSettings paper_settings();
 
 }  // namespace alltact

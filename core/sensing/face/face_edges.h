@@ -32,7 +32,7 @@ struct FaceEdges {
 
 enum class EdgeMethod {
   kCrossing = 1,  ///< half-way crossing between the levels on both sides: nearly the best there is
-  kInteger,       ///< the steepest pixel, as a binarised picture gives it (the paper)
+  kInteger,       ///< the steepest whole pixel
 };
 
 /// Finds both edges in an 8-bit grey picture without knowing anything of earlier pictures: a small

@@ -30,7 +30,7 @@ enum class ReferenceMethod {
   /// The recording's rest frame for all poses, pixel by pixel, as sensors on a rigid base do it
   /// (DTact): for comparison.
   kSingle = 1,
-  kNearest,  ///< the one frame whose markers lie nearest (the paper)
+  kNearest,  ///< the one frame whose markers lie nearest, laid over the skin as it lies now
   kLocal,    ///< local linear regression over the nearest frames: closer by several times
 };
 

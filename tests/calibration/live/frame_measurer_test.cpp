@@ -37,6 +37,7 @@ class FrameMeasurerTest : public testing::Test {
     finger_ = test::flat_sensor_finger(is_calibrated);
     finger_.reference = ReferenceFiles{};
     finger_.reference->image = "ref.png";
+    if (is_calibrated) finger_.mapping_record = MappingRecord{method_, {}, 0, 0, 0, 0, ""};
     const Status saved = finger_.save(folder_.path());
     ASSERT_TRUE(saved.ok()) << saved.error().sentence();
   }
@@ -46,6 +47,7 @@ class FrameMeasurerTest : public testing::Test {
     ASSERT_TRUE(opened.ok()) << opened.error().sentence();
   }
 
+  std::string method_ = "paper";
   test::TemporaryFolder folder_;
   fs::path recording_ = folder_ / "recording";
   Finger finger_;
@@ -84,6 +86,16 @@ TEST_F(FrameMeasurerTest, ComparesWithTheOtherMethod) {
   const cv::Mat difference = depth_difference_mm(*frame);
   EXPECT_EQ(difference.size(), frame.value().result.grey.size());
   EXPECT_GT(cv::countNonZero(cv::abs(difference) > 0), 100) << "the paper does not smooth";
+}
+
+TEST_F(FrameMeasurerTest, ThePaperTakesNothingOfOurCalibration) {
+  method_ = "joint";
+  save_finger(true);
+  open();
+  EXPECT_TRUE(measurer_.measure(1, OtherMethod::kNone, job_).ok());
+  const auto frame = measurer_.measure(1, OtherMethod::kPaper, job_);
+  ASSERT_FALSE(frame.ok()) << "no press is kept that it could calibrate with";
+  EXPECT_NE(frame.error().what.english().find("keeps no presses"), std::string::npos);
 }
 
 TEST_F(FrameMeasurerTest, CompletesALiveFrameAsIfItWereRecorded) {

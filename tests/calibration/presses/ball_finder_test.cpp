@@ -109,20 +109,6 @@ TEST(BallFinder, TwoContactsAreRefused) {
   expect_refusal(made.press, scene, "two contacts");
 }
 
-TEST(BallFinder, OpeningLooksPastThinDarkLines) {
-  std::mt19937 random(15);
-  const Scene scene = flat_scene();
-  Made made = make_press(scene, {}, {}, {{200, 150, 4.0, 0.6}}, 1.0, random);
-  // As a reference of nearly the same pose leaves along the face's edges.
-  made.press.difference.x(cv::Rect(20, 20, 360, 7)) += 0.4F;
-  made.press.difference.x(cv::Rect(20, 270, 360, 7)) += 0.4F;
-  expect_refusal(made.press, scene, "two contacts");
-  const auto guess = find_ball(made.press, scene.face, {.opening_px = 5});
-  ASSERT_TRUE(guess.ok()) << guess.error().sentence();
-  EXPECT_LT((guess->centre_mm - made.centre_mm).head<2>().norm(), 0.1);
-  EXPECT_LT((guess->disc_px - Eigen::Vector2d(200, 150)).norm(), 1.0);
-}
-
 TEST(BallFinder, LettersAndBarsAreRefused) {
   const Scene scene = flat_scene();
   cv::Mat t = noise(scene.camera.size(), 0.01);

@@ -34,7 +34,7 @@ std::vector<Press> presses_on(const Scene& scene, const Contact& contact) {
 std::vector<MethodRow> rows_of(const std::vector<Press>& presses, const Scene& scene) {
   const auto joint = calibrate(presses, scene.camera, scene.face, {}, Job{});
   EXPECT_TRUE(joint.ok());
-  return compare_methods(presses, scene.camera, scene.face, *joint, Job{});
+  return compare_methods(presses, presses, scene.camera, scene.face, *joint, Job{});
 }
 
 const MethodRow& row_of(const std::vector<MethodRow>& rows, CalibrationMethod method) {

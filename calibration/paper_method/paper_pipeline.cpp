@@ -1,0 +1,90 @@
+#include "calibration/paper_method/paper_pipeline.h"
+
+#include "calibration/finger/calibration_inputs.h"
+#include "calibration/paper_method/paper_calibration.h"
+#include "core/io/picture.h"
+
+namespace alltact {
+namespace {
+
+bool is_calibrated_as_paper(const FingerSnapshot& finger) {
+  const auto& record = finger.finger.mapping_record;
+  return finger.mapping && record && record->method == method_name(CalibrationMethod::kPaper);
+}
+
+Result<std::vector<FramePtr>> read_kept_frames(const FingerSnapshot& finger,
+                                               const CalibrationInputs& inputs) {
+  std::vector<FramePtr> frames;
+  for (const KeptPress& press : inputs.presses) {
+    const auto file = finger.folder / kPressFolder / (press.name + ".png");
+    auto grey = read_grey_picture(file);
+    if (!grey) return grey.error();
+    auto frame = std::make_shared<Frame>();
+    frame->grey = std::move(grey).value();
+    frame->name = press.name;
+    frame->origin = file.string();
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+}  // namespace
+
+Result<std::vector<Press>> paper_presses(PaperMethod& method,
+                                         const std::vector<FramePtr>& frames,
+                                         const PressSet& said,
+                                         const Job& job) {
+  std::vector<Press> presses;
+  Message reason = en::say("there is none that is not excluded");
+  for (const FramePtr& frame : frames) {
+    if (job.stop_requested()) return Error{en::say("stopped before there was a solution"), "", ""};
+    const PressNote& note = said.of(frame->name);
+    if (note.excluded || note.step_mm) continue;
+    method.forget();
+    auto result = method(frame);
+    if (!result) return result.error();
+    if (!result->difference) {
+      if (!result->problems.empty()) reason = result->problems.front();
+      continue;
+    }
+    presses.push_back(Press{frame->name,
+                            std::move(*result->difference),
+                            std::move(*result->shape),
+                            said.radius_of(frame->name),
+                            note.ball_mm});
+  }
+  if (presses.empty())
+    return Error{
+        en::say(
+            "the source paper's method can measure none of {} presses ({})", frames.size(), reason),
+        "",
+        en::say("our own method")};
+  return presses;
+}
+
+Result<Pipeline> paper_pipeline(const FingerSnapshot& finger, const Job& job) {
+  if (is_calibrated_as_paper(finger)) {
+    auto method = PaperMethod::create(finger, job);
+    if (!method) return method.error();
+    return Pipeline::of_paper(std::move(method).value());
+  }
+  const auto inputs = CalibrationInputs::load(finger.folder);
+  if (!inputs)
+    return Error{en::say("the source paper's method calibrates in its own way, and this finger "
+                         "keeps no presses to do so with"),
+                 (finger.folder / CalibrationInputs::kFileName).string(),
+                 en::say("alltact calibrate with ball presses")};
+  const auto frames = read_kept_frames(finger, *inputs);
+  if (!frames) return frames.error();
+  auto method = PaperMethod::create(finger.without_mapping(), job);
+  if (!method) return method.error();
+  const auto presses = paper_presses(*method, *frames, inputs->said, job);
+  if (!presses) return presses.error();
+  const auto calibration = calibrate_as_paper(*presses, finger.camera, finger.finger.face, job);
+  if (!calibration) return calibration.error();
+  auto mapping = Mapping::create(calibration->mapping);
+  if (!mapping) return mapping.error();
+  return Pipeline::of_paper(method->with(std::move(mapping).value()));
+}
+
+}  // namespace alltact
