@@ -21,6 +21,7 @@ void smooth(StepTimes& shown, const StepTimes& next) {
                           &StepTimes::reference,
                           &StepTimes::local,
                           &StepTimes::contact,
+                          &StepTimes::force,
                           &StepTimes::total})
     shown.*step += kNewShare * (next.*step - shown.*step);
 }
@@ -57,6 +58,7 @@ void LiveSession::open_source(const std::vector<std::filesystem::path>& inputs,
   if (status_.recording.state != RecordingState::kNone) last_recording_ = status_.recording;
   runner_->open(inputs);
   view_.reset();
+  touch_history_.forget();
   refresh();
   if (folder_.empty()) follow_scene();
 }
@@ -65,6 +67,7 @@ void LiveSession::close_source() {
   inputs_.clear();
   runner_->close();
   view_.reset();
+  touch_history_.forget();
   refresh();
   if (folder_.empty()) follow_scene();
 }
@@ -104,6 +107,7 @@ void LiveSession::take_view() {
   if (!view) return;
   view_ = std::move(view);
   smooth(times_ms_, view_->result.times_ms);
+  follow_touch();
   const std::int64_t now_ns = monotonic_ns();
   taken_ns_.push_back(now_ns);
   while (taken_ns_.front() < now_ns - kSecond_ns) taken_ns_.pop_front();
@@ -120,7 +124,10 @@ void LiveSession::refresh() {
   status_.source = runner_->status();
   status_.recording = runner_->recording();
   if (status_.recording.state == RecordingState::kNone) status_.recording = last_recording_;
+  const FingerState before = status_.finger.state;
   status_.finger = live_finger_->status();
+  if (status_.finger.state != before)
+    touch_history_.forget();  // another finger's, or its older self
   controller_.attach(runner_->camera(), wanted_controls_);
   status_.controller = controller_.status();
   follow_remarks();
@@ -131,6 +138,25 @@ void LiveSession::refresh() {
     status_.shown_per_s = static_cast<double>(taken_ns_.size() - 1) * 1e9 /
                           static_cast<double>(taken_ns_.back() - taken_ns_.front());
   Q_EMIT status_ready();
+}
+
+void LiveSession::follow_touch() {
+  const FramePtr& frame = view_->result.frame;
+  const std::int64_t time_ns = frame && frame->time_ns != 0 ? frame->time_ns : monotonic_ns();
+  touch_history_.add(view_->result, 1e-9 * static_cast<double>(time_ns));
+}
+
+void LiveSession::set_force_zero(const std::optional<SessionZero>& zero) {
+  force_zero_ = zero;
+  Q_EMIT status_ready();
+}
+
+std::optional<SessionZero> LiveSession::force_zero() const {
+  const auto& finger = status_.finger.finger;
+  if (!force_zero_ || !finger || force_zero_->finger != status_.finger.folder ||
+      force_zero_->model != finger->force_model)
+    return std::nullopt;
+  return force_zero_;
 }
 
 void LiveSession::follow_remarks() {

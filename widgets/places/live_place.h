@@ -6,6 +6,7 @@
 #include "widgets/panels/picture_panel.h"
 #include "widgets/places/place.h"
 #include "widgets/shell/start_panel.h"
+#include "widgets/touch/force_box.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -45,12 +46,16 @@ class LivePlace : public Place {
   };
   [[nodiscard]] QWidget* make_picture();
   [[nodiscard]] QWidget* make_side();
+  void make_contact();
+  void connect_force();
   void connect_choices();
   void name_parts();
   void change_options(const ViewOptions& options, const QString& what, int merge_id);
   void change_control(std::uint32_t id, std::int64_t before, std::int64_t value);
   void change_lock(bool is_locked);
+  [[nodiscard]] ShownForce shown_force() const;
   void show_status();
+  void show_times();
 
   LiveSession& session_;
   QUndoStack& undo_;
@@ -64,6 +69,7 @@ class LivePlace : public Place {
   QDoubleSpinBox* top_;
   QLabel *contact_, *times_;
   ControlPanel* controls_;
+  ForceBox* force_;
 };
 
 }  // namespace alltact
