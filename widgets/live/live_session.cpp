@@ -4,6 +4,7 @@
 #include "core/sources/open/open_source.h"
 
 #include <QMetaObject>
+#include <cmath>
 
 namespace alltact {
 namespace {
@@ -33,7 +34,8 @@ bool is_scene(const std::vector<std::filesystem::path>& inputs) {
 
 }  // namespace
 
-LiveSession::LiveSession(SourceOpener opener, QObject* parent) : QObject(parent) {
+LiveSession::LiveSession(SourceOpener opener, QObject* parent)
+    : QObject(parent), opener_(std::move(opener)) {
   // On the measuring thread: one event at most waits for this one.
   const auto tell = [this] {
     if (is_told_.exchange(true)) return;
@@ -41,7 +43,7 @@ LiveSession::LiveSession(SourceOpener opener, QObject* parent) : QObject(parent)
         this, [this] { take_view(); }, Qt::QueuedConnection);
   };
   live_finger_ = std::make_unique<LiveFinger>(hub_, tell);
-  runner_ = std::make_unique<SourceRunner>(hub_, std::move(opener));
+  runner_ = std::make_unique<SourceRunner>(hub_, opener_);
   connect(&timer_, &QTimer::timeout, this, &LiveSession::refresh);
   timer_.start(kBetweenStatusLooks_ms);
 }
@@ -113,7 +115,9 @@ void LiveSession::take_view() {
   while (taken_ns_.front() < now_ns - kSecond_ns) taken_ns_.pop_front();
   status_.age_ms.reset();
   if (const FramePtr& frame = view_->result.frame) status_.age_ms = runner_->age_ms(*frame, now_ns);
+  view_ns_.reset();
   if (status_.age_ms) {
+    view_ns_ = now_ns - std::llround(1e6 * *status_.age_ms);
     ages_ms_.push_back(*status_.age_ms);
     if (ages_ms_.size() > kMostAges) ages_ms_.pop_front();
   }

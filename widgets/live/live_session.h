@@ -52,6 +52,9 @@ class LiveSession : public QObject {
   /// The newest view; null before the first.
   [[nodiscard]] const std::shared_ptr<const LiveView>& view() const { return view_; }
   [[nodiscard]] const LiveStatus& status() const { return status_; }
+  /// When its frame was taken, ns of the monotonic clock; absent where its source has no times.
+  [[nodiscard]] std::optional<std::int64_t> view_ns() const { return view_ns_; }
+  [[nodiscard]] const SourceOpener& opener() const { return opener_; }
   /// Times of a frame, smoothed over several so that they can be read.
   [[nodiscard]] const StepTimes& times_ms() const { return times_ms_; }
   /// Of the open finger, by views that were taken.
@@ -74,6 +77,7 @@ class LiveSession : public QObject {
   void follow_remarks();
   void follow_touch();
 
+  SourceOpener opener_;
   FrameHub hub_;
   std::atomic<bool> is_told_{false};
   std::unique_ptr<LiveFinger> live_finger_;
@@ -83,6 +87,7 @@ class LiveSession : public QObject {
   std::vector<ControlValue> wanted_controls_;
   std::filesystem::path folder_;
   std::shared_ptr<const LiveView> view_;
+  std::optional<std::int64_t> view_ns_;
   LiveStatus status_;
   RecordingStatus last_recording_;  // of a source that was closed since
   std::deque<std::int64_t> taken_ns_;

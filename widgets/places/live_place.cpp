@@ -20,9 +20,11 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
     : Place("live", parent),
       session_(session),
       undo_(undo),
+      pair_(session),
       pages_(new QStackedLayout(this)),
       start_(new StartPanel),
       panel_(new PicturePanel(session)),
+      pictures_(new QHBoxLayout),
       over_(new QGroupBox),
       camera_(new QGroupBox),
       contact_group_(new QGroupBox),
@@ -37,11 +39,13 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
       contact_(new QLabel),
       times_(new QLabel),
       controls_(new ControlPanel),
-      force_(new ForceBox([this] { return shown_force(); })) {
+      force_(new ForceBox([this] { return shown_force(); })),
+      pair_box_(new LivePairBox(pair_, session)) {
   pages_->addWidget(start_);
   pages_->addWidget(make_picture());
   connect_choices();
   connect_force();
+  connect_pair();
   connect(controls_, &ControlPanel::control_changed, this, &LivePlace::change_control);
   connect(controls_, &ControlPanel::lock_changed, this, &LivePlace::change_lock);
   connect(&session_, &LiveSession::status_ready, this, &LivePlace::show_status);
@@ -61,7 +65,8 @@ QWidget* LivePlace::make_picture() {
   auto* row = new QHBoxLayout(page);
   row->setContentsMargins(0, 0, 0, 0);
   auto* column = new QVBoxLayout;
-  column->addWidget(panel_, 1);
+  pictures_->addWidget(panel_, 1);
+  column->addLayout(pictures_, 1);
   column->addWidget(force_->take_plot());
   row->addLayout(column, 1);
   row->addWidget(make_side());
@@ -124,6 +129,7 @@ QWidget* LivePlace::make_side() {
   top->addStretch();
   over->insertLayout(4, top);
   side.column->addWidget(over_);
+  side.column->addWidget(pair_box_);
   make_contact();
   side.column->addWidget(contact_group_);
   side.column->addWidget(force_);
@@ -140,9 +146,10 @@ void LivePlace::set_options(const ViewOptions& options) {
   for (const Choice& choice : choices_) choice.box->setChecked(options.*choice.member);
   top_->setValue(options.depth_top_mm);
   top_->setEnabled(options.depth);
-  session_.set_layers({options.depth, options.faults});
-  session_.set_depth_top_mm(options.depth_top_mm);
+  set_layers(session_);
+  if (pair_.second() != nullptr) set_layers(*pair_.second());
   panel_->set_options(options);
+  if (second_panel_ != nullptr) second_panel_->set_options(options);
   Q_EMIT changed();
 }
 
