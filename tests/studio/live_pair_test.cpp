@@ -108,7 +108,7 @@ class TwoCameras : public testing::Test {
           return pair && pair->is_in_time && pair->views[0]->result.depth &&
                  pair->views[1]->result.depth;
         },
-        20000);
+        40000);
   }
   static std::string said(Studio& studio, const QString& label) {
     return studio.find<QLabel>(label)->text().toStdString();
@@ -172,18 +172,44 @@ TEST_F(TwoCameras, SaysWhenOneOfThemStandsStillAndGoesOnWithTheOther) {
   EXPECT_TRUE(wait_for_pair(studio));
 }
 
-/// Points of a face in the gripper's frame.
-std::vector<Eigen::Vector3d> placed_points(const FrameResult& result,
-                                           const Face& face,
-                                           const RigidTransform& place) {
-  const cv::Mat points = contact_face_points_mm(result, face);
-  std::vector<Eigen::Vector3d> placed;
-  for (int v = 0; v < points.rows; v += 6)
-    for (int u = 0; u < points.cols; u += 6) {
-      const auto& at = points.at<cv::Vec3f>(v, u);
-      if (std::isfinite(at[2])) placed.push_back(place.point({at[0], at[1], at[2]}));
+/// Points of a face in the gripper's frame, of every `step`th pixel within `within`.
+struct PlacedPoint {
+  Eigen::Vector3d at_mm;
+  cv::Point pixel;
+};
+std::vector<PlacedPoint> placed_points(const cv::Mat& points_mm,
+                                       const RigidTransform& place,
+                                       cv::Rect within,
+                                       int step) {
+  within &= cv::Rect({}, points_mm.size());
+  std::vector<PlacedPoint> placed;
+  for (int v = within.y; v < within.br().y; v += step)
+    for (int u = within.x; u < within.br().x; u += step) {
+      const auto& at = points_mm.at<cv::Vec3f>(v, u);
+      if (std::isfinite(at[2])) placed.push_back({place.point({at[0], at[1], at[2]}), {u, v}});
     }
   return placed;
+}
+
+/// By trying all: coarse ones first, then all pixels around the nearest.
+double least_distance_mm(const std::array<cv::Mat, 2>& faces,
+                         const std::array<RigidTransform, 2>& places) {
+  std::array<cv::Rect, 2> within{cv::Rect({}, faces[0].size()), cv::Rect({}, faces[1].size())};
+  double least_mm = 0;
+  for (const int step : {8, 1}) {
+    least_mm = std::numeric_limits<double>::infinity();
+    std::array<cv::Point, 2> nearest;
+    const auto theirs = placed_points(faces[1], places[1], within[1], step);
+    for (const PlacedPoint& a : placed_points(faces[0], places[0], within[0], step))
+      for (const PlacedPoint& b : theirs)
+        if (const double apart = (a.at_mm - b.at_mm).norm(); apart < least_mm) {
+          least_mm = apart;
+          nearest = {a.pixel, b.pixel};
+        }
+    for (std::size_t i = 0; i < 2; ++i)
+      within[i] = cv::Rect(nearest[i] - cv::Point(20, 20), cv::Size(41, 41));
+  }
+  return least_mm;
 }
 
 TEST_F(TwoCameras, TellsTheGapAndTheWidthOfWhatIsHeld) {
@@ -197,11 +223,10 @@ TEST_F(TwoCameras, TellsTheGapAndTheWidthOfWhatIsHeld) {
   const Face face = studio.session().status().finger.finger->face;
   const FrameResult &first = reading.of.views[0]->result, &second = reading.of.views[1]->result;
 
-  double least_mm = std::numeric_limits<double>::infinity();
-  const auto theirs = placed_points(second, face, place(true));
-  for (const Eigen::Vector3d& a : placed_points(first, face, place(false)))
-    for (const Eigen::Vector3d& b : theirs) least_mm = std::min(least_mm, (a - b).norm());
-  EXPECT_NEAR(reading.gap->mm, least_mm, 0.5);
+  const double least_mm =
+      least_distance_mm({contact_face_points_mm(first, face), contact_face_points_mm(second, face)},
+                        {place(false), place(true)});
+  EXPECT_NEAR(reading.gap->mm, least_mm, 0.5);  // the nearest of all are so by noise
   ASSERT_TRUE(reading.gap->sd_mm);
   EXPECT_GT(*reading.gap->sd_mm, 0);
 
@@ -262,7 +287,7 @@ TEST_F(TwoCameras, AreOpenedByTheDialog) {
   studio.click("Second finger…");
   auto* dialog = studio.window().findChild<SecondCameraDialog*>();
   ASSERT_NE(dialog, nullptr);
-  auto* show = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  auto* show = studio.find<QPushButton>("Show it");
   EXPECT_FALSE(show->isEnabled());
   for (QLineEdit* line : dialog->findChildren<QLineEdit*>()) {
     if (line->accessibleName() == QLatin1String("Finger's folder"))

@@ -75,11 +75,23 @@ void LivePairBox::show_pair() {
     motor_->setRange(motor.first_turns, motor.last_turns);
     motor_->setValue(*turns);
   }
-  names_->setText(QStringLiteral("1: %1<br>2: %2")
-                      .arg(finger_name(first_.status().finger).toHtmlEscaped(),
-                           finger_name(pair_.second()->status().finger).toHtmlEscaped()));
+  names_->setText(names_text());
   moment_->setText(moment_text());
   reading_->setText(reading_text());
+}
+
+QString LivePairBox::names_text() const {
+  const auto& pair = pair_.pair();
+  QStringList lines;
+  for (const std::size_t i : {0U, 1U}) {
+    const LiveSession& session = i == 0 ? first_ : *pair_.second();
+    QString line = QStringLiteral("%1: %2").arg(
+        QString::number(i + 1), finger_name(session.status().finger).toHtmlEscaped());
+    const QString felt = pair ? brief_touch_words(pair->views[i]->result) : QString();
+    if (!felt.isEmpty()) line += QStringLiteral("<br>&nbsp;&nbsp;&nbsp;") + felt;
+    lines << line;
+  }
+  return lines.join(QStringLiteral("<br>"));
 }
 
 QString LivePairBox::moment_text() const {

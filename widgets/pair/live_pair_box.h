@@ -26,6 +26,7 @@ class LivePairBox : public Translated<QGroupBox> {
 
  private:
   void name_parts();
+  [[nodiscard]] QString names_text() const;
   [[nodiscard]] QString moment_text() const;
   [[nodiscard]] QString reading_text() const;
 

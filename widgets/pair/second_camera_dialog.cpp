@@ -1,5 +1,6 @@
 #include "widgets/pair/second_camera_dialog.h"
 
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QVBoxLayout>
@@ -29,7 +30,8 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
       choose_finger_(new QPushButton),
       choose_source_(new QPushButton),
       choose_gripper_(new QPushButton),
-      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+      show_(new QPushButton),
+      cancel_(new QPushButton) {
   auto* column = new QVBoxLayout(this);
   intro_->setWordWrap(true);
   column->addWidget(intro_);
@@ -50,7 +52,11 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
   column->addLayout(grid);
   column->addStretch();
   column->addWidget(missing_);
-  column->addWidget(buttons_);
+  auto* buttons = new QDialogButtonBox;
+  buttons->addButton(show_, QDialogButtonBox::AcceptRole);
+  buttons->addButton(cancel_, QDialogButtonBox::RejectRole);
+  show_->setDefault(true);
+  column->addWidget(buttons);
   source_->setEditable(true);
   source_->addItems(cameras);
   source_->setCurrentText(now && !now->source.empty() ? path_text(now->source.front()) : QString());
@@ -72,8 +78,8 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
   connect(choose_gripper_, &QPushButton::clicked, this, [this] {
     choose(gripper_, false, tr("The gripper's file"), tr("Grippers (*.yaml)"));
   });
-  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons, &QDialogButtonBox::accepted, this, [this] {
     Q_EMIT chosen(entered());
     accept();
   });
@@ -99,8 +105,8 @@ void SecondCameraDialog::name_parts() {
   choose_finger_->setAccessibleName(tr("Choose the finger's folder"));
   choose_source_->setAccessibleName(tr("Choose a video or a scene"));
   choose_gripper_->setAccessibleName(tr("Choose the gripper's file"));
-  buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Show it"));
-  buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+  show_->setText(tr("&Show it"));
+  cancel_->setText(tr("Cancel"));
   show_missing();
 }
 
@@ -132,7 +138,7 @@ SecondCamera SecondCameraDialog::entered() const {
 void SecondCameraDialog::show_missing() {
   const bool has_finger = !finger_->text().trimmed().isEmpty();
   const bool has_source = !source_->currentText().trimmed().isEmpty();
-  buttons_->button(QDialogButtonBox::Ok)->setEnabled(has_finger && has_source);
+  show_->setEnabled(has_finger && has_source);
   missing_->setText(!has_finger   ? tr("Choose the finger's folder.")
                     : !has_source ? tr("Choose the camera that watches it.")
                                   : QString());

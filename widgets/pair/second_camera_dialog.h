@@ -6,7 +6,6 @@
 
 #include <QComboBox>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -34,8 +33,7 @@ class SecondCameraDialog : public Translated<QDialog> {
   QLabel *intro_, *finger_label_, *source_label_, *gripper_label_, *missing_;
   QLineEdit *finger_, *gripper_;
   QComboBox* source_;
-  QPushButton *choose_finger_, *choose_source_, *choose_gripper_;
-  QDialogButtonBox* buttons_;
+  QPushButton *choose_finger_, *choose_source_, *choose_gripper_, *show_, *cancel_;
 };
 
 }  // namespace alltact

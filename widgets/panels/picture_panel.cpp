@@ -10,6 +10,8 @@ namespace alltact {
 PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
     : Translated(parent),
       session_(session),
+      column_(new QVBoxLayout(this)),
+      strip_(new QHBoxLayout),
       title_(new QLabel),
       view_(new ImageView),
       readout_(new QLabel),
@@ -18,21 +20,19 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
       further_(new QToolButton),
       fit_(new QToolButton),
       actual_(new QToolButton) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  column_->setContentsMargins(0, 0, 0, 0);
   title_->hide();
   title_->setMinimumWidth(1);
-  layout->addWidget(title_);
-  layout->addWidget(view_, 1);
-  auto* strip = new QHBoxLayout;
+  column_->addWidget(title_);
+  column_->addWidget(view_, 1);
   readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   readout_->setMinimumWidth(1);  // long texts do not widen the window
   zoom_->setMinimumWidth(zoom_->fontMetrics().horizontalAdvance(QStringLiteral("6400 %")));
   zoom_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  strip->addWidget(readout_, 1);
-  strip->addWidget(zoom_);
-  for (QToolButton* button : {further_, closer_, fit_, actual_}) strip->addWidget(button);
-  layout->addLayout(strip);
+  strip_->addWidget(readout_, 1);
+  strip_->addWidget(zoom_);
+  for (QToolButton* button : {further_, closer_, fit_, actual_}) strip_->addWidget(button);
+  column_->addLayout(strip_);
   connect(closer_, &QToolButton::clicked, view_, [this] { view_->zoom_by(1.5); });
   connect(further_, &QToolButton::clicked, view_, [this] { view_->zoom_by(1 / 1.5); });
   connect(fit_, &QToolButton::clicked, view_, &ImageView::fit);
@@ -73,7 +73,14 @@ void PicturePanel::show_instead(std::shared_ptr<const LiveView> view) {
 
 void PicturePanel::set_title(const QString& title) {
   title_->setText(title);
+  if (title_->isHidden() == title.isEmpty()) return;
   title_->setVisible(!title.isEmpty());
+  strip_->removeWidget(readout_);
+  column_->removeWidget(readout_);
+  if (title.isEmpty())
+    strip_->insertWidget(0, readout_, 1);
+  else
+    column_->insertWidget(column_->indexOf(view_) + 1, readout_);
 }
 
 const std::shared_ptr<const LiveView>& PicturePanel::live() const {

@@ -5,6 +5,7 @@
 #include "widgets/panels/view_options.h"
 #include "widgets/translated.h"
 
+#include <QBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 #include <QWidget>
@@ -19,7 +20,8 @@ class PicturePanel : public Translated<QWidget> {
   void set_options(const ViewOptions& options);
   /// Shows this instead of the session's newest view; null: the newest again.
   void show_instead(std::shared_ptr<const LiveView> view);
-  /// Above the picture; empty: none.
+  /// Above the picture, of one of several that share the room: what stands under the probe then has
+  /// a line of its own. Empty: none.
   void set_title(const QString& title);
   [[nodiscard]] ImageView& view() { return *view_; }
 
@@ -39,6 +41,8 @@ class PicturePanel : public Translated<QWidget> {
   LiveSession& session_;
   ViewOptions options_;
   std::shared_ptr<const LiveView> instead_;
+  QVBoxLayout* column_;
+  QHBoxLayout* strip_;
   QLabel* title_;
   ImageView* view_;
   QLabel* readout_;

@@ -60,17 +60,21 @@ void ForcePlot::set_span() {
 }
 
 void ForcePlot::draw_contacts() {
+  for (const auto& contact : history_.contacts())
+    draw_span(contact.from_s, contact.to_s, 26, Qt::SolidPattern);
+  for (const auto& slip : history_.slips()) draw_span(slip.from_s, slip.to_s, 90, Qt::BDiagPattern);
+}
+
+void ForcePlot::draw_span(double from_s, double to_s, int alpha, Qt::BrushStyle style) {
   const double now = *history_.now_s();
-  for (const auto& contact : history_.contacts()) {
-    auto* span = new QCPItemRect(&chart());
-    span->setLayer("background");
-    span->topLeft->setCoords(std::max(contact.from_s - now, -TouchHistory::kLength_s), top_N_);
-    span->bottomRight->setCoords(contact.to_s - now, low_N_);
-    span->setPen(Qt::NoPen);
-    QColor colour = palette().color(QPalette::Text);
-    colour.setAlpha(contact.has_slipped ? 70 : 26);
-    span->setBrush(QBrush(colour, contact.has_slipped ? Qt::BDiagPattern : Qt::SolidPattern));
-  }
+  auto* span = new QCPItemRect(&chart());
+  span->setLayer("background");
+  span->topLeft->setCoords(std::max(from_s - now, -TouchHistory::kLength_s), top_N_);
+  span->bottomRight->setCoords(to_s - now, low_N_);
+  span->setPen(Qt::NoPen);
+  QColor colour = palette().color(QPalette::Text);
+  colour.setAlpha(alpha);
+  span->setBrush(QBrush(colour, style));
 }
 
 QString ForcePlot::axis_name(int axis) const {

@@ -26,6 +26,7 @@ class ForcePlot : public Plot {
  private:
   void set_span();
   void draw_contacts();
+  void draw_span(double from_s, double to_s, int alpha, Qt::BrushStyle style);
   void draw_axis(int axis);
   [[nodiscard]] QString axis_name(int axis) const;
 

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <array>
 #include <cmath>
 
 namespace alltact {
@@ -26,7 +27,9 @@ struct ContactWords {
     return tr("Pushed from the lower side");
   }
 
-  static QString seconds(double value) { return tr("%1 s").arg(plain_number(value, 1)); }
+  static QString seconds(double value) {
+    return tr("%1 s").arg(plain_number(value, 1)).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+  }
 
   static QString head(const FingerContact& contact, const TouchHistory* history) {
     QString text = QStringLiteral("<b>%1</b>").arg(touched(contact.face));
@@ -96,8 +99,22 @@ struct ContactWords {
     text += QStringLiteral("<br>") +
             tr("The last contact lasted %1 and ended %2 ago.")
                 .arg(seconds(last.to_s - last.from_s), seconds(*history->now_s() - last.to_s));
-    if (last.has_slipped) text += QStringLiteral(" ") + tr("It slipped.");
+    if (history->has_slipped(last)) text += QStringLiteral(" ") + tr("It slipped.");
     return text;
+  }
+
+  static QString brief(const FrameResult& result) {
+    QStringList parts;
+    if (result.contact) parts << touched(result.contact->face);
+    if (result.force && result.force->in_range) {
+      const Force& force = *result.force;
+      const std::array names{
+          QStringLiteral("Fx %1"), QStringLiteral("Fy %1"), QStringLiteral("Fz %1")};
+      for (Eigen::Index axis = 0; axis < force.axes; ++axis)
+        parts << names[static_cast<std::size_t>(axis)].arg(
+            tr("%1 N").arg(number_and_sd(force.force_N[axis], force.half_95_N[axis], 2)));
+    }
+    return parts.join(QStringLiteral(", "));
   }
 
   static QString help() {
@@ -115,6 +132,10 @@ QString contact_words(const FrameResult& result, const TouchHistory* history) {
                         : ContactWords::free(result, history);
 }
 
+QString brief_touch_words(const FrameResult& result) {
+  return ContactWords::brief(result);
+}
+
 QString contact_words_help() {
   return ContactWords::help();
 }
@@ -126,7 +147,12 @@ QString plain_number(double value, int digits) {
 
 QString number_and_sd(double value, const std::optional<double>& sd, int digits) {
   const QString text = plain_number(value, digits);
-  return sd ? QStringLiteral("%1 ± %2").arg(text, plain_number(*sd, digits)) : text;
+  if (!sd) return text;
+  const double least = std::pow(10, -digits);
+  const QString spread = *sd > 0 && *sd < 0.5 * least
+                             ? QStringLiteral("&lt;%1").arg(plain_number(least, digits))
+                             : plain_number(*sd, digits);
+  return QStringLiteral("%1 ± %2").arg(text, spread);
 }
 
 }  // namespace alltact

@@ -72,7 +72,7 @@ void ForceBox::draw() {
   const bool has_forces = shown.history != nullptr && shown.history->has_forces();
   const bool is_any = has_forces || shown.now;
   reading_->setText(is_any ? reading_text(shown) : shown.why_none);
-  plot_->setVisible(has_forces);
+  plot_->setVisible(has_forces && shown.history->forces().size() > 1);  // a line needs two
   const auto zero = shown.zero ? std::optional(shown.zero->zero) : std::nullopt;
   plot_->set_data(has_forces ? *shown.history : TouchHistory(), zero);
   zero_->setText(is_any ? zero_text(shown) : QString());

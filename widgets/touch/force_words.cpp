@@ -11,6 +11,7 @@ struct ForceWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::ForceWords)
  public:
   static QString why_none(const FingerStatus& status) {
+    if (status.state == FingerState::kLoading) return tr("The finger is being loaded.");
     if (!status.finger) return tr("Open a finger to see its forces.");
     const Finger& finger = *status.finger;
     if (finger.markers.per_row == 0) return tr("A finger without markers tells no forces.");

@@ -12,6 +12,7 @@ void TouchHistory::add(const FrameResult& result, double time_s) {
   add_force(result.force, is_after_gap);
   add_contact(result.contact, is_after_gap);
   while (!forces_.empty() && forces_.front().time_s < time_s - kLength_s) forces_.pop_front();
+  while (!slips_.empty() && slips_.front().to_s < time_s - kLength_s) slips_.pop_front();
   while (!contacts_.empty() && contacts_.front().to_s < time_s - kLength_s) contacts_.pop_front();
 }
 
@@ -41,7 +42,18 @@ void TouchHistory::add_contact(const std::optional<FingerContact>& contact, bool
   Contact& now = contacts_.back();
   now.to_s = *now_s_;
   now.face = contact->face;
-  now.has_slipped |= contact->is_slipping.value_or(false);
+  if (contact->is_slipping.value_or(false)) add_slip();
+}
+
+void TouchHistory::add_slip() {
+  if (slips_.empty() || *now_s_ - slips_.back().to_s > kOneSlip_s) slips_.push_back({*now_s_, 0});
+  slips_.back().to_s = *now_s_;
+}
+
+bool TouchHistory::has_slipped(const Contact& contact) const {
+  return std::any_of(slips_.begin(), slips_.end(), [&](const Slip& slip) {
+    return slip.from_s >= contact.from_s && slip.from_s <= contact.to_s;
+  });
 }
 
 bool TouchHistory::has_forces() const {

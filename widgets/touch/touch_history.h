@@ -23,8 +23,13 @@ class TouchHistory {
   struct Contact {
     double from_s = 0, to_s = 0;  ///< by the frames that came; to_s: when it was seen last
     PushedFace face = PushedFace::kContact;
-    bool has_ended = false, has_slipped = false;
+    bool has_ended = false;
   };
+  struct Slip {
+    double from_s = 0, to_s = 0;
+  };
+  /// Frames that tell of slip so near to each other tell of one.
+  static constexpr double kOneSlip_s = 0.1;
 
   /// time_s: of capture, of any clock. Time that goes back begins it anew.
   void add(const FrameResult& result, double time_s);
@@ -32,6 +37,8 @@ class TouchHistory {
 
   [[nodiscard]] const std::deque<ForceReading>& forces() const { return forces_; }
   [[nodiscard]] const std::deque<Contact>& contacts() const { return contacts_; }  ///< oldest first
+  [[nodiscard]] const std::deque<Slip>& slips() const { return slips_; }
+  [[nodiscard]] bool has_slipped(const Contact& contact) const;
   /// Of the latest frame; nullopt before the first.
   [[nodiscard]] std::optional<double> now_s() const { return now_s_; }
   /// A force was told of some frame that is kept.
@@ -40,10 +47,12 @@ class TouchHistory {
  private:
   void add_force(const std::optional<Force>& force, bool is_after_gap);
   void add_contact(const std::optional<FingerContact>& contact, bool is_after_gap);
+  void add_slip();
 
   std::optional<double> now_s_;
   std::deque<ForceReading> forces_;
   std::deque<Contact> contacts_;
+  std::deque<Slip> slips_;
 };
 
 /// A force that counts as none from now on.

@@ -124,7 +124,7 @@ TEST(ViewPairingTest, SaysAfterAWhileThatNothingIsInTime) {
       if (!pair) continue;
       ++(pair->is_in_time ? in_time : others);
       if (!pair->is_in_time && first_other_ms == 0) first_other_ms = at;
-      EXPECT_LT(*pair->later_ms, pair->is_in_time ? 1.0 : -1000.0);
+      EXPECT_LT(*pair->later_ms, pair->is_in_time ? 1.0 : -999.9);
     }
   }
   EXPECT_GE(in_time, 29);

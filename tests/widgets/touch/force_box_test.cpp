@@ -222,6 +222,7 @@ TEST(ContactWordsTest, TellWhereHowAndThatItSlips) {
   EXPECT_THAT(after, HasSubstr("It slipped."));
   result.reference.reset();
   EXPECT_THAT(contact_words(result, nullptr).toStdString(), HasSubstr("reference recording"));
+  EXPECT_EQ(number_and_sd(-0.001, 0.002, 2).toStdString(), "0.00 ± &lt;0.01");
 }
 
 }  // namespace

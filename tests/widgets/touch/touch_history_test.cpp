@@ -94,8 +94,17 @@ TEST(TouchHistoryTest, RemembersThatAContactSlipped) {
   slipping.contact->is_slipping = true;
   history.add(slipping, 1.0);
   history.add(felt(std::nullopt, true), 1.1);
-  ASSERT_EQ(history.contacts().size(), 1U);
-  EXPECT_TRUE(history.contacts().front().has_slipped);
+  history.add(slipping, 1.15);
+  history.add(slipping, 1.2);  // still the same slip
+  history.add(felt(std::nullopt, true), 1.3);
+  history.add(slipping, 1.5);
+  history.add(felt(std::nullopt), 1.6);
+  history.add(felt(std::nullopt, true), 1.7);
+  ASSERT_EQ(history.contacts().size(), 2U);
+  EXPECT_TRUE(history.has_slipped(history.contacts().front()));
+  EXPECT_FALSE(history.has_slipped(history.contacts().back()));
+  ASSERT_EQ(history.slips().size(), 3U);
+  EXPECT_EQ(history.slips().back().from_s, 1.5);
 }
 
 TEST(ForceZeroTest, IsTheMeanOfTheLastHalfSecondOnly) {
