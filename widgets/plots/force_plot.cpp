@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();  // breaks a line
 constexpr double kLeastSpan_N = 1.0;
+constexpr double kBetweenPoints_s = 0.05;  // nearer ones share a pixel, and cost as much each
 
 /// 1, 2 or 5 times a power of ten: a scale that does not jump with every reading.
 double round_step(double span) {
@@ -88,7 +89,13 @@ void ForcePlot::draw_axis(int axis) {
   band.setAlpha(50);
   std::array<QVector<double>, 5> columns;  // time, force, both ends, out of range
   auto& [times, forces, uppers, lowers, others] = columns;
+  std::optional<double> last_s;
+  bool was_told = false;
   for (const auto& reading : history_.forces()) {
+    const bool is_like_last = was_told == reading.force.has_value();
+    if (last_s && is_like_last && reading.time_s - *last_s < kBetweenPoints_s) continue;
+    last_s = reading.time_s;
+    was_told = reading.force.has_value();
     times << reading.time_s - *history_.now_s();
     const bool is_told = reading.force && axis < reading.force->axes;
     const Force force = is_told ? zeroed(*reading.force, zero_) : Force();

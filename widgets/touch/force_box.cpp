@@ -71,6 +71,9 @@ void ForceBox::draw() {
   const ShownForce shown = ask_();
   const bool has_forces = shown.history != nullptr && shown.history->has_forces();
   const bool is_any = has_forces || shown.now;
+  reading_->setToolTip(shown.now && !shown.now->in_range
+                           ? tr("The force model was trained with nothing like this picture.")
+                           : QString());
   reading_->setText(is_any ? reading_text(shown) : shown.why_none);
   plot_->setVisible(has_forces && shown.history->forces().size() > 1);  // a line needs two
   const auto zero = shown.zero ? std::optional(shown.zero->zero) : std::nullopt;
@@ -101,12 +104,9 @@ QString ForceBox::reading_text(const ShownForce& shown) const {
                      tr("%1 N").arg(number_and_sd(force.force_N[axis], half, 2)));
   }
   const QString note =
-      force.in_range
-          ? tr("95 % lie within ±.")
-          : QStringLiteral("<b>%1 %2</b>")
-                .arg(QString(QChar(0x25b2)),
-                     tr("Out of range: the model was trained with nothing like this. Do not rely "
-                        "on it."));
+      force.in_range ? tr("95 % lie within ±.")
+                     : QStringLiteral("<b>%1 %2</b>")
+                           .arg(QString(QChar(0x25b2)), tr("Out of range: do not rely on it."));
   return QStringLiteral("<table>%1</table>%2").arg(rows, note);
 }
 

@@ -27,7 +27,7 @@ class ForceBox : public Translated<QGroupBox> {
   Q_OBJECT
  public:
   /// At most so often, however often there is news.
-  static constexpr int kBetweenDrawings_ms = 100;
+  static constexpr int kBetweenDrawings_ms = 200;
 
   /// `ask` tells what there is to show; called while the box is visible, some time after news().
   explicit ForceBox(std::function<ShownForce()> ask, QWidget* parent = nullptr);
