@@ -125,8 +125,8 @@ void MainWindow::connect_live() {
     live_->show_start(work_.state().source.empty());
   });
   StartPanel* start = &live_->start();
-  connect(&finder_, &CameraFinder::cameras_changed, start, [this, start] {
-    start->set_cameras(finder_.cameras());
+  connect(&finder_, &CameraFinder::cameras_changed, live_, [this] {
+    live_->set_cameras(finder_.cameras());
   });
   connect(start, &StartPanel::last_wanted, this, &MainWindow::go_on_with_last);
   connect(start, &StartPanel::camera_wanted, this, [this](const QString& name) {

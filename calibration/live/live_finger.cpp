@@ -2,6 +2,7 @@
 
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/live/layers.h"
+#include "core/finger/force_model.h"
 #include "core/simulation/plan.h"
 
 #include <chrono>
@@ -24,6 +25,12 @@ Result<Pipeline> pipeline_of(const FingerSnapshot& finger, const Job& job) {
   if (finger.folder.empty() || !finger.finger.reference)
     return Pipeline::before_reference(finger, settings);
   return Pipeline::create(finger, settings, job);
+}
+
+std::optional<Error> force_problem_of(const FingerSnapshot& finger) {
+  if (!finger.force) return finger.force_problem;
+  const Status belongs = finger.force->belongs_to(finger.finger);
+  return belongs ? std::nullopt : std::optional(belongs.error());
 }
 
 /// What could not be measured is shown as it came.
@@ -97,6 +104,7 @@ void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem
     if (finger) {
       status.finger = (*finger)->finger;
       status.warnings = (*finger)->warnings;
+      status.force_problem = force_problem_of(**finger);
       auto pipeline = pipeline_of(**finger, loading->job);
       if (pipeline) ready = std::move(*pipeline);
       if (!pipeline) status.problem = pipeline.error();

@@ -40,6 +40,7 @@ struct FingerStatus {
   std::optional<Finger> finger;
   bool has_reference = false;  ///< loaded, so that frames are compared with it
   std::optional<Error> problem;
+  std::optional<Error> force_problem;  ///< why it tells no forces though it names a model
   std::vector<Message> warnings;
   std::uint64_t skipped = 0;  ///< frames that came and were never measured: newer ones had come
 };

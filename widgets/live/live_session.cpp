@@ -4,6 +4,7 @@
 #include "core/sources/open/open_source.h"
 
 #include <QMetaObject>
+#include <cmath>
 
 namespace alltact {
 namespace {
@@ -21,6 +22,7 @@ void smooth(StepTimes& shown, const StepTimes& next) {
                           &StepTimes::reference,
                           &StepTimes::local,
                           &StepTimes::contact,
+                          &StepTimes::force,
                           &StepTimes::total})
     shown.*step += kNewShare * (next.*step - shown.*step);
 }
@@ -32,7 +34,8 @@ bool is_scene(const std::vector<std::filesystem::path>& inputs) {
 
 }  // namespace
 
-LiveSession::LiveSession(SourceOpener opener, QObject* parent) : QObject(parent) {
+LiveSession::LiveSession(SourceOpener opener, QObject* parent)
+    : QObject(parent), opener_(std::move(opener)) {
   // On the measuring thread: one event at most waits for this one.
   const auto tell = [this] {
     if (is_told_.exchange(true)) return;
@@ -40,7 +43,7 @@ LiveSession::LiveSession(SourceOpener opener, QObject* parent) : QObject(parent)
         this, [this] { take_view(); }, Qt::QueuedConnection);
   };
   live_finger_ = std::make_unique<LiveFinger>(hub_, tell);
-  runner_ = std::make_unique<SourceRunner>(hub_, std::move(opener));
+  runner_ = std::make_unique<SourceRunner>(hub_, opener_);
   connect(&timer_, &QTimer::timeout, this, &LiveSession::refresh);
   timer_.start(kBetweenStatusLooks_ms);
 }
@@ -57,6 +60,7 @@ void LiveSession::open_source(const std::vector<std::filesystem::path>& inputs,
   if (status_.recording.state != RecordingState::kNone) last_recording_ = status_.recording;
   runner_->open(inputs);
   view_.reset();
+  touch_history_.forget();
   refresh();
   if (folder_.empty()) follow_scene();
 }
@@ -65,6 +69,7 @@ void LiveSession::close_source() {
   inputs_.clear();
   runner_->close();
   view_.reset();
+  touch_history_.forget();
   refresh();
   if (folder_.empty()) follow_scene();
 }
@@ -104,12 +109,15 @@ void LiveSession::take_view() {
   if (!view) return;
   view_ = std::move(view);
   smooth(times_ms_, view_->result.times_ms);
+  follow_touch();
   const std::int64_t now_ns = monotonic_ns();
   taken_ns_.push_back(now_ns);
   while (taken_ns_.front() < now_ns - kSecond_ns) taken_ns_.pop_front();
   status_.age_ms.reset();
   if (const FramePtr& frame = view_->result.frame) status_.age_ms = runner_->age_ms(*frame, now_ns);
+  view_ns_.reset();
   if (status_.age_ms) {
+    view_ns_ = now_ns - std::llround(1e6 * *status_.age_ms);
     ages_ms_.push_back(*status_.age_ms);
     if (ages_ms_.size() > kMostAges) ages_ms_.pop_front();
   }
@@ -120,7 +128,10 @@ void LiveSession::refresh() {
   status_.source = runner_->status();
   status_.recording = runner_->recording();
   if (status_.recording.state == RecordingState::kNone) status_.recording = last_recording_;
+  const FingerState before = status_.finger.state;
   status_.finger = live_finger_->status();
+  if (status_.finger.state != before)
+    touch_history_.forget();  // another finger's, or its older self
   controller_.attach(runner_->camera(), wanted_controls_);
   status_.controller = controller_.status();
   follow_remarks();
@@ -131,6 +142,25 @@ void LiveSession::refresh() {
     status_.shown_per_s = static_cast<double>(taken_ns_.size() - 1) * 1e9 /
                           static_cast<double>(taken_ns_.back() - taken_ns_.front());
   Q_EMIT status_ready();
+}
+
+void LiveSession::follow_touch() {
+  const FramePtr& frame = view_->result.frame;
+  const std::int64_t time_ns = frame && frame->time_ns != 0 ? frame->time_ns : monotonic_ns();
+  touch_history_.add(view_->result, 1e-9 * static_cast<double>(time_ns));
+}
+
+void LiveSession::set_force_zero(const std::optional<SessionZero>& zero) {
+  force_zero_ = zero;
+  Q_EMIT status_ready();
+}
+
+std::optional<SessionZero> LiveSession::force_zero() const {
+  const auto& finger = status_.finger.finger;
+  if (!force_zero_ || !finger || force_zero_->finger != status_.finger.folder ||
+      force_zero_->model != finger->force_model)
+    return std::nullopt;
+  return force_zero_;
 }
 
 void LiveSession::follow_remarks() {

@@ -6,6 +6,8 @@
 #include "core/live/camera_controller.h"
 #include "core/live/source_runner.h"
 #include "core/sources/open/open_source.h"
+#include "widgets/touch/session_zero.h"
+#include "widgets/touch/touch_history.h"
 
 #include <QObject>
 #include <QTimer>
@@ -44,11 +46,21 @@ class LiveSession : public QObject {
   void set_control(const ControlValue& control);
   void set_lock(bool is_locked) { controller_.set_lock(is_locked); }
 
+  /// From which reading on forces of the open finger count; none: as measured.
+  void set_force_zero(const std::optional<SessionZero>& zero);
+
   /// The newest view; null before the first.
   [[nodiscard]] const std::shared_ptr<const LiveView>& view() const { return view_; }
   [[nodiscard]] const LiveStatus& status() const { return status_; }
+  /// When its frame was taken, ns of the monotonic clock; absent where its source has no times.
+  [[nodiscard]] std::optional<std::int64_t> view_ns() const { return view_ns_; }
+  [[nodiscard]] const SourceOpener& opener() const { return opener_; }
   /// Times of a frame, smoothed over several so that they can be read.
   [[nodiscard]] const StepTimes& times_ms() const { return times_ms_; }
+  /// Of the open finger, by views that were taken.
+  [[nodiscard]] const TouchHistory& touch_history() const { return touch_history_; }
+  /// The one that was set, as long as it is of the open finger and its force model.
+  [[nodiscard]] std::optional<SessionZero> force_zero() const;
   /// Ages of the last views when they were taken, ms; at most the last thousand.
   [[nodiscard]] const std::deque<double>& ages_ms() const { return ages_ms_; }
 
@@ -63,7 +75,9 @@ class LiveSession : public QObject {
   void refresh();
   void follow_scene();
   void follow_remarks();
+  void follow_touch();
 
+  SourceOpener opener_;
   FrameHub hub_;
   std::atomic<bool> is_told_{false};
   std::unique_ptr<LiveFinger> live_finger_;
@@ -73,11 +87,14 @@ class LiveSession : public QObject {
   std::vector<ControlValue> wanted_controls_;
   std::filesystem::path folder_;
   std::shared_ptr<const LiveView> view_;
+  std::optional<std::int64_t> view_ns_;
   LiveStatus status_;
   RecordingStatus last_recording_;  // of a source that was closed since
   std::deque<std::int64_t> taken_ns_;
   std::deque<double> ages_ms_;
   StepTimes times_ms_;
+  TouchHistory touch_history_;
+  std::optional<SessionZero> force_zero_;
   std::vector<Message> remarks_;
   std::int64_t remarked_ns_ = 0;
   QTimer timer_;

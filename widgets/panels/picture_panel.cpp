@@ -10,6 +10,9 @@ namespace alltact {
 PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
     : Translated(parent),
       session_(session),
+      column_(new QVBoxLayout(this)),
+      strip_(new QHBoxLayout),
+      title_(new QLabel),
       view_(new ImageView),
       readout_(new QLabel),
       zoom_(new QLabel),
@@ -17,25 +20,28 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
       further_(new QToolButton),
       fit_(new QToolButton),
       actual_(new QToolButton) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(view_, 1);
-  auto* strip = new QHBoxLayout;
+  column_->setContentsMargins(0, 0, 0, 0);
+  title_->hide();
+  title_->setMinimumWidth(1);
+  column_->addWidget(title_);
+  column_->addWidget(view_, 1);
   readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   readout_->setMinimumWidth(1);  // long texts do not widen the window
   zoom_->setMinimumWidth(zoom_->fontMetrics().horizontalAdvance(QStringLiteral("6400 %")));
   zoom_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  strip->addWidget(readout_, 1);
-  strip->addWidget(zoom_);
-  for (QToolButton* button : {further_, closer_, fit_, actual_}) strip->addWidget(button);
-  layout->addLayout(strip);
+  strip_->addWidget(readout_, 1);
+  strip_->addWidget(zoom_);
+  for (QToolButton* button : {further_, closer_, fit_, actual_}) strip_->addWidget(button);
+  column_->addLayout(strip_);
   connect(closer_, &QToolButton::clicked, view_, [this] { view_->zoom_by(1.5); });
   connect(further_, &QToolButton::clicked, view_, [this] { view_->zoom_by(1 / 1.5); });
   connect(fit_, &QToolButton::clicked, view_, &ImageView::fit);
   connect(actual_, &QToolButton::clicked, view_, &ImageView::show_actual_size);
   connect(view_, &ImageView::probe_changed, this, &PicturePanel::show_readout);
   connect(view_, &ImageView::zoom_changed, this, &PicturePanel::show_zoom);
-  connect(&session_, &LiveSession::view_ready, this, &PicturePanel::show_frame);
+  connect(&session_, &LiveSession::view_ready, this, [this] {
+    if (!instead_) show_frame();
+  });
   connect(&session_, &LiveSession::status_ready, this, &PicturePanel::show_state);
   set_icons();
   say([this] {
@@ -60,11 +66,30 @@ void PicturePanel::set_options(const ViewOptions& options) {
   show_frame();
 }
 
+void PicturePanel::show_instead(std::shared_ptr<const LiveView> view) {
+  instead_ = std::move(view);
+  show_frame();
+}
+
+void PicturePanel::set_title(const QString& title) {
+  title_->setText(title);
+  if (title_->isHidden() == title.isEmpty()) return;
+  title_->setVisible(!title.isEmpty());
+  strip_->removeWidget(readout_);
+  column_->removeWidget(readout_);
+  if (title.isEmpty())
+    strip_->insertWidget(0, readout_, 1);
+  else
+    column_->insertWidget(column_->indexOf(view_) + 1, readout_);
+}
+
+const std::shared_ptr<const LiveView>& PicturePanel::live() const {
+  return instead_ ? instead_ : session_.view();
+}
+
 void PicturePanel::show_frame() {
-  if (!isVisible() || !session_.view()) return;
-  const LiveView& live = *session_.view();
-  if (live.result.grey.empty()) return;
-  view_->show_picture(live.result.grey, overlays_for(live, options_));
+  if (!isVisible() || !live() || live()->result.grey.empty()) return;
+  view_->show_picture(live()->result.grey, overlays_for(*live(), options_));
   show_readout();
 }
 
@@ -82,15 +107,16 @@ QString PicturePanel::message() const {
 }
 
 void PicturePanel::show_state() {
-  if (!session_.view()) view_->show_message(message());
+  if (!live()) view_->show_message(message());
 }
 
 void PicturePanel::show_readout() {
   const auto probe = view_->probe();
-  const auto& live = session_.view();
+  const auto& shown = live();
   const bool is_inside =
-      probe && live && QRect(0, 0, live->result.grey.cols, live->result.grey.rows).contains(*probe);
-  readout_->setText(is_inside ? readout_text(*live, *probe)
+      probe && shown &&
+      QRect(0, 0, shown->result.grey.cols, shown->result.grey.rows).contains(*probe);
+  readout_->setText(is_inside ? readout_text(*shown, *probe)
                               : tr("Point at a pixel, or press Shift and an arrow key."));
 }
 

@@ -12,20 +12,6 @@ namespace {
 struct FrameWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::FrameWords)
  public:
-  static QString face(PushedFace face) {
-    switch (face) {
-      case PushedFace::kContact:
-        return tr("The finger is pushed from its contact face.");
-      case PushedFace::kBack:
-        return tr("The finger is pushed from its back.");
-      case PushedFace::kUpper:
-        return tr("The finger is pushed from its upper side.");
-      case PushedFace::kLower:
-        break;
-    }
-    return tr("The finger is pushed from its lower side.");
-  }
-
   static QString no_depth(std::uint8_t flag) {
     switch (flag) {
       case kTooDark:
@@ -48,24 +34,6 @@ struct FrameWords {
     if (!std::isfinite(depth))
       return text + no_depth(result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x()));
     return text + tr("depth %1 mm").arg(locale.toString(depth, 'f', 2));
-  }
-
-  static QString contact(const LiveView& view) {
-    const FrameResult& result = view.result;
-    const QLocale locale;
-    QStringList lines;
-    if (result.depth && result.regions.empty()) lines << tr("Nothing presses on the contact face.");
-    if (result.depth && !result.regions.empty()) {
-      lines << tr("%n contact(s) on the face.", nullptr, static_cast<int>(result.regions.size()));
-      const ContactRegion& first = result.regions.front();
-      lines << tr("Deepest %1 mm, area %2 mm², volume %3 mm³.")
-                   .arg(locale.toString(first.deepest_mm, 'f', 2),
-                        locale.toString(first.area_mm2, 'f', 1),
-                        locale.toString(first.volume_mm3, 'f', 1));
-    }
-    if (result.push && result.push->face) lines << face(*result.push->face);
-    if (lines.isEmpty()) lines << tr("Not known without a reference recording.");
-    return lines.join(QLatin1Char('\n'));
   }
 
   static QString colour_bar() { return tr("Depth, mm"); }
@@ -94,10 +62,6 @@ std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& optio
 
 QString readout_text(const LiveView& view, QPoint pixel) {
   return FrameWords::readout(view, pixel);
-}
-
-QString contact_text(const LiveView& view) {
-  return FrameWords::contact(view);
 }
 
 }  // namespace alltact

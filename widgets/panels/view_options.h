@@ -20,7 +20,4 @@ struct ViewOptions {
 /// "u 120 px, v 44 px, grey 131, depth 0.42 mm"; why there is no depth where there is none.
 [[nodiscard]] QString readout_text(const LiveView& view, QPoint pixel);
 
-/// "Touched on the contact face from 12°", "Deepest 0.83 mm, 11.9 mm²", or that nothing touches.
-[[nodiscard]] QString contact_text(const LiveView& view);
-
 }  // namespace alltact

@@ -3,6 +3,7 @@
 #include "widgets/inspect/reading_text.h"
 #include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
+#include "widgets/touch/contact_words.h"
 #include "widgets/value_change.h"
 
 #include <QHBoxLayout>
@@ -35,7 +36,10 @@ InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* pare
       second_(new InspectPane(PaneContent::kSecond)),
       time_line_(new TimeLine),
       side_(new InspectSide),
-      pair_box_(new PairBox(pair_)) {
+      pair_box_(new PairBox(pair_)),
+      contact_group_(new QGroupBox),
+      contact_(new QLabel),
+      force_(new ForceBox([this] { return shown_force(); })) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   auto* column = new QVBoxLayout;
@@ -83,6 +87,7 @@ QWidget* InspectPlace::make_header() {
 QWidget* InspectPlace::make_side() {
   const SidePanel panel(kInspectSideWidth);
   panel.column->addWidget(pair_box_);
+  make_touch(*panel.column);
   panel.column->addWidget(side_);
   return panel.whole;
 }
@@ -129,6 +134,9 @@ void InspectPlace::name_parts() {
   shown_->setAccessibleName(tr("What is shown"));
   summary_->setAccessibleName(tr("Deepest contact"));
   saved_->setAccessibleName(tr("What was saved"));
+  contact_group_->setTitle(tr("Contact"));
+  contact_->setToolTip(contact_words_help());
+  contact_->setAccessibleName(tr("What touches the finger"));
   show_frame();
 }
 
@@ -244,6 +252,7 @@ void InspectPlace::show_frame() {
   pair_.follow();
   show_panes();
   side_->show_frame(frame && frame->surface ? frame : nullptr);
+  follow_touch();
   summary_->setText(summary_text());
   show_state();
 }

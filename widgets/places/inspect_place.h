@@ -11,6 +11,7 @@
 #include "widgets/inspect/time_line.h"
 #include "widgets/live/live_session.h"
 #include "widgets/places/place.h"
+#include "widgets/touch/force_box.h"
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -57,6 +58,10 @@ class InspectPlace : public Place {
   void connect_parts();
   void connect_panes();
   void connect_pair();
+  void make_touch(QVBoxLayout& column);
+  void follow_touch();
+  [[nodiscard]] const TouchHistory& touch_history() const;
+  [[nodiscard]] ShownForce shown_force() const;
   [[nodiscard]] static QString text_of(const std::filesystem::path& path) {
     return QString::fromStdString(path.string());
   }
@@ -105,6 +110,12 @@ class InspectPlace : public Place {
   TimeLine* time_line_;
   InspectSide* side_;
   PairBox* pair_box_;
+  // Of the recording, as long as its frames were shown one after the other.
+  TouchHistory played_;
+  std::shared_ptr<const InspectedFrame> played_to_;
+  QGroupBox* contact_group_;
+  QLabel* contact_;
+  ForceBox* force_;
 };
 
 }  // namespace alltact

@@ -1,6 +1,7 @@
 #include "widgets/places/live_place.h"
 
 #include "widgets/panels/side_panel.h"
+#include "widgets/touch/contact_words.h"
 #include "widgets/value_change.h"
 
 #include <QHBoxLayout>
@@ -19,9 +20,11 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
     : Place("live", parent),
       session_(session),
       undo_(undo),
+      pair_(session),
       pages_(new QStackedLayout(this)),
       start_(new StartPanel),
       panel_(new PicturePanel(session)),
+      pictures_(new QHBoxLayout),
       over_(new QGroupBox),
       camera_(new QGroupBox),
       contact_group_(new QGroupBox),
@@ -35,10 +38,14 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
       top_(new QDoubleSpinBox),
       contact_(new QLabel),
       times_(new QLabel),
-      controls_(new ControlPanel) {
+      controls_(new ControlPanel),
+      force_(new ForceBox([this] { return shown_force(); })),
+      pair_box_(new LivePairBox(pair_, session)) {
   pages_->addWidget(start_);
   pages_->addWidget(make_picture());
   connect_choices();
+  connect_force();
+  connect_pair();
   connect(controls_, &ControlPanel::control_changed, this, &LivePlace::change_control);
   connect(controls_, &ControlPanel::lock_changed, this, &LivePlace::change_lock);
   connect(&session_, &LiveSession::status_ready, this, &LivePlace::show_status);
@@ -57,7 +64,11 @@ QWidget* LivePlace::make_picture() {
   auto* page = new QWidget;
   auto* row = new QHBoxLayout(page);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(panel_, 1);
+  auto* column = new QVBoxLayout;
+  pictures_->addWidget(panel_, 1);
+  column->addLayout(pictures_, 1);
+  column->addWidget(force_->take_plot());
+  row->addLayout(column, 1);
   row->addWidget(make_side());
   return page;
 }
@@ -96,6 +107,8 @@ void LivePlace::name_parts() {
   top_->setAccessibleName(tr("Depth at which the colours end"));
   camera_->setTitle(tr("Camera"));
   contact_group_->setTitle(tr("Contact"));
+  contact_->setToolTip(contact_words_help());
+  contact_->setAccessibleName(tr("What touches the finger"));
   times_group_->setTitle(tr("Time of a frame"));
   show_status();
 }
@@ -116,16 +129,12 @@ QWidget* LivePlace::make_side() {
   top->addStretch();
   over->insertLayout(4, top);
   side.column->addWidget(over_);
-  for (const auto& [group, label] : {std::pair{contact_group_, contact_}, {times_group_, times_}}) {
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::AutoText);
-    (new QVBoxLayout(group))->addWidget(label);
-    side.column->addWidget(group);
-  }
-  // Room for what it says most, so that nothing jumps while contacts come and go.
-  constexpr int kContactLines = 5;
-  contact_->setMinimumHeight(kContactLines * contact_->fontMetrics().lineSpacing());
-  contact_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  side.column->addWidget(pair_box_);
+  make_contact();
+  side.column->addWidget(contact_group_);
+  side.column->addWidget(force_);
+  (new QVBoxLayout(times_group_))->addWidget(times_);
+  side.column->addWidget(times_group_);
   (new QVBoxLayout(camera_))->addWidget(controls_);
   side.column->addWidget(camera_);
   side.column->addStretch();
@@ -137,9 +146,10 @@ void LivePlace::set_options(const ViewOptions& options) {
   for (const Choice& choice : choices_) choice.box->setChecked(options.*choice.member);
   top_->setValue(options.depth_top_mm);
   top_->setEnabled(options.depth);
-  session_.set_layers({options.depth, options.faults});
-  session_.set_depth_top_mm(options.depth_top_mm);
+  set_layers(session_);
+  if (pair_.second() != nullptr) set_layers(*pair_.second());
   panel_->set_options(options);
+  if (second_panel_ != nullptr) second_panel_->set_options(options);
   Q_EMIT changed();
 }
 
@@ -178,7 +188,13 @@ void LivePlace::show_status() {
   const LiveStatus& status = session_.status();
   controls_->set_controls(status.controller.controls, status.controller.is_locked);
   const auto& view = session_.view();
-  contact_->setText(view ? contact_text(*view) : tr("No picture yet."));
+  contact_->setText(view ? contact_words(view->result, &session_.touch_history())
+                         : tr("No picture yet."));
+  force_->news();
+  show_times();
+}
+
+void LivePlace::show_times() {
   const QLocale locale;
   const StepTimes& times = session_.times_ms();
   QString rows;
@@ -194,6 +210,7 @@ void LivePlace::show_status() {
   add(tr("Reference"), times.reference);
   add(tr("Depth"), times.local);
   add(tr("Contacts"), times.contact);
+  add(tr("Force"), times.force);
   add(tr("All together"), times.total);
   times_->setText(rows.isEmpty() ? tr("No picture yet.")
                                  : QStringLiteral("<table>%1</table>").arg(rows));

@@ -3,13 +3,16 @@
 #pragma once
 
 #include "widgets/controls/control_panel.h"
+#include "widgets/pair/live_pair_box.h"
 #include "widgets/panels/picture_panel.h"
 #include "widgets/places/place.h"
 #include "widgets/shell/start_panel.h"
+#include "widgets/touch/force_box.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QStackedLayout>
 #include <QUndoStack>
 #include <array>
@@ -28,6 +31,12 @@ class LivePlace : public Place {
   /// Shown in place of the picture, which comes by itself with the first view.
   [[nodiscard]] StartPanel& start() { return *start_; }
   void show_start(bool is_wanted);
+  /// That can be chosen from.
+  void set_cameras(const std::vector<FoundCamera>& cameras);
+
+  /// A second finger with its camera beside the live one; can be undone. None: no second one.
+  void open_second(const std::optional<SecondCamera>& second);
+  [[nodiscard]] const LivePair& pair() const { return pair_; }
 
   /// What changed() tells of.
   [[nodiscard]] const ViewOptions& options() const { return options_; }
@@ -45,25 +54,42 @@ class LivePlace : public Place {
   };
   [[nodiscard]] QWidget* make_picture();
   [[nodiscard]] QWidget* make_side();
+  void make_contact();
+  void connect_force();
   void connect_choices();
   void name_parts();
   void change_options(const ViewOptions& options, const QString& what, int merge_id);
   void change_control(std::uint32_t id, std::int64_t before, std::int64_t value);
   void change_lock(bool is_locked);
+  [[nodiscard]] ShownForce shown_force() const;
+  void connect_pair();
+  void choose_second();
+  void change_second(const std::optional<SecondCamera>& second, const QString& what, int merge_id);
+  void set_second(const std::optional<SecondCamera>& second);
+  void set_layers(LiveSession& session) const;
+  void show_pair();
+  void show_pair_state();
   void show_status();
+  void show_times();
 
   LiveSession& session_;
   QUndoStack& undo_;
+  LivePair pair_;
+  QStringList cameras_;  // names that open them
   ViewOptions options_;
   QStackedLayout* pages_;
   StartPanel* start_;
   PicturePanel* panel_;
+  PicturePanel* second_panel_ = nullptr;  // there from the first second finger on
+  QHBoxLayout* pictures_;
   QGroupBox *over_, *camera_, *contact_group_, *times_group_;
   std::array<Choice, 5> choices_;
   QLabel* top_label_;
   QDoubleSpinBox* top_;
   QLabel *contact_, *times_;
   ControlPanel* controls_;
+  ForceBox* force_;
+  LivePairBox* pair_box_;
 };
 
 }  // namespace alltact

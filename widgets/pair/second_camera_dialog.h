@@ -1,0 +1,39 @@
+// Which finger is watched beside the first, by which camera, and in which gripper.
+#pragma once
+
+#include "widgets/pair/live_pair.h"
+#include "widgets/translated.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace alltact {
+
+class SecondCameraDialog : public Translated<QDialog> {
+  Q_OBJECT
+ public:
+  /// cameras: names that open them.
+  SecondCameraDialog(const std::optional<SecondCamera>& now,
+                     const QStringList& cameras,
+                     QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void chosen(const alltact::SecondCamera& second);
+
+ private:
+  void name_parts();
+  void choose(QWidget* line, bool is_folder, const QString& title, const QString& filter);
+  void show_missing();
+  [[nodiscard]] SecondCamera entered() const;
+
+  std::optional<SecondCamera> now_;
+  QLabel *intro_, *finger_label_, *source_label_, *gripper_label_, *missing_;
+  QLineEdit *finger_, *gripper_;
+  QComboBox* source_;
+  QPushButton *choose_finger_, *choose_source_, *choose_gripper_, *show_, *cancel_;
+};
+
+}  // namespace alltact

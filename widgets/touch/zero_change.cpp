@@ -1,0 +1,44 @@
+#include "widgets/touch/zero_change.h"
+
+#include "widgets/value_change.h"
+
+#include <QCoreApplication>
+
+namespace alltact {
+namespace {
+
+struct ZeroWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::ZeroWords)
+ public:
+  static QString take() { return tr("re-zero the force"); }
+  static QString drop() { return tr("show the force as measured"); }
+};
+
+void change_zero(LiveSession& session,
+                 QUndoStack& undo,
+                 const std::optional<SessionZero>& zero,
+                 const QString& what) {
+  using Zero = std::optional<SessionZero>;
+  undo.push(new ValueChange<Zero>(what, session.force_zero(), zero, [&session](const Zero& wanted) {
+    session.set_force_zero(wanted);
+  }));
+}
+
+}  // namespace
+
+void take_zero(LiveSession& session, QUndoStack& undo) {
+  const auto zero = present_zero(session.touch_history());
+  const FingerStatus& finger = session.status().finger;
+  if (!zero || !finger.finger) return;
+  change_zero(
+      session,
+      undo,
+      SessionZero{*zero, QDateTime::currentDateTime(), finger.folder, finger.finger->force_model},
+      ZeroWords::take());
+}
+
+void drop_zero(LiveSession& session, QUndoStack& undo) {
+  if (session.force_zero()) change_zero(session, undo, std::nullopt, ZeroWords::drop());
+}
+
+}  // namespace alltact
