@@ -12,6 +12,7 @@ namespace alltact {
 [[nodiscard]] Result<ExperimentOutcome> run_direction(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_least_touch(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench);
+[[nodiscard]] Result<ExperimentOutcome> run_force(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_references(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_thread(const ExperimentBench& bench);
