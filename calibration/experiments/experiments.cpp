@@ -54,6 +54,11 @@ const std::vector<Experiment>& experiments() {
   return all;
 }
 
+Message ours_and_theirs() {
+  return en::say(
+      "Ours are simulated, with the truth known; the paper's were measured on a real finger.");
+}
+
 Result<std::vector<const Experiment*>> experiments_named(const std::vector<std::string>& names) {
   std::vector<std::string> known;
   for (const Experiment& experiment : experiments()) known.push_back(experiment.name);

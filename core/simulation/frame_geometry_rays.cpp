@@ -73,11 +73,9 @@ double share(double inside_px) {
 Surface FrameGeometry::fill_by_rays(RowView& row) const {
   MetRow met(row.scratch);
   NextMeeting next;
-  std::optional<RuledSurface> face;
-  if (curve_) face = RuledSurface::view_face(*curve_);
   for (int u = 0; u < row.width; ++u) {
     const Ray ray = rays_.ray(u, row.v);
-    if (!face) {
+    if (!curve_) {
       met.set(u, ray.point_at(face_.plane_z_mm), Eigen::Vector3d::UnitZ());
       met.luf[u] = static_cast<float>(face_.layer_mm);
       met.s[u] = met.x[u];
@@ -85,9 +83,10 @@ Surface FrameGeometry::fill_by_rays(RowView& row) const {
       met.coverage[u] = 1;
       continue;
     }
+    const RuledSurface face = RuledSurface::view_face(*curve_);
     std::optional<RuledSurface::Meeting> here;
-    if (const auto near = next.s_mm()) here = face->meet(ray, *near);
-    if (!here) here = face->meet(ray);
+    if (const auto near = next.s_mm()) here = face.meet(ray, *near);
+    if (!here) here = face.meet(ray);
     if (!here) {
       met.miss(u);
       next.forget();

@@ -66,18 +66,16 @@ std::optional<RuledSurface::Meeting> RuledSurface::meet(const Ray& ray, double n
   return std::nullopt;
 }
 
-std::optional<RuledSurface::Meeting> RuledSurface::meet(const Ray& ray) {
-  const double from = -curve_->length_mm() / 8;
-  const double part = 1.25 * curve_->length_mm() / kParts;
-  if (between_parts_.empty())
-    for (int i = 0; i <= kParts; ++i) between_parts_.push_back(ruling_at(i > 0 ? from + i * part : from));
-  const auto volume = [&](int i) {
-    const Ruling& ruling = between_parts_[static_cast<std::size_t>(i)];
+std::optional<RuledSurface::Meeting> RuledSurface::meet(const Ray& ray) const {
+  const auto volume = [&](double s) {
+    const Ruling ruling = ruling_at(s);
     return (ruling.p - ray.origin_mm).dot(ruling.g.cross(ray.direction));
   };
-  double before = volume(0);
+  const double from = -curve_->length_mm() / 8;
+  const double part = 1.25 * curve_->length_mm() / kParts;
+  double before = volume(from);
   for (int i = 1; i <= kParts; ++i) {
-    const double here = volume(i);
+    const double here = volume(from + i * part);
     if ((before < 0) != (here < 0)) {
       const double start = from + part * (i - 1 + before / (before - here));
       if (auto meeting = meet(ray, start)) return meeting;

@@ -6,7 +6,6 @@
 #include "core/simulation/face_curve.h"
 
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -40,9 +39,8 @@ class RuledSurface {
   /// the line span, from `near_s_mm` on. nullopt: nowhere before the camera, or where it grazes it.
   [[nodiscard]] std::optional<Meeting> meet(const Ray& ray, double near_s_mm) const;
   /// The same without knowing where: the first of the curve's parts in which the volume changes its
-  /// sign is taken. The lines between the parts are kept from the first call on, because most rays
-  /// that ask this pass the surface by and look at all of them: one surface is for one thread.
-  [[nodiscard]] std::optional<Meeting> meet(const Ray& ray);
+  /// sign is taken.
+  [[nodiscard]] std::optional<Meeting> meet(const Ray& ray) const;
 
  private:
   enum class Line { kAcross = 1, kBack };
@@ -57,7 +55,6 @@ class RuledSurface {
   const FaceCurve* curve_;
   Line line_;
   double offset_mm_;  // of p from the middle line, across
-  std::vector<Ruling> between_parts_;
 };
 
 }  // namespace alltact

@@ -1,0 +1,40 @@
+// What an experiment shows as a plot or a picture, as plain values: drawn in reports, written as
+// JSON.
+#pragma once
+
+#include "core/message.h"
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+struct ExperimentSeries {
+  enum class Look {
+    kDots = 1,
+    kLine,   ///< with its points
+    kPaper,  ///< what the paper measured: dashed, without points; or a bar
+    kAim,    ///< dotted
+    kBars,   ///< beside each other at x = 0, 1, ...
+    kExact,  ///< where all points would lie without error: thin
+  };
+  Message name;
+  Look look = Look::kDots;
+  std::vector<double> x, y;
+};
+
+struct ExperimentPlot {
+  Message caption;         ///< a phrase: what it shows
+  Message x_axis, y_axis;  ///< with units
+  std::vector<ExperimentSeries> series;
+  std::vector<Message> categories;  ///< names of x = 0, 1, ...; empty: x is a number
+};
+
+/// A picture in colours (CV_8UC3, blue, green, red).
+struct ExperimentPicture {
+  Message caption;
+  cv::Mat colours;
+};
+
+}  // namespace alltact
