@@ -111,8 +111,9 @@ DrawnFinger DrawnFinger::of_the_demonstration() {
 DrawnFinger DrawnFinger::draw(std::uint64_t seed, int number) {
   std::uint32_t drawn = 0;
   const auto between = [&](double low, double high) {
-    return low + (high - low) * philox_uniform(
-                                    seed, "drawn finger", static_cast<std::uint32_t>(number), drawn++);
+    return low +
+           (high - low) *
+               philox_uniform(seed, "drawn finger", static_cast<std::uint32_t>(number), drawn++);
   };
   DrawnFinger finger = of_the_demonstration();
   finger.width_mm = between(20, 27);

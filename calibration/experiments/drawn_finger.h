@@ -28,7 +28,7 @@ struct DrawnFinger {
   double light = 1;  ///< of all lamps, as a part of what the scene says
   double shore_a = 40, wall_mm = 4, base_depth_mm = 34, tip_depth_mm = 12, coupling = 0.6;
   double layer_shore_a = 5;
-  double scale = 1;  ///< of the picture: 0.5 is 480 x 270
+  double scale = 1;                  ///< of the picture: 0.5 is 480 x 270
   std::optional<double> room_level;  ///< of the effect ambient; absent: what the scene says
 
   /// The demonstration's in pictures of half the size each way, which cost a quarter of the time.
@@ -40,7 +40,8 @@ struct DrawnFinger {
 
 /// A scene of the resources with its finger exchanged: camera, face, how it lies and how many
 /// markers it has, and of the effects markers, layer, sides, leds, body and push what describes the
-/// finger, and the light of the room where one is given. Keys that a scene does not name are not added. Errors: those of Scene::parse.
+/// finger, and the light of the room where one is given. Keys that a scene does not name are not
+/// added. Errors: those of Scene::parse.
 ///   origin: the file, for errors, and beside which other files that it names lie
 [[nodiscard]] Result<Scene> scene_on_finger(std::string_view yaml,
                                             const std::filesystem::path& origin,

@@ -1,5 +1,6 @@
 #include "calibration/experiments/experiment_bench.h"
 
+#include "calibration/experiments/push_experiments.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/force/new_force.h"
 #include "calibration/reference/reference_recording.h"
@@ -142,11 +143,21 @@ Result<ExperimentBench> ExperimentBench::make(const BenchOptions& options, const
   return bench;
 }
 
-Result<ExperimentBench> ExperimentBench::drawn(int number) const {
+Result<const ExperimentBench::Drawn*> ExperimentBench::drawn(int number) const {
+  auto& kept = drawn_[number];
+  if (kept) return kept.get();
   BenchOptions options = options_;
   options.finger = DrawnFinger::draw(options.seed, number);
   options.name = fmt::format("{}_{}", options_.name, number);
-  return make(options, job());
+  auto bench = make(options, job());
+  if (!bench) return bench.error();
+  auto table = table_of_pushes(*bench, kForceScene, kForcePlaces);
+  if (!table) return table.error();
+  auto trained = bench->learn_force(*table, training_of_experiments());
+  if (!trained) return trained.error();
+  kept = std::make_shared<const Drawn>(
+      Drawn{std::move(*bench), std::move(*table), std::move(*trained)});
+  return kept.get();
 }
 
 Result<TrainedForce> ExperimentBench::learn_force(const ForceTable& table,

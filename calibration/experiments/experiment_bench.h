@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,9 +38,11 @@ class ExperimentBench {
   /// Errors: a scene that is missing or wrong; those of install_reference() and
   /// calibrate_finger(); stopped.
   [[nodiscard]] static Result<ExperimentBench> make(const BenchOptions& options, const Job& job);
-  /// The same for a finger drawn by the seed of this one's options, in a folder beside.
+  /// A finger drawn by the seed of this one's options, in a folder beside, that has learnt forces
+  /// by the pushes of experiment_force (push_experiments.h). Made when it is first asked for.
+  struct Drawn;
   ///   number: from 1 on
-  [[nodiscard]] Result<ExperimentBench> drawn(int number) const;
+  [[nodiscard]] Result<const Drawn*> drawn(int number) const;
 
   [[nodiscard]] const FingerSnapshot& finger() const { return *finger_; }
   /// Teaches the finger forces by these pushes; what it measures from then on it measures with
@@ -92,6 +96,7 @@ class ExperimentBench {
   FingerPtr finger_;
   std::optional<ReferenceLibrary> library_;  // held, so that every pipeline shares what was read
   Truth truth_at_rest_;
+  mutable std::map<int, std::shared_ptr<const Drawn>> drawn_;  // by number; one thread asks
 };
 
 }  // namespace alltact

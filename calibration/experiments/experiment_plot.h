@@ -37,4 +37,15 @@ struct ExperimentPicture {
   cv::Mat colours;
 };
 
+/// Bars beside each other. The paper's may be empty.
+[[nodiscard]] ExperimentPlot compared_bars(const Message& caption,
+                                           const Message& y_axis,
+                                           std::vector<Message> categories,
+                                           std::vector<double> ours,
+                                           std::vector<double> paper);
+
+/// A level from one place to another: what the paper measured, or an aim.
+[[nodiscard]] ExperimentSeries level_line(
+    const Message& name, ExperimentSeries::Look look, double y, double from_x, double to_x);
+
 }  // namespace alltact

@@ -7,6 +7,16 @@
 
 namespace alltact {
 
+/// The scene that forces are learnt from, and after how many frames a place comes again.
+inline constexpr const char* kForceScene = "experiment_force";
+inline constexpr int kForcePlaces = 22;
+
+struct ExperimentBench::Drawn {
+  ExperimentBench bench;
+  ForceTable table;
+  TrainedForce trained;
+};
+
 /// Measures a scene's pushes frame by frame. Rows are of one block where the scene repeats their
 /// place along the finger, `places` of them in turn. Errors: those of the bench; frames too few
 /// whose markers are found.

@@ -79,8 +79,9 @@ void ExperimentFigurePlot::draw_points(const ExperimentSeries& series, int which
     case Look::kDots:
     case Look::kBars:
       curve->setPen(Qt::NoPen);
-      curve->setScatterStyle(series.x.size() > 200 ? QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 3)
-                                                   : mark_of(which, colour));
+      curve->setScatterStyle(series.x.size() > 200
+                                 ? QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 3)
+                                 : mark_of(which, colour));
       break;
   }
   curve->setName(words_of(series.name));
@@ -112,8 +113,8 @@ void ExperimentFigurePlot::set_ranges() {
 
 bool ExperimentFigurePlot::draw() {
   if (plot_.series.empty()) return false;
-  const auto bars =
-      static_cast<int>(std::count_if(plot_.series.begin(), plot_.series.end(), [&](const auto& one) {
+  const auto bars = static_cast<int>(
+      std::count_if(plot_.series.begin(), plot_.series.end(), [&](const auto& one) {
         return is_bar(plot_, one);
       }));
   int which = 0;

@@ -51,7 +51,9 @@ void add_figures(Document& document, const ExperimentOutcome& outcome) {
          {figure_number(figure.paper), {}, 0},
          {figure_number(figure.aim), {}, 0},
          {as_text(figure.unit), {}, 0},
-         {figure.aim ? (figure.reaches_aim() ? text("reached") : text("missed")) : QString(), {}, 0}});
+         {figure.aim ? (figure.reaches_aim() ? text("reached") : text("missed")) : QString(),
+          {},
+          0}});
   document.table({QString(),
                   text("Ours, simulated"),
                   text("Paper, measured"),
