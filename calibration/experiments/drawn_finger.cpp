@@ -102,12 +102,6 @@ void put_effect(YamlValue& effect, const DrawnFinger& f) {
 
 }  // namespace
 
-DrawnFinger DrawnFinger::of_the_demonstration() {
-  DrawnFinger finger;
-  finger.scale = 0.5;
-  return finger;
-}
-
 DrawnFinger DrawnFinger::draw(std::uint64_t seed, int number) {
   std::uint32_t drawn = 0;
   const auto between = [&](double low, double high) {
@@ -115,7 +109,8 @@ DrawnFinger DrawnFinger::draw(std::uint64_t seed, int number) {
            (high - low) *
                philox_uniform(seed, "drawn finger", static_cast<std::uint32_t>(number), drawn++);
   };
-  DrawnFinger finger = of_the_demonstration();
+  DrawnFinger finger;
+  finger.scale = 0.5;
   finger.width_mm = between(20, 27);
   finger.layer_mm = between(1.3, 1.7);
   finger.x_mm = between(-24.5, -21);

@@ -31,9 +31,8 @@ struct DrawnFinger {
   double scale = 1;                  ///< of the picture: 0.5 is 480 x 270
   std::optional<double> room_level;  ///< of the effect ambient; absent: what the scene says
 
-  /// The demonstration's in pictures of half the size each way, which cost a quarter of the time.
-  [[nodiscard]] static DrawnFinger of_the_demonstration();
-  /// A finger as somebody else might have cast it, in such pictures. The same for the same seed and
+  /// A finger as somebody else might have cast it, in pictures of half the size each way, which
+  /// cost a quarter of the time. The same for the same seed and
   /// number.
   [[nodiscard]] static DrawnFinger draw(std::uint64_t seed, int number);
 };

@@ -26,9 +26,9 @@ struct BenchOptions {
   /// For the fingers. What earlier experiments left there goes: experiment_finger,
   /// experiment_finger_1 and so on, and experiment_hd_finger.
   std::filesystem::path folder;
-  std::uint64_t seed = 1;  ///< of everything random
-  int threads = 1;         ///< that render; the figures are the same for any number
-  DrawnFinger finger = DrawnFinger::of_the_demonstration();
+  std::uint64_t seed = 1;                  ///< of everything random
+  int threads = 1;                         ///< that render; the figures are the same for any number
+  DrawnFinger finger;                      ///< the demonstration's
   std::string name = "experiment_finger";  ///< of the finger's folder below `folder`
 };
 

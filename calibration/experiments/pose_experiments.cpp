@@ -82,7 +82,9 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
       ReferenceMethod::kSingle, ReferenceMethod::kNearest, ReferenceMethod::kLocal};
   std::vector<PipelineSettings> settings(kMethods.size());
   for (std::size_t i = 0; i < kMethods.size(); ++i) settings[i].reference = kMethods[i];
+  constexpr double kNear_px = 10;
   std::array<int, kMethods.size()> close{};
+  int near_or_told = 0;
   std::vector<Evaluator> errors(kMethods.size(), Evaluator(bench.finger().camera));
   const auto frames =
       bench.measure("experiment_references",
@@ -92,6 +94,8 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
                         const double sum_px = result.reference->distance_px *
                                               static_cast<double>(truth.markers.size());
                         close[which] += sum_px < kClose_px;
+                        if (kMethods[which] == ReferenceMethod::kNearest)
+                          near_or_told += sum_px < kNear_px || !result.reference->known_pose;
                       }
                       if (!result.depth) return errors[which].add_missing();
                       errors[which].add(truth,
@@ -120,6 +124,12 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
        percent_of(close[0], *frames),
        40.6,
        {},
+       true},
+      {en::say("frames under 10 px, or told to be in a pose never recorded"),
+       "%",
+       percent_of(near_or_told, *frames),
+       {},
+       99.5,
        true},
       {en::say("depth where nothing touches, one reference"), "mm", false_depth_mm[0], {}, {}},
       {en::say("depth where nothing touches, nearest of a recording"),
