@@ -50,6 +50,18 @@ Result<ExperimentOutcome> run_time(const ExperimentBench& bench) {
       {en::say("local depth and contacts, median"), "ms", upper_median(local_ms), 6.0, {}},
       {en::say("whole frame, median"), "ms", upper_median(total_ms), 18.0, {}},
   };
+  outcome.plots.push_back(compared_bars(
+      en::say("time of a frame's steps, ours on this computer and the paper's on its own"),
+      en::say("time (ms)"),
+      {en::say("edges, shape"),
+       en::say("markers, reference"),
+       en::say("depth, contacts"),
+       en::say("whole frame")},
+      {upper_median(global_ms),
+       upper_median(reference_ms),
+       upper_median(local_ms),
+       upper_median(total_ms)},
+      {2, 10, 6, 18}));
   outcome.remarks = {
       en::say("Times are of this computer, those of the paper of its own; the finger measures with "
               "the demonstration's mapping and 24 recorded poses")};

@@ -14,6 +14,7 @@ constexpr double kMiddleOfArray_mm = 60, kInnerReach_mm = 20, kTipRow_mm = 100;
 
 Result<ExperimentOutcome> run_localisation(const ExperimentBench& bench) {
   ErrorSamples inner, tip, all;
+  ExperimentSeries found{en::say("ours, simulated"), ExperimentSeries::Look::kDots, {}, {}};
   int missed = 0;
   const auto frames =
       bench.measure("experiment_localisation",
@@ -26,6 +27,8 @@ Result<ExperimentOutcome> run_localisation(const ExperimentBench& bench) {
                       const ContactTruth& contact = truth.contacts.front();
                       const double error = place_error_mm(result.regions.front(), contact);
                       all.add(error);
+                      found.x.push_back(contact.along_mm);
+                      found.y.push_back(error);
                       if (std::abs(contact.along_mm - kMiddleOfArray_mm) <= kInnerReach_mm)
                         inner.add(error);
                       if (contact.along_mm >= kTipRow_mm) tip.add(error);
@@ -40,11 +43,28 @@ Result<ExperimentOutcome> run_localisation(const ExperimentBench& bench) {
       {en::say("place, greatest error"), "mm", all.greatest, {}, {}},
       {en::say("touches that are found"), "%", percent_of(all.count, *frames), {}, {}, true},
   };
+  using Look = ExperimentSeries::Look;
+  outcome.plots.push_back({en::say("error of the place along the finger, one point a touch"),
+                           en::say("place along the finger (mm)"),
+                           en::say("error of the place (mm)"),
+                           {found,
+                            level_line(en::say("paper, mean within 20 mm of the middle, measured"),
+                                       Look::kPaper,
+                                       0.814,
+                                       kMiddleOfArray_mm - kInnerReach_mm,
+                                       kMiddleOfArray_mm + kInnerReach_mm),
+                            level_line(en::say("paper, mean at the tip, measured"),
+                                       Look::kPaper,
+                                       2.93,
+                                       kTipRow_mm - 5,
+                                       kTipRow_mm + 2)},
+                           {}});
   return outcome;
 }
 
 Result<ExperimentOutcome> run_pose(const ExperimentBench& bench) {
   ErrorSamples errors;
+  ExperimentSeries turned{en::say("ours, simulated"), ExperimentSeries::Look::kDots, {}, {}};
   const auto frames =
       bench.measure("experiment_pose",
                     {PipelineSettings{}},
@@ -53,6 +73,8 @@ Result<ExperimentOutcome> run_pose(const ExperimentBench& bench) {
                       const double off = *result.regions.front().angle_deg -
                                          truth.contacts.front().angle_deg.value();
                       errors.add(std::abs(std::remainder(off, 180.0)));  // a bar has no front
+                      turned.x.push_back(truth.contacts.front().angle_deg.value());
+                      turned.y.push_back(std::abs(std::remainder(off, 180.0)));
                     });
   if (!frames) return frames.error();
   if (errors.count == 0) return untold("experiment_pose");
@@ -66,6 +88,15 @@ Result<ExperimentOutcome> run_pose(const ExperimentBench& bench) {
   outcome.remarks = {
       en::say("The lesser of the paper's two figures stands beside the mean error, the greater one "
               "beside the greatest error")};
+  using Look = ExperimentSeries::Look;
+  outcome.plots.push_back(
+      {en::say("error of the angle of a bar, by how it is turned"),
+       en::say("true angle (degrees)"),
+       en::say("error of the angle (degrees)"),
+       {turned,
+        level_line(en::say("paper, the lesser, measured"), Look::kPaper, 3.22, -75, 90),
+        level_line(en::say("paper, the greater, measured"), Look::kPaper, 12.06, -75, 90)},
+       {}});
   return outcome;
 }
 
