@@ -8,23 +8,50 @@
 
 #include <charconv>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 namespace alltact {
 
+/// What can be set: a number between two others, or one of several words.
+struct SettingRange {
+  struct Numbers {
+    double low, high;  ///< both can be set
+    bool whole;        ///< whole numbers alone
+  };
+  std::optional<Numbers> numbers;
+  std::vector<std::string> words;  ///< empty for numbers
+
+  /// "1 to 64" or "nearest or local"
+  [[nodiscard]] std::string text() const {
+    return numbers ? fmt::format("{} to {}", numbers->low, numbers->high) : either(words).english();
+  }
+};
+
+/// Of a setting that trades accuracy for time. Figures are the study's to tell, of one finger on
+/// one computer; here stands what does not hang on either.
+struct Trade {
+  Message gains;                   ///< what more of it brings, or which of the words, and when
+  Message costs;                   ///< what that takes
+  std::vector<std::string> tried;  ///< what a study looks at, cheapest first, with the default
+};
+
 /// One choice within a group S of settings.
 template <class S>
 struct Setting {
-  std::string name;   ///< as flag (--name) and as key, words joined by '-'
-  Message sentence;   ///< what it does, for help and dialogs
-  std::string range;  ///< "1 to 64" or "nearest or local"
+  std::string name;  ///< as flag (--name) and as key, words joined by '-'
+  Message sentence;  ///< what it does, for help and dialogs
+  SettingRange range;
   std::function<std::string(const S&)> get;
   /// Error: outside the range, or not a value at all.
   std::function<Status(S&, std::string_view)> set;
+  std::optional<Trade> trade = std::nullopt;  ///< absent: it does not trade accuracy for time
 
   [[nodiscard]] std::string default_value() const { return get(S{}); }
 };
@@ -32,8 +59,9 @@ struct Setting {
 /// A number in [low, high]. `member` is a pointer to an arithmetic member of S.
 template <class S, class T>
 Setting<S> number_setting(std::string name, Message sentence, T S::*member, T low, T high) {
-  Setting<S> setting{
-      std::move(name), std::move(sentence), fmt::format("{} to {}", low, high), {}, {}};
+  Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
+  setting.range.numbers = SettingRange::Numbers{
+      static_cast<double>(low), static_cast<double>(high), std::is_integral_v<T>};
   setting.get = [member](const S& s) { return fmt::format("{}", s.*member); };
   setting.set = [member, low, high, name = setting.name](S& s, std::string_view text) -> Status {
     T value{};
@@ -54,10 +82,9 @@ Setting<S> choice_setting(std::string name,
                           Message sentence,
                           E S::*member,
                           std::vector<std::pair<std::string, E>> words) {
-  std::vector<std::string> known;
-  for (const auto& [word, value] : words) known.push_back(word);
-  const Message range = either(known);
-  Setting<S> setting{std::move(name), std::move(sentence), range.english(), {}, {}};
+  Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
+  for (const auto& [word, value] : words) setting.range.words.push_back(word);
+  const Message range = either(setting.range.words);
   setting.get = [member, words](const S& s) -> std::string {
     for (const auto& [word, value] : words)
       if (value == s.*member) return word;
@@ -68,6 +95,13 @@ Setting<S> choice_setting(std::string name,
       if (word == text) return s.*member = value, Status{};
     return Error{en::say("'{}' is not {}", printable(text), range), name, ""};
   };
+  return setting;
+}
+
+/// With what is known of its trade.
+template <class S>
+Setting<S> trading(Setting<S> setting, Trade trade) {
+  setting.trade = std::move(trade);
   return setting;
 }
 

@@ -212,6 +212,19 @@ struct ExperimentsOptions {
 /// no such experiment; one of them told no figure.
 Status run_experiments(const ExperimentsOptions& options, Console& console);
 
+struct StudyCommandOptions {
+  std::vector<Path> fingers;   ///< none: the demonstration's, simulated
+  std::optional<Path> folder;  ///< keeps the study; empty: nothing is kept
+  bool quick = false;          ///< one setting at a time, a few pictures
+  std::optional<double> within_ms, keep_mm;
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+/// Tells what every setting costs in time and brings in accuracy. A study that was kept in the
+/// folder before and is not complete goes on. Error: those of study_accuracy(); nothing is within
+/// the limits that were asked for.
+Status run_study(const StudyCommandOptions& options, Console& console);
+
 struct DevicesOptions {
   bool details = false;       ///< every format and control, too
   bool learn_button = false;  ///< waits for a button and says how to recognise it
@@ -234,6 +247,7 @@ void add_check(CLI::App& program, Chosen& chosen);
 void add_export(CLI::App& program, Chosen& chosen);
 void add_gripper(CLI::App& program, Chosen& chosen);
 void add_experiments(CLI::App& program, Chosen& chosen);
+void add_study(CLI::App& program, Chosen& chosen);
 void add_demo(CLI::App& program, Chosen& chosen);
 void add_devices(CLI::App& program, Chosen& chosen);
 

@@ -3,6 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/passing_folder.h"
 #include "app/pictures/pictures.h"
 #include "core/io/atomic_file.h"
 #include "core/program.h"
@@ -17,33 +18,6 @@ namespace alltact {
 namespace {
 
 constexpr const char* kExperimentsFile = "experiments.json";
-
-/// A folder for this run alone, gone when it is over.
-class PassingFolder {
- public:
-  static Result<PassingFolder> make() {
-    std::error_code failed;
-    std::string path = (std::filesystem::temp_directory_path(failed) / "alltact-XXXXXX").string();
-    if (failed || mkdtemp(path.data()) == nullptr)
-      return Error{en::say("a folder for the simulated fingers cannot be made"),
-                   path,
-                   en::say("free space, or -o with a folder")};
-    return PassingFolder(path);
-  }
-  PassingFolder(PassingFolder&& other) noexcept : path_(std::move(other.path_)) {
-    other.path_.clear();
-  }
-  PassingFolder& operator=(PassingFolder&&) = delete;
-  ~PassingFolder() {
-    std::error_code failed;
-    if (!path_.empty()) std::filesystem::remove_all(path_, failed);
-  }
-  [[nodiscard]] const Path& path() const { return path_; }
-
- private:
-  explicit PassingFolder(Path path) : path_(std::move(path)) {}
-  Path path_;
-};
 
 class Stopwatch {
  public:
@@ -198,7 +172,8 @@ Status run_experiments(const ExperimentsOptions& options, Console& console) {
   bench.seed = options.seed;
   bench.threads = options.threads;
   if (!options.folder) {
-    const auto passing = PassingFolder::make();
+    const auto passing =
+        PassingFolder::make(en::say("a folder for the simulated fingers cannot be made"));
     if (!passing) return passing.error();
     bench.folder = passing.value().path();
     return run_where_it_is_kept(*chosen, bench, options, console);

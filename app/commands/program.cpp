@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   add_export(program, chosen);
   add_gripper(program, chosen);
   add_devices(program, chosen);
+  add_study(program, chosen);
   add_experiments(program, chosen);
   add_demo(program, chosen);
   bool json = false;

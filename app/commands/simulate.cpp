@@ -1,6 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "core/finger/camera_yaml.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/recording/video_writer.h"
@@ -47,25 +48,9 @@ Status prepare_folder(const Path& folder) {
 }
 
 std::string camera_yaml(const CameraParameters& camera) {
-  std::string text = fmt::format(
-      "model: {}\nsize: [{}, {}]\n", to_string(camera.model), camera.width_px, camera.height_px);
-  if (camera.model == CameraModel::kOrthographic) {
-    text += fmt::format("mm_per_px: {}\n", camera.mm_per_px);
-  } else {
-    text += fmt::format("fx: {}\nfy: {}\n", camera.fx_px, camera.fy_px);
-  }
-  text += fmt::format("cx: {}\ncy: {}\ndistortion: [{}]\norientation: {}\n",
-                      camera.cx_px,
-                      camera.cy_px,
-                      fmt::join(camera.distortion, ", "),
-                      to_string(camera.orientation));
-  if (camera.port)
-    text += fmt::format("port: {{gap_mm: {}, plate_mm: {}, plate_index: {}, medium_index: {}}}\n",
-                        camera.port->gap_mm,
-                        camera.port->plate_mm,
-                        camera.port->plate_index,
-                        camera.port->medium_index);
-  return text;
+  YamlBlock block("");
+  add_camera(camera, {}, {}, block);
+  return block.on_many_lines();
 }
 
 std::string new_command(const Finger& finger, const Path& camera_file) {

@@ -32,6 +32,7 @@ inline constexpr std::array kCommands = {
                 "Where the cameras of two fingers are for a motor position, and what they hold"},
     CommandName{"devices",
                 "Cameras and HID devices found, with what is wrong with those that can't be used"},
+    CommandName{"study", "What each setting costs in time and brings in accuracy, on this finger"},
     CommandName{"experiments",
                 "The source paper's experiments in simulation, beside the paper's own figures"},
     CommandName{"demo",

@@ -31,11 +31,12 @@ class SettingFlags {
         (*given)[setting.name] = {&setting, text};
       };
       command
-          .add_option_function<std::string>(
-              "--" + setting.name,
-              take,
-              fmt::format(
-                  "{} ({}; default {})", setting.sentence, setting.range, setting.default_value()))
+          .add_option_function<std::string>("--" + setting.name,
+                                            take,
+                                            fmt::format("{} ({}; default {})",
+                                                        setting.sentence,
+                                                        setting.range.text(),
+                                                        setting.default_value()))
           ->type_name("VALUE")
           ->group("Settings");
     }

@@ -46,7 +46,7 @@ S read_settings(YamlSection section, const std::vector<Setting<S>>& table) {
   for (const Setting<S>& setting : table) {
     if (!section.has(setting.name)) continue;
     if (const Status status = setting.set(settings, section.text(setting.name)); !status)
-      section.refuse(setting.name, status.error().what, Message::typed(setting.range));
+      section.refuse(setting.name, status.error().what, Message::typed(setting.range.text()));
   }
   return settings;
 }

@@ -68,6 +68,7 @@ struct Pipeline::State {
   std::optional<ForceMeter> force;       // fingers with a force model,
   std::optional<Error> force_problem;    // or why it cannot be used
   FramePtr last;                         // of a continuous source
+  Eigen::MatrixXd ways_px2;              // of the markers, in a frame that tells a push
   FingerContactTracker touched;
 
   [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
@@ -197,11 +198,11 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
       if (auto turned = model->twisted(*result.markers, *result.shape))
         result.shape = std::move(*turned);
   }
-  if (seen && finger->contact)
-    result.push = push_of(*result.markers,
-                          *finger->contact,
-                          result.shape->base_at_low_u(),
-                          markers_covariance(result));
+  if (seen && finger->contact) {
+    ways_px2 = markers_covariance(result);
+    result.push =
+        push_of(*result.markers, *finger->contact, result.shape->base_at_low_u(), ways_px2);
+  }
   result.reference = library->reference_for(
       result.markers ? *result.markers : Markers{}, *result.shape, settings.reference);
   if (!result.reference->known_pose) {
@@ -269,7 +270,7 @@ void Pipeline::State::tell_contact(FrameResult& result, StopWatch& watch) {
   if (result.push) {
     signs.push = &*result.push;
     signs.settings = &*finger->contact;
-    signs.ways_px2 = markers_covariance(result);
+    signs.ways_px2 = &ways_px2;
   }
   result.contact = touched(signs);
   double milliseconds = 0;

@@ -112,12 +112,11 @@ void FrameGeometry::set_column(std::size_t i,
   double end = 1;
   if (curve_) {
     const bool met = std::isfinite(s);
-    // A direction that misses the face sees nothing; its numbers only have to be finite.
-    if (!met) s = curve_->length_mm();
     const CameraParameters& camera = rays_.camera().parameters();
     const double px_u = rays_.camera().is_perspective() ? p.z_mm / camera.fx_px : camera.mm_per_px;
     const double s_per_px = px_u / std::max(0.02, p.x_s - direction_x * p.z_s);
     const double inside = std::min(s, curve_->length_mm() - s) / s_per_px + 0.5;
+    // A direction that misses the face sees nothing; its numbers only have to be finite.
     end = met ? std::clamp(inside, 0.0, 1.0) : 0.0;
     if (!met) s = kNotMet_mm;
   }

@@ -9,7 +9,7 @@ namespace alltact {
 namespace {
 
 constexpr float kOff = std::numeric_limits<float>::quiet_NaN();
-constexpr float kStep_mm = 0.02F;  // of the differences that a pressed face's slopes are made of
+constexpr float kBeside_mm = 0.02F;  // of the differences that a pressed face's slopes are made of
 
 // Slope of the press depth over one row, by differences over places beside the pixels' own ones.
 class DepthSlopes {
@@ -22,9 +22,9 @@ class DepthSlopes {
       const std::vector<Eigen::Vector2f>& luf_slopes) {
     std::array<std::vector<float>, 2> result;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const std::vector<float> ahead = depth_beside(luf_slopes, axis, kStep_mm);
-      std::vector<float> slope = depth_beside(luf_slopes, axis, -kStep_mm);
-      for (std::size_t u = 0; u < width_; ++u) slope[u] = (ahead[u] - slope[u]) / (2 * kStep_mm);
+      const std::vector<float> ahead = depth_beside(luf_slopes, axis, kBeside_mm);
+      std::vector<float> slope = depth_beside(luf_slopes, axis, -kBeside_mm);
+      for (std::size_t u = 0; u < width_; ++u) slope[u] = (ahead[u] - slope[u]) / (2 * kBeside_mm);
       result[axis] = std::move(slope);
     }
     return result;

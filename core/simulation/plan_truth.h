@@ -11,7 +11,7 @@ namespace alltact {
 /// What the view face alone tells: all but `untouched_grey`, and `seen` without the sides.
 [[nodiscard]] TruthMaps truth_maps_of(const FrameGeometry& geometry);
 
-/// Marks in `seen` (Truth::seen) where dots are, or folds over them, beside the face.
+/// Marks in `seen` (TruthMaps::seen) where dots are, or folds over them, beside the face.
 void mark_dots(const FrameGeometry& geometry, cv::Mat& seen);
 
 }  // namespace alltact

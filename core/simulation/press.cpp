@@ -83,6 +83,16 @@ double BallPress::ball_profile(double r_mm) const {
   return place.normal_depth_mm() - r_mm * r_mm / (radius_mm + root);
 }
 
+ContactTruth contact_truth(const PressPlace& place) {
+  ContactTruth truth;
+  truth.along_mm = place.s_mm;
+  truth.across_mm = place.y_mm;
+  truth.depth_mm = place.depth_mm;
+  truth.point_mm = place.luf_mm;
+  truth.direction = -place.normal;
+  return truth;
+}
+
 BallPress make_ball_press(const PressPlace& place, double radius_mm) {
   BallPress press;
   press.place = place;

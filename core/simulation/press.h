@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/simulation/bodies/body.h"
+#include "core/simulation/contact_truth.h"
 #include "core/simulation/row_view.h"
 
 #include <cstdint>
@@ -86,6 +87,9 @@ void press_row(
 [[nodiscard]] bool touches(const BallPress& press, const FaceRow& face, int u);
 [[nodiscard]] bool touches(const BodyPress& press, const FaceRow& face, int u);
 [[nodiscard]] bool touches(const SampledPress& press, const FaceRow& face, int u);
+
+/// What is known of a contact without knowing what presses: its place, depth and direction.
+[[nodiscard]] ContactTruth contact_truth(const PressPlace& place);
 
 /// A ball that cuts the face: on it, or untouched. The rim is where it cuts the LUF.
 [[nodiscard]] BallPress make_ball_press(const PressPlace& place, double radius_mm);

@@ -59,14 +59,4 @@ void RigidPress::place(const FrameContext& frame, FrameGeometry& geometry) const
   geometry.presses.emplace_back(std::move(press));
 }
 
-ContactTruth contact_truth(const PressPlace& place) {
-  ContactTruth truth;
-  truth.along_mm = place.s_mm;
-  truth.across_mm = place.y_mm;
-  truth.depth_mm = place.depth_mm;
-  truth.point_mm = place.luf_mm;
-  truth.direction = -place.normal;
-  return truth;
-}
-
 }  // namespace alltact

@@ -34,7 +34,4 @@ class RigidPress : public GeometryEffect {
   std::shared_ptr<const Body> body_;
 };
 
-/// What is known of a press without knowing what presses: its place, depth and direction.
-[[nodiscard]] ContactTruth contact_truth(const PressPlace& place);
-
 }  // namespace alltact

@@ -24,6 +24,7 @@ const std::vector<std::string> kCommands = {"new",
                                             "check",
                                             "export",
                                             "gripper",
+                                            "study",
                                             "experiments",
                                             "demo"};
 

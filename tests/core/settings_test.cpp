@@ -39,9 +39,9 @@ Message refusal(const Setting<Choices>& setting, std::string_view text) {
 }
 
 TEST(Setting, SaysItsRangeItsDefaultAndWhatItDoes) {
-  EXPECT_EQ(kCount.range, "1 to 64");
+  EXPECT_EQ(kCount.range.text(), "1 to 64");
   EXPECT_EQ(kCount.default_value(), "4");
-  EXPECT_EQ(kColour.range, "red or green or blue");
+  EXPECT_EQ(kColour.range.text(), "red or green or blue");
   EXPECT_EQ(kColour.default_value(), "green");
   EXPECT_EQ(kColour.sentence.english(), "of the light");
   EXPECT_EQ(kColour.sentence.in([](const Message&) { return "des Lichts"; }), "des Lichts");

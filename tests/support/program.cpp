@@ -39,6 +39,14 @@ ProgramRun run_shell(const std::string& command) {
   return run;
 }
 
+ProgramRun run_shell_until(const std::string& command, const std::string& succeeds) {
+  // A shell lets what runs beside it ignore Ctrl-C.
+  return run_shell("env --default-signal=INT " + command + " & pid=$!\n" +
+                   "for try in $(seq 600); do\n  { " + succeeds +
+                   "; } 2>/dev/null && break\n  kill -0 $pid 2>/dev/null || break\n  sleep "
+                   "0.1\ndone\nkill -INT $pid; wait $pid");
+}
+
 ProgramRun run_alltact(const std::vector<std::string>& arguments) {
   std::string command = quoted(ALLTACT_PROGRAM);
   for (const std::string& argument : arguments) command.append(1, ' ').append(quoted(argument));

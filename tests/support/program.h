@@ -21,6 +21,10 @@ ProgramRun run_alltact(const std::vector<std::string>& arguments);
 /// Runs a shell command, for what only the system can do (mount, ldd).
 ProgramRun run_shell(const std::string& command);
 
+/// Runs a shell command until another one succeeds, then stops it as Ctrl-C does, and waits for it;
+/// at the latest after a minute, however slow the computer is.
+ProgramRun run_shell_until(const std::string& command, const std::string& succeeds);
+
 /// "" where the file cannot be read.
 std::string text_of(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);

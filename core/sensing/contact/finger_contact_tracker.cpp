@@ -10,7 +10,8 @@ ContactSigns signs_of(const FingerContactTracker::FrameSigns& frame) {
   signs.push = frame.push;
   signs.push_threshold_px = frame.settings->threshold_px;
   if (signs.push_strength() > ContactState::kRelease)
-    signs.way = tip_way(*frame.markers, frame.settings->rest_markers, *frame.shape, frame.ways_px2);
+    signs.way =
+        tip_way(*frame.markers, frame.settings->rest_markers, *frame.shape, *frame.ways_px2);
   return signs;
 }
 

@@ -21,7 +21,7 @@ class FingerContactTracker {
     const Markers* markers = nullptr;           ///< null: none were found
     const Push* push = nullptr;                 ///< null: no marker tells one
     const ContactSettings* settings = nullptr;  ///< needed with `push`
-    Eigen::MatrixXd ways_px2;                   ///< ways_covariance_px2(); needed with `push`
+    const Eigen::MatrixXd* ways_px2 = nullptr;  ///< ways_covariance_px2(); needed with `push`
     const std::vector<ContactRegion>* regions = nullptr;  ///< null: no depth was told
   };
   /// nullopt: nothing touches.

@@ -1,7 +1,6 @@
 // A ball is pressed into the face until its deepest point has gone `depth_mm` along z.
 #include "core/simulation/effect.h"
 #include "core/simulation/give.h"
-#include "core/simulation/rigid_press.h"
 
 namespace alltact {
 

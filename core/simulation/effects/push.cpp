@@ -156,7 +156,7 @@ class PushedBall final : public GeometryEffect {
                                   Eigen::Vector2d at) {
     constexpr double kStep_mm = 1e-4;
     const auto off = [&](const Eigen::Vector2d& place) -> Eigen::Vector2d {
-      return (geometry.press_place(place.x(), place.y(), 0).luf_mm - point_mm).head<2>();
+      return (geometry.luf_point_mm(place.x(), place.y()) - point_mm).head<2>();
     };
     for (int i = 0; i < 8; ++i) {
       const Eigen::Vector2d miss = off(at);

@@ -1,0 +1,263 @@
+#include "app/commands/commands.h"
+#include "app/console/command_names.h"
+#include "app/console/flags.h"
+#include "app/console/passing_folder.h"
+#include "calibration/finger/measuring_settings.h"
+#include "calibration/study/study_figure.h"
+#include "calibration/study/study_file.h"
+#include "core/io/atomic_file.h"
+#include "core/program.h"
+#include "core/utc_time.h"
+
+#include <fstream>
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+#include <opencv2/core/utility.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr const char* kRowsFile = "study_rows.jsonl";
+constexpr int kQuickFrames = 9, kFrames = 24;
+constexpr int kQuickRepeats = 2, kRepeats = 3;
+
+/// Rows that a study keeps as they come, so that one that was stopped goes on.
+class KeptRows {
+ public:
+  /// `of`: what the rows depend on beside the settings; rows of anything else are forgotten.
+  static Result<KeptRows> open(const Path& file, const std::string& of) {
+    KeptRows kept(file);
+    if (!std::filesystem::exists(file)) return kept.begin(of);
+    const auto text = read_file(file);
+    if (!text) return text.error();
+    const std::size_t end = text->find('\n');
+    if (end == std::string::npos || text->substr(0, end) != of) return kept.begin(of);
+    auto rows = rows_of_lines(std::string_view(*text).substr(end + 1), file.string());
+    if (!rows) return rows.error();
+    kept.rows = std::move(rows).value();
+    kept.text_ = of + '\n';
+    for (const StudyRow& row : kept.rows) kept.text_ += line_of(row);
+    return kept;
+  }
+  [[nodiscard]] Status add(const std::vector<StudyRow>& more) {
+    for (const StudyRow& row : more) text_ += line_of(row);
+    return write_file_atomically(file_, text_);
+  }
+
+  std::vector<StudyRow> rows;
+
+ private:
+  explicit KeptRows(Path file) : file_(std::move(file)) {}
+  Result<KeptRows> begin(const std::string& of) {
+    text_ = of + '\n';
+    return *this;
+  }
+
+  Path file_;
+  std::string text_;
+};
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+Console::Json provenance(const StudyCommandOptions& options) {
+  return {{"program", program_version()},
+          {"date", utc_now()},
+          {"processor", processor()},
+          {"cores", cv::getNumberOfCPUs()},
+          {"threads", options.threads},
+          {"seed", options.seed}};
+}
+
+class StudyCommand {
+ public:
+  StudyCommand(const StudyCommandOptions& options, Path folder, Console& console)
+      : options_(options), folder_(std::move(folder)), console_(console) {
+    console_.answer() = provenance(options);
+    console_.answer()["studies"] = Console::Json::array();
+  }
+
+  Status run() {
+    if (options_.fingers.empty()) return study_of({});
+    for (const Path& finger : options_.fingers)
+      if (const Status status = study_of(finger); !status) return status;
+    return {};
+  }
+
+ private:
+  // Empty: the demonstration's finger.
+  Status study_of(const Path& finger_folder) {
+    StudyWorldOptions world_options;
+    world_options.frames = options_.quick ? kQuickFrames : kFrames;
+    world_options.seed = options_.seed;
+    world_options.threads = options_.threads;
+    StudyOptions how;
+    how.extent = options_.quick ? StudyExtent::kQuick : StudyExtent::kPairs;
+    how.repeats = options_.quick ? kQuickRepeats : kRepeats;
+    const auto world = world_of(finger_folder, world_options, how);
+    if (!world) return world.error();
+    const Path kept =
+        folder_ / (finger_folder.empty() ? Path("simulated") : finger_folder.filename());
+    if (const Status made = make_folder(kept); !made) return made;
+    auto rows = KeptRows::open(
+        kept / kRowsFile,
+        fmt::format("{:016x} {} {}", world->checksum, program_version(), how.repeats));
+    if (!rows) return rows.error();
+    const auto study = study_accuracy(
+        *world,
+        how,
+        rows->rows,
+        [&](const std::vector<StudyRow>& more) { return rows->add(more); },
+        console_.job());
+    if (!study) return study.error();
+    if (const Status told = tell(*study, how); !told) return told;
+    return write(*study, kept);
+  }
+
+  Result<StudyWorld> world_of(const Path& finger_folder,
+                              const StudyWorldOptions& options,
+                              StudyOptions& how) {
+    if (finger_folder.empty()) return simulated_world(folder_, options, console_.job());
+    const auto finger = open_finger(finger_folder, console_);
+    if (!finger) return finger.error();
+    how.base = measuring_settings(finger_folder);
+    return painted_world(*finger, options, console_.job());
+  }
+
+  Status tell(const AccuracyStudy& study, const StudyOptions& how) {
+    console_.say(fmt::format("{}, {} pictures ({} truth)",
+                             study.about,
+                             study.rows.front().frames,
+                             study.simulated ? "simulated" : "painted"));
+    console_.say(text_of(study));
+    Console::Json json = Console::Json::parse(json_of(study).dump());
+    const StudyPresets presets = presets_of(study);
+    tell_choice("fast", presets.fast, study, how, json);
+    tell_choice("finest", presets.finest, study, how, json);
+    Status status;
+    if (options_.within_ms)
+      status = tell_limit(fmt::format("within {} ms", *options_.within_ms),
+                          as_good_as_fits(study, *options_.within_ms),
+                          study,
+                          how,
+                          json);
+    if (status && options_.keep_mm)
+      status = tell_limit(fmt::format("95 % within {} mm", *options_.keep_mm),
+                          as_fast_as_keeps(study, *options_.keep_mm),
+                          study,
+                          how,
+                          json);
+    console_.answer()["studies"].push_back(std::move(json));
+    return status;
+  }
+
+  void tell_choice(const std::string& name,
+                   std::optional<std::size_t> number,
+                   const AccuracyStudy& study,
+                   const StudyOptions& how,
+                   Console::Json& json) {
+    if (!number) return;
+    const StudyRow& row = study.rows[*number];
+    const std::string flags = flags_of(row.settings, how.base);
+    console_.say(
+        fmt::format("{}: {:.2f} ms, {:.1f} micrometres in the median, 95 % within {:.1f}: {}",
+                    name,
+                    frame_ms(study, row),
+                    1000 * row.depth->median_mm,
+                    1000 * row.depth->p95_mm,
+                    flags.empty() ? "as it is" : flags));
+    json["choices"][name] = {{"flags", flags},
+                             {"time_ms", frame_ms(study, row)},
+                             {"median_mm", row.depth->median_mm},
+                             {"p95_mm", row.depth->p95_mm}};
+  }
+
+  Status tell_limit(const std::string& name,
+                    std::optional<std::size_t> number,
+                    const AccuracyStudy& study,
+                    const StudyOptions& how,
+                    Console::Json& json) {
+    if (!number)
+      return Error{en::say("no setting is {}", name),
+                   "",
+                   en::say("a wider limit; the table above tells what there is")};
+    tell_choice(name, number, study, how, json);
+    return {};
+  }
+
+  Status write(const AccuracyStudy& study, const Path& kept) {
+    if (!options_.folder) return {};
+    Console::Json json = provenance(options_);
+    json["study"] = console_.answer()["studies"].back();
+    for (const auto& [name, text] :
+         {std::pair<const char*, std::string>{"study.json", json.dump(2) + "\n"},
+          {"study.csv", csv_of(study)},
+          {"study.svg", svg_of(study)}})
+      if (const Status written = write_file_atomically(kept / name, text); !written) return written;
+    console_.say(fmt::format("Kept in {}: study.svg, study.csv, study.json.", kept.string()));
+    return {};
+  }
+
+  const StudyCommandOptions& options_;
+  Path folder_;
+  Console& console_;
+};
+
+}  // namespace
+
+Status run_study(const StudyCommandOptions& options, Console& console) {
+  cv::setNumThreads(options.threads);
+  if (options.folder) {
+    if (const Status made = make_folder(*options.folder); !made) return made;
+    return StudyCommand(options, *options.folder, console).run();
+  }
+  const auto passing = PassingFolder::make(en::say("a folder for the study cannot be made"));
+  if (!passing) return passing.error();
+  return StudyCommand(options, passing->path(), console).run();
+}
+
+void add_study(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<StudyCommandOptions>();
+  auto folder = std::make_shared<Path>();
+  auto limits = std::make_shared<std::pair<double, double>>();
+  CLI::App* command = add_command(program, "study");
+  command->add_option("FINGER",
+                      options->fingers,
+                      "Balls are painted into pictures of its own recording (default: the "
+                      "demonstration's finger, simulated)");
+  CLI::Option* output =
+      command
+          ->add_option("-o,--output",
+                       *folder,
+                       "Folder for figure, table and JSON; a study that was stopped goes on there "
+                       "(default: kept nowhere)")
+          ->type_name("DIR");
+  command->add_flag("--quick", options->quick, "One setting at a time, on few pictures");
+  CLI::Option* within =
+      command
+          ->add_option(
+              "--within-ms", limits->first, "Also say what is most accurate in so much time")
+          ->type_name("MS")
+          ->check(CLI::Range(1e-3, 1e4));
+  CLI::Option* keep = command
+                          ->add_option("--keep-mm",
+                                       limits->second,
+                                       "Also say what is fastest with 95 % of depth within so much")
+                          ->type_name("MM")
+                          ->check(CLI::Range(1e-6, 100.0));
+  command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
+  add_threads_flag(*command, options->threads);
+  command->callback([=, &chosen] {
+    if (!output->empty()) options->folder = *folder;
+    if (!within->empty()) options->within_ms = limits->first;
+    if (!keep->empty()) options->keep_mm = limits->second;
+    chosen = [=](Console& console) { return run_study(*options, console); };
+  });
+}
+
+}  // namespace alltact

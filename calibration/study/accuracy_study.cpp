@@ -1,0 +1,244 @@
+#include "calibration/study/accuracy_study.h"
+
+#include "core/numerics/median.h"
+#include "core/sensing/contact/contact_regions.h"
+#include "core/sensing/depth/depth_cells.h"
+#include "core/sensing/pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr float kPressedMm = 0.05F;    // truly deeper: inside a contact
+constexpr float kUntouchedMm = 0.01F;  // truly less: not contact
+constexpr double kAwayMm = 1.0;        // from any contact
+constexpr std::size_t kBatch = 8;      // choices that take turns with the base
+
+std::optional<ErrorSpread> spread_of(std::vector<float>& errors) {
+  if (errors.empty()) return std::nullopt;
+  ErrorSpread spread;
+  spread.median_mm = upper_median(errors);
+  const std::size_t rank = std::min(errors.size() - 1, errors.size() * 95 / 100);
+  const auto at = errors.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(errors.begin(), at, errors.end());
+  spread.p95_mm = *at;
+  return spread;
+}
+
+double part_of(std::vector<double> values, double part) {
+  if (values.empty()) return 0;
+  const auto rank = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
+}
+
+/// What is known of a frame beside its picture.
+struct FrameAnswer {
+  cv::Mat away;  // CV_8UC1: further than kAwayMm from any contact
+  std::optional<Eigen::Vector2d> place_mm;
+};
+
+std::optional<Eigen::Vector2d> place_of(const std::vector<ContactRegion>& regions) {
+  if (regions.empty()) return std::nullopt;
+  return regions.front().place_on_face_mm;  // the largest
+}
+
+class Measured {
+ public:
+  void add_errors(const StudyFrame& frame, const FrameAnswer& answer, const FrameResult& result) {
+    ++row_.frames;
+    if (!result.depth) {
+      ++row_.frames_missing;
+      return;
+    }
+    const auto zone = static_cast<std::size_t>(frame.zone);
+    const cv::Mat& depth = result.depth->depth_mm;
+    for (int v = 0; v < depth.rows; ++v) {
+      const auto* truth = frame.depth_mm.ptr<float>(v);
+      const auto* read = depth.ptr<float>(v);
+      const auto* away = answer.away.ptr<std::uint8_t>(v);
+      for (int u = 0; u < depth.cols; ++u) {
+        const bool is_read = std::isfinite(read[u]);
+        if (truth[u] > kPressedMm) {
+          ++pressed_;
+          if (!is_read) continue;
+          ++covered_;
+          errors_[zone].push_back(std::abs(read[u] - truth[u]));
+        } else if (away[u] != 0 && is_read) {
+          false_sum_ += read[u];
+          ++false_count_;
+        }
+      }
+    }
+    const auto place_mm = place_of(result.regions);
+    if (answer.place_mm && place_mm) places_mm_.push_back((*place_mm - *answer.place_mm).norm());
+    row_.memory_bytes = std::max(row_.memory_bytes, bytes_of(result));
+  }
+  void add_time(double milliseconds, double base_milliseconds) {
+    times_ms_.push_back(milliseconds);
+    ratios_.push_back(milliseconds / base_milliseconds);
+  }
+  [[nodiscard]] StudyRow row(const PipelineSettings& settings, std::size_t library_bytes) {
+    row_.settings = settings;
+    std::vector<float> all;
+    for (std::size_t zone = 0; zone < kFaceZones; ++zone) {
+      all.insert(all.end(), errors_[zone].begin(), errors_[zone].end());
+      row_.depth_by_zone[zone] = spread_of(errors_[zone]);
+    }
+    row_.depth = spread_of(all);
+    if (pressed_ > 0) row_.coverage = static_cast<double>(covered_) / static_cast<double>(pressed_);
+    if (false_count_ > 0) row_.false_depth_mm = false_sum_ / static_cast<double>(false_count_);
+    if (!places_mm_.empty()) row_.place_mm = upper_median(places_mm_);
+    row_.time_ms = part_of(times_ms_, 0.5);
+    row_.time_p95_ms = part_of(times_ms_, 0.95);
+    row_.time_ratio = part_of(ratios_, 0.5);
+    row_.memory_bytes += library_bytes;
+    return row_;
+  }
+
+ private:
+  static std::size_t bytes_of(const FrameResult& result) {
+    std::size_t bytes = result.grey.total() * result.grey.elemSize();
+    for (const cv::Mat& map : {result.depth->depth_mm, result.depth->flags})
+      bytes += map.total() * map.elemSize();
+    return bytes;
+  }
+
+  StudyRow row_;
+  std::array<std::vector<float>, kFaceZones> errors_;
+  std::vector<double> places_mm_, times_ms_, ratios_;
+  std::size_t pressed_ = 0, covered_ = 0, false_count_ = 0;
+  double false_sum_ = 0;
+};
+
+class AccuracyStudyRun {
+ public:
+  AccuracyStudyRun(const StudyWorld& world, const StudyOptions& options, const Job& job)
+      : world_(world), options_(options), job_(job) {}
+
+  [[nodiscard]] Status find_answers() {
+    Pipeline pipeline = pipeline_of(options_.base);
+    for (const StudyFrame& frame : world_.frames) {
+      pipeline.forget();
+      const auto seen = pipeline(frame.picture);
+      if (!seen) return seen.error();
+      answers_.push_back(answer_of(frame, *seen));
+    }
+    return {};
+  }
+
+  /// The base is the first; its row comes with those of others each time.
+  [[nodiscard]] Result<std::vector<StudyRow>> measure(const std::vector<PipelineSettings>& choices,
+                                                      double from,
+                                                      double to) {
+    std::vector<Pipeline> pipelines;
+    for (const PipelineSettings& choice : choices) pipelines.push_back(pipeline_of(choice));
+    std::vector<Measured> measured(choices.size());
+    const std::size_t frames = world_.frames.size();
+    const auto rounds = static_cast<std::size_t>(options_.repeats) * frames;
+    for (std::size_t round = 0; round < rounds; ++round) {
+      if (job_.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
+      job_.report(from + (to - from) * static_cast<double>(round) / static_cast<double>(rounds),
+                  en::say("measuring what settings cost"));
+      const std::size_t number = round % frames;
+      const StudyFrame& frame = world_.frames[number];
+      double base_ms = 1;
+      for (std::size_t i = 0; i < choices.size(); ++i) {
+        pipelines[i].forget();
+        const auto alone = pipelines[i](frame.picture);
+        if (!alone) return alone.error();
+        if (round < frames) measured[i].add_errors(frame, answers_[number], *alone);
+        const auto following = pipelines[i](frame.picture);
+        if (!following) return following.error();
+        const double milliseconds = following->times_ms.total;
+        if (i == 0) base_ms = milliseconds;
+        measured[i].add_time(milliseconds, base_ms);
+      }
+    }
+    std::vector<StudyRow> rows;
+    for (std::size_t i = 0; i < choices.size(); ++i)
+      rows.push_back(measured[i].row(choices[i], world_.library.memory_bytes()));
+    return rows;
+  }
+
+ private:
+  [[nodiscard]] Pipeline pipeline_of(const PipelineSettings& settings) const {
+    return Pipeline::over(world_.library, *world_.finger, settings);
+  }
+
+  [[nodiscard]] FrameAnswer answer_of(const StudyFrame& frame, const FrameResult& seen) const {
+    FrameAnswer answer;
+    cv::Mat contact;
+    cv::inRange(frame.depth_mm, kUntouchedMm, 1e6, contact);
+    cv::Mat distance_px(contact.size(), CV_32FC1, cv::Scalar(1e6));
+    if (cv::countNonZero(contact) > 0)
+      cv::distanceTransform(255 - contact, distance_px, cv::DIST_L2, 3);
+    double away_px = 0;
+    if (seen.shape) {
+      std::vector<double> z;
+      for (const FaceColumn& column : seen.shape->columns())
+        if (column.valid) z.push_back(column.z_mm);
+      if (!z.empty()) away_px = kAwayMm / world_.finger->camera.mm_per_px_at(upper_median(z));
+      DepthMap truth;
+      truth.depth_mm = frame.depth_mm;
+      truth.flags = cv::Mat::zeros(frame.depth_mm.size(), CV_8UC1);
+      truth.cells_mm = depth_cells(truth.depth_mm);
+      RegionOptions region_options;
+      region_options.threshold_mm = options_.base.contact_threshold_mm;
+      answer.place_mm =
+          place_of(contact_regions(truth, *seen.shape, world_.finger->finger.face, region_options));
+    }
+    answer.away = distance_px > away_px;
+    return answer;
+  }
+
+  const StudyWorld& world_;
+  const StudyOptions& options_;
+  const Job& job_;
+  std::vector<FrameAnswer> answers_;
+};
+
+}  // namespace
+
+Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
+                                     const StudyOptions& options,
+                                     const std::vector<StudyRow>& known,
+                                     const KeepRows& keep,
+                                     const Job& job) {
+  AccuracyStudyRun run(world, options, job);
+  if (const Status status = run.find_answers(); !status) return status.error();
+  const std::vector<PipelineSettings> choices = study_choices(options.base, options.extent);
+  std::vector<StudyRow> rows = known;
+  const auto row_of = [&](const PipelineSettings& choice) {
+    return std::find_if(rows.begin(), rows.end(), [&](const StudyRow& row) {
+      return key_of(row.settings) == key_of(choice);
+    });
+  };
+  std::vector<PipelineSettings> left;
+  for (const PipelineSettings& choice : choices)
+    if (row_of(choice) == rows.end()) left.push_back(choice);
+  for (std::size_t at = 0; at < left.size();) {
+    std::vector<PipelineSettings> batch{options.base};
+    const std::size_t begin = at;
+    for (; at < left.size() && batch.size() <= kBatch; ++at)
+      if (key_of(left[at]) != key_of(options.base)) batch.push_back(left[at]);
+    const auto part = [&](std::size_t i) {
+      return static_cast<double>(i) / static_cast<double>(left.size());
+    };
+    auto measured = run.measure(batch, part(begin), part(at));
+    if (!measured) return measured.error();
+    if (row_of(options.base) != rows.end()) measured->erase(measured->begin());
+    if (keep)
+      if (const Status kept = keep(*measured); !kept) return kept.error();
+    rows.insert(rows.end(), measured->begin(), measured->end());
+  }
+  AccuracyStudy study{world.about, world.simulated, world.checksum, {}};
+  for (const PipelineSettings& choice : choices) study.rows.push_back(*row_of(choice));
+  return study;
+}
+
+}  // namespace alltact

@@ -1,0 +1,68 @@
+// What each setting of the frame pipeline costs in time and brings in accuracy, measured on
+// pictures whose answer is known (study_world.h).
+//
+// ERRORS are those of a frame by itself. They hang on pictures and settings alone: the same to the
+// bit on any computer, with any number of threads.
+// TIMES are of a frame that follows one of nearly the same pose, as live ones do. Every choice is
+// measured turn by turn with the base, frame by frame, so that both meet the same computer; what is
+// compared is the median of the ratios.
+#pragma once
+
+#include "calibration/study/study_choice.h"
+#include "calibration/study/study_world.h"
+#include "core/job.h"
+#include "core/result.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+/// Of absolute errors, mm.
+struct ErrorSpread {
+  double median_mm = 0, p95_mm = 0;
+};
+
+/// What one choice of settings does. What no frame tells is absent.
+struct StudyRow {
+  PipelineSettings settings;
+  int frames = 0;          ///< measured
+  int frames_missing = 0;  ///< without depth
+  /// Of pixels truly pressed deeper than 0.05 mm.
+  std::optional<ErrorSpread> depth;
+  std::array<std::optional<ErrorSpread>, kFaceZones> depth_by_zone;
+  std::optional<double> coverage;        ///< part of these pixels that have a depth at all
+  std::optional<double> false_depth_mm;  ///< mean depth further than 1 mm from any contact
+  std::optional<double> place_mm;        ///< median error of where the press is, on the face
+  double time_ms = 0, time_p95_ms = 0;   ///< on this computer, then
+  double time_ratio = 1;                 ///< to the base, median
+  std::size_t memory_bytes = 0;          ///< of one frame's pictures and maps, and the reference's
+};
+
+struct StudyOptions {
+  StudyExtent extent = StudyExtent::kPairs;
+  PipelineSettings base;  ///< the first row
+  int repeats = 3;        ///< of the times
+};
+
+struct AccuracyStudy {
+  Message about;
+  bool simulated = false;
+  std::uint64_t world_checksum = 0;
+  std::vector<StudyRow> rows;  ///< the base first, then in the order of study_choices()
+};
+
+/// Rows that are known already are not measured again (by key_of()); `keep` is told of new ones as
+/// soon as they are there. Errors: those of Pipeline; what `keep` says; stopped.
+using KeepRows = std::function<Status(const std::vector<StudyRow>&)>;
+[[nodiscard]] Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
+                                                   const StudyOptions& options,
+                                                   const std::vector<StudyRow>& known,
+                                                   const KeepRows& keep,
+                                                   const Job& job);
+
+}  // namespace alltact

@@ -1,0 +1,51 @@
+#include "calibration/experiments/experiment_bench.h"
+#include "calibration/study/study_world.h"
+
+#include <algorithm>
+
+namespace alltact {
+namespace {
+
+constexpr const char* kStudyScene = "study_presses";
+
+}  // namespace
+
+Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
+                                   const StudyWorldOptions& options,
+                                   const Job& job) {
+  BenchOptions bench_options;
+  bench_options.folder = folder;
+  bench_options.seed = options.seed;
+  bench_options.threads = options.threads;
+  const auto bench = ExperimentBench::make(bench_options, job);
+  if (!bench) return bench.error();
+  auto finger = open_finger(bench->finger().folder);
+  if (!finger) return finger.error();
+  auto library = ReferenceLibrary::load(**finger, job);
+  if (!library) return library.error();
+  const auto plan = bench->plan(kStudyScene);
+  if (!plan) return plan.error();
+  StudyWorld world{en::say("the demonstration's finger, simulated, pressed in random places"),
+                   true,
+                   std::move(finger).value(),
+                   std::move(library).value(),
+                   {},
+                   0};
+  constexpr bool kBaseAtLowU = true;  // as the scene has it
+  const int count = std::min(options.frames, plan->frame_count());
+  for (int number = 0; number < count; ++number) {
+    if (job.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
+    Truth truth = plan->truth(number);
+    const auto zone = zone_of_press(truth.depth_mm, kBaseAtLowU);
+    if (!zone) continue;
+    StudyFrame frame;
+    frame.picture = bench->frame(*plan, number);
+    frame.depth_mm = std::move(truth.depth_mm);
+    frame.zone = *zone;
+    world.frames.push_back(std::move(frame));
+  }
+  world.checksum = checksum_of(world.frames);
+  return world;
+}
+
+}  // namespace alltact

@@ -1,0 +1,84 @@
+// Pictures whose answer is known, to measure settings by.
+//
+// Two kinds:
+//   simulated   a scene: the picture and its truth come from the simulator, the finger that
+//   measures
+//               it is recorded and calibrated from scenes as well.
+//   painted     a finger that is at hand: balls of known place and depth are painted into untouched
+//               pictures of its own recording, so that shape, light, dirt and noise are this
+//               finger's. A pixel under the ball is made darker by what the finger's mapping says
+//               of that depth; the reference is computed from what remains of the recording when
+//               the picture's neighbours in time are left out. What the mapping itself is wrong by
+//               is not in there: presses that the calibration left out tell that.
+#pragma once
+
+#include "core/finger/finger_store.h"
+#include "core/frame.h"
+#include "core/job.h"
+#include "core/message.h"
+#include "core/result.h"
+#include "core/sensing/reference/reference_library.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+/// Thirds of the face's length in the picture.
+enum class FaceZone { kBase = 0, kMiddle, kTip };
+inline constexpr std::size_t kFaceZones = 3;
+
+struct StudyFrame {
+  FramePtr picture;
+  cv::Mat depth_mm;                   ///< CV_32FC1 along z; NaN off the face
+  FaceZone zone = FaceZone::kMiddle;  ///< of what presses
+};
+
+struct StudyWorld {
+  Message about;           ///< a phrase
+  bool simulated = false;  ///< false: painted
+  FingerPtr finger;
+  /// Of which every pipeline takes its share; a copy costs nothing.
+  ReferenceLibrary library;
+  std::vector<StudyFrame> frames;
+  std::uint64_t checksum = 0;  ///< of pictures and truth
+};
+
+struct StudyWorldOptions {
+  int frames = 24;         ///< at most
+  std::uint64_t seed = 1;  ///< of everything random
+  int threads = 1;         ///< that render; the pictures are the same for any number
+};
+
+/// Paints balls of the radius that the finger was calibrated with (3 mm if none is known).
+/// Errors: the finger is not calibrated; those of its recording; fewer than 3 of its pictures show
+/// the face; stopped.
+[[nodiscard]] Result<StudyWorld> painted_world(const FingerPtr& finger,
+                                               const StudyWorldOptions& options,
+                                               const Job& job);
+
+/// The scene study_presses (the demonstration's finger, pressed by a ball in random places and
+/// poses), measured by a finger that is recorded and calibrated by scenes as well.
+///   folder: for that finger; what an earlier study left there goes
+/// Errors: those of ExperimentBench; stopped.
+[[nodiscard]] Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
+                                                 const StudyWorldOptions& options,
+                                                 const Job& job);
+
+/// The truth's third of the face, by where it is deepest. nullopt where nothing presses deeper than
+/// 0.02 mm.
+///   base_at_low_u: as FaceShape says
+[[nodiscard]] std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm, bool base_at_low_u);
+
+/// Of everything in the frames that errors are computed from.
+[[nodiscard]] std::uint64_t checksum_of(const std::vector<StudyFrame>& frames);
+
+}  // namespace alltact

@@ -1,0 +1,278 @@
+// A study's truth against closed formulas, and what it says against what it must.
+#include "calibration/study/accuracy_study.h"
+
+#include "calibration/study/study_figure.h"
+#include "calibration/study/study_file.h"
+#include "calibration/study/study_front.h"
+#include "tests/support/flat_sensor.h"
+#include "tests/support/temporary_folder.h"
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+namespace alltact::test {
+namespace {
+
+using testing::HasSubstr;
+
+FingerPtr calibrated_flat_finger(const TemporaryFolder& folder) {
+  write_flat_sensor(folder.path());
+  Finger finger = flat_sensor_finger(true);
+  finger.reference.emplace();
+  finger.reference->image = "ref.png";
+  auto snapshot = FingerSnapshot::of(folder.path(), finger);
+  EXPECT_TRUE(snapshot.ok());
+  snapshot->presses.ball_radius_mm = FlatSensor::kBallRadiusMm;
+  return std::make_shared<FingerSnapshot>(std::move(snapshot).value());
+}
+
+StudyWorld painted_flat_world(const TemporaryFolder& folder, int frames, std::uint64_t seed = 1) {
+  StudyWorldOptions options;
+  options.frames = frames;
+  options.seed = seed;
+  auto world = painted_world(calibrated_flat_finger(folder), options, Job());
+  EXPECT_TRUE(world.ok());
+  return std::move(world).value();
+}
+
+TEST(PaintedWorld, BallsAreBallsAndAsDarkAsTheMappingSays) {
+  const TemporaryFolder folder;
+  const StudyWorld world = painted_flat_world(folder, 9);
+  ASSERT_EQ(world.frames.size(), 9U);
+  const cv::Mat untouched = cv::imread((folder / "ref.png").string(), cv::IMREAD_GRAYSCALE);
+  std::set<FaceZone> zones;
+  for (const StudyFrame& frame : world.frames) {
+    zones.insert(frame.zone);
+    double deepest = 0;
+    cv::Point at;
+    cv::minMaxLoc(frame.depth_mm, nullptr, &deepest, nullptr, &at);
+    ASSERT_GT(deepest, 0.1);
+    // Of a ball of 4 mm around the deepest pixel, which is at most half a pixel off its middle.
+    double grey_error = 0, pressed = 0;
+    for (int v = 0; v < frame.depth_mm.rows; ++v)
+      for (int u = 0; u < frame.depth_mm.cols; ++u) {
+        const double r = FlatSensor::kMmPerPx * std::hypot(u - at.x, v - at.y);
+        const double radius = FlatSensor::kBallRadiusMm;
+        const double depth =
+            r < radius ? deepest - (radius - std::sqrt(radius * radius - r * r)) : 0;
+        const float painted = frame.depth_mm.at<float>(v, u);
+        EXPECT_NEAR(painted, std::max(0.0, depth), 0.04) << u << ' ' << v;
+        if (painted <= 0.05F) continue;
+        const double x = painted / (FlatSensor::kA - FlatSensor::kB * painted);
+        grey_error +=
+            frame.picture->grey.at<std::uint8_t>(v, u) - (1 - x) * untouched.at<std::uint8_t>(v, u);
+        ++pressed;
+      }
+    EXPECT_LT(std::abs(grey_error / pressed), 0.3) << "grey levels in the mean";
+  }
+  EXPECT_EQ(zones.size(), kFaceZones);
+}
+
+TEST(AccuracyStudy, ErrorsAreTheSameWithAnyNumberOfThreadsAndAreSmallWhereNothingIsWrong) {
+  const TemporaryFolder folder;
+  const StudyWorld world = painted_flat_world(folder, 6);
+  StudyOptions options;
+  options.extent = StudyExtent::kQuick;
+  options.repeats = 1;
+  std::vector<std::string> errors;
+  for (const int threads : {1, 2}) {
+    cv::setNumThreads(threads);
+    const auto study = study_accuracy(world, options, {}, {}, Job());
+    ASSERT_TRUE(study.ok());
+    nlohmann::json json = json_of(*study);
+    std::string text = json.at("world");
+    for (const auto& row : json.at("rows")) text += row.at("errors").dump();
+    errors.push_back(text);
+    const StudyRow& base = study->rows.front();
+    EXPECT_EQ(base.frames, 6);
+    EXPECT_EQ(base.frames_missing, 0);
+    // sd of 1 grey level of about 180, smoothed over 12 pixels, at 2.2 mm for all of it
+    EXPECT_LT(base.depth->median_mm, 0.01);
+    EXPECT_LT(base.depth->p95_mm, 0.06);
+    EXPECT_LT(*base.place_mm, 0.1);
+    EXPECT_EQ(base.time_ratio, 1);
+    EXPECT_GT(base.time_ms, 0);
+    const auto unsmoothed =
+        std::find_if(study->rows.begin(), study->rows.end(), [](const StudyRow& row) {
+          return row.settings.smoothing_px == 0;
+        });
+    ASSERT_NE(unsmoothed, study->rows.end());
+    EXPECT_GT(unsmoothed->depth->median_mm, 1.5 * base.depth->median_mm)
+        << "noise that is not smoothed away";
+  }
+  EXPECT_EQ(errors[0], errors[1]);
+}
+
+TEST(AccuracyStudy, GoesOnWhereItWasStopped) {
+  const TemporaryFolder folder;
+  const StudyWorld world = painted_flat_world(folder, 3);
+  StudyOptions options;
+  options.extent = StudyExtent::kQuick;
+  options.repeats = 1;
+  std::vector<StudyRow> kept;
+  const Error enough{Message::typed("enough"), "", ""};
+  const auto stopped = study_accuracy(
+      world,
+      options,
+      {},
+      [&](const std::vector<StudyRow>& rows) -> Status {
+        kept = rows;
+        return enough;
+      },
+      Job());
+  ASSERT_FALSE(stopped.ok());
+  ASSERT_GE(kept.size(), 2U);
+  std::size_t measured_again = 0;
+  const auto study = study_accuracy(
+      world,
+      options,
+      kept,
+      [&](const std::vector<StudyRow>& rows) -> Status {
+        measured_again += rows.size();
+        return {};
+      },
+      Job());
+  ASSERT_TRUE(study.ok());
+  EXPECT_EQ(study->rows.size(), study_choices(options.base, options.extent).size());
+  EXPECT_EQ(measured_again + kept.size(), study->rows.size());
+  EXPECT_EQ(study->rows[1].time_ms, kept[1].time_ms);
+}
+
+TEST(StudyChoices, HoldEveryValueOnceAndEveryTwoOfThem) {
+  const PipelineSettings base;
+  std::size_t singles = 0, pairs = 0;
+  for (const auto& setting : pipeline_settings()) {
+    if (!setting.trade) continue;
+    const auto& tried = setting.trade->tried;
+    EXPECT_NE(std::find(tried.begin(), tried.end(), setting.default_value()), tried.end())
+        << setting.name << ": its default is among what is tried";
+    EXPECT_FALSE(setting.trade->gains.empty());
+    EXPECT_FALSE(setting.trade->costs.empty());
+    pairs += singles * (tried.size() - 1);
+    singles += tried.size() - 1;
+  }
+  const auto quick = study_choices(base, StudyExtent::kQuick);
+  EXPECT_EQ(key_of(quick.front()), key_of(base));
+  EXPECT_EQ(quick.size(), 1 + singles);
+  const auto all = study_choices(base, StudyExtent::kPairs);
+  EXPECT_EQ(all.size(), 1 + singles + pairs + 1);
+  std::set<std::string> keys;
+  for (const PipelineSettings& choice : all) keys.insert(key_of(choice));
+  EXPECT_EQ(keys.size(), all.size());
+  EXPECT_EQ(words_of(base, base).english(), "as it is");
+  PipelineSettings other = base;
+  other.smoothing_px = 2;
+  EXPECT_EQ(words_of(other, base).english(), "smoothing-px 2");
+  EXPECT_EQ(flags_of(other, base), "--smoothing-px 2");
+}
+
+AccuracyStudy random_study(std::mt19937& random) {
+  std::uniform_real_distribution<double> some(0.1, 1);
+  AccuracyStudy study;
+  for (int i = 0; i < 40; ++i) {
+    StudyRow row;
+    row.settings.smoothing_px = 0.1 * i;
+    row.time_ms = 3;
+    row.time_ratio = i == 0 ? 1 : 2 * some(random);
+    if (i % 7 != 3) row.depth = ErrorSpread{some(random), 1 + some(random)};
+    if (i % 11 == 5) row.frames_missing = 1;
+    study.rows.push_back(row);
+  }
+  return study;
+}
+
+TEST(StudyFront, IsWhatNothingBeats) {
+  std::mt19937 random(5);
+  for (int world = 0; world < 50; ++world) {
+    const AccuracyStudy study = random_study(random);
+    const auto front = pareto_front(study);
+    ASSERT_FALSE(front.empty());
+    for (std::size_t i = 1; i < front.size(); ++i) {
+      EXPECT_LT(frame_ms(study, study.rows[front[i - 1]]), frame_ms(study, study.rows[front[i]]));
+      EXPECT_GT(study.rows[front[i - 1]].depth->median_mm, study.rows[front[i]].depth->median_mm);
+    }
+    for (std::size_t row = 0; row < study.rows.size(); ++row) {
+      const bool has_depth = study.rows[row].depth && study.rows[row].frames_missing == 0;
+      const bool is_on_front = std::find(front.begin(), front.end(), row) != front.end();
+      const auto better = dominated_by(study, front, row);
+      EXPECT_EQ(better.has_value(), has_depth && !is_on_front) << row;
+      if (!better) continue;
+      EXPECT_LE(frame_ms(study, study.rows[*better]), frame_ms(study, study.rows[row]));
+      EXPECT_LE(study.rows[*better].depth->median_mm, study.rows[row].depth->median_mm);
+    }
+  }
+}
+
+TEST(StudyFront, MoreTimeIsNeverWorseAndMoreErrorNeverSlower) {
+  std::mt19937 random(6);
+  for (int world = 0; world < 50; ++world) {
+    const AccuracyStudy study = random_study(random);
+    double last_error = 1e9, last_ms = 1e9;
+    for (double budget_ms = 0.1; budget_ms < 8; budget_ms += 0.1) {
+      const auto row = as_good_as_fits(study, budget_ms);
+      if (!row) continue;
+      EXPECT_LE(frame_ms(study, study.rows[*row]), budget_ms);
+      EXPECT_LE(study.rows[*row].depth->median_mm, last_error);
+      last_error = study.rows[*row].depth->median_mm;
+    }
+    for (double error_mm = 1.0; error_mm < 2.2; error_mm += 0.05) {
+      const auto row = as_fast_as_keeps(study, error_mm);
+      if (!row) continue;
+      EXPECT_LE(study.rows[*row].depth->p95_mm, error_mm);
+      EXPECT_LE(frame_ms(study, study.rows[*row]), last_ms);
+      last_ms = frame_ms(study, study.rows[*row]);
+    }
+    EXPECT_FALSE(as_good_as_fits(study, 1e-6));
+    EXPECT_FALSE(as_fast_as_keeps(study, 1e-6));
+  }
+}
+
+TEST(StudyFile, LinesComeBackToTheBit) {
+  std::mt19937 random(7);
+  const AccuracyStudy study = random_study(random);
+  std::string lines;
+  for (const StudyRow& row : study.rows) lines += line_of(row);
+  const auto rows = rows_of_lines(lines, "file");
+  ASSERT_TRUE(rows.ok());
+  ASSERT_EQ(rows->size(), study.rows.size());
+  std::string again;
+  for (const StudyRow& row : *rows) again += line_of(row);
+  EXPECT_EQ(lines, again);
+  for (std::size_t cut = 0; cut < lines.size(); cut += 97) {
+    const auto part = rows_of_lines(std::string_view(lines).substr(0, cut), "file");
+    ASSERT_TRUE(part.ok()) << cut;
+    EXPECT_LE(part->size(), study.rows.size());
+  }
+  for (const char* broken : {"{}\n", "no\n", "[1]\n", "{\"settings\": {}}\n"}) {
+    const auto refused = rows_of_lines(broken, "study_rows.jsonl");
+    ASSERT_FALSE(refused.ok()) << broken;
+    EXPECT_THAT(refused.error().message().english(), HasSubstr("study_rows.jsonl"));
+  }
+}
+
+TEST(StudyFigure, NamesAtMostSevenAndTheBase) {
+  std::mt19937 random(8);
+  for (int world = 0; world < 20; ++world) {
+    const AccuracyStudy study = random_study(random);
+    const std::string svg = svg_of(study);
+    EXPECT_THAT(svg, HasSubstr("as it is"));
+    std::size_t named = 0;
+    for (std::size_t at = svg.find("95 % within"); at != std::string::npos;
+         at = svg.find("95 % within", at + 1))
+      ++named;
+    EXPECT_LE(named, 7U);
+    EXPECT_GE(named, 1U);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace alltact::test
