@@ -31,6 +31,15 @@ QCPScatterStyle mark_of(int which, const QColor& colour) {
 
 ExperimentFigurePlot::ExperimentFigurePlot(QWidget* parent) : Plot(parent) {
   setAccessibleName(tr("Figure of an experiment"));
+  // Above the plot, where it hides nothing.
+  constexpr int kSideBySide = 2;
+  QCPLegend* legend = chart().legend;
+  chart().axisRect()->insetLayout()->take(legend);
+  chart().plotLayout()->insertRow(0);
+  chart().plotLayout()->addElement(0, 0, legend);
+  chart().plotLayout()->setRowStretchFactor(0, 0.001);
+  legend->setFillOrder(QCPLegend::foColumnsFirst);
+  legend->setWrap(kSideBySide);
 }
 
 void ExperimentFigurePlot::set_plot(const ExperimentPlot& plot) {
@@ -94,10 +103,10 @@ void ExperimentFigurePlot::set_ranges() {
     for (const double x : series.x) least_x = std::min(least_x, x), most_x = std::max(most_x, x);
     for (const double y : series.y) least_y = std::min(least_y, y), most_y = std::max(most_y, y);
   }
-  // Errors and shares begin at 0; what has a sign lies around it. The legend stands above.
+  // Errors and shares begin at 0; what has a sign lies around it.
   const double low = std::min(least_y, 0.0);
   const double height = std::max(most_y - low, 1e-9);
-  chart().yAxis->setRange(low < 0 ? low - 0.06 * height : 0, most_y + 0.3 * height);
+  chart().yAxis->setRange(low < 0 ? low - 0.06 * height : 0, most_y + 0.08 * height);
   if (!plot_.categories.empty()) {
     chart().xAxis->setRange(-0.6, static_cast<double>(plot_.categories.size()) - 0.4);
     auto names = QSharedPointer<QCPAxisTickerText>::create();
@@ -128,7 +137,7 @@ bool ExperimentFigurePlot::draw() {
   set_ranges();
   chart().xAxis->setLabel(words_of(plot_.x_axis));
   chart().yAxis->setLabel(words_of(plot_.y_axis));
-  show_legend(Qt::AlignTop | Qt::AlignRight);
+  chart().legend->setVisible(true);
   return true;
 }
 

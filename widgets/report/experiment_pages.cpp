@@ -10,7 +10,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kPlotWidth = 600, kPlotHeight = 270;  // px at 96 to the inch
+constexpr int kPlotWidth = 600, kPlotHeight = 300;  // px at 96 to the inch
 constexpr double kPlotSharpness = 2.0;
 
 QString figure_number(const std::optional<double>& number) {
