@@ -15,6 +15,11 @@ QString words_of(const Message& message) {
   return QString::fromStdString(message.english());
 }
 
+/// With room behind: a legend in a sharp picture is cut off a little too early.
+QString legend_words(const Message& message) {
+  return words_of(message) + QStringLiteral("    ");
+}
+
 bool is_bar(const ExperimentPlot& plot, const ExperimentSeries& series) {
   return !plot.categories.empty() && (series.look == Look::kBars || series.look == Look::kPaper);
 }
@@ -63,7 +68,7 @@ void ExperimentFigurePlot::draw_bars(const ExperimentSeries& series, int which, 
   const QColor colour = series_colour(which, palette());
   bars->setPen(QPen(colour, 1.5));
   bars->setBrush(is_paper ? QBrush(colour, Qt::BDiagPattern) : QBrush(colour));
-  bars->setName(words_of(series.name));
+  bars->setName(legend_words(series.name));
 }
 
 void ExperimentFigurePlot::draw_points(const ExperimentSeries& series, int which) {
@@ -93,7 +98,7 @@ void ExperimentFigurePlot::draw_points(const ExperimentSeries& series, int which
                                  : mark_of(which, colour));
       break;
   }
-  curve->setName(words_of(series.name));
+  curve->setName(legend_words(series.name));
 }
 
 void ExperimentFigurePlot::set_ranges() {
