@@ -213,8 +213,9 @@ Status run_demo(const DemoOptions& options, Console& console);
 struct ExperimentsOptions {
   std::vector<std::string> names;  ///< none: all
   std::optional<Path> folder;  ///< keeps the fingers and experiments.json; empty: nothing is kept
+  std::optional<Path> report;  ///< NAME.html; NAME.pdf goes beside it
   std::uint64_t seed = 1;
-  int threads = 1;
+  int threads = 2;
 };
 /// Repeats the source paper's experiments in simulation and prints its figures beside ours. Error:
 /// no such experiment; one of them told no figure.

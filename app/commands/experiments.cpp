@@ -4,7 +4,10 @@
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "app/console/passing_folder.h"
+#include "app/pictures/pictures.h"
 #include "core/io/atomic_file.h"
+#include "core/program.h"
+#include "core/utc_time.h"
 
 #include <chrono>
 
@@ -15,8 +18,6 @@ namespace alltact {
 namespace {
 
 constexpr const char* kExperimentsFile = "experiments.json";
-constexpr const char* kOursAndTheirs =
-    "Ours are simulated, with the truth known; the paper's were measured on a real finger.";
 
 class Stopwatch {
  public:
@@ -52,6 +53,20 @@ void tell_outcome(const Experiment& experiment,
   for (const Message& remark : outcome.remarks) console.say(fmt::format("  {}.", remark));
 }
 
+Console::Json json_of_plot(const ExperimentPlot& plot) {
+  Console::Json json{{"caption", plot.caption.english()},
+                     {"x", plot.x_axis.english()},
+                     {"y", plot.y_axis.english()}};
+  if (!plot.categories.empty()) json["categories"] = in_english(plot.categories);
+  Console::Json& all = json["series"] = Console::Json::array();
+  for (const ExperimentSeries& series : plot.series)
+    all.push_back({{"name", series.name.english()},
+                   {"of_the_paper", series.look == ExperimentSeries::Look::kPaper},
+                   {"x", series.x},
+                   {"y", series.y}});
+  return json;
+}
+
 Console::Json json_of_outcome(const Experiment& experiment,
                               const ExperimentOutcome& outcome,
                               double seconds) {
@@ -73,33 +88,76 @@ Console::Json json_of_outcome(const Experiment& experiment,
     figures.push_back(std::move(entry));
   }
   json["remarks"] = in_english(outcome.remarks);
+  Console::Json& plots = json["plots"] = Console::Json::array();
+  for (const ExperimentPlot& plot : outcome.plots) plots.push_back(json_of_plot(plot));
   return json;
 }
 
-Status run_in_folder(const std::vector<const Experiment*>& chosen,
-                     const BenchOptions& options,
-                     Console& console) {
+Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& chosen,
+                                       const BenchOptions& options,
+                                       Console& console) {
   const Stopwatch making;
   const auto bench = ExperimentBench::make(options, console.job());
   if (!bench) return bench.error();
-  console.say(kOursAndTheirs);
+  console.say(ours_and_theirs().english());
   console.say(fmt::format("The finger they share was recorded and calibrated in {:.1f} s.\n",
                           making.seconds()));
   console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}", "", "ours", "paper's", "aim"));
   Console::Json& answer = console.answer();
-  answer["about"] = kOursAndTheirs;
+  answer["about"] = ours_and_theirs().english();
   answer["seed"] = options.seed;
   answer["finger_seconds"] = making.seconds();
   Console::Json& all = answer["experiments"] = Console::Json::array();
+  ExperimentReport report;
+  report.seed = options.seed;
+  report.date = utc_now();
+  report.program_version = program_version();
   for (const Experiment* experiment : chosen) {
     const Stopwatch running;
-    const auto outcome = experiment->run(*bench);
+    auto outcome = experiment->run(*bench);
     if (!outcome) return outcome.error();
     const double seconds = running.seconds();
     tell_outcome(*experiment, *outcome, seconds, console);
     all.push_back(json_of_outcome(*experiment, *outcome, seconds));
+    report.done.push_back({experiment, std::move(*outcome), seconds});
   }
+  return report;
+}
+
+Status write_report(const ExperimentReport& report, const Path& file, Console& console) {
+  const auto pictures = load_pictures();
+  if (!pictures) return pictures.error();
+  const auto pages = (*pictures)->experiment_pages(report, file.stem().string());
+  if (!pages) return pages.error();
+  for (const ReportFile& page : *pages) {
+    const Status written = write_file_atomically(file.parent_path() / page.name, page.content);
+    if (!written) return written;
+  }
+  console.say(fmt::format("\nReport: {}, .pdf", file.string()));
+  console.answer()["report"] = file.string();
   return {};
+}
+
+Status run_where_it_is_kept(const std::vector<const Experiment*>& chosen,
+                            const BenchOptions& bench,
+                            const ExperimentsOptions& options,
+                            Console& console) {
+  const auto report = run_in_folder(chosen, bench, console);
+  if (!report) return report.error();
+  if (options.report) return write_report(*report, *options.report, console);
+  return {};
+}
+
+/// What can be known to go wrong before minutes have passed.
+Status check_report(const Path& file) {
+  if (file.extension() != ".html")
+    return Error{en::say("this is no name for a report"), file, en::say("a name ending in .html")};
+  std::error_code failed;
+  const Path folder = file.parent_path().empty() ? Path(".") : file.parent_path();
+  if (!std::filesystem::is_directory(folder, failed))
+    return Error{en::say("the folder of the report is not there"), folder, en::say("making it")};
+  const auto pictures = load_pictures();
+  return pictures ? Status() : pictures.error();
 }
 
 }  // namespace
@@ -107,6 +165,8 @@ Status run_in_folder(const std::vector<const Experiment*>& chosen,
 Status run_experiments(const ExperimentsOptions& options, Console& console) {
   const auto chosen = experiments_named(options.names);
   if (!chosen) return chosen.error();
+  if (options.report)
+    if (const Status possible = check_report(*options.report); !possible) return possible;
   cv::setNumThreads(options.threads);
   BenchOptions bench;
   bench.seed = options.seed;
@@ -116,11 +176,12 @@ Status run_experiments(const ExperimentsOptions& options, Console& console) {
         PassingFolder::make(en::say("a folder for the simulated fingers cannot be made"));
     if (!passing) return passing.error();
     bench.folder = passing.value().path();
-    return run_in_folder(*chosen, bench, console);
+    return run_where_it_is_kept(*chosen, bench, options, console);
   }
   bench.folder = *options.folder;
   if (const Status made = make_folder(bench.folder); !made) return made;
-  if (const Status status = run_in_folder(*chosen, bench, console); !status) return status;
+  const Status status = run_where_it_is_kept(*chosen, bench, options, console);
+  if (!status) return status;
   const Path file = bench.folder / kExperimentsFile;
   const Status written = write_file_atomically(file, console.answer().dump(2) + "\n");
   if (!written) return written;
@@ -143,10 +204,23 @@ void add_experiments(CLI::App& program, Chosen& chosen) {
               *folder,
               "Folder for experiments.json and the simulated fingers (default: kept nowhere)")
           ->type_name("DIR");
+  auto report = std::make_shared<Path>();
+  CLI::Option* pages =
+      command
+          ->add_option("--report",
+                       *report,
+                       "Also a report with plots, ours beside the paper's: FILE.html and FILE.pdf")
+          ->type_name("FILE.html");
   command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
-  add_threads_flag(*command, options->threads);
+  command
+      ->add_option("--threads",
+                   options->threads,
+                   "The figures are the same for any number (1 to 64; default 2)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
   command->callback([=, &chosen] {
     if (!output->empty()) options->folder = *folder;
+    if (!pages->empty()) options->report = *report;
     chosen = [=](Console& console) { return run_experiments(*options, console); };
   });
 }

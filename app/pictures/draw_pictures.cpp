@@ -1,6 +1,7 @@
 // The library that draws.
 #include "app/pictures/pictures.h"
 #include "widgets/report/calibration_pages.h"
+#include "widgets/report/experiment_pages.h"
 #include "widgets/report/offscreen.h"
 #include "widgets/scene3d/face_surface.h"
 #include "widgets/scene3d/scene_pictures.h"
@@ -32,6 +33,12 @@ class DrawnPictures : public Pictures {
                                                     const Job& job) const override {
     const OffscreenDrawing drawing;
     return make_calibration_pages(done, folder, job);
+  }
+
+  Result<std::vector<ReportFile>> experiment_pages(const ExperimentReport& report,
+                                                   const std::string& name) const override {
+    const OffscreenDrawing drawing;
+    return make_experiment_pages(report, name);
   }
 
   Result<std::unique_ptr<FacePictures>> faces(cv::Size size_px,

@@ -3,6 +3,7 @@
 // picture is asked for, so that the command line needs neither Qt nor OpenGL to measure.
 #pragma once
 
+#include "calibration/experiments/experiments.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "core/job.h"
 #include "core/result.h"
@@ -11,6 +12,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -34,6 +36,10 @@ class Pictures {
   /// thread.
   [[nodiscard]] virtual Result<std::vector<ReportFile>> calibration_pages(
       const FingerCalibration& done, const std::filesystem::path& folder, const Job& job) const = 0;
+
+  /// NAME.html and NAME.pdf (experiment_pages.h). Of the main thread.
+  [[nodiscard]] virtual Result<std::vector<ReportFile>> experiment_pages(
+      const ExperimentReport& report, const std::string& name) const = 0;
 
   /// Error: this computer has no OpenGL 3.2, not even in software.
   [[nodiscard]] virtual Result<std::unique_ptr<FacePictures>> faces(

@@ -1,7 +1,9 @@
-// What all experiments of the source paper share here: one simulated finger, recorded and
-// calibrated, and scenes of it that are measured frame by frame beside their truth.
+// What all experiments of the source paper share here: a simulated finger, recorded and calibrated,
+// and scenes of it that are measured frame by frame beside their truth.
 #pragma once
 
+#include "calibration/experiments/drawn_finger.h"
+#include "calibration/force/train_force.h"
 #include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/result.h"
@@ -12,6 +14,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,28 +23,41 @@
 namespace alltact {
 
 struct BenchOptions {
-  /// For the fingers. What earlier experiments left there goes: experiment_finger and
-  /// experiment_hd_finger.
+  /// For the fingers. What earlier experiments left there goes: experiment_finger,
+  /// experiment_finger_1 and so on, and experiment_hd_finger.
   std::filesystem::path folder;
-  std::uint64_t seed = 1;  ///< of everything random
-  int threads = 1;         ///< that render; the figures are the same for any number
+  std::uint64_t seed = 1;                  ///< of everything random
+  int threads = 1;                         ///< that render; the figures are the same for any number
+  DrawnFinger finger;                      ///< the demonstration's
+  std::string name = "experiment_finger";  ///< of the finger's folder below `folder`
 };
 
 class ExperimentBench {
  public:
-  /// Makes the demonstration's finger: recorded with the scene demo_reference and calibrated with
-  /// demo_presses. Errors: a scene that is missing or wrong; those of install_reference() and
+  /// Makes the finger: recorded with the scene short_reference and calibrated with demo_presses.
+  /// Errors: a scene that is missing or wrong; those of install_reference() and
   /// calibrate_finger(); stopped.
   [[nodiscard]] static Result<ExperimentBench> make(const BenchOptions& options, const Job& job);
+  /// A finger drawn by the seed of this one's options, in a folder beside, that has learnt forces
+  /// by the pushes of experiment_force (push_experiments.h). Made when it is first asked for.
+  struct Drawn;
+  ///   number: from 1 on
+  [[nodiscard]] Result<const Drawn*> drawn(int number) const;
 
   [[nodiscard]] const FingerSnapshot& finger() const { return *finger_; }
+  /// Teaches the finger forces by these pushes; what it measures from then on it measures with
+  /// them. Errors: those of give_force().
+  [[nodiscard]] Result<TrainedForce> learn_force(const ForceTable& table,
+                                                 const ForceTraining& training);
   [[nodiscard]] const BenchOptions& options() const { return options_; }
   [[nodiscard]] const Job& job() const { return *job_; }
   /// The untouched finger as it is in the frame of the recording that counts as rest.
   [[nodiscard]] const Truth& truth_at_rest() const { return truth_at_rest_; }
 
-  /// A scene of the resources by its file's name without the ending.
+  /// A scene of the resources by its file's name without the ending, on this bench's finger.
   [[nodiscard]] Result<Plan> plan(const std::string& scene) const;
+  /// The same as the file has it.
+  [[nodiscard]] Result<Plan> plan_as_written(const std::string& scene) const;
 
   /// Told of every frame, in order.
   ///   which: of the settings that the frame was measured with
@@ -49,21 +66,23 @@ class ExperimentBench {
 
   /// Measures all frames of a scene, each by itself and with each of the settings. Gives the number
   /// of frames. Errors: those of plan() and Pipeline; stopped.
+  ///   room_level: of a scene that names ambient, instead of its own; absent: as it stands there
   [[nodiscard]] Result<int> measure(const std::string& scene,
                                     const std::vector<PipelineSettings>& settings,
-                                    const Take& take) const;
+                                    const Take& take,
+                                    std::optional<double> room_level = {}) const;
 
-  /// The picture of a frame as a source would give it.
-  [[nodiscard]] FramePtr frame(const Plan& plan, int number) const;
+  /// Pictures of the frames [first, end) as a source would give them.
+  [[nodiscard]] std::vector<FramePtr> frames(const Plan& plan, int first, int end) const;
 
-  /// Makes a finger for the scene `recording` in a folder of its own below that of the options:
-  /// described as the scene has it, with that recording as its reference, not calibrated.
+  /// Makes a finger for a recording in a folder of its own below that of the options: described as
+  /// its scene has it, with that recording as its reference, not calibrated.
   struct Recorded {
     Finger finger;
     std::filesystem::path folder;
     Truth truth_at_rest;
   };
-  [[nodiscard]] static Result<Recorded> record(const std::string& recording,
+  [[nodiscard]] static Result<Recorded> record(const Plan& recording,
                                                const std::string& folder,
                                                const BenchOptions& options,
                                                const Job& job);
@@ -77,6 +96,7 @@ class ExperimentBench {
   FingerPtr finger_;
   std::optional<ReferenceLibrary> library_;  // held, so that every pipeline shares what was read
   Truth truth_at_rest_;
+  mutable std::map<int, std::shared_ptr<const Drawn>> drawn_;  // by number; one thread asks
 };
 
 }  // namespace alltact

@@ -12,11 +12,15 @@ namespace alltact {
 [[nodiscard]] Result<ExperimentOutcome> run_direction(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_least_touch(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench);
+[[nodiscard]] Result<ExperimentOutcome> run_force(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_references(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_thread(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_usb_plug(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_time(const ExperimentBench& bench);
+
+/// On so many fingers drawn at random force and light of the room are measured.
+inline constexpr int kDrawnFingers = 2;
 
 /// Errors of many frames.
 struct ErrorSamples {
@@ -32,6 +36,15 @@ struct ErrorSamples {
 /// Part of `count` in percent.
 [[nodiscard]] inline double percent_of(int part, int count) {
   return count > 0 ? 100.0 * part / count : 0.0;
+}
+
+/// Distance along the face of a region's place from the deepest point of what truly touches, both
+/// on the pressed face, p_CF = p_LUF - (0, 0, d); what lies along the normal is depth, not place.
+[[nodiscard]] inline double place_error_mm(const ContactRegion& region,
+                                           const ContactTruth& contact) {
+  const Eigen::Vector3d deepest_mm = contact.point_mm - Eigen::Vector3d(0, 0, contact.depth_mm);
+  const Eigen::Vector3d off = region.place_mm - deepest_mm;
+  return (off - off.dot(contact.direction) * contact.direction).norm();
 }
 
 /// No frame tells a figure.

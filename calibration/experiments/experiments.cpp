@@ -26,13 +26,17 @@ const std::vector<Experiment>& experiments() {
        en::say("from which of 8 sides the finger is pushed"),
        {"experiment_direction", "experiment_references"},
        run_direction},
+      {"force",
+       en::say("Fx and Fy of pushes, on fingers drawn at random"),
+       {"experiment_force"},
+       run_force},
       {"references",
        en::say("one untouched picture against a recording of all poses"),
        {"experiment_references"},
        run_references},
       {"room-light",
-       en::say("depth in rooms of 300, 1100 and 2500 lux"),
-       {"experiment_room_light"},
+       en::say("place and force in rooms of 300, 1100 and 2500 lux"),
+       {"experiment_room_light", "experiment_room_force", "experiment_force"},
        run_room_light},
       {"thread",
        en::say("relief of an M8 thread, against a single reference"),
@@ -48,6 +52,11 @@ const std::vector<Experiment>& experiments() {
        run_time},
   };
   return all;
+}
+
+Message ours_and_theirs() {
+  return en::say(
+      "Ours are simulated, with the truth known; the paper's were measured on a real finger.");
 }
 
 Result<std::vector<const Experiment*>> experiments_named(const std::vector<std::string>& names) {

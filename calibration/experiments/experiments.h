@@ -9,6 +9,7 @@
 #pragma once
 
 #include "calibration/experiments/experiment_bench.h"
+#include "calibration/experiments/experiment_plot.h"
 #include "core/message.h"
 #include "core/result.h"
 
@@ -37,6 +38,8 @@ struct ExperimentOutcome {
   std::vector<ExperimentFigure> figures;
   int frames = 0;                ///< that were measured
   std::vector<Message> remarks;  ///< what a figure does not say of itself
+  std::vector<ExperimentPlot> plots;
+  std::vector<ExperimentPicture> pictures;
 };
 
 struct Experiment {
@@ -49,6 +52,24 @@ struct Experiment {
 
 /// In the order of the paper.
 [[nodiscard]] const std::vector<Experiment>& experiments();
+
+/// An experiment that was made.
+struct ExperimentDone {
+  const Experiment* experiment = nullptr;
+  ExperimentOutcome outcome;
+  double seconds = 0;
+};
+
+/// All that a report of them tells.
+struct ExperimentReport {
+  std::vector<ExperimentDone> done;
+  std::uint64_t seed = 1;
+  std::string date;  ///< as utc_now() writes it
+  std::string program_version;
+};
+
+/// How a report begins.
+[[nodiscard]] Message ours_and_theirs();
 
 /// By their names; none: all. Each once, in the order of experiments(). Error: there is no such
 /// experiment, with the name that is nearest.

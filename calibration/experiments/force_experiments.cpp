@@ -9,6 +9,7 @@
 namespace alltact {
 namespace {
 
+constexpr double kPaperLeast_N = 2.0;
 constexpr double kBase_mm = 20;  // the paper's figure is of what lies beyond
 
 /// One touch: how strong, and whether it was felt.
@@ -77,6 +78,16 @@ Result<ExperimentOutcome> run_least_touch(const ExperimentBench& bench) {
     outcome.figures.push_back(
         {en::say("least depth felt, {:.0f} mm from the base", along_mm), "mm", *least, {}, {}});
   }
+  ExperimentPlot plot{en::say("least depth of a ball that is felt, ours alone"),
+                      en::say("place along the finger (mm)"),
+                      en::say("least depth felt (mm)"),
+                      {{en::say("ours, simulated"), ExperimentSeries::Look::kLine, {}, {}}},
+                      {}};
+  for (const auto& [along_mm, touches] : by_height) {
+    plot.series[0].x.push_back(along_mm);
+    plot.series[0].y.push_back(least_felt(touches).value_or(0));
+  }
+  outcome.plots.push_back(std::move(plot));
   outcome.remarks = {
       en::say("Depths are doubled from 0.01 mm on, so that the least lies between a "
               "figure and its half")};
@@ -117,15 +128,31 @@ Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench) {
   }
   ExperimentOutcome outcome;
   outcome.frames = *frames;
+  ExperimentPlot plot{en::say("least force that is felt, on every face over height"),
+                      en::say("place along the finger (mm)"),
+                      en::say("least force felt (N)"),
+                      {},
+                      {}};
   for (const auto& [face, by_height] : touches) {
     double most_N = 0;
+    ExperimentSeries felt_on{
+        Message::typed(std::string(to_string(face))), ExperimentSeries::Look::kLine, {}, {}};
     for (const auto& [along_mm, felt] : by_height) {
       const auto least = least_felt(felt);
       if (!least) return untold(kScene);
       most_N = std::max(most_N, *least);
+      felt_on.x.push_back(along_mm);
+      felt_on.y.push_back(*least);
     }
-    outcome.figures.push_back({face_phrase(face), "N", most_N, 2.0, {}});
+    plot.series.push_back(std::move(felt_on));
+    outcome.figures.push_back({face_phrase(face), "N", most_N, kPaperLeast_N, kPaperLeast_N});
   }
+  plot.series.push_back(level_line(en::say("paper, at most, measured"),
+                                   ExperimentSeries::Look::kPaper,
+                                   kPaperLeast_N,
+                                   kBase_mm,
+                                   90));
+  outcome.plots.push_back(std::move(plot));
   outcome.remarks = {
       en::say("All heights lie beyond {:.0f} mm, where the paper has less than 2 N; the body is "
               "rubber of Shore 40 A as the scene has it, and the paper's silicone is another",

@@ -27,6 +27,18 @@ Eigen::Vector2d true_offset_px(const Truth& now, const Truth& rest) {
   return sum;
 }
 
+/// Which part of the frames is nearer than a distance.
+ExperimentSeries frames_within(const Message& name, std::vector<double> distances_px) {
+  std::sort(distances_px.begin(), distances_px.end());
+  ExperimentSeries series{name, ExperimentSeries::Look::kLine, {}, {}};
+  for (std::size_t i = 0; i < distances_px.size(); ++i) {
+    series.x.push_back(distances_px[i]);
+    series.y.push_back(100.0 * static_cast<double>(i + 1) /
+                       static_cast<double>(distances_px.size()));
+  }
+  return series;
+}
+
 double angle_between_deg(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b))) * 180 / std::numbers::pi;
 }
@@ -69,6 +81,11 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
        {},
        {}},
   };
+  outcome.plots.push_back(compared_bars(en::say("pushes whose side of 8 is told right"),
+                                        en::say("told right (%)"),
+                                        {en::say("side of 8")},
+                                        {percent_of(right, pushed)},
+                                        {98.1}));
   outcome.remarks = {en::say(
       "{} pushes, by how the dots truly moved in the picture; those near a border of two sides are "
       "counted as all others",
@@ -82,7 +99,10 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
       ReferenceMethod::kSingle, ReferenceMethod::kNearest, ReferenceMethod::kLocal};
   std::vector<PipelineSettings> settings(kMethods.size());
   for (std::size_t i = 0; i < kMethods.size(); ++i) settings[i].reference = kMethods[i];
+  constexpr double kNear_px = 10;
   std::array<int, kMethods.size()> close{};
+  int near_or_told = 0;
+  std::array<std::vector<double>, kMethods.size()> distances_px;
   std::vector<Evaluator> errors(kMethods.size(), Evaluator(bench.finger().camera));
   const auto frames =
       bench.measure("experiment_references",
@@ -92,6 +112,9 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
                         const double sum_px = result.reference->distance_px *
                                               static_cast<double>(truth.markers.size());
                         close[which] += sum_px < kClose_px;
+                        distances_px[which].push_back(sum_px);
+                        if (kMethods[which] == ReferenceMethod::kNearest)
+                          near_or_told += sum_px < kNear_px || !result.reference->known_pose;
                       }
                       if (!result.depth) return errors[which].add_missing();
                       errors[which].add(truth,
@@ -121,6 +144,12 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
        40.6,
        {},
        true},
+      {en::say("frames under 10 px, or told to be in a pose never recorded"),
+       "%",
+       percent_of(near_or_told, *frames),
+       {},
+       99.5,
+       true},
       {en::say("depth where nothing touches, one reference"), "mm", false_depth_mm[0], {}, {}},
       {en::say("depth where nothing touches, nearest of a recording"),
        "mm",
@@ -129,6 +158,15 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
        {}},
       {en::say("depth where nothing touches, local regression"), "mm", false_depth_mm[2], {}, {}},
   };
+  outcome.plots.push_back(
+      {en::say("how many frames have a reference closer than so many px, summed over the dots"),
+       en::say("distance to the reference (px)"),
+       en::say("frames (%)"),
+       {frames_within(en::say("nearest of a recording, ours"), distances_px[1]),
+        frames_within(en::say("one reference, ours"), distances_px[0]),
+        {en::say("nearest, paper, measured"), ExperimentSeries::Look::kDots, {kClose_px}, {91.0}},
+        {en::say("one, paper, measured"), ExperimentSeries::Look::kDots, {kClose_px}, {40.6}}},
+       {}});
   outcome.remarks = {
       en::say("How many frames a single reference is near to depends on how far the finger moves, "
               "which is the scene's choice here and was the paper's there")};

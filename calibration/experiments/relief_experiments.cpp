@@ -42,6 +42,18 @@ Result<ExperimentOutcome> relief_of(const ExperimentBench& bench, const std::str
     if (!mean) return untold(scene);
     outcome.figures.push_back({what[i], "mm", *mean, {}, {}});
   }
+  outcome.plots.push_back(
+      compared_bars(en::say("error of the relief, ours alone: the paper shows pictures"),
+                    en::say("mean depth error (mm)"),
+                    {en::say("straight"),
+                     en::say("bent"),
+                     en::say("straight, one reference"),
+                     en::say("bent, one reference")},
+                    {outcome.figures[0].ours,
+                     outcome.figures[1].ours,
+                     outcome.figures[2].ours,
+                     outcome.figures[3].ours},
+                    {}));
   outcome.remarks = {en::say("The paper shows pictures of reliefs and no figure")};
   return outcome;
 }

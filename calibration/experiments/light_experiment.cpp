@@ -1,0 +1,175 @@
+// Whether the light of the room changes what is told.
+#include "calibration/experiments/experiment_runs.h"
+#include "calibration/experiments/push_experiments.h"
+#include "calibration/study/evaluate.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace alltact {
+namespace {
+
+constexpr std::array kRooms_lux{300, 1100, 2500};
+constexpr std::size_t kRooms = kRooms_lux.size();
+constexpr double kGreyPer1000Lux = 4;
+constexpr double kAimChange_percent = 10;
+
+/// In one room, of all fingers.
+struct RoomErrors {
+  ErrorSamples place_mm, force_N;
+};
+using ErrorsOfRooms = std::array<RoomErrors, kRooms>;
+
+/// The greatest change between rooms against the least, %.
+template <class Of>
+double change_percent(const ErrorsOfRooms& rooms, Of of) {
+  double least = of(rooms[0]), most = least;
+  for (const RoomErrors& room : rooms) {
+    least = std::min(least, of(room));
+    most = std::max(most, of(room));
+  }
+  return 100 * (most - least) / least;
+}
+
+double place_of_room(const RoomErrors& room) {
+  return room.place_mm.mean();
+}
+double force_of_room(const RoomErrors& room) {
+  return room.force_N.mean();
+}
+
+double level_of_room(std::size_t room) {
+  return kGreyPer1000Lux * kRooms_lux[room] / 1000.0;
+}
+
+/// The frames of a finger in all rooms.
+Result<int> measure_rooms(const ExperimentBench& bench, ErrorsOfRooms& rooms) {
+  int frames = 0;
+  for (std::size_t i = 0; i < kRooms; ++i) {
+    const auto touched = bench.measure(
+        "experiment_room_light",
+        {PipelineSettings{}},
+        [&](std::size_t, const Truth& truth, const FrameResult& result) {
+          if (!result.regions.empty())
+            rooms[i].place_mm.add(place_error_mm(result.regions.front(), truth.contacts.front()));
+        },
+        level_of_room(i));
+    if (!touched) return touched.error();
+    const auto pushed = bench.measure(
+        "experiment_room_force",
+        {PipelineSettings{}},
+        [&](std::size_t, const Truth& truth, const FrameResult& result) {
+          if (!result.force) return;
+          const Eigen::Vector3d truly_N = truth.contacts.front().force_N.value();
+          for (Eigen::Index axis = 0; axis < 2; ++axis)
+            rooms[i].force_N.add(std::abs(result.force->force_N[axis] - truly_N[axis]));
+        },
+        level_of_room(i));
+    if (!pushed) return pushed.error();
+    frames += *touched + *pushed;
+  }
+  return frames;
+}
+
+/// Mean error of the depth in the last room.
+Result<double> depth_error_mm(const ExperimentBench& bench, LightChange light) {
+  PipelineSettings settings;
+  settings.light = light;
+  Evaluator errors(bench.finger().camera);
+  const auto frames = bench.measure(
+      "experiment_room_light",
+      {settings},
+      [&](std::size_t, const Truth& truth, const FrameResult& result) {
+        if (!result.depth) return errors.add_missing();
+        errors.add(truth,
+                   result.depth->depth_mm,
+                   contact_face_points_mm(result, bench.finger().finger.face),
+                   result.markers.value_or(Markers{}));
+      },
+      level_of_room(kRooms - 1));
+  if (!frames) return frames.error();
+  const auto mean = errors.evaluation().contact_depth_mm;
+  if (!mean) return untold("experiment_room_light");
+  return *mean;
+}
+
+std::vector<ExperimentPlot> light_plots(const ErrorsOfRooms& rooms) {
+  std::vector<Message> names;
+  std::vector<double> place_mm, force_N;
+  for (std::size_t i = 0; i < kRooms; ++i) {
+    names.push_back(en::say("{} lux", kRooms_lux[i]));
+    place_mm.push_back(place_of_room(rooms[i]));
+    force_N.push_back(force_of_room(rooms[i]));
+  }
+  return {
+      compared_bars(en::say("error of the place in rooms of different light; the paper tells no "
+                            "figure by room"),
+                    en::say("mean error of the place (mm)"),
+                    names,
+                    place_mm,
+                    {}),
+      compared_bars(en::say("error of the force in rooms of different light, by a model that "
+                            "learnt in the dark"),
+                    en::say("mean error of Fx and Fy (N)"),
+                    names,
+                    force_N,
+                    {})};
+}
+
+}  // namespace
+
+Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench) {
+  ErrorsOfRooms rooms;
+  ExperimentOutcome outcome;
+  for (int number = 1; number <= kDrawnFingers; ++number) {
+    const auto drawn = bench.drawn(number);
+    if (!drawn) return drawn.error();
+    const auto frames = measure_rooms((*drawn)->bench, rooms);
+    if (!frames) return frames.error();
+    outcome.frames += *frames;
+  }
+  for (std::size_t i = 0; i < kRooms; ++i) {
+    if (rooms[i].place_mm.count == 0 || rooms[i].force_N.count == 0)
+      return untold("experiment_room_light");
+    outcome.figures.push_back({en::say("place, mean error at {} lux", kRooms_lux[i]),
+                               "mm",
+                               place_of_room(rooms[i]),
+                               {},
+                               {}});
+    outcome.figures.push_back({en::say("force, mean error at {} lux", kRooms_lux[i]),
+                               "N",
+                               force_of_room(rooms[i]),
+                               {},
+                               {}});
+  }
+  const auto corrected = depth_error_mm(bench, LightChange::kCorrected);
+  if (!corrected) return corrected.error();
+  const auto ignored = depth_error_mm(bench, LightChange::kIgnored);
+  if (!ignored) return ignored.error();
+  outcome.figures.push_back({en::say("place, greatest change between rooms"),
+                             "%",
+                             change_percent(rooms, place_of_room),
+                             {},
+                             kAimChange_percent});
+  outcome.figures.push_back({en::say("force, greatest change between rooms"),
+                             "%",
+                             change_percent(rooms, force_of_room),
+                             {},
+                             kAimChange_percent});
+  outcome.figures.push_back(
+      {en::say("depth inside contacts, mean error at {} lux", kRooms_lux.back()),
+       "mm",
+       *corrected,
+       {},
+       {}});
+  outcome.figures.push_back(
+      {en::say("the same without correction of the light"), "mm", *ignored, {}, {}});
+  outcome.remarks = {en::say(
+      "How much of a room's light gets into a finger is a guess of the scene, 4 grey levels "
+      "of a white surface for every 1000 lux; the same frames are shown in every room")};
+  outcome.plots = light_plots(rooms);
+  return outcome;
+}
+
+}  // namespace alltact

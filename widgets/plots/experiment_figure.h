@@ -1,0 +1,28 @@
+// A plot of an experiment: ours, and beside it what the paper measured.
+#pragma once
+
+#include "calibration/experiments/experiment_plot.h"
+#include "widgets/plots/plot.h"
+
+#include <vector>
+
+namespace alltact {
+
+class ExperimentFigurePlot : public Plot {
+  Q_OBJECT
+ public:
+  explicit ExperimentFigurePlot(QWidget* parent = nullptr);
+  void set_plot(const ExperimentPlot& plot);
+
+ protected:
+  bool draw() override;
+  [[nodiscard]] QString empty_text() const override;
+
+ private:
+  void draw_bars(const ExperimentSeries& series, int which, int of);
+  void draw_points(const ExperimentSeries& series, int which);
+  void set_ranges();
+  ExperimentPlot plot_;
+};
+
+}  // namespace alltact
