@@ -60,7 +60,9 @@ QString press_state_text(const DeskPress& press, const PressDesk& desk, const Ca
   if (note.ball_mm) return PressModel::tr("ball put by hand");
   if (!press.is_looked_at) return PressModel::tr("being looked at");
   if (press.looked.found_mm) return PressModel::tr("ball found");
-  if (press.looked.problem) return refusal_word(*press.looked.problem);
+  if (press.looked.problem)
+    return press.looked.shape || press.looked.grey.empty() ? refusal_word(*press.looked.problem)
+                                                           : PressModel::tr("no face seen");
   return PressModel::tr("the ball's radius is missing");
 }
 

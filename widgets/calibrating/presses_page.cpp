@@ -125,6 +125,7 @@ QWidget* PressesPage::make_middle() {
   inside->setContentsMargins(0, 0, 0, 0);
   inside->addWidget(editor_, 1);
   place_->setMinimumWidth(1);
+  place_->setWordWrap(true);
   inside->addWidget(place_);
   pictures_->addWidget(live_);
   pictures_->addWidget(edited);

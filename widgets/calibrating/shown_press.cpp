@@ -66,7 +66,6 @@ std::optional<ShownBall> known_ball(const DeskPress& press,
 QString refusal_word(const Error& problem) {
   const std::string& words = problem.what.words();
   const auto begins = [&words](const char* with) { return words.rfind(with, 0) == 0; };
-  if (begins("no face was found")) return PressModel::tr("no face seen");
   if (begins("hardly any pixel")) return PressModel::tr("not comparable");
   if (begins("nothing on the face is")) return PressModel::tr("nothing pressed in");
   if (begins("only specks")) return PressModel::tr("only specks");

@@ -64,7 +64,9 @@ void Plot::showEvent(QShowEvent* event) {
 
 void Plot::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  if (!is_stale_) fit_words(size());
+  if (is_stale_) return;
+  fit_words(size());
+  chart_->replot(QCustomPlot::rpQueuedReplot);  // it was resized before this
 }
 
 void Plot::rebuild() {
@@ -141,7 +143,6 @@ void Plot::add_note(double x, double y, const QString& text, Qt::Alignment ancho
 void Plot::show_legend() {
   QCPLegend* legend = chart_->legend;
   legend->setVisible(true);
-  legend->setFillOrder(QCPLegend::foColumnsFirst);
   if (legend->layout() == chart_->plotLayout()) return;
   chart_->axisRect()->insetLayout()->take(legend);
   chart_->plotLayout()->insertRow(0);
@@ -163,6 +164,7 @@ void Plot::fit_words(const QSize& size) {
     if (auto* item = qobject_cast<QCPPlottableLegendItem*>(legend->item(i)))
       widest = std::max(widest, metrics.horizontalAdvance(item->plottable()->name()));
   legend->setWrap(std::clamp(size.width() / (widest + kLegendIcon), 1, legend->itemCount()));
+  legend->setFillOrder(QCPLegend::foColumnsFirst, true);
 }
 
 }  // namespace alltact
