@@ -81,6 +81,8 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
 }
 
 MainWindow::~MainWindow() {
+  // A field that is left tells of it: now, while those live who listen.
+  if (QWidget* focused = focusWidget()) focused->clearFocus();
   problems_->set_problems({});
 }
 

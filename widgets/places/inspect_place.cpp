@@ -72,7 +72,6 @@ QWidget* InspectPlace::make_header() {
   for (QPushButton* button : {live_, video_, folder_, pair_box_->open_button()})
     row->addWidget(button);
   shown_->setMinimumWidth(1);
-  row->addSpacing(8);
   row->addWidget(shown_, 1);
   row->addWidget(save_bar_);
   saved_->setMinimumWidth(1);
