@@ -70,6 +70,7 @@ TEST(Notices, OfRecordStandInTheOneBar) {
   ASSERT_TRUE(wait_until(
       [&] { return studio.problems().find("The contact face is touched") != std::string::npos; },
       60000));
+  QTest::qWait(50);  // rows are shown when the window is idle
   int lists = 0, rows = 0;
   for (const auto* list : studio.window().findChildren<ProblemList*>())
     lists += list->isVisible() ? 1 : 0;

@@ -123,6 +123,29 @@ TEST_F(SecondDay, EveryStepIsOpenAndNothingHasChanged) {
   EXPECT_TRUE(contents(rig_.finger()) == before) << "looking changes nothing";
 }
 
+TEST_F(SecondDay, PlotsTakeTheRoomOfTheMapping) {
+  rig_.open();
+  ASSERT_TRUE(is_recalled());
+  rig_.go_to_step("Mapping");
+  for (const QSize size : {QSize(1024, 700), QSize(1440, 900)}) {
+    rig_.studio().window().resize(size);
+    QTest::qWait(100);
+    EXPECT_EQ(rig_.studio().window().size(), size);
+    const auto* page = rig_.place().findChild<MappingPage*>();
+    double plotted = 0;
+    int count = 0;
+    for (const auto* plot : page->findChildren<Plot*>()) {
+      if (!plot->isVisible()) continue;
+      ++count;
+      plotted += plot->width() * plot->height();
+      EXPECT_GE(plot->width(), 400);
+      EXPECT_GE(plot->height(), 200);
+    }
+    EXPECT_EQ(count, 4);
+    EXPECT_GE(plotted, 0.6 * page->width() * page->height());
+  }
+}
+
 /// While the reference is read, which takes long where it is long.
 TEST_F(SecondDay, KnowsTheVerdictBeforeThePressesAreRead) {
   rig_.open();

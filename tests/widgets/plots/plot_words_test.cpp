@@ -44,7 +44,7 @@ class PlotWords : public testing::TestWithParam<QSize> {
 };
 INSTANTIATE_TEST_SUITE_P(Sizes,
                          PlotWords,
-                         testing::Values(QSize(330, 230), QSize(480, 240), QSize(900, 380)),
+                         testing::Values(QSize(440, 225), QSize(480, 240), QSize(900, 380)),
                          [](const auto& size) { return std::to_string(size.param.width()); });
 
 TEST_P(PlotWords, OfTheMapping) {
