@@ -17,7 +17,9 @@ constexpr QSize kCardPicture(128, 72);
 constexpr int kCardWidth = 400, kCardSymbol = 22;
 
 QString grade_word(const FingerCard& card) {
-  if (!card.grade) return FingerCards::tr("Not calibrated yet");
+  if (!card.grade && (card.due == FingerDue::kRecording || card.due == FingerDue::kCalibration))
+    return FingerCards::tr("Not calibrated yet");
+  if (!card.grade) return FingerCards::tr("Calibrated; how well is not kept");
   switch (*card.grade) {
     case Grade::kGood:
       return FingerCards::tr("Good");
