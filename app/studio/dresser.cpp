@@ -24,7 +24,10 @@ void Dresser::speak(const QString& language) {
                QStringLiteral("_"),
                QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
     QCoreApplication::installTranslator(&qt_);
-  if (ours_.load(locale, QStringLiteral("alltact"), QStringLiteral("_"), QStringLiteral(":/i18n")))
+  // What is counted has its forms in a translation, in English too: "1 frame", "2 frames".
+  if (ours_.load(
+          locale, QStringLiteral("alltact"), QStringLiteral("_"), QStringLiteral(":/i18n")) ||
+      ours_.load(QStringLiteral(":/i18n/alltact_en")))
     QCoreApplication::installTranslator(&ours_);
 }
 

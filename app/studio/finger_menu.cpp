@@ -2,11 +2,14 @@
 
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
+#include "widgets/shell/one_line.h"
 
 #include <QFileDialog>
 
 namespace alltact {
 namespace {
+
+constexpr int kPathRoom = 420;  // px
 
 Status make_described(const NewFinger& wanted) {
   const auto made = make_finger(wanted);
@@ -17,6 +20,8 @@ Status make_described(const NewFinger& wanted) {
 
 FingerMenu::FingerMenu(Workspace& work, QWidget* window)
     : TranslatedMenu(window), work_(work), recent_(new QMenu(this)) {
+  setToolTipsVisible(true);
+  recent_->setToolTipsVisible(true);
   connect(&work_, &Workspace::finger_changed, this, &FingerMenu::fill);
   say([this] {
     recent_->setTitle(tr("&Recent fingers"));
@@ -44,11 +49,12 @@ void FingerMenu::fill() {
   recent_->clear();
   const auto& folders = work_.state().recent_fingers;
   for (const std::filesystem::path& folder : folders)
-    for (QMenu* menu : {recent_, static_cast<QMenu*>(this)})
-      connect(menu->addAction(QString::fromStdString(folder.string())),
-              &QAction::triggered,
-              this,
-              [this, folder] { work_.open_finger(folder); });
+    for (QMenu* menu : {recent_, static_cast<QMenu*>(this)}) {
+      const QString path = QString::fromStdString(folder.string());
+      QAction* entry = menu->addAction(cut_path(path, fontMetrics(), kPathRoom));
+      entry->setToolTip(path);
+      connect(entry, &QAction::triggered, this, [this, folder] { work_.open_finger(folder); });
+    }
   recent_->setEnabled(!folders.empty());
   if (!folders.empty()) addSeparator();
   connect(addAction(tr("&Open finger…")), &QAction::triggered, this, &FingerMenu::choose);

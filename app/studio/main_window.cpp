@@ -8,6 +8,7 @@
 #include "app/studio/rail.h"
 #include "app/studio/source_menu.h"
 #include "app/studio/status_line.h"
+#include "app/studio/try_guide.h"
 #include "calibration/lens/measure_lens.h"
 #include "calibration/reference/new_reference.h"
 #include "calibration/reference/settings_record.h"
@@ -80,16 +81,17 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
 }
 
 MainWindow::~MainWindow() {
+  // A field that is left tells of it: now, while those live who listen.
+  if (QWidget* focused = focusWidget()) focused->clearFocus();
   problems_->set_problems({});
 }
 
 /// The table of places: whatever shows or lists them goes over it.
 void MainWindow::make_places(const StudioOptions& options) {
-  places_ = {
-      live_,
-      new CalibratePlace(session_, undo_, {measure, options.session_folder, program_version()}),
-      new RecordPlace(session_, install),
-      inspect_};
+  auto* calibrate =
+      new CalibratePlace(session_, undo_, {measure, options.session_folder, program_version()});
+  places_ = {live_, calibrate, new RecordPlace(session_, install), inspect_};
+  guide_ = new TryGuide(session_, work_, *calibrate, options.session_folder);
 }
 
 void MainWindow::put_together() {
@@ -99,6 +101,7 @@ void MainWindow::put_together() {
   column->setContentsMargins(10, 8, 10, 4);
   column->addWidget(new HeaderBar(session_, work_, *finger_menu_, *source_menu_));
   column->addWidget(problems_);
+  column->addWidget(guide_);
   column->addWidget(stack_, 1);
   auto* whole = new QWidget;
   auto* row = new QHBoxLayout(whole);
@@ -133,6 +136,23 @@ void MainWindow::connect_live() {
     open_source({name.toStdString()});
   });
   connect(start, &StartPanel::simulated_wanted, source_menu_, &SourceMenu::open_simulated);
+  connect(start, &StartPanel::finger_chosen, this, [this](const QString& folder) {
+    const auto& last = keeper_.last();
+    if (last && last->finger == folder.toStdString() && !last->source.empty())
+      go_on_with_last();  // its source is known too
+    else
+      open_finger(folder.toStdString());
+  });
+  connect(start, &StartPanel::try_wanted, this, [this] {
+    if (!work_.state().finger.empty()) work_.open_finger({});
+    source_menu_->open_simulated();
+    guide_->begin();
+  });
+  connect(guide_, &TryGuide::place_wanted, this, &MainWindow::go_to);
+  connect(guide_, &TryGuide::failed, problems_, &ProblemBar::tell);
+  const auto show_recent = [this, start] { start->set_recent(work_.state().recent_fingers); };
+  connect(&work_, &Workspace::finger_changed, start, show_recent);
+  show_recent();
   connect(start, &StartPanel::video_wanted, source_menu_, &SourceMenu::choose_video);
   connect(start, &StartPanel::folder_wanted, source_menu_, &SourceMenu::choose_folder);
 }

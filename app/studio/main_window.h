@@ -22,6 +22,7 @@ class Place;
 class ProblemBar;
 class Rail;
 class SourceMenu;
+class TryGuide;
 
 struct StudioOptions {
   std::filesystem::path finger;               ///< to open at once; empty for none
@@ -80,6 +81,7 @@ class MainWindow : public Translated<QMainWindow> {
   SourceMenu* source_menu_;
   Rail* rail_;
   ProblemBar* problems_;
+  TryGuide* guide_;
   QStackedWidget* stack_;
 };
 

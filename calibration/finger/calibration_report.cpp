@@ -1,6 +1,7 @@
 #include "calibration/finger/calibration_report.h"
 
 #include "calibration/presses/press_sayings.h"
+#include "core/io/message_json.h"
 
 #include <algorithm>
 
@@ -61,6 +62,29 @@ Json methods_json(const std::vector<MethodRow>& methods) {
   return rows;
 }
 
+Json said_json(const std::vector<Message>& messages) {
+  Json all = Json::array();
+  for (const Message& message : messages) all.push_back(message_json(message));
+  return all;
+}
+
+/// What recall_calibration() says again in any language.
+Json said_json(const Calibration& calibration) {
+  Json said;
+  said["degree_choice"] = message_json(calibration.degree_choice);
+  said["left_out"] = said_json(calibration.left_out);
+  said["remarks"] = said_json(calibration.remarks);
+  if (const auto& next = calibration.next_press)
+    said["next_press"] = {{"enough", next->enough},
+                          {"along_mm", next->along_mm},
+                          {"across_mm", next->across_mm},
+                          {"depth_mm", next->depth_mm},
+                          {"sd_now_mm", next->sd_now_mm},
+                          {"sd_then_mm", next->sd_then_mm},
+                          {"sentence", message_json(next->sentence)}};
+  return said;
+}
+
 /// Those that are not as usual.
 template <class S>
 void add_settings(const S& settings,
@@ -113,6 +137,7 @@ std::string calibration_report_json(const FingerCalibration& done) {
   report["left_out"] = english(calibration.left_out);
   report["fault_signs"] = english(done.fault_signs);
   report["remarks"] = english(calibration.remarks);
+  report["said"] = said_json(calibration);
   // A file name may be anything but UTF-8.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

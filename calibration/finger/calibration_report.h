@@ -12,7 +12,8 @@ inline constexpr const char* kReportPage = "calibration_report.html";
 inline constexpr const char* kReportPaper = "calibration_report.pdf";
 
 /// The whole content of the file: `format` alltact-calibration-report/1, lengths in mm. The same
-/// calibration gives the same bytes; the date stands in finger.yaml and the inputs only.
+/// calibration gives the same bytes; the date stands in finger.yaml and the inputs only. `said`
+/// holds sentences by their templates, for recall_calibration().
 [[nodiscard]] std::string calibration_report_json(const FingerCalibration& done);
 
 /// The command that makes this calibration again, for a shell in the folder above the finger's.

@@ -1,6 +1,7 @@
 #include "widgets/calibrating/calibration_run.h"
 
 #include "calibration/finger/calibration_report.h"
+#include "calibration/finger/recall_calibration.h"
 #include "core/io/atomic_file.h"
 #include "core/utc_time.h"
 #include "widgets/report/calibration_pages.h"
@@ -93,16 +94,22 @@ CalibrationRun::CalibrationRun(PressDesk& desk,
     has_report_ = !report_.problem();
     Q_EMIT changed();
   });
+  // What is asked for comes first: the list of presses and the live picture.
+  connect(&desk_, &PressDesk::changed, this, &CalibrationRun::recall_residuals_once);
+  connect(&recalling_, &BackgroundWork::finished, this, &CalibrationRun::recall_residuals_once);
 }
 
 void CalibrationRun::reload() {
   const fs::path folder = desk_.folder();
   if (folder != looked_at_) {
     report_.stop();
+    recalling_.stop();
     result_.reset();
     from_.reset();
     finger_.reset();
     problem_.reset();
+    recall_problem_.reset();
+    lacks_residuals_ = false;
     looked_at_ = folder;
   }
   if (folder.empty()) return void(Q_EMIT changed());
@@ -114,11 +121,42 @@ void CalibrationRun::reload() {
     const FingerPtr opened = finger ? *finger : nullptr;
     std::error_code failed;
     const bool has_report = fs::exists(folder / kReportPage, failed);
-    return std::function<void()>([this, folder, restored, inputs, opened, has_report] {
+    std::shared_ptr<const FingerCalibration> recalled;
+    if (auto kept = recall_calibration(folder))
+      recalled = std::make_shared<const FingerCalibration>(std::move(*kept));
+    return std::function<void()>([this, folder, restored, inputs, opened, has_report, recalled] {
       if (folder != desk_.folder() || restored != restored_) return reload();
       if (*inputs) from_ = **inputs;
       if (opened) finger_ = opened;
+      if (recalled) take_recalled(recalled);
       if (!is_writing_report()) has_report_ = has_report;
+      Q_EMIT changed();
+    });
+  });
+}
+
+void CalibrationRun::take_recalled(const std::shared_ptr<const FingerCalibration>& recalled) {
+  if (result_ && result_->inputs.to_yaml() == recalled->inputs.to_yaml()) return;
+  result_ = recalled;
+  lacks_residuals_ = true;
+  recall_residuals_once();
+}
+
+void CalibrationRun::recall_residuals_once() {
+  if (!lacks_residuals_ || recalling_.is_running() || !desk_.is_ready() || desk_.is_looking())
+    return;
+  lacks_residuals_ = false;
+  recall_problem_.reset();
+  recalling_.start([this, folder = desk_.folder(), bare = result_, disk = desk_.disk()](
+                       const Job& job) {
+    disk->wait();
+    auto whole = std::make_shared<Result<FingerCalibration>>(recall_residuals(folder, *bare, job));
+    return std::function<void()>([this, bare, whole] {
+      if (result_ != bare) return;  // made anew, or of another finger
+      if (*whole)
+        result_ = std::make_shared<const FingerCalibration>(std::move(**whole));
+      else
+        recall_problem_ = whole->error();
       Q_EMIT changed();
     });
   });
@@ -126,6 +164,7 @@ void CalibrationRun::reload() {
 
 CalibrationState CalibrationRun::state() const {
   if (!finger_ || !finger_->mapping || !from_) return CalibrationState::kNone;
+  if (!desk_.is_ready()) return CalibrationState::kCurrent;  // nobody could change anything yet
   const auto& presses = desk_.presses();
   const bool same_presses = std::equal(
       presses.begin(),
@@ -166,6 +205,9 @@ void CalibrationRun::take(const Made& made) {
   from_ = made.from;
   finger_ = made.finger;
   problem_.reset();
+  recall_problem_.reset();
+  // Undone to one whose presses were not read yet.
+  lacks_residuals_ = result_ && result_->residuals.empty() && result_->presses.empty();
 }
 
 void CalibrationRun::start() {

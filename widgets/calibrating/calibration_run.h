@@ -37,11 +37,16 @@ class CalibrationRun : public QObject {
   [[nodiscard]] std::vector<Round> rounds() const;
 
   [[nodiscard]] CalibrationState state() const;
-  /// With all its figures; null where it was not made since the finger was opened.
+  /// With its figures: as it was made, or as the finger keeps it; null where there is none, or
+  /// where an earlier version kept too little.
   [[nodiscard]] const std::shared_ptr<const FingerCalibration>& result() const { return result_; }
   /// As it stands in its folder; null where there is none.
   [[nodiscard]] const FingerPtr& finger() const { return finger_; }
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
+  /// The presses of a stored calibration are being read again for the plots.
+  [[nodiscard]] bool is_recalling() const { return recalling_.is_running(); }
+  /// Why they could not be.
+  [[nodiscard]] const std::optional<Error>& recall_problem() const { return recall_problem_; }
   /// Does the same in a terminal: as the stored calibration was made where it is current, else as
   /// the next one will be.
   [[nodiscard]] QString command_line() const;
@@ -66,6 +71,8 @@ class CalibrationRun : public QObject {
   };
   [[nodiscard]] FingerCalibrationInput input_for(const PressSet& said) const;
   void take(const Made& made);
+  void take_recalled(const std::shared_ptr<const FingerCalibration>& recalled);
+  void recall_residuals_once();
   void restore(const Files& files, const Made& made);
 
   PressDesk& desk_;
@@ -74,13 +81,14 @@ class CalibrationRun : public QObject {
   std::shared_ptr<const FingerCalibration> result_;
   std::optional<CalibrationInputs> from_;
   FingerPtr finger_;
-  std::optional<Error> problem_;
+  std::optional<Error> problem_, recall_problem_;
   std::filesystem::path looked_at_;
+  bool lacks_residuals_ = false;  // result_ was recalled, and its presses were not read yet
   bool has_report_ = false;
   ReportWriter report_;
   int restored_ = 0;                     // counts
   std::shared_ptr<HeardRounds> rounds_;  ///< the calibrating thread has a part in it
-  BackgroundWork work_, loading_;
+  BackgroundWork work_, loading_, recalling_;
 };
 
 }  // namespace alltact

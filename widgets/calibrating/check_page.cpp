@@ -2,6 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/utc_time.h"
+#include "widgets/calibrating/space_key.h"
 #include "widgets/language.h"
 #include "widgets/report/report_words.h"
 #include "widgets/shell/icons.h"
@@ -10,7 +11,6 @@
 
 #include <QApplication>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QVBoxLayout>
 
 namespace alltact {
@@ -109,6 +109,9 @@ CheckPage::CheckPage(LiveSession& session,
   row->addWidget(make_side());
   column->addLayout(row, 1);
   connect(take_, &QPushButton::clicked, this, &CheckPage::take);
+  new SpaceKey(*this, [this] {
+    if (take_->isEnabled()) take();
+  });
   connect(again_, &QPushButton::clicked, this, &CheckPage::begin_again);
   connect(check_, &QPushButton::clicked, this, &CheckPage::check);
   connect(&work_, &BackgroundWork::progressed, this, &CheckPage::show_status);
@@ -206,12 +209,6 @@ void CheckPage::begin_again() {
   last_.reset();
   show_verdict();
   show_status();
-}
-
-void CheckPage::keyPressEvent(QKeyEvent* event) {
-  const bool is_space = event->key() == Qt::Key_Space && !event->isAutoRepeat();
-  if (!is_space || !take_->isEnabled()) return StepPage::keyPressEvent(event);
-  take();
 }
 
 void CheckPage::check() {

@@ -29,12 +29,12 @@ class CheckPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Check"); }
   [[nodiscard]] StepState state() const override;
   void press_pedal() override;
+  [[nodiscard]] QWidget* main_control() const override { return take_; }
   [[nodiscard]] QString missing() const override { return {}; }
   void show_status();
   [[nodiscard]] const std::vector<CheckEntry>& history() const { return history_; }
 
  protected:
-  void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:

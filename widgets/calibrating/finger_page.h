@@ -20,6 +20,7 @@ class FingerPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Finger"); }
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
+  [[nodiscard]] QWidget* main_control() const override { return make_; }
   void show_status();
   /// Where a new finger's lens is to be read from; may be empty.
   void set_camera_file(const std::filesystem::path& file) { camera_file_ = file; }

@@ -40,6 +40,7 @@ class LensPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Lens"); }
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
+  [[nodiscard]] QWidget* main_control() const override { return choose_file_; }
   /// A camera file that can be used; empty where a finger is open, or none was chosen yet.
   [[nodiscard]] const std::filesystem::path& camera_file() const { return camera_file_; }
   void show_status();

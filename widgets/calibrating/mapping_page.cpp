@@ -21,8 +21,10 @@ MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
       bar_(new QProgressBar),
       progress_(wrapped_text()),
       text_(wrapped_text()),
+      running_(new QWidget),
       log_(new QListWidget),
       convergence_(new ConvergencePlot),
+      figures_(new QWidget),
       mapping_(new MappingPlot),
       errors_(new PressErrorPlot),
       residual_(new FaceMapPlot),
@@ -39,11 +41,12 @@ MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
   row->addWidget(progress_, 2);
   column->addLayout(row);
   column->addWidget(text_);
-  auto* running = new QHBoxLayout;
+  auto* running = new QHBoxLayout(running_);
+  running->setContentsMargins(0, 0, 0, 0);
   running->addWidget(log_, 1);
   running->addWidget(convergence_, 1);
-  column->addLayout(running, 1);
-  auto* figures = new QGridLayout;
+  auto* figures = new QGridLayout(figures_);
+  figures->setContentsMargins(0, 0, 0, 0);
   figures->addWidget(mapping_, 0, 0);
   figures->addWidget(errors_, 0, 1);
   figures->addWidget(residual_, 1, 0);
@@ -52,7 +55,9 @@ MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
     figures->setColumnStretch(i, 1);
     figures->setRowStretch(i, 1);
   }
-  column->addLayout(figures, 1);
+  // One of them has all the room.
+  column->addWidget(running_, 1);
+  column->addWidget(figures_, 1);
   connect(calibrate_, &QPushButton::clicked, &run_, &CalibrationRun::start);
   connect(stop_, &QPushButton::clicked, &run_, &CalibrationRun::stop);
   connect(&run_, &CalibrationRun::changed, this, &MappingPage::show_status);
@@ -104,11 +109,15 @@ void MappingPage::show_status() {
     progress = tr("The presses have changed since this calibration.");
   } else if (run_.state() == CalibrationState::kCurrent && !run_.result()) {
     progress = tr("This finger is calibrated. Calibrating again shows the figures.");
+  } else if (run_.is_recalling()) {
+    progress = tr("The presses are read again to show what each pixel says.");
   }
   progress_->setText(progress);
-  problems_->set_problems(run_.problem() && !is_running
-                              ? std::vector<Problem>{Problem::of(*run_.problem())}
-                              : std::vector<Problem>{});
+  std::vector<Problem> problems;
+  if (run_.problem() && !is_running) problems.push_back(Problem::of(*run_.problem()));
+  if (run_.recall_problem() && !is_running)
+    problems.push_back(Problem::of(*run_.recall_problem(), Meaning::kDoubtful));
+  problems_->set_problems(std::move(problems));
   show_log();
   show_figures();
   Q_EMIT changed();
@@ -118,8 +127,7 @@ void MappingPage::show_log() {
   const bool is_running = run_.is_running();
   if (is_running && !was_running_) log_->clear();
   was_running_ = is_running;
-  log_->setVisible(is_running);
-  convergence_->setVisible(is_running);
+  running_->setVisible(is_running);
   if (is_running) convergence_->set_rounds(run_.rounds());
   const QString what = in_window_language(run_.work().what());
   const int count = log_->count();
@@ -131,11 +139,7 @@ void MappingPage::show_log() {
 void MappingPage::show_figures() {
   const auto& done = run_.result();
   const bool is_shown = done != nullptr && !run_.is_running();
-  for (QWidget* figure : {static_cast<QWidget*>(mapping_),
-                          static_cast<QWidget*>(errors_),
-                          static_cast<QWidget*>(residual_),
-                          static_cast<QWidget*>(sd_)})
-    figure->setVisible(is_shown);
+  figures_->setVisible(is_shown);
   if (done == shown_ && done) return;
   shown_ = done;
   if (!done) {

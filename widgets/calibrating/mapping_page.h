@@ -23,6 +23,7 @@ class MappingPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Mapping"); }
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
+  [[nodiscard]] QWidget* main_control() const override { return calibrate_; }
   void show_status();
 
  private:
@@ -35,9 +36,11 @@ class MappingPage : public StepPage {
   QPushButton *calibrate_, *stop_;
   QProgressBar* bar_;
   QLabel *progress_, *text_;
+  QWidget* running_;  // while it is calibrated
   QListWidget* log_;  // what was done
   ConvergencePlot* convergence_;
   bool was_running_ = false;
+  QWidget* figures_;  // of what it came to
   MappingPlot* mapping_;
   PressErrorPlot* errors_;
   FaceMapPlot *residual_, *sd_;

@@ -48,15 +48,14 @@ double sought_mm(const PressSet& said, const std::string& press) {
   return said.of(press).step_mm ? 0.0 : said.radius_of(press);
 }
 
-/// Everything that is in the folder, as a background thread found it.
+/// What is in the folder, as a background thread found it: known at once.
 struct Found {
   std::vector<fs::path> files;
   PressSet said;
-  std::shared_ptr<PressLooker> looker;
   std::optional<Error> problem;
 };
 
-Found find_presses(const fs::path& folder, const Job& job) {
+Found find_presses(const fs::path& folder) {
   Found found;
   auto files = kept_presses(folder);
   if (files)
@@ -68,11 +67,6 @@ Found find_presses(const fs::path& folder, const Job& job) {
     found.said = (*finger)->presses;
     if ((*finger)->presses_problem) found.problem = (*finger)->presses_problem;
   }
-  auto looker = PressLooker::create(folder, job);
-  if (looker)
-    found.looker = std::move(*looker);
-  else
-    found.problem = looker.error();
   return found;
 }
 
@@ -136,21 +130,45 @@ void PressDesk::open(const fs::path& folder) {
 void PressDesk::load() {
   if (folder_.empty()) return;
   if (loading_.is_running()) {  // for another finger: it ends soon
-    connect(&loading_, &BackgroundWork::finished, this, &PressDesk::load, Qt::SingleShotConnection);
+    connect(&loading_,
+            &BackgroundWork::finished,
+            this,
+            &PressDesk::load,
+            static_cast<Qt::ConnectionType>(Qt::SingleShotConnection | Qt::UniqueConnection));
     return;
   }
-  loading_.start([this, folder = folder_, opened = opened_, disk = disk_](const Job& job) {
+  loading_.start([this, folder = folder_, opened = opened_, disk = disk_](const Job&) {
     disk->wait();
-    auto found = std::make_shared<Found>(find_presses(folder, job));
+    auto found = std::make_shared<Found>(find_presses(folder));
     return std::function<void()>([this, found, opened] {
       if (opened != opened_) return;
-      is_ready_ = true;
       problem_ = found->problem;
-      looker_ = found->looker;
       said_ = found->said;
       for (const fs::path& file : found->files)
         presses_.push_back({file.stem().string(), nullptr, {}, false});
       std::sort(presses_.begin(), presses_.end(), before);
+      connect(&loading_,
+              &BackgroundWork::finished,
+              this,
+              &PressDesk::load_looker,
+              Qt::SingleShotConnection);
+    });
+  });
+}
+
+/// Reads the reference, which takes seconds where it is long.
+void PressDesk::load_looker() {
+  if (folder_.empty() || loading_.is_running()) return;
+  loading_.start([this, folder = folder_, opened = opened_](const Job& job) {
+    auto made =
+        std::make_shared<Result<std::shared_ptr<PressLooker>>>(PressLooker::create(folder, job));
+    return std::function<void()>([this, made, opened] {
+      if (opened != opened_) return;
+      is_ready_ = true;
+      if (*made)
+        looker_ = **made;
+      else
+        problem_ = made->error();
       look_at_next();
     });
   });

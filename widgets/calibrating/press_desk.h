@@ -35,7 +35,8 @@ class PressDesk : public QObject {
   /// Another finger's folder, or the same one with another reference. Empty: none. Returns at once.
   void open(const std::filesystem::path& folder);
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  /// What lies in the folder is known.
+  /// What lies in the folder is known and can be looked at. Before that, presses() and said() may
+  /// tell already what lies there, and nothing can be changed.
   [[nodiscard]] bool is_ready() const { return is_ready_; }
   /// Why the finger's presses cannot be looked at, or not be kept.
   [[nodiscard]] std::optional<Error> problem() const;
@@ -89,6 +90,7 @@ class PressDesk : public QObject {
   class AddOrRemove;
   struct Waiting;
   void load();
+  void load_looker();
   void look_at_next();
   void change(const QString& text, PressSet said, int merge_id = -1);
   void change_radii(const QString& text, PressSet said, int merge_id);

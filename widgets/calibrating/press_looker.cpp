@@ -1,22 +1,6 @@
 #include "widgets/calibrating/press_looker.h"
 
 namespace alltact {
-namespace {
-
-constexpr int kThumbnailWidth = 112;
-
-QImage thumbnail_of(const cv::Mat& grey) {
-  const QImage image(grey.data,
-                     grey.cols,
-                     grey.rows,
-                     static_cast<qsizetype>(grey.step),
-                     QImage::Format_Grayscale8);
-  return image.scaledToWidth(kThumbnailWidth, Qt::SmoothTransformation)
-      .convertToFormat(QImage::Format_RGB32);
-}
-
-}  // namespace
-
 Result<std::shared_ptr<PressLooker>> PressLooker::create(const std::filesystem::path& folder,
                                                          const Job& job) {
   const auto finger = open_finger(folder);
@@ -36,7 +20,6 @@ LookedAt PressLooker::operator()(const FramePtr& frame, double radius_mm) {
     return looked;
   }
   looked.grey = result->grey;
-  looked.thumbnail = thumbnail_of(result->grey);
   if (result->shape) looked.shape = std::make_shared<const FaceShape>(*result->shape);
   if (!result->difference || !result->shape) {
     looked.problem = Error{

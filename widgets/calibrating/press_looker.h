@@ -5,7 +5,6 @@
 #include "core/job.h"
 #include "core/sensing/pipeline.h"
 
-#include <QImage>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,7 +16,6 @@ struct LookedAt {
   std::shared_ptr<const FaceShape> shape;   ///< null: no face was found
   std::optional<Eigen::Vector3d> found_mm;  ///< the ball's centre
   std::optional<Error> problem;             ///< why there is no ball
-  QImage thumbnail;
 };
 
 /// Used by one thread at a time.

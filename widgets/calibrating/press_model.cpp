@@ -15,8 +15,7 @@ QString punch_state_text(double step_mm, const DeskPress& press, const StepFit* 
   if (fit != nullptr && fit->step_mm == step_mm)
     return PressModel::tr("a step of %1 mm reads %2 mm")
         .arg(local_mm(fit->step_mm, 3), local_mm(fit->reads_mm, 3));
-  if (press.is_looked_at && press.looked.problem)
-    return in_window_language(press.looked.problem->what);
+  if (press.is_looked_at && press.looked.problem) return refusal_word(*press.looked.problem);
   return PressModel::tr("a punch with a step of %1 mm").arg(local_mm(step_mm, 3));
 }
 
@@ -61,7 +60,9 @@ QString press_state_text(const DeskPress& press, const PressDesk& desk, const Ca
   if (note.ball_mm) return PressModel::tr("ball put by hand");
   if (!press.is_looked_at) return PressModel::tr("being looked at");
   if (press.looked.found_mm) return PressModel::tr("ball found");
-  if (press.looked.problem) return in_window_language(press.looked.problem->what);
+  if (press.looked.problem)
+    return press.looked.shape || press.looked.grey.empty() ? refusal_word(*press.looked.problem)
+                                                           : PressModel::tr("no face seen");
   return PressModel::tr("the ball's radius is missing");
 }
 
@@ -116,9 +117,10 @@ QVariant PressModel::data(const QModelIndex& index, int role) const {
       return press->looked.problem
                  ? in_window_language(en::say("{}.", press->looked.problem->message()))
                  : QString();
-    case Qt::DecorationRole:
-      return press->looked.thumbnail.isNull() ? QVariant()
-                                              : QPixmap::fromImage(press->looked.thumbnail);
+    case Qt::DecorationRole: {
+      const QPixmap picture = thumbnails_.of(*press, known_ball(*press, desk_, run_));
+      return picture.isNull() ? QVariant() : picture;
+    }
     case Qt::FontRole: {
       QFont font;
       font.setStrikeOut(desk_.said().of(press->name).excluded.has_value());

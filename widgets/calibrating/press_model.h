@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/calibrating/calibration_run.h"
+#include "widgets/calibrating/shown_press.h"
 
 #include <QAbstractListModel>
 
@@ -37,6 +38,7 @@ class PressModel : public QAbstractListModel {
   const PressDesk& desk_;
   const CalibrationRun& run_;
   std::vector<std::string> names_;
+  mutable PressThumbnails thumbnails_;
 };
 
 }  // namespace alltact

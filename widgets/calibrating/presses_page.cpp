@@ -1,6 +1,7 @@
 #include "widgets/calibrating/presses_page.h"
 
 #include "core/live/source_runner.h"
+#include "widgets/calibrating/space_key.h"
 #include "widgets/panels/side_panel.h"
 #include "widgets/report/report_words.h"
 
@@ -9,7 +10,6 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QVBoxLayout>
 
 namespace alltact {
@@ -62,6 +62,9 @@ PressesPage::PressesPage(LiveSession& session,
   row->addWidget(make_middle(), 1);
   row->addWidget(make_side());
   column->addLayout(row, 1);
+  new SpaceKey(*this, [this] {
+    if (take_->isEnabled()) take();
+  });
   connect(&desk_, &PressDesk::changed, this, &PressesPage::show_status);
   connect(&desk_, &PressDesk::refused, this, [this](const Problem& problem) {
     problems_->set_problems({problem});
@@ -78,7 +81,7 @@ QWidget* PressesPage::make_list() {
   column->setContentsMargins(0, 0, 6, 0);
   list_->setModel(&model_);
   list_->setWordWrap(true);
-  list_->setIconSize({112, 63});
+  list_->setIconSize(PressThumbnails::size());
   list_->setSpacing(2);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(count_);
@@ -122,6 +125,7 @@ QWidget* PressesPage::make_middle() {
   inside->setContentsMargins(0, 0, 0, 0);
   inside->addWidget(editor_, 1);
   place_->setMinimumWidth(1);
+  place_->setWordWrap(true);
   inside->addWidget(place_);
   pictures_->addWidget(live_);
   pictures_->addWidget(edited);
@@ -217,6 +221,7 @@ StepState PressesPage::state() const {
 }
 
 QString PressesPage::missing() const {
+  if (run_.state() == CalibrationState::kCurrent) return {};  // they were enough
   if (!desk_.is_ready()) return tr("The presses are being read.");
   if (!(desk_.said().ball_radius_mm > 0)) return tr("The ball's radius is missing.");
   if (desk_.presses().empty()) return tr("Take a press first; six at different places are good.");
@@ -269,12 +274,6 @@ void PressesPage::press_pedal() {
   if (!take_->isEnabled()) return;
   take();
   QApplication::beep();
-}
-
-void PressesPage::keyPressEvent(QKeyEvent* event) {
-  const bool is_space = event->key() == Qt::Key_Space && !event->isAutoRepeat();
-  if (!is_space || !take_->isEnabled()) return StepPage::keyPressEvent(event);
-  take();
 }
 
 void PressesPage::watch_contact() {

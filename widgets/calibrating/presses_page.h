@@ -32,13 +32,13 @@ class PressesPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Presses"); }
   [[nodiscard]] StepState state() const override;
   void press_pedal() override;
+  [[nodiscard]] QWidget* main_control() const override { return take_; }
   [[nodiscard]] QString missing() const override;
   void show_status();
   /// Shows this press' picture; empty: the live one.
   void show_press(const std::string& name);
 
  protected:
-  void keyPressEvent(QKeyEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:

@@ -29,32 +29,23 @@ Overlay contact_overlay(const std::vector<Eigen::Vector2d>& rim) {
 }  // namespace
 
 std::optional<ShownBall> PressesPage::ball_of(const DeskPress& press) const {
+  if (auto known = known_ball(press, desk_, run_)) return known;
   const double radius = desk_.said().radius_of(press.name);
-  if (desk_.looker() == nullptr || !(radius > 0) || desk_.said().of(press.name).step_mm)
+  if (desk_.looker() == nullptr || !(radius > 0) || desk_.said().of(press.name).step_mm ||
+      press.looked.grey.empty())
     return std::nullopt;
-  const Camera& camera = desk_.looker()->camera();
-  const Face& face = desk_.looker()->finger().face;
-  const auto shown = [&](const Eigen::Vector3d& centre, bool is_by_hand) {
-    ShownBall ball{camera, radius, centre, is_by_hand, Eigen::Vector3d::UnitZ()};
-    const auto contact =
-        press.looked.shape ? ball_on_face(*press.looked.shape, face, centre, radius) : std::nullopt;
-    if (contact) ball.normal = contact->normal;
-    return ball;
-  };
-  if (const auto& placed = desk_.said().of(press.name).ball_mm) return shown(*placed, true);
-  const bool is_current = run_.state() == CalibrationState::kCurrent;
-  if (const BallFit* fitted = is_current ? fitted_ball(run_, press.name) : nullptr)
-    return shown(fitted->centre_mm, false);
-  if (press.looked.found_mm) return shown(*press.looked.found_mm, false);
-  if (press.looked.grey.empty()) return std::nullopt;
   // Nothing was found: something to drag onto the ball, where balls mostly are.
   const auto middle = press.looked.shape ? press.looked.shape->at(0.5 * press.looked.grey.cols,
                                                                   0.5 * press.looked.grey.rows)
                                          : std::nullopt;
   if (!middle) return std::nullopt;
-  return shown(untouched_point_mm(*middle, face.layer_mm, MappingAlong::kNormal) +
-                   0.8 * radius * middle->normal,
-               false);
+  const double layer_mm = desk_.looker()->finger().face.layer_mm;
+  return ShownBall{
+      desk_.looker()->camera(),
+      radius,
+      untouched_point_mm(*middle, layer_mm, MappingAlong::kNormal) + 0.8 * radius * middle->normal,
+      false,
+      middle->normal};
 }
 
 std::vector<Overlay> PressesPage::overlays_of(const DeskPress& press) const {
@@ -68,9 +59,11 @@ std::vector<Overlay> PressesPage::overlays_of(const DeskPress& press) const {
 
 QString PressesPage::advice_for(const DeskPress& press) const {
   QStringList lines{press_state_text(press, desk_, run_)};
-  if (press.is_looked_at && press.looked.problem && !desk_.has_ball(press) &&
-      !press.looked.problem->advice.empty())
-    lines << tr("Try: %1.").arg(in_window_language(press.looked.problem->advice));
+  if (press.is_looked_at && press.looked.problem && !desk_.has_ball(press)) {
+    const Error& problem = *press.looked.problem;
+    lines << window_sentence(problem.what);
+    if (!problem.advice.empty()) lines << tr("Try: %1.").arg(in_window_language(problem.advice));
+  }
   const auto ball = ball_of(press);
   if (press.is_looked_at && !press.looked.found_mm && !desk_.said().of(press.name).ball_mm && ball)
     lines << tr("Or drag the outline onto the ball.");
@@ -93,7 +86,8 @@ void PressesPage::show_shown() {
   press_button_->setEnabled(!desk_.presses().empty());
   pictures_->setCurrentIndex(press == nullptr ? 0 : 1);
   press_group_->setVisible(press != nullptr);
-  out_->setEnabled(press != nullptr);
+  out_->setEnabled(press != nullptr && desk_.is_ready());
+  form_->setEnabled(desk_.is_ready());
   remove_->setEnabled(press != nullptr && press->frame);
   out_->setText(press != nullptr && desk_.said().of(press->name).excluded ? tr("&Put back")
                                                                           : tr("Take &out"));

@@ -18,6 +18,8 @@ class StepPage : public Translated<QWidget> {
   [[nodiscard]] virtual QString missing() const = 0;
   /// What a foot pedal does here, as the space bar.
   virtual void press_pedal() {}
+  /// What is most likely used next; has the focus when the step is gone to.
+  [[nodiscard]] virtual QWidget* main_control() const = 0;
 
  Q_SIGNALS:
   /// The state, or what is missing, may have changed.

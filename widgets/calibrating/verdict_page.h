@@ -19,6 +19,7 @@ class VerdictPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Verdict"); }
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
+  [[nodiscard]] QWidget* main_control() const override { return report_; }
   void show_status();
 
  protected:

@@ -87,7 +87,7 @@ void InspectPane::show_message(const QString& message) {
 
 void InspectPane::show_all() {
   if (!isVisible()) return;
-  const bool has_face = frame_ && frame_->surface;
+  const bool has_face = frame_ && (frame_->surface || frame_->bare);
   if (options_.shown_as == ShownAs::k3d && has_face) make_face_pane();
   if (options_.shown_as == ShownAs::k3d && has_face && face_ != nullptr)
     show_3d();
@@ -99,7 +99,9 @@ void InspectPane::show_3d() {
   FaceScene& scene = face_->change();
   const bool has_other = frame_->other_surface.has_value();
   scene.set_gap(in_gripper_ ? in_gripper_->gap : std::nullopt);
-  if (in_gripper_)
+  if (frame_->bare)
+    scene.show(*frame_->bare, *frame_->camera);
+  else if (in_gripper_)
     scene.show_in_gripper(
         {*frame_->surface, *frame_->camera, in_gripper_->places[0]},
         {*in_gripper_->second->surface, *in_gripper_->second->camera, in_gripper_->places[1]});
@@ -112,7 +114,7 @@ void InspectPane::show_3d() {
   SceneMarks marks;
   for (const auto& point : {options_.a, options_.b})
     if (point) marks.points.push_back(*point);
-  if (options_.a && options_.b)
+  if (options_.a && options_.b && frame_->surface)
     marks.lines.push_back(
         profile_between(frame_->result, frame_->face, {}, *options_.a, *options_.b).pixels);
   scene.set_marks(std::move(marks));
@@ -135,6 +137,7 @@ void InspectPane::show_map() {
     overlays.push_back(
         colour_bar_overlay(scale, is_difference ? tr("Difference, mm") : tr("Depth, mm")));
   }
+  if (!result.depth && result.edges) overlays.push_back(edges_overlay(*result.edges));
   map_->show_picture(result.grey, std::move(overlays));
 }
 

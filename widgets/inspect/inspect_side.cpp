@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 namespace alltact {
@@ -45,8 +46,8 @@ InspectSide::InspectSide(QWidget* parent)
       times_(spin(1, 20, 1, 0)),
       untouched_(new QCheckBox),
       camera_(new QCheckBox),
-      points_{{{&InspectOptions::a, new QLabel, spin(0, 16384, 1, 0), spin(0, 16384, 1, 0)},
-               {&InspectOptions::b, new QLabel, spin(0, 16384, 1, 0), spin(0, 16384, 1, 0)}}},
+      points_{{{&InspectOptions::a, new QLabel, spin(-1, 16384, 1, 0), spin(-1, 16384, 1, 0)},
+               {&InspectOptions::b, new QLabel, spin(-1, 16384, 1, 0), spin(-1, 16384, 1, 0)}}},
       deepest_(new QPushButton),
       across_(new QPushButton),
       along_(new QPushButton),
@@ -172,7 +173,8 @@ void InspectSide::connect_points() {
   for (const Point& point : points_) {
     for (QDoubleSpinBox* box : {point.u, point.v})
       connect(box, &QDoubleSpinBox::valueChanged, this, [this, point, id] {
-        change_point(point.member, {point.u->value(), point.v->value()}, id);
+        change_point(
+            point.member, {std::max(0.0, point.u->value()), std::max(0.0, point.v->value())}, id);
       });
     ++id;
   }
@@ -280,6 +282,8 @@ void InspectSide::name_points() {
     points_[i].label->setText(names[i]);
     points_[i].u->setPrefix(tr("u "));
     points_[i].v->setPrefix(tr("v "));
+    points_[i].u->setSpecialValueText(tr("u ") + QChar(0x2013));
+    points_[i].v->setSpecialValueText(tr("v ") + QChar(0x2013));
     points_[i].u->setSuffix(tr(" px"));
     points_[i].v->setSuffix(tr(" px"));
     points_[i].u->setAccessibleName(spoken[i][0]);
@@ -313,10 +317,9 @@ void InspectSide::set_options(const InspectOptions& options) {
   untouched_->setChecked(options.scene.untouched);
   camera_->setChecked(options.scene.camera);
   for (const Point& point : points_) {
-    if (const auto& at = options.*point.member) {
-      point.u->setValue(at->x);
-      point.v->setValue(at->y);
-    }
+    const auto& at = options.*point.member;
+    point.u->setValue(at ? at->x : -1);  // -1: not chosen
+    point.v->setValue(at ? at->y : -1);
   }
   const bool is_3d = shown_as_->currentIndex() == 0;
   for (QWidget* widget : std::initializer_list<QWidget*>{standpoint_, times_, untouched_, camera_})

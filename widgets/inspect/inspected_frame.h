@@ -12,6 +12,8 @@ namespace alltact {
 
 struct InspectedFrame : MeasuredFrame {
   std::optional<FaceSurface> surface;
+  /// Of a finger without calibration: the shape of its whole face, all of its depth NaN.
+  std::optional<FaceSurface> bare;
   std::optional<FaceSurface> other_surface;  ///< of `other`
   cv::Mat other_depth_mm;                    ///< on the first surface's grid
 };

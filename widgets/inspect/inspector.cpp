@@ -39,8 +39,12 @@ std::shared_ptr<const InspectedFrame> Inspector::with_surfaces(MeasuredFrame mea
   InspectedFrame& frame = *shown;
   static_cast<MeasuredFrame&>(frame) = std::move(measured);
   const FrameResult& result = frame.result;
-  if (!result.depth || !result.shape) return shown;
+  if (!result.shape || (!result.depth && frame.is_calibrated)) return shown;
   if (grid_.area() == 0) grid_ = grid_for(result, kVertices);
+  if (!result.depth) {
+    frame.bare = bare_surface(result, frame.face, grid_.width, grid_.height);
+    return shown;
+  }
   frame.surface = face_surface(result, frame.face, grid_.width, grid_.height);
   if (!frame.other || !frame.other->depth || !frame.surface) return shown;
   frame.other_surface = face_surface(*frame.other, frame.face, grid_.width, grid_.height);

@@ -16,6 +16,7 @@ SaveBar::SaveBar(QWidget* parent)
   row->setContentsMargins(0, 0, 0, 0);
   for (const char* ending : kSavedAs) kind_->addItem(QString(), QLatin1String(ending));
   progress_->setMaximumWidth(160);
+  kind_->setMinimumWidth(52);  // where the window is small
   for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_, kind_, save_})
     row->addWidget(widget);
   connect(save_, &QPushButton::clicked, this, [this] {

@@ -53,7 +53,7 @@ bool SectionPlot::draw() {
     for (auto* hidden : {upper, lower}) hidden->removeFromLegend();
     line->setName(tr("ours"));
     second->setName(tr("paper"));
-    show_legend(Qt::AlignTop | Qt::AlignRight);
+    show_legend();
   }
   chart().xAxis->setRange(0, profile_.along_mm.back());
   chart().yAxis->setRange(0, top);

@@ -97,6 +97,8 @@ void CalibratePlace::go_to(std::size_t step) {
   step_ = std::min(step, last_open());
   stack_->setCurrentWidget(pages_[step_]);
   show_steps();
+  QWidget* control = pages_[step_]->main_control();
+  (control->isEnabled() && control->isVisible() ? control : pages_[step_])->setFocus();
 }
 
 void CalibratePlace::show_steps() {

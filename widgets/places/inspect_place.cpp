@@ -3,6 +3,7 @@
 #include "widgets/inspect/reading_text.h"
 #include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
+#include "widgets/shell/one_line.h"
 #include "widgets/touch/contact_words.h"
 #include "widgets/value_change.h"
 
@@ -29,9 +30,9 @@ InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* pare
       video_(new QPushButton),
       folder_(new QPushButton),
       save_bar_(new SaveBar),
-      shown_(new QLabel),
+      shown_(new OneLine(Qt::ElideMiddle)),
       summary_(new QLabel),
-      saved_(new QLabel),
+      saved_(new OneLine(Qt::ElideMiddle)),
       first_(new InspectPane(PaneContent::kFirst)),
       second_(new InspectPane(PaneContent::kSecond)),
       time_line_(new TimeLine),
@@ -75,7 +76,6 @@ QWidget* InspectPlace::make_header() {
   for (QPushButton* button : {live_, video_, folder_, pair_box_->open_button()})
     row->addWidget(button);
   shown_->setMinimumWidth(1);
-  row->addSpacing(8);
   row->addWidget(shown_, 1);
   row->addWidget(save_bar_);
   saved_->setMinimumWidth(1);
@@ -272,7 +272,9 @@ QString InspectPlace::title_of(bool is_second) const {
     const Comparison comparison = options_.shown_comparison();
     return comparison == Comparison::kSideBySide   ? tr("Ours")
            : comparison == Comparison::kDifference ? tr("Ours less the paper's method")
-                                                   : QString();
+           : inspection_.frame() && inspection_.frame()->bare
+               ? tr("Not calibrated yet: the whole face's shape, without depth")
+               : QString();
   }
   if (is_one_picture())
     return tr("1: %1, 2: %2, in the gripper's frame X, Y, Z")
@@ -288,7 +290,7 @@ void InspectPlace::show_panes() {
   second_->set_title(title_of(true));
   if (is_pair)
     first_->show_pair(pair_);
-  else if (has_face)
+  else if (has_face || (frame && frame->bare))
     first_->show_frame(frame);
   else
     first_->show_message(why_nothing());

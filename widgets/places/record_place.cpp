@@ -39,7 +39,6 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
       session_(session),
       installer_(std::move(installer)),
       panel_(new PicturePanel(session)),
-      problems_(new ProblemList),
       coverage_group_(new QGroupBox),
       recording_group_(new QGroupBox),
       result_group_(new QGroupBox),
@@ -63,10 +62,7 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
       rejected_(new QListWidget) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* left = new QVBoxLayout;
-  left->addWidget(problems_);
-  left->addWidget(panel_, 1);
-  layout->addLayout(left, 1);
+  layout->addWidget(panel_, 1);
   layout->addWidget(make_side());
   panel_->set_options(only_finger());
   connect(rest_, &QPushButton::clicked, this, &RecordPlace::set_rest);
@@ -171,10 +167,13 @@ void RecordPlace::look_at_frame() {
     coverage_.add(*result.markers, *result.shape);
   else
     coverage_.add_nothing();
+  const bool bends_quickly = bending_.is_quick(result);
   touch_ = result.touch;
+  // Between two poses of the reference, and smeared, an untouched face looks touched.
+  is_touched_ = touch_ == FaceTouch::kTouched && !bends_quickly;
   unknown_frames_ = touch_ == FaceTouch::kUnknown ? unknown_frames_ + 1 : 0;
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
-  if (is_recording && touch_ == FaceTouch::kTouched) ++touched_frames_;
+  if (is_recording && is_touched_) ++touched_frames_;
   show_coverage();
 }
 
@@ -201,6 +200,7 @@ void RecordPlace::start_or_stop() {
 
 void RecordPlace::begin_recording() {
   report_.reset();
+  problem_picture_ = {};  // it told of the recording before
   installed_.clear();
   begin_coverage();
   session_.start_recording(path_of(file_->text()));
@@ -280,7 +280,10 @@ void RecordPlace::show_status() {
   }
   shown_source_ = status.source.inputs;
   if (status.finger.folder != shown_finger_ || file_->text().isEmpty()) {
-    if (status.finger.folder != shown_finger_ && !was_recording_) report_.reset();
+    if (status.finger.folder != shown_finger_ && !was_recording_) {
+      report_.reset();
+      problem_picture_ = {};
+    }
     shown_finger_ = status.finger.folder;
     if (state != RecordingState::kRunning) propose_file();
   }
@@ -298,7 +301,6 @@ void RecordPlace::show_status() {
   show_button(status);
   show_progress(status.recording);
   show_recorded(status);
-  show_problems(status);
 }
 
 void RecordPlace::changeEvent(QEvent* event) {

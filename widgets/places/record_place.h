@@ -7,6 +7,7 @@
 #include "widgets/panels/picture_panel.h"
 #include "widgets/places/place.h"
 #include "widgets/recording/coverage_view.h"
+#include "widgets/recording/quick_bending.h"
 
 #include <QGroupBox>
 #include <QImage>
@@ -67,8 +68,8 @@ class RecordPlace : public Place {
   void show_recorded(const LiveStatus& status);
   void show_installing();
   void show_coverage();
-  void show_problems(const LiveStatus& status);
   void show_problem_picture();
+  void add_recording_problems(const LiveStatus& status, std::vector<Problem>& problems);
   void add_touch_notes(const LiveStatus& status, std::vector<Problem>& problems) const;
   [[nodiscard]] QString why_not(const LiveStatus& status) const;
   [[nodiscard]] QString why_not_install(const LiveStatus& status) const;
@@ -77,7 +78,6 @@ class RecordPlace : public Place {
   LiveSession& session_;
   ReferenceInstaller installer_;
   PicturePanel* panel_;
-  ProblemList* problems_;
   QGroupBox *coverage_group_, *recording_group_, *result_group_;
   CoverageView* coverage_view_;
   QLabel* missing_;
@@ -99,6 +99,8 @@ class RecordPlace : public Place {
   bool was_recording_ = false;
   std::uint64_t touched_frames_ = 0;
   FaceTouch touch_ = FaceTouch::kUnknown;
+  bool is_touched_ = false;  // and does not only look so because it bends quickly
+  QuickBending bending_;
   int unknown_frames_ = 0;  // in a row
   BackgroundWork install_work_, space_work_;
   std::optional<double> free_gb_;

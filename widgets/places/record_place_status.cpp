@@ -143,7 +143,9 @@ void RecordPlace::show_installing() {
 }
 
 void RecordPlace::add_problems(std::vector<Problem>& problems) {
-  const FingerStatus& finger = session_.status().finger;
+  const LiveStatus& status = session_.status();
+  const FingerStatus& finger = status.finger;
+  if (isVisible()) add_recording_problems(status, problems);
   if (finger.state != FingerState::kReady || finger.folder.empty()) return;
   if (finger.finger->face.kind == FaceKind::kFinRay && !finger.has_reference)
     problems.push_back({Meaning::kDoubtful,
@@ -153,8 +155,7 @@ void RecordPlace::add_problems(std::vector<Problem>& problems) {
                         {}});
 }
 
-void RecordPlace::show_problems(const LiveStatus& status) {
-  std::vector<Problem> problems;
+void RecordPlace::add_recording_problems(const LiveStatus& status, std::vector<Problem>& problems) {
   if (status.recording.problem) problems.push_back(Problem::of(*status.recording.problem));
   if (report_ && !report_->ok()) problems.push_back(Problem::of(report_->error()));
   const auto note = [&](Meaning meaning, const QString& what, const QString& advice) {
@@ -181,12 +182,11 @@ void RecordPlace::show_problems(const LiveStatus& status) {
                         {},
                         tr("Show the picture"),
                         [this] { show_problem_picture(); }});
-  problems_->set_problems(std::move(problems));
 }
 
 void RecordPlace::add_touch_notes(const LiveStatus& status, std::vector<Problem>& problems) const {
   if (!session_.view()) return;
-  if (touch_ == FaceTouch::kTouched)
+  if (is_touched_)
     problems.push_back({Meaning::kBad,
                         tr("The contact face is touched."),
                         tr("Keep it free: bend the finger at its tip, its sides or its back."),

@@ -91,7 +91,7 @@ bool ConvergencePlot::draw() {
   whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
   chart().xAxis->setTicker(whole);
   chart().xAxis->setLabel(tr("Round"));
-  show_legend(Qt::AlignTop | Qt::AlignRight);
+  show_legend();
   return true;
 }
 

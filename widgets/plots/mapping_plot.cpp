@@ -81,7 +81,7 @@ bool MappingPlot::draw() {
     if (!data_.is_small)
       add_note(data_.x_max, 0, tr("end of the calibrated range"), Qt::AlignRight | Qt::AlignBottom);
   }
-  if (!data_.is_small) show_legend(Qt::AlignTop | Qt::AlignLeft);
+  if (!data_.is_small) show_legend();
   return true;
 }
 

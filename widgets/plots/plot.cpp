@@ -4,8 +4,31 @@
 
 #include <QEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace alltact {
+namespace {
+
+/// What beside an axis takes of the plot's width and height, px: ticks and titles of the others.
+constexpr int kBesideAcross = 90, kBesideUp = 60;
+constexpr int kLegendIcon = 48;  // with the space around it
+
+/// Broken at spaces so that no line is longer than `room` px, as far as words allow.
+QString broken(const QString& text, const QFontMetrics& metrics, int room) {
+  QString lines, line;
+  for (const QString& word : text.split(QLatin1Char(' '))) {
+    const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+    if (!line.isEmpty() && metrics.horizontalAdvance(longer) > room) {
+      lines += line + QLatin1Char('\n');
+      line = word;
+    } else {
+      line = longer;
+    }
+  }
+  return lines + line;
+}
+
+}  // namespace
 
 Plot::Plot(QWidget* parent) : QWidget(parent), chart_(new QCustomPlot(this)) {
   auto* layout = new QVBoxLayout(this);
@@ -19,13 +42,13 @@ Plot::~Plot() = default;
 
 QImage Plot::picture(const QSize& size, double scale) {
   ensurePolished();
-  draw_now();
+  draw_now(size);
   return chart_->toPixmap(size.width(), size.height(), scale).toImage();
 }
 
 bool Plot::save_pdf(const QString& file, const QSize& size) {
   ensurePolished();
-  draw_now();
+  draw_now(size);
   return chart_->savePdf(file, size.width(), size.height(), QCP::epAllowCosmetic);
 }
 
@@ -36,15 +59,22 @@ void Plot::changeEvent(QEvent* event) {
 
 void Plot::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (is_stale_) draw_now();
+  if (is_stale_) draw_now(this->size());
+}
+
+void Plot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (is_stale_) return;
+  fit_words(size());
+  chart_->replot(QCustomPlot::rpQueuedReplot);  // it was resized before this
 }
 
 void Plot::rebuild() {
   is_stale_ = true;
-  if (isVisible()) draw_now();
+  if (isVisible()) draw_now(size());
 }
 
-void Plot::draw_now() {
+void Plot::draw_now(const QSize& size) {
   is_stale_ = false;
   chart_->clearPlottables();
   chart_->clearItems();
@@ -59,6 +89,10 @@ void Plot::draw_now() {
     text->setFont(font());
     text->setColor(palette().color(QPalette::Text));
   }
+  titles_.clear();
+  for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis, chart_->xAxis2, chart_->yAxis2})
+    if (axis->visible() && !axis->label().isEmpty()) titles_.emplace_back(axis, axis->label());
+  fit_words(size);
   chart_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -106,9 +140,31 @@ void Plot::add_note(double x, double y, const QString& text, Qt::Alignment ancho
   note->setClipToAxisRect(false);
 }
 
-void Plot::show_legend(Qt::Alignment corner) {
-  chart_->legend->setVisible(true);
-  chart_->axisRect()->insetLayout()->setInsetAlignment(0, corner);
+void Plot::show_legend() {
+  QCPLegend* legend = chart_->legend;
+  legend->setVisible(true);
+  if (legend->layout() == chart_->plotLayout()) return;
+  chart_->axisRect()->insetLayout()->take(legend);
+  chart_->plotLayout()->insertRow(0);
+  chart_->plotLayout()->addElement(0, 0, legend);
+  chart_->plotLayout()->setRowStretchFactor(0, 1e-3);
+}
+
+void Plot::fit_words(const QSize& size) {
+  const QFontMetrics metrics(font());
+  for (const auto& [axis, title] : titles_) {
+    const bool is_across = axis->orientation() == Qt::Horizontal;
+    axis->setLabel(broken(
+        title, metrics, is_across ? size.width() - kBesideAcross : size.height() - kBesideUp));
+  }
+  QCPLegend* legend = chart_->legend;
+  if (!legend->visible() || legend->itemCount() == 0) return;
+  int widest = 0;
+  for (int i = 0; i < legend->itemCount(); ++i)
+    if (auto* item = qobject_cast<QCPPlottableLegendItem*>(legend->item(i)))
+      widest = std::max(widest, metrics.horizontalAdvance(item->plottable()->name()));
+  legend->setWrap(std::clamp(size.width() / (widest + kLegendIcon), 1, legend->itemCount()));
+  legend->setFillOrder(QCPLegend::foColumnsFirst, true);
 }
 
 }  // namespace alltact

@@ -3,6 +3,8 @@
 
 #include <QImage>
 #include <QWidget>
+#include <utility>
+#include <vector>
 
 class QCPAxis;
 class QCustomPlot;
@@ -25,6 +27,7 @@ class Plot : public QWidget {
  protected:
   void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
   /// Draws what was given into chart(), which is empty and dressed; false when there is nothing to
   /// draw. Called again whenever data or palette change.
@@ -37,14 +40,17 @@ class Plot : public QWidget {
   [[nodiscard]] QCustomPlot& chart() const { return *chart_; }
   /// Small words inside the plot, on the base colour.
   void add_note(double x, double y, const QString& text, Qt::Alignment anchor);
-  /// Legend in a corner of the plot; call last.
-  void show_legend(Qt::Alignment corner);
+  /// Legend above the plot, beside no data; call last.
+  void show_legend();
 
  private:
-  void draw_now();
+  void draw_now(const QSize& size);
   void dress();
   void dress_axis(QCPAxis* axis) const;
+  /// Breaks the titles of axes and the legend into as many lines as the size asks for.
+  void fit_words(const QSize& size);
   QCustomPlot* chart_;
+  std::vector<std::pair<QCPAxis*, QString>> titles_;  ///< of axes, each in one line
   bool is_stale_ = true;
 };
 

@@ -79,8 +79,7 @@ bool PressErrorPlot::draw() {
   chart().yAxis->setTicker(names);
   chart().yAxis->setTickLength(0);
   chart().yAxis->grid()->setVisible(false);
-  // Room for the legend above the bars, which would otherwise lie on the longest.
-  chart().yAxis->setRange(-0.6, shown - 0.4 + (any_held_out ? 2.1 : 1.2));
+  chart().yAxis->setRange(-0.6, shown - 0.4);
   chart().xAxis->setRange(0, 1.05 * std::max(worst_of(errors_.front()), 1e-6));
   const int cut = static_cast<int>(errors_.size()) - shown;
   chart().xAxis->setLabel(cut > 0 ? tr("Mean depth error inside the contact (mm); %n better "
@@ -88,7 +87,7 @@ bool PressErrorPlot::draw() {
                                        "",
                                        cut)
                                   : tr("Mean depth error inside the contact (mm)"));
-  show_legend(Qt::AlignTop | Qt::AlignRight);
+  show_legend();
   return true;
 }
 

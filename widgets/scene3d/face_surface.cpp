@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace alltact {
 namespace {
@@ -31,6 +32,37 @@ int usable_column(const FaceShape& shape, int u) {
         return near;
 }
 
+/// `depth`: empty where none is known.
+std::optional<FaceSurface> surface_of(
+    const FaceShape& shape, const cv::Mat& depth, const Face& face, int columns, int rows) {
+  CV_Assert(columns >= 2 && rows >= 2);
+  const Columns range = columns_of(shape);
+  if (range.last <= range.first) return std::nullopt;
+  FaceSurface surface;
+  surface.untouched_mm.create(rows, columns, CV_32FC3);
+  surface.depth_mm.create(rows, columns, CV_32FC1);
+  surface.pixel.create(rows, columns, CV_32FC2);
+  for (int i = 0; i < columns; ++i) {
+    const double even =
+        range.first + static_cast<double>(i) * (range.last - range.first) / (columns - 1);
+    const int u = usable_column(shape, static_cast<int>(std::lround(even)));
+    const auto inside = shape.rows(u, 0);
+    for (int j = 0; j < rows; ++j) {
+      const double v =
+          inside.first + static_cast<double>(j) * (inside.last - inside.first) / (rows - 1);
+      const auto local = shape.at(u, v);
+      if (!local) return std::nullopt;
+      const Eigen::Vector3f at =
+          untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ).cast<float>();
+      surface.untouched_mm.at<cv::Vec3f>(j, i) = {at.x(), at.y(), at.z()};
+      surface.depth_mm.at<float>(j, i) =
+          depth.empty() ? std::numeric_limits<float>::quiet_NaN() : value_between(depth, u, v);
+      surface.pixel.at<cv::Vec2f>(j, i) = {static_cast<float>(u), static_cast<float>(v)};
+    }
+  }
+  return surface;
+}
+
 }  // namespace
 
 cv::Size grid_for(const FrameResult& result, int vertices) {
@@ -49,34 +81,16 @@ std::optional<FaceSurface> face_surface(const FrameResult& result,
                                         const Face& face,
                                         int columns,
                                         int rows) {
-  CV_Assert(columns >= 2 && rows >= 2);
   if (!result.shape || !result.depth) return std::nullopt;
-  const FaceShape& shape = *result.shape;
-  const Columns range = columns_of(shape);
-  if (range.last <= range.first) return std::nullopt;
-  FaceSurface surface;
-  surface.untouched_mm.create(rows, columns, CV_32FC3);
-  surface.depth_mm.create(rows, columns, CV_32FC1);
-  surface.pixel.create(rows, columns, CV_32FC2);
-  const cv::Mat& depth = result.depth->depth_mm;
-  for (int i = 0; i < columns; ++i) {
-    const double even =
-        range.first + static_cast<double>(i) * (range.last - range.first) / (columns - 1);
-    const int u = usable_column(shape, static_cast<int>(std::lround(even)));
-    const auto inside = shape.rows(u, 0);
-    for (int j = 0; j < rows; ++j) {
-      const double v =
-          inside.first + static_cast<double>(j) * (inside.last - inside.first) / (rows - 1);
-      const auto local = shape.at(u, v);
-      if (!local) return std::nullopt;
-      const Eigen::Vector3f at =
-          untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ).cast<float>();
-      surface.untouched_mm.at<cv::Vec3f>(j, i) = {at.x(), at.y(), at.z()};
-      surface.depth_mm.at<float>(j, i) = value_between(depth, u, v);
-      surface.pixel.at<cv::Vec2f>(j, i) = {static_cast<float>(u), static_cast<float>(v)};
-    }
-  }
-  return surface;
+  return surface_of(*result.shape, result.depth->depth_mm, face, columns, rows);
+}
+
+std::optional<FaceSurface> bare_surface(const FrameResult& result,
+                                        const Face& face,
+                                        int columns,
+                                        int rows) {
+  if (!result.shape) return std::nullopt;
+  return surface_of(*result.shape, {}, face, columns, rows);
 }
 
 }  // namespace alltact

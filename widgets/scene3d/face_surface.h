@@ -27,6 +27,12 @@ struct FaceSurface {
                                                       int columns,
                                                       int rows);
 
+/// The same of a finger without calibration: depth is NaN everywhere.
+[[nodiscard]] std::optional<FaceSurface> bare_surface(const FrameResult& result,
+                                                      const Face& face,
+                                                      int columns,
+                                                      int rows);
+
 /// Columns and rows for about `vertices` vertices that are as square as the face's picture allows.
 [[nodiscard]] cv::Size grid_for(const FrameResult& result, int vertices);
 

@@ -1,17 +1,34 @@
 #include "widgets/shell/problem_list.h"
 
+#include "core/live/source_runner.h"
 #include "widgets/accessible.h"
 #include "widgets/language.h"
 #include "widgets/shell/icons.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <algorithm>
 
 namespace alltact {
 namespace {
 
-constexpr int kProblemSymbol = 20;
+constexpr int kProblemSymbol = 18;
+constexpr int kBetweenAges_ms = 20000;
+
+qint64 now_ms() {
+  return monotonic_ns() / 1000000;
+}
+
+QString without_numbers(QString text) {
+  static const QRegularExpression numbers(QStringLiteral("[0-9][0-9.,]*"));
+  return text.remove(numbers);
+}
+
+/// Not another one because it has gone on: counts and figures in it grow.
+bool is_same_problem(const Problem& a, const Problem& b) {
+  return a.meaning == b.meaning && without_numbers(a.what) == without_numbers(b.what);
+}
 
 QString symbol_of(Meaning meaning) {
   switch (meaning) {
@@ -48,6 +65,8 @@ ProblemList::ProblemList(QWidget* parent) : Translated(parent), rows_(new QVBoxL
   rows_->setSpacing(4);
   set_accessible_role(*this, QAccessible::List);
   hide();
+  connect(&clock_, &QTimer::timeout, this, &ProblemList::tell_ages);
+  clock_.setInterval(kBetweenAges_ms);
   say([this] {
     setAccessibleName(tr("Problems"));
     word_anew();
@@ -55,20 +74,53 @@ ProblemList::ProblemList(QWidget* parent) : Translated(parent), rows_(new QVBoxL
 }
 
 void ProblemList::set_problems(std::vector<Problem> problems) {
-  const bool is_same = std::equal(
-      problems.begin(), problems.end(), problems_.begin(), problems_.end(), [](auto& a, auto& b) {
-        return a.says_the_same(b);
-      });
-  problems_ = std::move(problems);
+  std::vector<Noted> now, before;
+  const qint64 time_ms = now_ms();
+  bool is_same = problems.size() == noted_.size();
+  for (Problem& problem : problems) {
+    const auto old = std::find_if(noted_.begin(), noted_.end(), [&](const Noted& noted) {
+      return is_same_problem(noted.problem, problem);
+    });
+    is_same = is_same && old != noted_.end() && old->problem.says_the_same(problem);
+    if (old == noted_.end())
+      now.push_back({std::move(problem), time_ms, false});
+    else
+      before.push_back({std::move(problem), old->since_ms, old->is_dismissed});
+  }
+  now.insert(
+      now.end(), std::make_move_iterator(before.begin()), std::make_move_iterator(before.end()));
+  std::stable_sort(now.begin(), now.end(), [](const Noted& a, const Noted& b) {
+    return a.since_ms > b.since_ms;
+  });
+  noted_ = std::move(now);
   if (!is_same) rebuild();
 }
 
+std::vector<const ProblemList::Noted*> ProblemList::shown() const {
+  std::vector<const Noted*> shown;
+  for (const Noted& noted : noted_)
+    if (!noted.is_dismissed) shown.push_back(&noted);
+  return shown;
+}
+
+std::vector<Problem> ProblemList::problems() const {
+  std::vector<Problem> problems;
+  for (const Noted* noted : shown()) problems.push_back(noted->problem);
+  return problems;
+}
+
+void ProblemList::dismiss(const QString& what) {
+  for (Noted& noted : noted_)
+    if (noted.problem.what == what) noted.is_dismissed = true;
+  rebuild();
+}
+
 void ProblemList::word_anew() {
-  for (Problem& problem : problems_)
-    if (problem.told) {
-      Problem anew = Problem::of(*problem.told, problem.meaning);
-      problem.what = std::move(anew.what);
-      problem.advice = std::move(anew.advice);
+  for (Noted& noted : noted_)
+    if (noted.problem.told) {
+      Problem anew = Problem::of(*noted.problem.told, noted.problem.meaning);
+      noted.problem.what = std::move(anew.what);
+      noted.problem.advice = std::move(anew.advice);
     }
   rebuild();
 }
@@ -79,14 +131,24 @@ void ProblemList::rebuild() {
     item->widget()->deleteLater();
     delete item;
   }
-  for (const Problem& problem : problems_) rows_->addWidget(make_row(problem));
-  setVisible(!problems_.empty());
-  if (problems_.empty()) return;
+  ages_.clear();
+  line_ = nullptr;
+  fold_ = nullptr;
+  const auto all = shown();
+  if (all.size() < 2) is_unfolded_ = is_unfolded_ && !all.empty();
+  for (std::size_t i = 0; i < all.size() && (i == 0 || is_unfolded_); ++i)
+    rows_->addWidget(make_row(*all[i], i == 0));
+  setVisible(!all.empty());
+  all.empty() ? clock_.stop() : clock_.start();
+  if (all.empty()) return;
+  tell_ages();
+  show_fold();
   QAccessibleEvent event(rows_->itemAt(0)->widget(), QAccessible::Alert);
   QAccessible::updateAccessibility(&event);
 }
 
-QWidget* ProblemList::make_row(const Problem& problem) {
+QWidget* ProblemList::make_row(const Noted& noted, bool is_first) {
+  const Problem& problem = noted.problem;
   auto* row = new QFrame;
   row->setObjectName(QStringLiteral("problem"));
   row->setFocusPolicy(Qt::TabFocus);
@@ -103,25 +165,84 @@ QWidget* ProblemList::make_row(const Problem& problem) {
                               palette().color(QPalette::Base).name(),
                               palette().color(QPalette::Highlight).name()));
   auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(10, 6, 10, 6);
+  layout->setContentsMargins(10, 3, 6, 3);
   auto* picture = new QLabel;
   picture->setPixmap(
       symbol(symbol_of(problem.meaning), colour, kProblemSymbol, devicePixelRatioF()));
   picture->setAccessibleName(word);
   layout->addWidget(picture, 0, Qt::AlignVCenter);
-  auto* text = new QLabel(
-      QStringLiteral("<b>%1:</b> %2 %3")
-          .arg(word.toHtmlEscaped(), problem.what.toHtmlEscaped(), problem.advice.toHtmlEscaped()));
-  text->setTextFormat(Qt::RichText);
-  text->setWordWrap(true);
-  text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  layout->addWidget(text, 1);
-  if (!problem.action.isEmpty()) {
-    auto* button = new QPushButton(problem.action);
-    connect(button, &QPushButton::clicked, this, problem.on_action);
-    layout->addWidget(button, 0, Qt::AlignVCenter);
+  const QString head = word + QLatin1Char(':');
+  const QString sentences = problem.what + QLatin1Char(' ') + problem.advice;
+  if (is_unfolded_) {
+    auto* text = new QLabel(
+        QStringLiteral("<b>%1</b> %2").arg(head.toHtmlEscaped(), sentences.toHtmlEscaped()));
+    text->setTextFormat(Qt::RichText);
+    text->setWordWrap(true);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layout->addWidget(text, 1);
+  } else {
+    line_ = new OneLine;
+    line_->set_text(head + QLatin1Char(' ') + sentences, static_cast<int>(head.size()));
+    layout->addWidget(line_, 1);
   }
+  add_buttons(noted, is_first, *layout);
   return row;
+}
+
+void ProblemList::add_buttons(const Noted& noted, bool is_first, QHBoxLayout& layout) {
+  auto* age = new QLabel;
+  age->setForegroundRole(QPalette::PlaceholderText);
+  ages_.emplace_back(age, noted.since_ms);
+  layout.addWidget(age, 0, Qt::AlignVCenter);
+  if (!noted.problem.action.isEmpty()) {
+    auto* button = new QPushButton(noted.problem.action);
+    connect(button, &QPushButton::clicked, this, noted.problem.on_action);
+    layout.addWidget(button, 0, Qt::AlignVCenter);
+  }
+  if (is_first) {
+    fold_ = new QToolButton;
+    fold_->setAutoRaise(true);
+    fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    fold_->setArrowType(is_unfolded_ ? Qt::UpArrow : Qt::DownArrow);
+    connect(fold_, &QToolButton::clicked, this, [this] {
+      is_unfolded_ = !is_unfolded_;
+      rebuild();
+    });
+    layout.addWidget(fold_, 0, Qt::AlignVCenter);
+  }
+  auto* away = new QToolButton;
+  away->setAutoRaise(true);
+  away->setText(QString(QChar(0x00d7)));
+  away->setToolTip(tr("Dismiss until it happens again"));
+  away->setAccessibleName(tr("Dismiss: %1").arg(noted.problem.what));
+  connect(away, &QToolButton::clicked, this, [this, what = noted.problem.what] { dismiss(what); });
+  layout.addWidget(away, 0, Qt::AlignVCenter);
+}
+
+QString ProblemList::age_text(qint64 since_ms) const {
+  const auto minutes = static_cast<int>((now_ms() - since_ms) / 60000);
+  if (minutes < 1) return tr("now");
+  if (minutes < 60) return tr("%n min ago", nullptr, minutes);
+  return tr("%n h ago", nullptr, minutes / 60);
+}
+
+void ProblemList::tell_ages() {
+  for (const auto& [label, since_ms] : ages_) label->setText(age_text(since_ms));
+}
+
+void ProblemList::show_fold() {
+  if (fold_ == nullptr) return;
+  const int others = static_cast<int>(shown().size()) - 1;
+  fold_->setText(is_unfolded_ || others == 0 ? QString() : tr("%n more", nullptr, others));
+  const QString name = is_unfolded_ ? tr("Show the newest alone") : tr("Show all in full");
+  fold_->setToolTip(name);
+  fold_->setAccessibleName(name);
+  fold_->setVisible(is_unfolded_ || others > 0 || (line_ != nullptr && line_->is_cut()));
+}
+
+void ProblemList::resizeEvent(QResizeEvent* event) {
+  Translated::resizeEvent(event);
+  show_fold();
 }
 
 void ProblemList::changeEvent(QEvent* event) {

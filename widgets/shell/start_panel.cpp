@@ -8,6 +8,8 @@ StartPanel::StartPanel(QWidget* parent)
     : Translated(parent),
       title_(new QLabel),
       intro_(new QLabel),
+      cards_(new FingerCards),
+      try_(new QPushButton),
       last_(new QPushButton),
       simulated_(new QPushButton),
       video_(new QPushButton),
@@ -35,13 +37,22 @@ StartPanel::StartPanel(QWidget* parent)
   column->addWidget(title_);
   column->addWidget(intro_);
   column->addWidget(last_);
+  column->addWidget(cards_);
   auto* sources = new QVBoxLayout(sources_);
   sources->addLayout(cameras_);
   for (QPushButton* button : {simulated_, video_, folder_}) sources->addWidget(button);
   auto* fingers = new QVBoxLayout(fingers_);
   for (QPushButton* button : {finger_, new_finger_}) fingers->addWidget(button);
-  column->addWidget(sources_);
-  column->addWidget(fingers_);
+  auto* ways = new QHBoxLayout;
+  ways->addWidget(sources_, 1);
+  ways->addWidget(fingers_, 1);
+  column->addLayout(ways);
+  try_->setMinimumHeight(36);
+  fingers->addWidget(try_);
+  fingers->addStretch();
+  sources->addStretch();
+  connect(cards_, &FingerCards::finger_chosen, this, &StartPanel::finger_chosen);
+  connect(try_, &QPushButton::clicked, this, &StartPanel::try_wanted);
   connect(last_, &QPushButton::clicked, this, &StartPanel::last_wanted);
   connect(simulated_, &QPushButton::clicked, this, &StartPanel::simulated_wanted);
   connect(video_, &QPushButton::clicked, this, &StartPanel::video_wanted);
@@ -51,6 +62,10 @@ StartPanel::StartPanel(QWidget* parent)
   say([this] {
     title_->setText(tr("What shall be shown?"));
     intro_->setText(tr("Choose where pictures come from. A finger can be opened before or after."));
+    try_->setText(tr("&Try with a simulated finger"));
+    try_->setToolTip(
+        tr("A whole day in five minutes: record, press, calibrate and check a finger that is "
+           "computed"));
     simulated_->setText(tr("&Simulated finger"));
     video_->setText(tr("&Video file…"));
     folder_->setText(tr("Folder of &pictures…"));

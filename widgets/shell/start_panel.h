@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/sources/v4l2/camera_list.h"
+#include "widgets/shell/finger_cards.h"
 #include "widgets/translated.h"
 
 #include <QGroupBox>
@@ -19,11 +20,19 @@ class StartPanel : public Translated<QWidget> {
   void set_cameras(const std::vector<FoundCamera>& cameras);
   /// What was worked on last; empty for nothing.
   void set_last(const QString& what);
+  /// Latest first.
+  void set_recent(const std::vector<std::filesystem::path>& fingers) {
+    cards_->set_fingers(fingers);
+  }
 
  Q_SIGNALS:
   void last_wanted();
   void camera_wanted(const QString& name);
   void simulated_wanted();
+  /// Whoever has no finger at hand tries everything with one that is made up.
+  void try_wanted();
+  /// One of the recent ones.
+  void finger_chosen(const QString& folder);
   void video_wanted();
   void folder_wanted();
   void finger_wanted();
@@ -35,7 +44,8 @@ class StartPanel : public Translated<QWidget> {
   std::vector<FoundCamera> found_;
   QString last_text_;
   QLabel *title_, *intro_;
-  QPushButton *last_, *simulated_, *video_, *folder_, *finger_, *new_finger_;
+  FingerCards* cards_;
+  QPushButton *try_, *last_, *simulated_, *video_, *folder_, *finger_, *new_finger_;
   QGroupBox *sources_, *fingers_;
   QVBoxLayout* cameras_;
 };

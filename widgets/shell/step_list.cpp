@@ -5,12 +5,14 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
+#include <algorithm>
 
 namespace alltact {
 namespace {
 
 constexpr int kStepSymbol = 16;
-constexpr int kHeight = 34;
+constexpr int kHeight = 34, kHighHeight = 46;
+constexpr int kBesideText = kStepSymbol + 22;  // px of a button
 
 QString state_word(StepState state) {
   switch (state) {
@@ -22,6 +24,13 @@ QString state_word(StepState state) {
       break;
   }
   return StepList::tr("to do");
+}
+
+/// What it is, and below how it stands.
+QString broken(QString text) {
+  const qsizetype colon = text.lastIndexOf(QLatin1String(": "));
+  if (colon >= 0) text[colon + 1] = QLatin1Char('\n');
+  return text;
 }
 
 }  // namespace
@@ -40,7 +49,6 @@ void StepList::make_buttons(std::size_t count) {
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setIconSize({kStepSymbol, kStepSymbol});
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    button->setMinimumHeight(kHeight);
     button->setFocusPolicy(Qt::StrongFocus);
     group->addButton(button);
     layout()->addWidget(button);
@@ -69,7 +77,6 @@ void StepList::dress() {
     button->setEnabled(step.is_open);
     button->setToolTip(step.is_open ? QString() : step.why_not);
     const QString text = tr("%1 %2: %3").arg(i + 1).arg(step.title, state_word(step.state));
-    button->setText(text);
     button->setAccessibleName(text);
     const bool is_done = step.state == StepState::kDone;
     button->setIcon(
@@ -80,6 +87,31 @@ void StepList::dress() {
                            kStepSymbol,
                            devicePixelRatioF())));
   }
+  fit();
+}
+
+void StepList::fit() {
+  int widest = 0, widest_part = 0;
+  for (const QToolButton* button : buttons_) {
+    const QString text = button->accessibleName();
+    widest = std::max(widest, fontMetrics().horizontalAdvance(text));
+    for (const QString& part : broken(text).split(QLatin1Char('\n')))
+      widest_part = std::max(widest_part, fontMetrics().horizontalAdvance(part));
+  }
+  const int count = static_cast<int>(buttons_.size());
+  const int gaps = layout()->spacing() * (count - 1);
+  const bool is_one_line = count * (widest + kBesideText) + gaps <= width();
+  for (QToolButton* button : buttons_) {
+    const QString text = button->accessibleName();
+    button->setText(is_one_line ? text : broken(text));
+    button->setFixedHeight(is_one_line ? kHeight : kHighHeight);
+    button->setMinimumWidth(widest_part + kBesideText);
+  }
+}
+
+void StepList::resizeEvent(QResizeEvent* event) {
+  Translated::resizeEvent(event);
+  fit();
 }
 
 void StepList::changeEvent(QEvent* event) {

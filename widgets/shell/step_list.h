@@ -36,10 +36,13 @@ class StepList : public Translated<QWidget> {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void make_buttons(std::size_t count);
   void dress();
+  /// In one line where all have the room, else in two.
+  void fit();
   std::vector<Step> steps_;
   std::vector<QToolButton*> buttons_;
 };

@@ -1,0 +1,152 @@
+#include "app/studio/try_guide.h"
+
+#include "core/finger/new_finger.h"
+#include "core/io/atomic_file.h"
+
+#include <QHBoxLayout>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSteps = 5, kGoodPresses = 6;
+
+/// A folder beside those of earlier tries.
+fs::path free_folder(const fs::path& work_folder) {
+  std::error_code failed;
+  for (int i = 1;; ++i) {
+    const fs::path folder = work_folder / fmt::format("tried-finger-{}", i);
+    if (!fs::exists(folder, failed)) return folder;
+  }
+}
+
+/// As one would measure the simulated finger with a caliper.
+Result<fs::path> make_tried_finger(const Finger& simulated, const fs::path& work_folder) {
+  if (const Status made = make_folder(work_folder); !made) return made.error();
+  NewFinger wanted;
+  wanted.finger = free_folder(work_folder);
+  wanted.camera = work_folder / "simulated_camera.yaml";
+  if (const Status saved = save_camera(wanted.camera, simulated.camera); !saved)
+    return saved.error();
+  wanted.kind = simulated.face.kind;
+  wanted.width_mm = simulated.face.width_mm;
+  wanted.layer_mm = simulated.face.layer_mm;
+  wanted.plane_z_mm = simulated.face.plane_z_mm;
+  wanted.per_row = simulated.markers.per_row;
+  const auto made = make_finger(wanted);
+  if (!made) return made.error();
+  return wanted.finger;
+}
+
+}  // namespace
+
+TryGuide::TryGuide(LiveSession& session,
+                   Workspace& work,
+                   CalibratePlace& calibrate,
+                   fs::path work_folder)
+    : session_(session),
+      work_(work),
+      calibrate_(calibrate),
+      work_folder_(std::move(work_folder)),
+      text_(new OneLine),
+      lead_(new QPushButton),
+      end_(new QPushButton) {
+  setFrameShape(QFrame::StyledPanel);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(10, 3, 6, 3);
+  row->addWidget(text_, 1);
+  row->addWidget(lead_);
+  row->addWidget(end_);
+  hide();
+  connect(lead_, &QPushButton::clicked, this, &TryGuide::lead);
+  connect(end_, &QPushButton::clicked, this, [this] {
+    is_on_ = false;
+    hide();
+  });
+  connect(&session_, &LiveSession::status_ready, this, &TryGuide::follow);
+  say([this] {
+    setAccessibleName(tr("A day with a simulated finger"));
+    end_->setText(tr("End the &guide"));
+    follow();
+  });
+}
+
+void TryGuide::begin() {
+  is_on_ = true;
+  has_finger_ = false;
+  follow();
+}
+
+TryGuide::Step TryGuide::step() const {
+  const FingerStatus& finger = session_.status().finger;
+  if (!has_finger_ || finger.folder.empty()) return Step::kFinger;
+  if (!finger.has_reference) return Step::kRecord;
+  if (calibrate_.run().state() != CalibrationState::kNone)
+    return calibrate_.is_checked() ? Step::kDone : Step::kCheck;
+  return calibrate_.desk().usable_count() < kGoodPresses ? Step::kPresses : Step::kCalibrate;
+}
+
+void TryGuide::make_finger_once() {
+  const FingerStatus& finger = session_.status().finger;
+  const bool is_simulated =
+      finger.state == FingerState::kReady && finger.folder.empty() && finger.finger;
+  if (has_finger_ || making_.is_running() || !is_simulated) return;
+  making_.start([this, simulated = *finger.finger, folder = work_folder_](const Job&) {
+    const auto made = make_tried_finger(simulated, folder);
+    return std::function<void()>([this, made] {
+      has_finger_ = true;
+      if (!made) {
+        is_on_ = false;
+        hide();
+        return void(Q_EMIT failed(made.error()));
+      }
+      work_.open_finger(*made);
+    });
+  });
+}
+
+void TryGuide::follow() {
+  if (!is_on_) return;
+  make_finger_once();
+  const Step now = step();
+  const QString head =
+      now == Step::kDone ? tr("Done:") : tr("%1 of %2:").arg(static_cast<int>(now)).arg(kSteps);
+  text_->set_text(head + QLatin1Char(' ') + what_next(), static_cast<int>(head.size()));
+  lead_->setText(now == Step::kRecord ? tr("Go to &Record")
+                 : now == Step::kDone ? tr("Go to &Inspect")
+                                      : tr("Go to &Calibrate"));
+  lead_->setVisible(now != Step::kFinger);
+  show();
+}
+
+QString TryGuide::what_next() const {
+  switch (step()) {
+    case Step::kFinger:
+      return tr("The simulated finger gets a folder of its own.");
+    case Step::kRecord:
+      return tr("Record it for half a minute while it bends, then install the recording.");
+    case Step::kPresses:
+      return tr(
+          "Tell the ball's radius, 4 mm, and press Space whenever the ball is in: six times.");
+    case Step::kCalibrate:
+      return tr("Calibrate with these presses and read the verdict.");
+    case Step::kCheck:
+      return tr("Check it with three presses, as every week.");
+    case Step::kDone:
+      break;
+  }
+  return tr("That was a finger's whole day. Look at its contacts in 3D.");
+}
+
+void TryGuide::lead() {
+  const Step now = step();
+  if (now == Step::kRecord) return void(Q_EMIT place_wanted("record"));
+  if (now == Step::kDone) return void(Q_EMIT place_wanted("inspect"));
+  Q_EMIT place_wanted("calibrate");
+  calibrate_.go_to_next_to_do();
+}
+
+}  // namespace alltact

@@ -1,0 +1,126 @@
+// What the page that one begins with says of a finger, from its folder.
+#include "calibration/checks/check_history.h"
+#include "core/finger/finger_store.h"
+#include "core/io/picture.h"
+#include "tests/support/program.h"
+#include "widgets/shell/finger_cards.h"
+
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+class AFingersCard : public testing::Test {
+ protected:
+  AFingersCard() {
+    finger_.name = "left-07";
+    finger_.camera.width_px = 640;
+    finger_.camera.height_px = 480;
+    finger_.camera.fx_px = finger_.camera.fy_px = 500;
+    finger_.camera.cx_px = 319.5;
+    finger_.camera.cy_px = 239.5;
+    finger_.face.kind = FaceKind::kFlat;
+    finger_.face.width_mm = 20;
+    finger_.face.layer_mm = 1.5;
+    finger_.face.plane_z_mm = 30;
+    save();
+  }
+  void save() { ASSERT_TRUE(finger_.save(folder_.path())); }
+  void calibrate() {
+    finger_.mapping.emplace();
+    finger_.mapping->kind = MappingKind::kMoebius;
+    finger_.mapping->a_mm = 3.4;
+    finger_.mapping->b = 1.0;
+    finger_.mapping->x_max = 0.5;
+    finger_.mapping_record.emplace();
+    finger_.mapping_record->method = "joint";
+    finger_.mapping_record->presses = {"a", "b", "c", "d"};
+    finger_.mapping_record->residual_mm = 0.01;
+    finger_.mapping_record->held_out_mm = 0.01;
+    finger_.provenance["calibration_date"] = "2026-03-01T12:00:00Z";
+    save();
+  }
+  void check(CheckVerdict verdict, const std::string& of = "2026-03-01T12:00:00Z") {
+    CheckEntry entry;
+    entry.time = "2026-03-05T12:00:00Z";
+    entry.verdict = verdict;
+    entry.error_mm = 0.01;
+    entry.drifting_above_mm = 0.05;
+    entry.recalibrate_above_mm = 0.1;
+    entry.presses = 3;
+    entry.ball_radius_mm = 4;
+    entry.calibration_date = of;
+    entry.program_version = "0.1.0";
+    ASSERT_TRUE(append_check(folder_.path(), entry));
+  }
+  [[nodiscard]] FingerCard card(const char* now = "2026-03-06T12:00:00Z") const {
+    const auto card = read_finger_card(folder_.path(), now);
+    EXPECT_TRUE(card.has_value());
+    return card.value_or(FingerCard());
+  }
+  test::TemporaryFolder folder_;
+  Finger finger_;
+};
+
+TEST_F(AFingersCard, SaysWhatIsDueFromTheFirstDayOn) {
+  EXPECT_EQ(card().name, "left-07");
+  EXPECT_EQ(card().due, FingerDue::kCalibration);
+  EXPECT_FALSE(card().grade.has_value());
+  calibrate();
+  EXPECT_EQ(card().due, FingerDue::kFirstCheck);
+  EXPECT_EQ(card().grade, Grade::kGood);
+  EXPECT_EQ(card().calibrated_on, "2026-03-01T12:00:00Z");
+  check(CheckVerdict::kPass);
+  EXPECT_EQ(card().due, FingerDue::kNothing);
+  EXPECT_EQ(card().checked_on, "2026-03-05T12:00:00Z");
+  EXPECT_EQ(card("2026-03-12T11:00:00Z").due, FingerDue::kNothing);
+  EXPECT_EQ(card("2026-03-12T13:00:00Z").due, FingerDue::kCheck) << "a week and an hour later";
+  check(CheckVerdict::kDrifting);
+  EXPECT_EQ(card().due, FingerDue::kLook);
+  check(CheckVerdict::kRecalibrate);
+  EXPECT_EQ(card().due, FingerDue::kAgain);
+}
+
+TEST_F(AFingersCard, ACheckOfAnotherCalibrationDoesNotCount) {
+  calibrate();
+  check(CheckVerdict::kPass, "2026-02-01T12:00:00Z");
+  EXPECT_EQ(card().due, FingerDue::kFirstCheck);
+  EXPECT_TRUE(card().checked_on.empty());
+}
+
+TEST_F(AFingersCard, ShowsAPress) {
+  EXPECT_TRUE(card().picture.isNull());
+  std::filesystem::create_directories(folder_ / "presses");
+  ASSERT_TRUE(
+      write_picture(folder_ / "presses" / "a.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(77))));
+  ASSERT_FALSE(card().picture.isNull());
+  EXPECT_EQ(qGray(card().picture.pixel(5, 5)), 77);
+}
+
+TEST_F(AFingersCard, StandsAmongOthersAndOpensItsFinger) {
+  calibrate();
+  FingerCards cards;
+  QString chosen;
+  QObject::connect(
+      &cards, &FingerCards::finger_chosen, [&](const QString& folder) { chosen = folder; });
+  cards.set_fingers({"/nowhere/at/all", folder_.path()});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return cards.cards().size() == 1; }));
+  cards.show();
+  auto* button = cards.findChild<QToolButton*>();
+  ASSERT_NE(button, nullptr);
+  EXPECT_TRUE(button->text().contains("left-07"));
+  EXPECT_TRUE(button->text().contains("Good"));
+  EXPECT_TRUE(button->text().contains("Due: a check"));
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(chosen.toStdString(), folder_.path().string());
+  // It is not there any more.
+  std::filesystem::remove(folder_ / "finger.yaml");
+  cards.set_fingers({folder_.path()});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return cards.cards().empty(); }));
+  EXPECT_FALSE(cards.isVisible());
+}
+
+}  // namespace
+}  // namespace alltact

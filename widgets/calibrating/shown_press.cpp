@@ -1,0 +1,138 @@
+#include "widgets/calibrating/shown_press.h"
+
+#include "calibration/presses/placed_ball.h"
+#include "core/geometry/ball.h"
+#include "widgets/calibrating/press_model.h"
+#include "widgets/picture/overlays.h"
+
+#include <QGuiApplication>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+namespace alltact {
+namespace {
+
+constexpr int kOutlinePoints = 120;
+constexpr double kAroundBall = 1.5;  // height of the cut-out over the outline's
+constexpr double kLeastCut_px = 24;
+const QColor kBallOutline(255, 214, 64);
+
+QPolygonF outline_polygon(const ShownBall& ball) {
+  QPolygonF polygon;
+  for (const auto& p : ball_outline_px(ball.camera, ball.centre_mm, ball.radius_mm, kOutlinePoints))
+    polygon << QPointF(p.x() + 0.5, p.y() + 0.5);  // a pixel's middle, counted from its corner
+  return polygon;
+}
+
+/// Of the picture, with the proportions of `size`, around the outline.
+QRectF cut_around(const QPolygonF& outline, const cv::Mat& grey, const QSize& size) {
+  const QRectF whole(0, 0, grey.cols, grey.rows);
+  const double shape = static_cast<double>(size.width()) / size.height();
+  if (outline.isEmpty() || !whole.intersects(outline.boundingRect())) return whole;
+  const QRectF box = outline.boundingRect();
+  const double height = std::clamp(kAroundBall * std::max(box.height(), box.width() / shape),
+                                   kLeastCut_px,
+                                   std::max(kLeastCut_px, whole.height()));
+  QRectF cut(0, 0, shape * height, height);
+  cut.moveCenter(box.center());
+  return cut;
+}
+
+}  // namespace
+
+std::optional<ShownBall> known_ball(const DeskPress& press,
+                                    const PressDesk& desk,
+                                    const CalibrationRun& run) {
+  const PressNote& note = desk.said().of(press.name);
+  const double radius = desk.said().radius_of(press.name);
+  if (desk.looker() == nullptr || !(radius > 0) || note.step_mm) return std::nullopt;
+  const auto shown = [&](const Eigen::Vector3d& centre, bool is_by_hand) {
+    ShownBall ball{desk.looker()->camera(), radius, centre, is_by_hand, Eigen::Vector3d::UnitZ()};
+    const Face& face = desk.looker()->finger().face;
+    const auto contact =
+        press.looked.shape ? ball_on_face(*press.looked.shape, face, centre, radius) : std::nullopt;
+    if (contact) ball.normal = contact->normal;
+    return ball;
+  };
+  if (note.ball_mm) return shown(*note.ball_mm, true);
+  const bool is_current = run.state() == CalibrationState::kCurrent;
+  if (const BallFit* fitted = is_current ? fitted_ball(run, press.name) : nullptr)
+    return shown(fitted->centre_mm, false);
+  if (press.looked.found_mm) return shown(*press.looked.found_mm, false);
+  return std::nullopt;
+}
+
+QString refusal_word(const Error& problem) {
+  const std::string& words = problem.what.words();
+  const auto begins = [&words](const char* with) { return words.rfind(with, 0) == 0; };
+  if (begins("hardly any pixel")) return PressModel::tr("not comparable");
+  if (begins("nothing on the face is")) return PressModel::tr("nothing pressed in");
+  if (begins("only specks")) return PressModel::tr("only specks");
+  if (begins("two contacts")) return PressModel::tr("two contacts");
+  if (begins("the dark part has a radius")) return PressModel::tr("larger than the ball");
+  if (begins("only {:.0f} degrees") || begins("the middle of the dark disc"))
+    return PressModel::tr("over the edge");
+  if (begins("the border of the dark part") || begins("the dark part is no disc"))
+    return PressModel::tr("no ball's disc");
+  return PressModel::tr("not usable");
+}
+
+QImage press_thumbnail(const cv::Mat& grey,
+                       const std::optional<ShownBall>& ball,
+                       const QSize& size,
+                       double ratio) {
+  QImage thumbnail(size * ratio, QImage::Format_RGB32);
+  thumbnail.setDevicePixelRatio(ratio);
+  thumbnail.fill(Qt::black);
+  if (grey.empty()) return thumbnail;
+  const QPolygonF outline = ball ? outline_polygon(*ball) : QPolygonF();
+  const QRectF cut = cut_around(outline, grey, size);
+  const double scale = std::min(size.width() / cut.width(), size.height() / cut.height());
+  const QPointF corner(0.5 * (size.width() - scale * cut.width()),
+                       0.5 * (size.height() - scale * cut.height()));
+  const QRect inside = cut.toAlignedRect() & QRect(0, 0, grey.cols, grey.rows);
+  QPainter painter(&thumbnail);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  QTransform place;
+  place.translate(corner.x(), corner.y());
+  place.scale(scale, scale);
+  place.translate(-cut.x(), -cut.y());
+  const QImage image(grey.data,
+                     grey.cols,
+                     grey.rows,
+                     static_cast<qsizetype>(grey.step),
+                     QImage::Format_Grayscale8);
+  // Drawn smaller in one step it would be made of single pixels.
+  const QRectF target = place.mapRect(QRectF(inside));
+  painter.drawImage(
+      target,
+      image.copy(inside).scaled(
+          (target.size() * ratio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+  if (!outline.isEmpty()) {
+    QPainterPath path;
+    path.addPolygon(place.map(outline));
+    path.closeSubpath();
+    stroke_over(painter, path, kBallOutline, 1.4, ball->is_by_hand ? Qt::SolidLine : Qt::DashLine);
+  }
+  return thumbnail;
+}
+
+QPixmap PressThumbnails::of(const DeskPress& press, const std::optional<ShownBall>& ball) {
+  if (press.looked.grey.empty()) return {};
+  Drawn& drawn = drawn_[press.name];
+  Eigen::Vector4d now = Eigen::Vector4d::Zero();
+  if (ball) now << ball->centre_mm, ball->radius_mm;
+  const bool is_by_hand = ball && ball->is_by_hand;
+  if (drawn.grey.data != press.looked.grey.data || drawn.ball != now ||
+      drawn.is_by_hand != is_by_hand)
+    drawn = {press.looked.grey,
+             now,
+             is_by_hand,
+             QPixmap::fromImage(
+                 press_thumbnail(press.looked.grey, ball, size(), qGuiApp->devicePixelRatio()))};
+  return drawn.picture;
+}
+
+}  // namespace alltact

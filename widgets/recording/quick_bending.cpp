@@ -1,0 +1,40 @@
+#include "widgets/recording/quick_bending.h"
+
+#include "core/live/source_runner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace alltact {
+namespace {
+
+/// Of the markers seen in both; nullopt: none is.
+std::optional<double> median_way_px(const Markers& a, const Markers& b) {
+  std::vector<double> ways;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    if (a[i].seen && b[i].seen) ways.push_back(std::hypot(a[i].u - b[i].u, a[i].v - b[i].v));
+  if (ways.empty()) return std::nullopt;
+  const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
+  std::nth_element(ways.begin(), middle, ways.end());
+  return *middle;
+}
+
+}  // namespace
+
+bool QuickBending::is_quick(const FrameResult& result) {
+  if (!result.frame || !result.markers) return false;
+  const std::int64_t taken_ns = result.frame->time_ns;
+  const double now_s = 1e-9 * static_cast<double>(taken_ns > 0 ? taken_ns : monotonic_ns());
+  const bool goes_on = result.frame->origin == source_ && now_s > before_s_;
+  const auto way = goes_on ? median_way_px(before_, *result.markers) : std::nullopt;
+  if (!goes_on) quick_until_s_ = -1;
+  if (way && result.grey.cols > 0 && *way > kQuick_per_s * result.grey.cols * (now_s - before_s_))
+    quick_until_s_ = now_s + kSettles_s;
+  before_ = *result.markers;
+  before_s_ = now_s;
+  source_ = result.frame->origin;
+  return now_s <= quick_until_s_;
+}
+
+}  // namespace alltact

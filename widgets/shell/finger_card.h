@@ -1,0 +1,44 @@
+// What is known of a finger that was worked with lately, for the page that one begins with.
+#pragma once
+
+#include "calibration/joint/verdict.h"
+
+#include <QImage>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace alltact {
+
+enum class FingerDue {
+  kNothing = 1,
+  kRecording,    ///< it has no reference
+  kCalibration,  ///< it has no mapping
+  kFirstCheck,   ///< not checked since it was calibrated
+  kCheck,        ///< the last check is old
+  kLook,         ///< the last check found it drifting
+  kAgain,        ///< the last check asked for a new calibration
+};
+
+/// Of a folder, as its files stand; texts are worded where they are shown.
+struct FingerCard {
+  std::filesystem::path folder;
+  std::string name;
+  std::optional<Grade> grade;  ///< of the calibration
+  std::string calibrated_on;   ///< UTC, 2026-01-31T12:00:00Z; empty: never
+  std::string checked_on;      ///< likewise; of this calibration
+  FingerDue due = FingerDue::kNothing;
+  QImage picture;  ///< of a press or of the untouched finger; null: none
+
+  [[nodiscard]] bool operator==(const FingerCard&) const = default;
+};
+
+/// A check is due again after so many days.
+inline constexpr int kCheckEveryDays = 7;
+
+/// Reads a folder, on any thread; nullopt where no finger can be opened there.
+///   now: UTC, as utc_now() writes it
+[[nodiscard]] std::optional<FingerCard> read_finger_card(const std::filesystem::path& folder,
+                                                         const std::string& now);
+
+}  // namespace alltact

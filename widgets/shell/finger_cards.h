@@ -1,0 +1,44 @@
+// The fingers that were worked with lately, a card each: picture, name, what the calibration is
+// worth, when it was made and checked, and what is due.
+#pragma once
+
+#include "widgets/background_work.h"
+#include "widgets/shell/finger_card.h"
+#include "widgets/translated.h"
+
+#include <QGridLayout>
+#include <QToolButton>
+#include <vector>
+
+namespace alltact {
+
+class FingerCards : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  static constexpr std::size_t kMost = 6;
+
+  explicit FingerCards(QWidget* parent = nullptr);
+  /// Latest first; read beside the window. Folders that are gone, and all after kMost, are left
+  /// out; hidden where none is left.
+  void set_fingers(const std::vector<std::filesystem::path>& folders);
+  [[nodiscard]] const std::vector<FingerCard>& cards() const { return cards_; }
+
+ Q_SIGNALS:
+  void finger_chosen(const QString& folder);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void read();
+  void rebuild();
+  [[nodiscard]] QToolButton* make_button(const FingerCard& card);
+
+  std::vector<std::filesystem::path> folders_;
+  std::vector<FingerCard> cards_;
+  QGridLayout* grid_;
+  BackgroundWork reading_;
+};
+
+}  // namespace alltact

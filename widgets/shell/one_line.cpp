@@ -1,0 +1,64 @@
+#include "widgets/shell/one_line.h"
+
+#include <QPainter>
+#include <algorithm>
+
+namespace alltact {
+
+OneLine::OneLine(Qt::TextElideMode cut, QWidget* parent) : QLabel(parent), cut_(cut) {
+  setTextFormat(Qt::PlainText);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void OneLine::set_text(const QString& text, int bold) {
+  bold_ = bold;
+  setText(text);
+  setToolTip(text);
+  updateGeometry();
+}
+
+QFont OneLine::bold_font() const {
+  QFont heavy = font();
+  heavy.setBold(true);
+  return heavy;
+}
+
+int OneLine::whole_width() const {
+  return QFontMetrics(bold_font()).horizontalAdvance(text().left(bold_)) +
+         fontMetrics().horizontalAdvance(text().mid(bold_));
+}
+
+bool OneLine::is_cut() const {
+  return whole_width() > contentsRect().width();
+}
+
+QSize OneLine::minimumSizeHint() const {
+  return {1, fontMetrics().height()};
+}
+
+QSize OneLine::sizeHint() const {
+  return {whole_width() + 1, fontMetrics().height()};
+}
+
+void OneLine::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setPen(
+      palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
+  QRect room = contentsRect();
+  const QString head = text().left(bold_);
+  if (!head.isEmpty()) {
+    painter.setFont(bold_font());
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, head);
+    room.setLeft(room.left() + QFontMetrics(bold_font()).horizontalAdvance(head));
+    painter.setFont(font());
+  }
+  painter.drawText(room,
+                   static_cast<int>(alignment() & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter,
+                   fontMetrics().elidedText(text().mid(bold_), cut_, std::max(0, room.width())));
+}
+
+QString cut_path(const QString& path, const QFontMetrics& metrics, int room) {
+  return metrics.elidedText(path, Qt::ElideLeft, room);
+}
+
+}  // namespace alltact
