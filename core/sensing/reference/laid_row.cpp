@@ -15,19 +15,19 @@ constexpr int kFractionMask = (1 << kPlaceBits) - 1;
 /// What lies side by side in one picture nearly does so in the other. So the places of a piece are
 /// but a few steps apart: instead of fetching each from its own place, whole pieces are read at
 /// each of these steps, and every place keeps what it finds at its own.
-struct Piece {
+struct PieceSteps {
   alignas(64) std::array<std::int16_t, kLaidPiece> steps, part;  // part: of 2^15
   int least, most;                                               // whole steps
 };
 
 /// `per_place`: steps that the picture itself advances from one place to the next.
-[[gnu::always_inline]] inline Piece find_piece(const float* __restrict constant,
-                                               const float* __restrict slope,
-                                               const float* __restrict bow,
-                                               float row,
-                                               float origin,
-                                               int last,
-                                               int per_place) {
+[[gnu::always_inline]] inline PieceSteps find_piece(const float* __restrict constant,
+                                                    const float* __restrict slope,
+                                                    const float* __restrict bow,
+                                                    float row,
+                                                    float origin,
+                                                    int last,
+                                                    int per_place) {
   constexpr float kOne = 1 << kPlaceBits;
   std::array<int, kLaidPiece> fixed;
   for (int i = 0; i < kLaidPiece; ++i) {
@@ -42,7 +42,7 @@ struct Piece {
     least = place < least ? place : least;
     most = place > most ? place : most;
   }
-  Piece piece;
+  PieceSteps piece;
   piece.least = least >> kPlaceBits;
   piece.most = most >> kPlaceBits;
   const int base = piece.least * (1 << kPlaceBits);
@@ -56,7 +56,7 @@ struct Piece {
 
 [[gnu::always_inline]] inline void take_piece(const std::int16_t* __restrict from,
                                               std::ptrdiff_t step,
-                                              const Piece& piece,
+                                              const PieceSteps& piece,
                                               std::int16_t* __restrict out) {
   std::array<std::int16_t, kLaidPiece> here, next;
   for (std::size_t k = 0; k < kLaidPiece; ++k) here[k] = from[k];
@@ -94,7 +94,7 @@ int last_place(int count) {
   const float* slope = places.places.slope.data() + places.first;
   const float* bow = places.places.bow.data() + places.first;
   for (int i = 0; i < n; i += kLaidPiece) {
-    const Piece piece =
+    const PieceSteps piece =
         find_piece(constant + i, slope + i, bow + i, places.row, places.origin, last, per_place);
     const std::int16_t* from = picture + (per_place != 0 ? 0 : i) + piece.least * step;
     take_piece(from, step, piece, out + i);

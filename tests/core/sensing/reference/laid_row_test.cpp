@@ -17,7 +17,7 @@ constexpr int kColumns = 300, kRows = 200, kStride = kColumns + 2 * kLaidPiece;
 constexpr double kPlaceError = 1.0 / 2048;
 
 /// Grey levels that differ by up to `step` from one pixel to the next, with room on both sides.
-std::vector<std::int16_t> random_picture(std::mt19937& random, int step) {
+std::vector<std::int16_t> random_greys(std::mt19937& random, int step) {
   std::vector<std::int16_t> picture(static_cast<std::size_t>(kStride * kRows));
   std::uniform_int_distribution<int> change(-step, step);
   int grey = 100 * kGreySteps;
@@ -50,11 +50,11 @@ double place_of(const PlacesByColumn& places, std::size_t i, double row, int cou
 
 /// Linear between two grey levels a step apart, in plain numbers, and by how much a place that is
 /// off by a rounding may change it.
-struct Between {
+struct PlainLinear {
   double grey, bound;
 };
 template <class At>
-Between between(double place, int count, At at) {
+PlainLinear between(double place, int count, At at) {
   const int left = std::min(static_cast<int>(place), count - 2);
   const double here = at(left), next = at(left + 1), part = place - left;
   // At a whole pixel the rounding may lead to either side.
@@ -70,7 +70,7 @@ TEST_P(LaidRow, IsThePlainFormulaAlongAndAcross) {
   std::mt19937 random(11);
   for (const int step : {3, 400, 16000})
     for (const int n : {1, 31, 32, 33, 250}) {
-      const auto picture = random_picture(random, step);
+      const auto picture = random_greys(random, step);
       const auto places = random_places(random, n, GetParam());
       std::vector<std::int16_t> out(static_cast<std::size_t>(n + kLaidPiece));
       const float row = 40.0F;
@@ -78,16 +78,16 @@ TEST_P(LaidRow, IsThePlainFormulaAlongAndAcross) {
       lay_along(first, {places, 0, row, 0.0F, kColumns}, n, out.data());
       for (int i = 0; i < n; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const Between truth = between(place_of(places, k, 40.0, kColumns), kColumns, [&](int u) {
-          return static_cast<double>(first[u]);
-        });
+        const PlainLinear truth = between(place_of(places, k, 40.0, kColumns),
+                                          kColumns,
+                                          [&](int u) { return static_cast<double>(first[u]); });
         ASSERT_NEAR(out[k], truth.grey, truth.bound) << n << " along, place " << i;
       }
       const std::int16_t* top = picture.data() + kLaidPiece;
       lay_across(top, kStride, {places, 0, row, 0.0F, kRows}, n, out.data());
       for (int i = 0; i < n; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const Between truth = between(place_of(places, k, 40.0, kRows), kRows, [&](int v) {
+        const PlainLinear truth = between(place_of(places, k, 40.0, kRows), kRows, [&](int v) {
           return static_cast<double>(top[v * kStride + i]);
         });
         ASSERT_NEAR(out[k], truth.grey, truth.bound) << n << " across, place " << i;
