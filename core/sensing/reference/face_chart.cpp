@@ -66,24 +66,32 @@ struct Profile {
   }
 };
 
-ALLTACT_WIDE void warp_row(const float* __restrict t_at_0,
-                           const float* __restrict t_per_v,
-                           const float* __restrict u0,
-                           const float* __restrict tilt,
-                           const float* __restrict v0,
-                           const float* __restrict width,
-                           const float* __restrict slope,
-                           const float* __restrict width_slope,
-                           float v,
-                           int count,
-                           float* __restrict to_u,
-                           float* __restrict to_v) {
+ALLTACT_WIDE void columns_of_row(const float* __restrict t_at_0,
+                                 const float* __restrict t_per_v,
+                                 const float* __restrict u0,
+                                 const float* __restrict tilt,
+                                 float v,
+                                 int count,
+                                 float* __restrict to_u) {
   for (int i = 0; i < count; ++i) {
     const float t = t_at_0[i] + t_per_v[i] * v;
-    const float shift = (2.0F * t - 1.0F) * tilt[i];
-    to_u[i] = u0[i] + shift;
-    to_v[i] = v0[i] + t * width[i] + shift * (slope[i] + t * width_slope[i]);
+    to_u[i] = u0[i] + (2.0F * t - 1.0F) * tilt[i];
   }
+}
+
+ALLTACT_WIDE void rows_of_row(const float* __restrict constant,
+                              const float* __restrict slope,
+                              const float* __restrict bow,
+                              float v,
+                              int count,
+                              float* __restrict to_v) {
+  for (int i = 0; i < count; ++i) to_v[i] = constant[i] + v * (slope[i] + v * bow[i]);
+}
+
+void put(double constant, double slope, double bow, std::size_t i, PlacesByColumn& places) {
+  places.constant[i] = static_cast<float>(constant);
+  places.slope[i] = static_cast<float>(slope);
+  places.bow[i] = static_cast<float>(bow);
 }
 
 }  // namespace
@@ -241,8 +249,9 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
       inner_first_(from.end()),
       inner_end_(from.end()) {
   const std::size_t size = from.along_mm.size();
-  for (auto* values : {&t_at_0_, &t_per_v_, &u0_, &tilt_, &v0_, &width_, &slope_, &width_slope_})
-    values->resize(size);
+  for (auto* values : {&t_at_0_, &t_per_v_, &u0_, &tilt_}) values->resize(size);
+  for (PlacesByColumn* places : {&rows_, &columns_})
+    for (auto* values : {&places->constant, &places->slope, &places->bow}) values->resize(size);
   const auto take = [](int u, int* first, int* end) {
     if (*first == *end) *first = u;
     *end = u + 1;
@@ -252,39 +261,65 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
     const auto [l, part] = find(to.along_mm, s_mm);
     const double step_mm = std::max(1e-6, to.along_mm[l + 1] - to.along_mm[l]);
     const double upper = to.upper_v[l], lower = to.lower_v[l];
-    const double upper_slope = to.upper_v[l + 1] - upper, lower_slope = to.lower_v[l + 1] - lower;
+    const double slope = to.upper_v[l + 1] - upper;
+    const double width_slope = to.lower_v[l + 1] - lower - slope;
     const double u0 = to.first + static_cast<double>(l) + part;
     const double tilt = (from.tilt_at(s_mm) - to.tilt_at(s_mm)) / step_mm;
-    const double per_v = 1.0 / (from.lower_v[i] - from.upper_v[i]);
-    t_at_0_[i] = static_cast<float>(-from.upper_v[i] * per_v);
-    t_per_v_[i] = static_cast<float>(per_v);
+    const double t_per_v = 1.0 / (from.lower_v[i] - from.upper_v[i]);
+    const double t_at_0 = -from.upper_v[i] * t_per_v;
+    t_at_0_[i] = static_cast<float>(t_at_0);
+    t_per_v_[i] = static_cast<float>(t_per_v);
     u0_[i] = static_cast<float>(u0);
     tilt_[i] = static_cast<float>(tilt);
-    v0_[i] = static_cast<float>(upper + part * upper_slope);
-    width_[i] = static_cast<float>(lower - upper + part * (lower_slope - upper_slope));
-    slope_[i] = static_cast<float>(upper_slope);
-    width_slope_[i] = static_cast<float>(lower_slope - upper_slope);
+    most_tilt_ = std::max(most_tilt_, std::abs(tilt_[i]));
+    // v' = a + b t + c t^2.
+    const double a = upper + part * slope - tilt * slope, c = 2.0 * tilt * width_slope;
+    const double b = lower - upper + part * width_slope + 2.0 * tilt * slope - tilt * width_slope;
+    put(a + t_at_0 * (b + t_at_0 * c),
+        t_per_v * (b + 2.0 * t_at_0 * c),
+        t_per_v * t_per_v * c,
+        i,
+        rows_);
+    // t = r - (c / b) r^2 with r = (v' - a) / b, as long as c is small beside b.
+    constexpr double kLeastPerT = 1.0;
+    const double per_v = 1.0 / std::max(b, kLeastPerT), r_at_0 = -a * per_v, bow = c * per_v;
+    put(u0 + tilt * (2.0 * r_at_0 * (1.0 - bow * r_at_0) - 1.0),
+        2.0 * tilt * per_v * (1.0 - 2.0 * bow * r_at_0),
+        -2.0 * tilt * bow * per_v * per_v,
+        i,
+        columns_);
     const double reach = std::abs(tilt);
     const int u = origin_ + static_cast<int>(i), last = to.end() - 1;
     if (u0 + reach >= to.first && u0 - reach <= last) take(u, &first_, &end_);
     if (u0 - reach >= to.first && u0 + reach <= last) take(u, &inner_first_, &inner_end_);
   }
+  for (PlacesByColumn* places : {&rows_, &columns_})
+    for (auto* values : {&places->constant, &places->slope, &places->bow})
+      values->insert(values->end(), PlacesByColumn::kBeyond, values->back());
 }
 
 void ChartWarp::places(int v, int begin, int count, float* to_u, float* to_v) const {
   const std::ptrdiff_t i = begin - origin_;
-  warp_row(t_at_0_.data() + i,
-           t_per_v_.data() + i,
-           u0_.data() + i,
-           tilt_.data() + i,
-           v0_.data() + i,
-           width_.data() + i,
-           slope_.data() + i,
-           width_slope_.data() + i,
-           static_cast<float>(v),
-           count,
-           to_u,
-           to_v);
+  columns_of_row(t_at_0_.data() + i,
+                 t_per_v_.data() + i,
+                 u0_.data() + i,
+                 tilt_.data() + i,
+                 static_cast<float>(v),
+                 count,
+                 to_u);
+  rows_of_row(rows_.constant.data() + i,
+              rows_.slope.data() + i,
+              rows_.bow.data() + i,
+              static_cast<float>(v),
+              count,
+              to_v);
+}
+
+std::pair<int, int> ChartWarp::columns_into(float least, float most) const {
+  const auto begin = u0_.begin() + (first_ - origin_), end = u0_.begin() + (end_ - origin_);
+  const auto from = std::lower_bound(begin, end, least - most_tilt_);
+  const auto to = std::upper_bound(from, end, most + most_tilt_);
+  return {first_ + static_cast<int>(from - begin), first_ + static_cast<int>(to - begin)};
 }
 
 }  // namespace alltact

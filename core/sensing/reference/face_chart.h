@@ -64,6 +64,12 @@ void lay_on(const SkinPlaces& places,
 /// meet: other frames may show more of the skin.
 [[nodiscard]] FaceChart widened(const FaceChart& chart, double part);
 
+/// Of every column a place that changes with the row: constant + row (slope + row bow).
+struct PlacesByColumn {
+  static constexpr int kBeyond = 32;  ///< copies of the last, for loops over whole pieces
+  std::vector<float> constant, slope, bow;
+};
+
 /// From pixels of one frame to the pixels of another that show the same skin. By column of the
 /// first: with t = t_at_0 + t_per_v v and the shift h = (2 t - 1) tilt,
 ///   u' = u0 + h,   v' = v0 + t width + h (slope + t width_slope).
@@ -81,6 +87,14 @@ class ChartWarp {
   /// The places of the pixels of row v from column `begin` on, `count` of them, all within
   /// [first, end).
   void places(int v, int begin, int count, float* to_u, float* to_v) const;
+  /// v' by v: of column `origin` and those after it.
+  [[nodiscard]] const PlacesByColumn& rows() const { return rows_; }
+  /// u' by v', so that one picture can be laid over another first along its rows, then across them:
+  /// within 1/1000 px, as long as lines across the finger tilt by less than their length.
+  [[nodiscard]] const PlacesByColumn& columns() const { return columns_; }
+  [[nodiscard]] int origin() const { return origin_; }
+  /// The columns in [first, end) whose u' comes into [least, most] somewhere on the face.
+  [[nodiscard]] std::pair<int, int> columns_into(float least, float most) const;
   /// Least and greatest u' within a column of the face.
   [[nodiscard]] std::pair<float, float> reach(int u) const {
     const auto i = static_cast<std::size_t>(u - origin_);
@@ -95,7 +109,9 @@ class ChartWarp {
 
  private:
   int origin_ = 0, first_ = 0, end_ = 0, inner_first_ = 0, inner_end_ = 0;
-  std::vector<float> t_at_0_, t_per_v_, u0_, tilt_, v0_, width_, slope_, width_slope_;
+  float most_tilt_ = 0;
+  std::vector<float> t_at_0_, t_per_v_, u0_, tilt_;
+  PlacesByColumn rows_, columns_;
 };
 
 }  // namespace alltact

@@ -58,19 +58,25 @@ class ReferencePicture {
     const std::int16_t* row(int v, std::span<const FaceRun> runs);
 
    private:
+    /// Pixels of row v whose skin the mixes do not show.
+    void clear_hidden(int v, int first, int end);
+
     const ReferencePicture& picture_;
     std::vector<float> u_, v_;
     std::vector<std::int16_t> buffer_;
   };
 
  private:
-  void mix(const FaceGrid& grid, const FaceMix& mix, int first, int end);
+  struct MixedColumns;
+  void lay(const FaceGrid& grid, std::vector<MixedColumns>& parts);
   [[nodiscard]] std::pair<int, int> columns_within(int first, int end) const;
   [[nodiscard]] std::pair<int, int> columns_touching(int first, int end) const;
 
-  cv::Mat single_;      // CV_16SC1 in steps; empty for a sum
-  cv::Mat mixed_;       // CV_16SC1 in steps, of the grid; rows below it keep reads inside
-  int mixed_rows_ = 0;  // of the grid
+  cv::Mat single_;  // CV_16SC1 in steps; empty for a sum
+  // CV_16SC1 in steps: the grid's rows with the frame's columns, so that a row of the frame is
+  // looked up across them. A row and columns more keep reads inside.
+  cv::Mat laid_;
+  int laid_rows_ = 0;
   cv::Point origin_;
   int first_ = 0, end_ = 0;              // columns of the frame that the mixes show in part
   int whole_first_ = 0, whole_end_ = 0;  // from edge to edge
