@@ -146,6 +146,104 @@
     </message>
 </context>
 <context>
+    <name>alltact::ContactWords</name>
+    <message>
+        <source>Touched on the contact face</source>
+        <translation>Auf der Kontaktfläche berührt</translation>
+    </message>
+    <message>
+        <source>Pushed from the back</source>
+        <translation>Von hinten gedrückt</translation>
+    </message>
+    <message>
+        <source>Pushed from the upper side</source>
+        <translation>Von der oberen Seite gedrückt</translation>
+    </message>
+    <message>
+        <source>Pushed from the lower side</source>
+        <translation>Von der unteren Seite gedrückt</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Längs</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>± %1°</source>
+        <translation>± %1°</translation>
+    </message>
+    <message>
+        <source>(the face&apos;s normal)</source>
+        <translation>(die Normale der Fläche)</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3</source>
+        <translation>x %1, y %2, z %3</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Area %1 mm², volume %2 mm³.</source>
+        <translation>Fläche %1 mm², Volumen %2 mm³.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contact(s) on the face.</source>
+        <translation>
+            <numerusform>%n Kontakt auf der Fläche.</numerusform>
+            <numerusform>%n Kontakte auf der Fläche.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It slips or rolls over the skin.</source>
+        <translation>Es rutscht oder rollt über die Haut.</translation>
+    </message>
+    <message>
+        <source>Not known without a reference recording.</source>
+        <translation>Ohne Referenzaufnahme nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Nothing touches the finger.</source>
+        <translation>Nichts berührt den Finger.</translation>
+    </message>
+    <message>
+        <source>The last contact lasted %1 and ended %2 ago.</source>
+        <translation>Der letzte Kontakt dauerte %1 und endete vor %2.</translation>
+    </message>
+    <message>
+        <source>It slipped.</source>
+        <translation>Er ist gerutscht.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Along: over the face from its base. Across: from its middle line towards +y. Direction: the way the finger gave, in the camera&apos;s frame; its standard deviation is that within the finger&apos;s section.</source>
+        <translation>Längs: über die Fläche von ihrem Fuß an. Quer: von ihrer Mittellinie in Richtung +y. Richtung: wohin der Finger nachgab, im Koordinatensystem der Kamera; ihre Standardabweichung ist die innerhalb des Querschnitts des Fingers.</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ControlPanel</name>
     <message>
         <source>Automatic exposure</source>
@@ -325,6 +423,17 @@
     </message>
 </context>
 <context>
+    <name>alltact::ExperimentFigurePlot</name>
+    <message>
+        <source>Figure of an experiment</source>
+        <translation>Abbildung eines Experiments</translation>
+    </message>
+    <message>
+        <source>Nothing was measured</source>
+        <translation>Nichts wurde gemessen</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ExportDialog</name>
     <message>
         <source>Export finger</source>
@@ -454,6 +563,69 @@
     </message>
 </context>
 <context>
+    <name>alltact::FingerCards</name>
+    <message>
+        <source>Not calibrated yet</source>
+        <translation>Noch nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Calibrated; how well is not kept</source>
+        <translation>Kalibriert; wie gut, ist nicht festgehalten</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Usable for contact and its place</source>
+        <translation>Für Kontakt und seinen Ort brauchbar</translation>
+    </message>
+    <message>
+        <source>Unproven</source>
+        <translation>Unbewiesen</translation>
+    </message>
+    <message>
+        <source>Not fit to measure with</source>
+        <translation>Zum Messen nicht geeignet</translation>
+    </message>
+    <message>
+        <source>Calibrated %1</source>
+        <translation>Kalibriert %1</translation>
+    </message>
+    <message>
+        <source>Calibrated %1, checked %2</source>
+        <translation>Kalibriert %1, geprüft %2</translation>
+    </message>
+    <message>
+        <source>Due: record it bending</source>
+        <translation>Fällig: beim Biegen aufnehmen</translation>
+    </message>
+    <message>
+        <source>Due: calibrate it</source>
+        <translation>Fällig: kalibrieren</translation>
+    </message>
+    <message>
+        <source>Due: a check</source>
+        <translation>Fällig: eine Prüfung</translation>
+    </message>
+    <message>
+        <source>Drifting: look at the last check</source>
+        <translation>Driftet: die letzte Prüfung ansehen</translation>
+    </message>
+    <message>
+        <source>Due: calibrate it again</source>
+        <translation>Fällig: neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Nothing is due</source>
+        <translation>Nichts ist fällig</translation>
+    </message>
+    <message>
+        <source>Open the finger %1</source>
+        <translation>Den Finger %1 öffnen</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FingerMenu</name>
     <message>
         <source>&amp;Recent fingers</source>
@@ -556,23 +728,120 @@
     </message>
 </context>
 <context>
+    <name>alltact::ForceBox</name>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Re-&amp;zero</source>
+        <translation>Neu &amp;nullen</translation>
+    </message>
+    <message>
+        <source>&amp;As measured</source>
+        <translation>Wie &amp;gemessen</translation>
+    </message>
+    <message>
+        <source>Forces count from the model&apos;s own zero again.</source>
+        <translation>Kräfte zählen wieder vom eigenen Nullpunkt des Modells an.</translation>
+    </message>
+    <message>
+        <source>Force now</source>
+        <translation>Kraft jetzt</translation>
+    </message>
+    <message>
+        <source>From which zero forces count</source>
+        <translation>Von welchem Nullpunkt an Kräfte zählen</translation>
+    </message>
+    <message>
+        <source>Force over the last half minute</source>
+        <translation>Kraft in der letzten halben Minute</translation>
+    </message>
+    <message>
+        <source>The force model was trained with nothing like this picture.</source>
+        <translation>Das Kraftmodell wurde mit nichts trainiert, was diesem Bild gleicht.</translation>
+    </message>
+    <message>
+        <source>A recording is shown as it was measured.</source>
+        <translation>Eine Aufnahme wird gezeigt, wie sie gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>The mean of the last half second counts as no force from now on.</source>
+        <translation>Der Mittelwert der letzten halben Sekunde zählt von jetzt an als keine Kraft.</translation>
+    </message>
+    <message>
+        <source>There is no reading in range that could count as zero.</source>
+        <translation>Es gibt keinen Messwert im Bereich, der als Null gelten könnte.</translation>
+    </message>
+    <message>
+        <source>No force is told of this picture.</source>
+        <translation>Zu diesem Bild wird keine Kraft genannt.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>95 % lie within ±.</source>
+        <translation>95 % liegen innerhalb von ±.</translation>
+    </message>
+    <message>
+        <source>Out of range: do not rely on it.</source>
+        <translation>Außerhalb des Bereichs: Verlassen Sie sich nicht darauf.</translation>
+    </message>
+    <message>
+        <source>Zero: the model&apos;s own.</source>
+        <translation>Nullpunkt: der eigene des Modells.</translation>
+    </message>
+    <message>
+        <source>Zero: the reading of %1, while something touched the finger.</source>
+        <translation>Nullpunkt: der Messwert von %1, während etwas den Finger berührte.</translation>
+    </message>
+    <message>
+        <source>Zero: the reading of %1.</source>
+        <translation>Nullpunkt: der Messwert von %1.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ForcePlot</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ForceWords</name>
+    <message>
+        <source>The finger is being loaded.</source>
+        <translation>Der Finger wird geladen.</translation>
+    </message>
+    <message>
+        <source>Open a finger to see its forces.</source>
+        <translation>Öffnen Sie einen Finger, um seine Kräfte zu sehen.</translation>
+    </message>
+    <message>
+        <source>A finger without markers tells no forces.</source>
+        <translation>Ein Finger ohne Marken nennt keine Kräfte.</translation>
+    </message>
+    <message>
+        <source>Forces are told once there is a reference recording.</source>
+        <translation>Kräfte werden genannt, sobald es eine Referenzaufnahme gibt.</translation>
+    </message>
+    <message>
+        <source>No force is told of this picture.</source>
+        <translation>Zu diesem Bild wird keine Kraft genannt.</translation>
+    </message>
+    <message>
+        <source>This finger has no force model yet. A table of its markers beside a gauge&apos;s forces trains one:</source>
+        <translation>Dieser Finger hat noch kein Kraftmodell. Eine Tabelle seiner Marken neben den Kräften eines Kraftmessers trainiert eines:</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FrameWords</name>
-    <message>
-        <source>The finger is pushed from its contact face.</source>
-        <translation>Der Finger wird von der Kontaktfläche her gedrückt.</translation>
-    </message>
-    <message>
-        <source>The finger is pushed from its back.</source>
-        <translation>Der Finger wird vom Rücken her gedrückt.</translation>
-    </message>
-    <message>
-        <source>The finger is pushed from its upper side.</source>
-        <translation>Der Finger wird von der oberen Seite her gedrückt.</translation>
-    </message>
-    <message>
-        <source>The finger is pushed from its lower side.</source>
-        <translation>Der Finger wird von der unteren Seite her gedrückt.</translation>
-    </message>
     <message>
         <source>no depth: too dark</source>
         <translation>keine Tiefe: zu dunkel</translation>
@@ -592,25 +861,6 @@
     <message>
         <source>depth %1 mm</source>
         <translation>Tiefe %1 mm</translation>
-    </message>
-    <message>
-        <source>Nothing presses on the contact face.</source>
-        <translation>Nichts drückt auf die Kontaktfläche.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n contact(s) on the face.</source>
-        <translation>
-            <numerusform>%n Kontakt auf der Fläche.</numerusform>
-            <numerusform>%n Kontakte auf der Fläche.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Deepest %1 mm, area %2 mm², volume %3 mm³.</source>
-        <translation>Am tiefsten %1 mm, Fläche %2 mm², Volumen %3 mm³.</translation>
-    </message>
-    <message>
-        <source>Not known without a reference recording.</source>
-        <translation>Ohne Referenzaufnahme nicht bekannt.</translation>
     </message>
     <message>
         <source>Depth, mm</source>
@@ -994,6 +1244,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>&amp;Inspect</source>
         <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>What touches the finger</source>
+        <translation>Was den Finger berührt</translation>
+    </message>
+    <message>
+        <source>Not calibrated yet: the whole face&apos;s shape, without depth</source>
+        <translation>Noch nicht kalibriert: die Form der ganzen Fläche, ohne Tiefe</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>Noch kein Bild.</translation>
     </message>
 </context>
 <context>
@@ -1411,6 +1677,89 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::LivePairBox</name>
+    <message>
+        <source>Second finger</source>
+        <translation>Zweiter Finger</translation>
+    </message>
+    <message>
+        <source>&amp;Second finger…</source>
+        <translation>Z&amp;weiter Finger…</translation>
+    </message>
+    <message>
+        <source>Close it</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Mo&amp;tor at</source>
+        <translation>Moto&amp;r bei</translation>
+    </message>
+    <message>
+        <source> turns</source>
+        <translation> Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Motor position in turns</source>
+        <translation>Motorstellung in Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Where the gripper&apos;s motor stands: the figures hold for this position.</source>
+        <translation>Wo der Motor des Greifers steht: Die Zahlen gelten für diese Stellung.</translation>
+    </message>
+    <message>
+        <source>Gap and width</source>
+        <translation>Spalt und Breite</translation>
+    </message>
+    <message>
+        <source>Whether both pictures are of one moment</source>
+        <translation>Ob beide Bilder aus einem Augenblick stammen</translation>
+    </message>
+    <message>
+        <source>Waiting for the second picture.</source>
+        <translation>Auf das zweite Bild wird gewartet.</translation>
+    </message>
+    <message>
+        <source>Without times of capture: the newest of both.</source>
+        <translation>Ohne Zeiten der Aufnahme: das neueste Bild von beiden.</translation>
+    </message>
+    <message>
+        <source>In time: 2 was taken %1 ms after 1.</source>
+        <translation>Gleichzeitig: 2 entstand %1 ms nach 1.</translation>
+    </message>
+    <message>
+        <source>Not in time: 2 was taken %1 ms after 1, more than half a frame.</source>
+        <translation>Nicht gleichzeitig: 2 entstand %1 ms nach 1, mehr als eine halbe Bilddauer.</translation>
+    </message>
+    <message>
+        <source>With a gripper.yaml, the gap between the faces and the width of what is held are told here.</source>
+        <translation>Mit einer gripper.yaml werden hier der Spalt zwischen den Flächen und die Breite des Gehaltenen genannt.</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Wird gemessen…</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Spalt</translation>
+    </message>
+    <message>
+        <source>Held width</source>
+        <translation>Gehaltene Breite</translation>
+    </message>
+    <message>
+        <source>No gap is told: both faces need depth.</source>
+        <translation>Kein Spalt wird genannt: Beide Flächen brauchen Tiefe.</translation>
+    </message>
+    <message>
+        <source>Nothing is held by both.</source>
+        <translation>Nichts wird von beiden gehalten.</translation>
+    </message>
+</context>
+<context>
     <name>alltact::LivePlace</name>
     <message>
         <source>show %1</source>
@@ -1540,6 +1889,26 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>&amp;Live</source>
         <translation>&amp;Live</translation>
     </message>
+    <message>
+        <source>What touches the finger</source>
+        <translation>Was den Finger berührt</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>change the motor&apos;s position</source>
+        <translation>Motorstellung ändern</translation>
+    </message>
+    <message>
+        <source>watch a second finger</source>
+        <translation>einen zweiten Finger beobachten</translation>
+    </message>
+    <message>
+        <source>close the second finger</source>
+        <translation>den zweiten Finger schließen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MainWindow</name>
@@ -1656,6 +2025,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Mapping</source>
         <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>The presses are read again to show what each pixel says.</source>
+        <translation>Die Eindrücke werden neu gelesen, um zu zeigen, was jedes Pixel sagt.</translation>
     </message>
 </context>
 <context>
@@ -2195,6 +2568,42 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>measured %1 mm deep, the solution has %2 mm</source>
         <translation>gemessen %1 mm tief, die Lösung hat %2 mm</translation>
     </message>
+    <message>
+        <source>no face seen</source>
+        <translation>keine Fläche zu sehen</translation>
+    </message>
+    <message>
+        <source>not comparable</source>
+        <translation>nicht vergleichbar</translation>
+    </message>
+    <message>
+        <source>nothing pressed in</source>
+        <translation>nichts eingedrückt</translation>
+    </message>
+    <message>
+        <source>only specks</source>
+        <translation>nur Flecken</translation>
+    </message>
+    <message>
+        <source>two contacts</source>
+        <translation>zwei Kontakte</translation>
+    </message>
+    <message>
+        <source>larger than the ball</source>
+        <translation>größer als die Kugel</translation>
+    </message>
+    <message>
+        <source>over the edge</source>
+        <translation>über den Rand hinaus</translation>
+    </message>
+    <message>
+        <source>no ball&apos;s disc</source>
+        <translation>keine Kugelscheibe</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>nicht brauchbar</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPage</name>
@@ -2437,6 +2846,47 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Good</source>
         <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Dismiss until it happens again</source>
+        <translation>Ausblenden, bis es wieder auftritt</translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation>Ausblenden: %1</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n min ago</source>
+        <translation>
+            <numerusform>vor %n min</numerusform>
+            <numerusform>vor %n min</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n h ago</source>
+        <translation>
+            <numerusform>vor %n h</numerusform>
+            <numerusform>vor %n h</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the newest alone</source>
+        <translation>Nur die neueste zeigen</translation>
+    </message>
+    <message>
+        <source>Show all in full</source>
+        <translation>Alle vollständig zeigen</translation>
     </message>
 </context>
 <context>
@@ -2826,6 +3276,101 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::SecondCameraDialog</name>
+    <message>
+        <source>The second finger&apos;s folder</source>
+        <translation>Ordner des zweiten Fingers</translation>
+    </message>
+    <message>
+        <source>What shows the second finger</source>
+        <translation>Was den zweiten Finger zeigt</translation>
+    </message>
+    <message>
+        <source>Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)</source>
+        <translation>Videos und Szenen (*.mkv *.avi *.mp4 *.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s file</source>
+        <translation>Datei des Greifers</translation>
+    </message>
+    <message>
+        <source>Grippers (*.yaml)</source>
+        <translation>Greifer (*.yaml)</translation>
+    </message>
+    <message>
+        <source>Second finger</source>
+        <translation>Zweiter Finger</translation>
+    </message>
+    <message>
+        <source>Another finger of the same gripper with its own camera. Both pictures are shown as of one moment; with a gripper.yaml the gap between the faces and the width of what is held are told, too.</source>
+        <translation>Ein anderer Finger desselben Greifers mit eigener Kamera. Beide Bilder werden wie aus einem Augenblick gezeigt; mit einer gripper.yaml werden auch der Spalt zwischen den Flächen und die Breite des Gehaltenen genannt.</translation>
+    </message>
+    <message>
+        <source>&amp;Finger&apos;s folder</source>
+        <translation>&amp;Ordner des Fingers</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Gripper</source>
+        <translation>&amp;Greifer</translation>
+    </message>
+    <message>
+        <source>Finger&apos;s folder</source>
+        <translation>Ordner des Fingers</translation>
+    </message>
+    <message>
+        <source>Camera, video or scene</source>
+        <translation>Kamera, Video oder Szene</translation>
+    </message>
+    <message>
+        <source>Gripper&apos;s file</source>
+        <translation>Datei des Greifers</translation>
+    </message>
+    <message>
+        <source>gripper.yaml; may be left empty</source>
+        <translation>gripper.yaml; kann leer bleiben</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Choose the finger&apos;s folder</source>
+        <translation>Ordner des Fingers wählen</translation>
+    </message>
+    <message>
+        <source>Choose a video or a scene</source>
+        <translation>Video oder Szene wählen</translation>
+    </message>
+    <message>
+        <source>Choose the gripper&apos;s file</source>
+        <translation>Datei des Greifers wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Show it</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Choose the finger&apos;s folder.</source>
+        <translation>Wählen Sie den Ordner des Fingers.</translation>
+    </message>
+    <message>
+        <source>Choose the camera that watches it.</source>
+        <translation>Wählen Sie die Kamera, die ihn beobachtet.</translation>
+    </message>
+</context>
+<context>
     <name>alltact::SecondFingerDialog</name>
     <message>
         <source>The second finger&apos;s folder</source>
@@ -3111,6 +3656,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Camera %1</source>
         <translation>Kamera %1</translation>
     </message>
+    <message>
+        <source>&amp;Try with a simulated finger</source>
+        <translation>Mit simuliertem Finger &amp;ausprobieren</translation>
+    </message>
+    <message>
+        <source>A whole day in five minutes: record, press, calibrate and check a finger that is computed</source>
+        <translation>Ein ganzer Tag in fünf Minuten: einen Finger aufnehmen, eindrücken, kalibrieren und prüfen, der berechnet wird</translation>
+    </message>
 </context>
 <context>
     <name>alltact::StatusLine</name>
@@ -3198,6 +3751,61 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Play</source>
         <translation>Abspielen</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::TryGuide</name>
+    <message>
+        <source>A day with a simulated finger</source>
+        <translation>Ein Tag mit einem simulierten Finger</translation>
+    </message>
+    <message>
+        <source>End the &amp;guide</source>
+        <translation>An&amp;leitung beenden</translation>
+    </message>
+    <message>
+        <source>Done:</source>
+        <translation>Fertig:</translation>
+    </message>
+    <message>
+        <source>%1 of %2:</source>
+        <translation>%1 von %2:</translation>
+    </message>
+    <message>
+        <source>Go to &amp;Record</source>
+        <translation>Zu &amp;Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Go to &amp;Inspect</source>
+        <translation>Zu &amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Go to &amp;Calibrate</source>
+        <translation>Zu &amp;Kalibrieren</translation>
+    </message>
+    <message>
+        <source>The simulated finger gets a folder of its own.</source>
+        <translation>Der simulierte Finger bekommt einen eigenen Ordner.</translation>
+    </message>
+    <message>
+        <source>Record it for half a minute while it bends, then install the recording.</source>
+        <translation>Nehmen Sie ihn eine halbe Minute beim Biegen auf und richten Sie die Aufnahme dann ein.</translation>
+    </message>
+    <message>
+        <source>Tell the ball&apos;s radius, 4 mm, and press Space whenever the ball is in: six times.</source>
+        <translation>Geben Sie den Radius der Kugel an, 4 mm, und drücken Sie jedes Mal die Leertaste, wenn die Kugel eingedrückt ist: sechsmal.</translation>
+    </message>
+    <message>
+        <source>Calibrate with these presses and read the verdict.</source>
+        <translation>Kalibrieren Sie mit diesen Eindrücken und lesen Sie das Urteil.</translation>
+    </message>
+    <message>
+        <source>Check it with three presses, as every week.</source>
+        <translation>Prüfen Sie ihn mit drei Eindrücken, wie jede Woche.</translation>
+    </message>
+    <message>
+        <source>That was a finger&apos;s whole day. Look at its contacts in 3D.</source>
+        <translation>Das war der ganze Tag eines Fingers. Sehen Sie sich seine Kontakte in 3D an.</translation>
     </message>
 </context>
 <context>
@@ -3297,6 +3905,17 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>none</source>
         <comment>source</comment>
         <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ZeroWords</name>
+    <message>
+        <source>re-zero the force</source>
+        <translation>Kraft neu nullen</translation>
+    </message>
+    <message>
+        <source>show the force as measured</source>
+        <translation>Kraft wie gemessen zeigen</translation>
     </message>
 </context>
 <context>
@@ -6266,14 +6885,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>kein Kegel berührt den Umriss</translation>
     </message>
     <message>
-        <source>the camera does not see the circle&apos;s middle</source>
-        <translation>die Kamera sieht die Mitte des Kreises nicht</translation>
-    </message>
-    <message>
-        <source>no place of the ball gives a cubic</source>
-        <translation>kein Ort der Kugel ergibt eine kubische Kurve</translation>
-    </message>
-    <message>
         <source>the ball that follows from the dark border hardly touches the face</source>
         <translation>die Kugel, die aus dem dunklen Rand folgt, berührt die Fläche kaum</translation>
     </message>
@@ -8814,10 +9425,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein unberührtes Bild gegen eine Aufnahme aller Posen</translation>
     </message>
     <message>
-        <source>depth in rooms of 300, 1100 and 2500 lux</source>
-        <translation>Tiefe in Räumen von 300, 1100 und 2500 Lux</translation>
-    </message>
-    <message>
         <source>relief of an M8 thread, against a single reference</source>
         <translation>Relief eines M8-Gewindes, gegen eine einzige Referenz</translation>
     </message>
@@ -8978,12 +9585,828 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Tiefe in Berührungen, mittlerer Fehler bei {} Lux</translation>
     </message>
     <message>
-        <source>the same at {} lux, without correction of the light</source>
-        <translation>dasselbe bei {} Lux, ohne Ausgleich des Lichts</translation>
+        <source>the source paper&apos;s method</source>
+        <translation>das Verfahren der Veröffentlichung</translation>
     </message>
     <message>
-        <source>How much of a room&apos;s light gets into a finger is a guess of the scene, 4 grey levels of a white surface for every 1000 lux</source>
-        <translation>Wie viel Licht eines Raums in einen Finger gelangt, ist eine Annahme der Szene: 4 Graustufen einer weißen Fläche auf je 1000 Lux</translation>
+        <source>a picture in which the whole face is bright against its side faces, or our own method</source>
+        <translation>ein Bild, auf dem sich die ganze Fläche hell von ihren Seitenflächen abhebt, oder unser eigenes Verfahren</translation>
+    </message>
+    <message>
+        <source>the binarised picture shows both edges of the face in {} of {} columns, and a fifth of them is needed</source>
+        <translation>das binarisierte Bild zeigt beide Kanten der Fläche in {} von {} Spalten, und ein Fünftel davon ist nötig</translation>
+    </message>
+    <message>
+        <source>no distance of the face follows from its edges</source>
+        <translation>aus den Kanten der Fläche folgt kein Abstand</translation>
+    </message>
+    <message>
+        <source>our own method, which needs no dots, or a recording of a finger that has them</source>
+        <translation>unser eigenes Verfahren, das keine Punkte braucht, oder eine Aufnahme eines Fingers, der welche hat</translation>
+    </message>
+    <message>
+        <source>alltact reference with a video of the untouched finger bending</source>
+        <translation>alltact reference mit einem Video des unberührten Fingers beim Biegen</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method chooses its reference by the markers, and this finger has none</source>
+        <translation>das Verfahren der Veröffentlichung wählt seine Referenz nach den Marken, und dieser Finger hat keine</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method sorts two whole rows, and {} of this finger&apos;s dots are missing</source>
+        <translation>das Verfahren der Veröffentlichung sortiert zwei ganze Reihen, und {} der Punkte dieses Fingers fehlen</translation>
+    </message>
+    <message>
+        <source>fewer than two dots of a row are seen, from which the source paper&apos;s method could tell the others: uncover and light the dots on the side faces</source>
+        <translation>von einer Reihe sind weniger als zwei Punkte zu sehen, aus denen das Verfahren der Veröffentlichung die anderen erschließen könnte: die Punkte auf den Seitenflächen freilegen und beleuchten</translation>
+    </message>
+    <message>
+        <source>stopped while the recording was read</source>
+        <translation>angehalten, während die Aufnahme gelesen wurde</translation>
+    </message>
+    <message>
+        <source>reading the recording as the source paper does</source>
+        <translation>die Aufnahme wird gelesen, wie die Veröffentlichung es tut</translation>
+    </message>
+    <message>
+        <source>the reference recording</source>
+        <translation>die Referenzaufnahme</translation>
+    </message>
+    <message>
+        <source>recording it anew with this camera</source>
+        <translation>sie mit dieser Kamera neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method finds face and markers in none of {} frames</source>
+        <translation>das Verfahren der Veröffentlichung findet Fläche und Marken in keinem von {} Bildern</translation>
+    </message>
+    <message>
+        <source>our own method, or a recording with brighter dots</source>
+        <translation>unser eigenes Verfahren, oder eine Aufnahme mit helleren Punkten</translation>
+    </message>
+    <message>
+        <source>{} dots were found beside the face: too few to sort into two rows</source>
+        <translation>{} Punkte wurden neben der Fläche gefunden: zu wenige, um sie in zwei Reihen zu sortieren</translation>
+    </message>
+    <message>
+        <source>a network exported with fixed sizes, one picture at a time and opset 11 or 12, or --marker-network own</source>
+        <translation>ein neuronales Netz, das mit festen Größen, einem Bild je Durchgang und opset 11 oder 12 exportiert ist, oder --marker-network own</translation>
+    </message>
+    <message>
+        <source>OpenCV cannot run this network</source>
+        <translation>OpenCV kann dieses neuronale Netz nicht ausführen</translation>
+    </message>
+    <message>
+        <source>this network makes {} of {}, which are neither dots nor boxes</source>
+        <translation>dieses neuronale Netz macht {} aus {}, was weder Punkte noch Kästen sind</translation>
+    </message>
+    <message>
+        <source>this network gives numbers that are not finite</source>
+        <translation>dieses neuronale Netz ergibt Zahlen, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>the file that says what this network must give is not there</source>
+        <translation>die Datei, die sagt, was dieses neuronale Netz ergeben muss, ist nicht da</translation>
+    </message>
+    <message>
+        <source>training it again, which writes both</source>
+        <translation>es neu trainieren, wobei beide geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the picture must be as large as what the network takes, {} x {}</source>
+        <translation>das Bild muss so groß sein wie das, was das neuronale Netz nimmt, {} x {}</translation>
+    </message>
+    <message>
+        <source>this network takes {}, not one picture of 1 or 3 channels and a fixed size of {} to {} px a side</source>
+        <translation>dieses neuronale Netz nimmt {}, nicht ein einzelnes Bild mit 1 oder 3 Kanälen und einer festen Größe von {} bis {} px je Seite</translation>
+    </message>
+    <message>
+        <source>OpenCV cannot read this network (opset {}; it knows those up to 12 well)</source>
+        <translation>OpenCV kann dieses neuronale Netz nicht lesen (opset {}; es kennt die bis 12 gut)</translation>
+    </message>
+    <message>
+        <source>the network and its .yaml of the same training, or exporting it with opset 11 or 12</source>
+        <translation>das neuronale Netz und seine .yaml aus demselben Training, oder es mit opset 11 oder 12 exportieren</translation>
+    </message>
+    <message>
+        <source>the network gives {} numbers where its .yaml has {}</source>
+        <translation>das neuronale Netz ergibt {} Zahlen, wo seine .yaml {} hat</translation>
+    </message>
+    <message>
+        <source>on a known picture the network gives numbers that are up to {:.3g} off what its .yaml says, and {:.3g} is allowed</source>
+        <translation>bei einem bekannten Bild ergibt das neuronale Netz Zahlen, die bis zu {:.3g} von dem abweichen, was seine .yaml sagt, und {:.3g} ist erlaubt</translation>
+    </message>
+    <message>
+        <source>this is no network in the ONNX format, or only part of one, or damaged</source>
+        <translation>dies ist kein neuronales Netz im ONNX-Format, oder nur ein Teil davon, oder beschädigt</translation>
+    </message>
+    <message>
+        <source>copying or exporting the file again</source>
+        <translation>die Datei neu kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>&apos;crossing&apos; tells the finger&apos;s bend, and with it where a press lies, several times closer</source>
+        <translation>&apos;crossing&apos; erkennt die Biegung des Fingers, und damit den Ort eines Eindrucks, mehrmals genauer</translation>
+    </message>
+    <message>
+        <source>&apos;crossing&apos; takes a little longer</source>
+        <translation>&apos;crossing&apos; dauert etwas länger</translation>
+    </message>
+    <message>
+        <source>more hide the noise of dark pictures; beyond 16 a bent finger&apos;s edge is no longer straight within them</source>
+        <translation>mehr unterdrücken das Rauschen dunkler Bilder; über 16 ist die Kante eines gebogenen Fingers in ihnen nicht mehr gerade</translation>
+    </message>
+    <message>
+        <source>fewer make more places, each of which the curve has to be fitted to</source>
+        <translation>weniger ergeben mehr Orte, an deren jeden die Kurve angepasst werden muss</translation>
+    </message>
+    <message>
+        <source>higher follows sharper bends; too high follows noise where the edge is hidden</source>
+        <translation>höher folgt schärferen Biegungen; zu hoch folgt dem Rauschen, wo die Kante verdeckt ist</translation>
+    </message>
+    <message>
+        <source>higher makes the fit longer</source>
+        <translation>höher verlängert die Anpassung</translation>
+    </message>
+    <message>
+        <source>how the engraved dots are found and numbered: spots followed by how the finger moves, the source paper&apos;s two sorted rows, or a convolutional network in every frame</source>
+        <translation>wie die gravierten Punkte gefunden und nummeriert werden: Flecken, die nach der Bewegung des Fingers verfolgt werden, die zwei sortierten Reihen der Veröffentlichung, oder ein neuronales Faltungsnetz in jedem Bild</translation>
+    </message>
+    <message>
+        <source>&apos;network&apos; finds more dots that are worn, dark or badly lit; &apos;paper&apos; loses its numbers where dots are hidden</source>
+        <translation>&apos;network&apos; findet mehr Punkte, die abgenutzt, dunkel oder schlecht beleuchtet sind; &apos;paper&apos; verliert seine Nummern, wo Punkte verdeckt sind</translation>
+    </message>
+    <message>
+        <source>&apos;network&apos; takes many times as long</source>
+        <translation>&apos;network&apos; dauert um ein Vielfaches länger</translation>
+    </message>
+    <message>
+        <source>the network that marker-method network uses, and paper too where one is named: an ONNX file, a detector such as YOLO11 among them</source>
+        <translation>das neuronale Netz, das marker-method network benutzt, und auch paper, wo eines genannt ist: eine ONNX-Datei, darunter ein Detektor wie YOLO11</translation>
+    </message>
+    <message>
+        <source>&apos;local&apos; keeps depth of a bent finger right between the recorded poses; &apos;single&apos; is right at rest alone</source>
+        <translation>&apos;local&apos; hält die Tiefe eines gebogenen Fingers zwischen den aufgenommenen Haltungen richtig; &apos;single&apos; stimmt nur in Ruhe</translation>
+    </message>
+    <message>
+        <source>&apos;local&apos; adds up several pictures instead of one</source>
+        <translation>&apos;local&apos; summiert mehrere Bilder statt eines</translation>
+    </message>
+    <message>
+        <source>&apos;corrected&apos; keeps depth right when the room or the lamp changes</source>
+        <translation>&apos;corrected&apos; hält die Tiefe richtig, wenn sich der Raum oder die Lampe ändert</translation>
+    </message>
+    <message>
+        <source>&apos;corrected&apos; looks once over the untouched skin</source>
+        <translation>&apos;corrected&apos; sieht die unberührte Haut einmal durch</translation>
+    </message>
+    <message>
+        <source>more quiets the depth of a smooth contact and rounds off edges and threads</source>
+        <translation>mehr beruhigt die Tiefe eines glatten Kontakts und rundet Kanten und Gewinde ab</translation>
+    </message>
+    <message>
+        <source>more takes longer, none the least</source>
+        <translation>mehr dauert länger, keine am kürzesten</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>der Wert ist leer</translation>
+    </message>
+    <message>
+        <source>could not write the gauge&apos;s readings</source>
+        <translation>die Messwerte des Kraftmessers ließen sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>The gauge is back.</source>
+        <translation>Der Kraftmesser ist wieder da.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no direction</source>
+        <translation>&apos;{}&apos; ist keine Richtung</translation>
+    </message>
+    <message>
+        <source>x, -y, 0.6,0.8,0 or, for several values, x/y/z</source>
+        <translation>x, -y, 0.6,0.8,0 oder, bei mehreren Werten, x/y/z</translation>
+    </message>
+    <message>
+        <source>such as &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;, or a table with at, type, scale, zero, unit</source>
+        <translation>etwa &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;, oder eine Tabelle mit at, type, scale, zero, unit</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; describes no report of a gauge</source>
+        <translation>&apos;{}&apos; beschreibt keinen Report eines Kraftmessers</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no {}</source>
+        <translation>&apos;{}&apos; ist kein gültiger Wert für {}</translation>
+    </message>
+    <message>
+        <source>the table describes no report of a gauge</source>
+        <translation>die Tabelle beschreibt keinen Report eines Kraftmessers</translation>
+    </message>
+    <message>
+        <source>The device tells other reports than the one described. Try: its id and length.</source>
+        <translation>Das Gerät sendet andere Reports als den beschriebenen. Abhilfe: seine Kennung (id) und Länge.</translation>
+    </message>
+    <message>
+        <source>there is no gauge &apos;{}&apos;</source>
+        <translation>es gibt keinen Kraftmesser &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>mark10, imada or sauter, or the question and the speed</source>
+        <translation>mark10, imada oder sauter, oder die Anfrage und die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>there are {} directions for {} values</source>
+        <translation>es gibt {} Richtungen für {} Werte</translation>
+    </message>
+    <message>
+        <source>one for each, as x/y/z</source>
+        <translation>eine für jeden, wie x/y/z</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no text with \r, \n, \xHH</source>
+        <translation>&apos;{}&apos; ist kein Text mit \r, \n, \xHH</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no unit of force</source>
+        <translation>&apos;{}&apos; ist keine Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>N, mN, kN, g, kgf, lbf or ozf</source>
+        <translation>N, mN, kN, g, kgf, lbf oder ozf</translation>
+    </message>
+    <message>
+        <source>of a HID gauge the unit is told with its report</source>
+        <translation>bei einem HID-Kraftmesser wird die Einheit mit seinem Report angegeben</translation>
+    </message>
+    <message>
+        <source>unit= in the report&apos;s description</source>
+        <translation>unit= in der Beschreibung des Reports</translation>
+    </message>
+    <message>
+        <source>model, speed and question are of a serial gauge</source>
+        <translation>Modell, Geschwindigkeit und Anfrage gehören zu einem seriellen Kraftmesser</translation>
+    </message>
+    <message>
+        <source>serial:/dev/ttyUSB0</source>
+        <translation>serial:/dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>it is not told where the force stands in the gauge&apos;s reports</source>
+        <translation>es ist nicht angegeben, wo in den Reports des Kraftmessers die Kraft steht</translation>
+    </message>
+    <message>
+        <source>a report is told of a gauge that is no HID device</source>
+        <translation>für einen Kraftmesser, der kein HID-Gerät ist, ist ein Report angegeben</translation>
+    </message>
+    <message>
+        <source>hid:DEVICE and &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;</source>
+        <translation>hid:DEVICE und &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no gauge</source>
+        <translation>&apos;{}&apos; ist kein Kraftmesser</translation>
+    </message>
+    <message>
+        <source>typed, serial:/dev/ttyUSB0 or hid:DEVICE</source>
+        <translation>typed, serial:/dev/ttyUSB0 oder hid:DEVICE</translation>
+    </message>
+    <message>
+        <source>{} lines of the gauge were no readings</source>
+        <translation>{} Zeilen des Kraftmessers waren keine Messwerte</translation>
+    </message>
+    <message>
+        <source>The gauge does not answer to &apos;{}&apos;. Try: another speed, another question, its settings for the serial line.</source>
+        <translation>Der Kraftmesser antwortet nicht auf &apos;{}&apos;. Abhilfe: eine andere Geschwindigkeit, eine andere Anfrage, seine Einstellungen für die serielle Schnittstelle.</translation>
+    </message>
+    <message>
+        <source>make this user a member of the group dialout (sudo usermod -aG dialout $USER) and log in again</source>
+        <translation>diesen Benutzer zum Mitglied der Gruppe dialout machen (sudo usermod -aG dialout $USER) und neu anmelden</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>ein anderes Programm benutzt sie</translation>
+    </message>
+    <message>
+        <source>close that program</source>
+        <translation>dieses Programm schließen</translation>
+    </message>
+    <message>
+        <source>there is no such serial line</source>
+        <translation>es gibt keine solche serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>plug the gauge in; none was found</source>
+        <translation>den Kraftmesser einstecken; es wurde keiner gefunden</translation>
+    </message>
+    <message>
+        <source>plug it in, or one of {}</source>
+        <translation>einstecken, oder eine von {}</translation>
+    </message>
+    <message>
+        <source>the serial line is gone</source>
+        <translation>die serielle Schnittstelle ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>plug the gauge in again</source>
+        <translation>den Kraftmesser wieder einstecken</translation>
+    </message>
+    <message>
+        <source>the serial line cannot be set up</source>
+        <translation>die serielle Schnittstelle lässt sich nicht einrichten</translation>
+    </message>
+    <message>
+        <source>this is no serial line</source>
+        <translation>dies ist keine serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>the gauge&apos;s /dev/tty...</source>
+        <translation>/dev/tty... des Kraftmessers</translation>
+    </message>
+    <message>
+        <source>the serial line does not take {} baud</source>
+        <translation>die serielle Schnittstelle nimmt {} Baud nicht an</translation>
+    </message>
+    <message>
+        <source>the speed that the gauge&apos;s manual tells</source>
+        <translation>die Geschwindigkeit, die das Handbuch des Kraftmessers nennt</translation>
+    </message>
+    <message>
+        <source>{} baud is no speed of a serial line</source>
+        <translation>{} Baud ist keine Geschwindigkeit einer seriellen Schnittstelle</translation>
+    </message>
+    <message>
+        <source>9600, 19200, 115200 or what the gauge&apos;s manual tells</source>
+        <translation>9600, 19200, 115200 oder was das Handbuch des Kraftmessers nennt</translation>
+    </message>
+    <message>
+        <source>the serial line cannot be opened</source>
+        <translation>die serielle Schnittstelle lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>the serial line takes nothing</source>
+        <translation>die serielle Schnittstelle nimmt nichts an</translation>
+    </message>
+    <message>
+        <source>check its cable</source>
+        <translation>ihr Kabel prüfen</translation>
+    </message>
+    <message>
+        <source>{} from now on</source>
+        <translation>ab jetzt {}</translation>
+    </message>
+    <message>
+        <source>what was typed holds no longer</source>
+        <translation>das Eingetippte gilt nicht mehr</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no reading; a number, &apos;y 1.2 N&apos;, &apos;block NAME&apos;, or nothing</source>
+        <translation>&apos;{}&apos; ist kein Messwert; eine Zahl, &apos;y 1.2 N&apos;, &apos;block NAME&apos; oder nichts</translation>
+    </message>
+    <message>
+        <source>{:.3f} {:.3f} {:.3f} N</source>
+        <translation>{:.3f} {:.3f} {:.3f} N</translation>
+    </message>
+    <message>
+        <source>ours, simulated</source>
+        <translation>unseres, simuliert</translation>
+    </message>
+    <message>
+        <source>paper, measured</source>
+        <translation>Veröffentlichung, gemessen</translation>
+    </message>
+    <message>
+        <source>Fx and Fy of pushes, on fingers drawn at random</source>
+        <translation>Fx und Fy von Stößen, an zufällig gezogenen Fingern</translation>
+    </message>
+    <message>
+        <source>place and force in rooms of 300, 1100 and 2500 lux</source>
+        <translation>Ort und Kraft in Räumen mit 300, 1100 und 2500 Lux</translation>
+    </message>
+    <message>
+        <source>Ours are simulated, with the truth known; the paper&apos;s were measured on a real finger.</source>
+        <translation>Unsere sind simuliert, die Wahrheit ist bekannt; die der Veröffentlichung wurden an einem wirklichen Finger gemessen.</translation>
+    </message>
+    <message>
+        <source>least depth of a ball that is felt, ours alone</source>
+        <translation>geringste Tiefe einer Kugel, die gespürt wird, nur unseres</translation>
+    </message>
+    <message>
+        <source>place along the finger (mm)</source>
+        <translation>Ort längs des Fingers (mm)</translation>
+    </message>
+    <message>
+        <source>least depth felt (mm)</source>
+        <translation>geringste gespürte Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>least force that is felt, on every face over height</source>
+        <translation>geringste Kraft, die gespürt wird, auf jeder Fläche über der Höhe</translation>
+    </message>
+    <message>
+        <source>least force felt (N)</source>
+        <translation>geringste gespürte Kraft (N)</translation>
+    </message>
+    <message>
+        <source>paper, at most, measured</source>
+        <translation>Veröffentlichung, höchstens, gemessen</translation>
+    </message>
+    <message>
+        <source>{} lux</source>
+        <translation>{} Lux</translation>
+    </message>
+    <message>
+        <source>error of the place in rooms of different light; the paper tells no figure by room</source>
+        <translation>Fehler des Ortes in verschieden hellen Räumen; die Veröffentlichung nennt keine Zahl je Raum</translation>
+    </message>
+    <message>
+        <source>mean error of the place (mm)</source>
+        <translation>mittlerer Fehler des Ortes (mm)</translation>
+    </message>
+    <message>
+        <source>error of the force in rooms of different light, by a model that learnt in the dark</source>
+        <translation>Fehler der Kraft in verschieden hellen Räumen, mit einem Modell, das im Dunkeln gelernt hat</translation>
+    </message>
+    <message>
+        <source>mean error of Fx and Fy (N)</source>
+        <translation>mittlerer Fehler von Fx und Fy (N)</translation>
+    </message>
+    <message>
+        <source>place, mean error at {} lux</source>
+        <translation>Ort, mittlerer Fehler bei {} Lux</translation>
+    </message>
+    <message>
+        <source>force, mean error at {} lux</source>
+        <translation>Kraft, mittlerer Fehler bei {} Lux</translation>
+    </message>
+    <message>
+        <source>place, greatest change between rooms</source>
+        <translation>Ort, größte Änderung zwischen Räumen</translation>
+    </message>
+    <message>
+        <source>force, greatest change between rooms</source>
+        <translation>Kraft, größte Änderung zwischen Räumen</translation>
+    </message>
+    <message>
+        <source>the same without correction of the light</source>
+        <translation>dasselbe ohne Korrektur des Lichts</translation>
+    </message>
+    <message>
+        <source>How much of a room&apos;s light gets into a finger is a guess of the scene, 4 grey levels of a white surface for every 1000 lux; the same frames are shown in every room</source>
+        <translation>Wie viel vom Licht eines Raums in einen Finger gelangt, ist eine Annahme der Szene: 4 Graustufen einer weißen Oberfläche je 1000 Lux; in jedem Raum werden dieselben Bilder gezeigt</translation>
+    </message>
+    <message>
+        <source>told right (%)</source>
+        <translation>richtig erkannt (%)</translation>
+    </message>
+    <message>
+        <source>side of 8</source>
+        <translation>Seite von 8</translation>
+    </message>
+    <message>
+        <source>frames under 10 px, or told to be in a pose never recorded</source>
+        <translation>Bilder unter 10 px oder mit der Meldung, dass die Haltung nie aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>how many frames have a reference closer than so many px, summed over the dots</source>
+        <translation>wie viele Bilder eine Referenz haben, die näher ist als so viele px, summiert über die Punkte</translation>
+    </message>
+    <message>
+        <source>distance to the reference (px)</source>
+        <translation>Abstand zur Referenz (px)</translation>
+    </message>
+    <message>
+        <source>frames (%)</source>
+        <translation>Bilder (%)</translation>
+    </message>
+    <message>
+        <source>nearest of a recording, ours</source>
+        <translation>nächstes einer Aufnahme, unseres</translation>
+    </message>
+    <message>
+        <source>one reference, ours</source>
+        <translation>eine Referenz, unseres</translation>
+    </message>
+    <message>
+        <source>nearest, paper, measured</source>
+        <translation>nächstes, Veröffentlichung, gemessen</translation>
+    </message>
+    <message>
+        <source>one, paper, measured</source>
+        <translation>eine, Veröffentlichung, gemessen</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>kein Fehler</translation>
+    </message>
+    <message>
+        <source>held out, ours, simulated</source>
+        <translation>ausgelassen, unseres, simuliert</translation>
+    </message>
+    <message>
+        <source>true force (N)</source>
+        <translation>wahre Kraft (N)</translation>
+    </message>
+    <message>
+        <source>told force (N)</source>
+        <translation>ermittelte Kraft (N)</translation>
+    </message>
+    <message>
+        <source>mean error of the force, ours simulated and the paper&apos;s measured</source>
+        <translation>mittlerer Fehler der Kraft, unserer simuliert und der der Veröffentlichung gemessen</translation>
+    </message>
+    <message>
+        <source>mean error (N)</source>
+        <translation>mittlerer Fehler (N)</translation>
+    </message>
+    <message>
+        <source>Fx</source>
+        <translation>Fx</translation>
+    </message>
+    <message>
+        <source>Fy</source>
+        <translation>Fy</translation>
+    </message>
+    <message>
+        <source>aim</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>where along the finger the error is: the base moves the markers least</source>
+        <translation>wo längs des Fingers der Fehler liegt: Der Fuß bewegt die Marken am wenigsten</translation>
+    </message>
+    <message>
+        <source>Fx, ours</source>
+        <translation>Fx, unseres</translation>
+    </message>
+    <message>
+        <source>Fy, ours</source>
+        <translation>Fy, unseres</translation>
+    </message>
+    <message>
+        <source>Fx, paper, over all places</source>
+        <translation>Fx, Veröffentlichung, über alle Orte</translation>
+    </message>
+    <message>
+        <source>Fy, paper, over all places</source>
+        <translation>Fy, Veröffentlichung, über alle Orte</translation>
+    </message>
+    <message>
+        <source>Fx told of places that were held out</source>
+        <translation>Fx, ermittelt an Orten, die ausgelassen wurden</translation>
+    </message>
+    <message>
+        <source>Fy told of places that were held out</source>
+        <translation>Fy, ermittelt an Orten, die ausgelassen wurden</translation>
+    </message>
+    <message>
+        <source>Fx, mean error on places held out</source>
+        <translation>Fx, mittlerer Fehler an ausgelassenen Orten</translation>
+    </message>
+    <message>
+        <source>Fy, mean error on places held out</source>
+        <translation>Fy, mittlerer Fehler an ausgelassenen Orten</translation>
+    </message>
+    <message>
+        <source>Fx, the same of the worst finger</source>
+        <translation>Fx, dasselbe beim schlechtesten Finger</translation>
+    </message>
+    <message>
+        <source>Fy, the same of the worst finger</source>
+        <translation>Fy, dasselbe beim schlechtesten Finger</translation>
+    </message>
+    <message>
+        <source>forces within their intervals of 95 %</source>
+        <translation>Kräfte innerhalb ihrer Intervalle von 95 %</translation>
+    </message>
+    <message>
+        <source>the same, away from 95 %</source>
+        <translation>dasselbe, Abstand von 95 %</translation>
+    </message>
+    <message>
+        <source>{} fingers drawn at random, 484 pushes each at {} places, of which whole ones are held out; {} pushes are measured, in the others too few markers are found. Forces are those on the finger in the camera&apos;s axes and have no error of a gauge</source>
+        <translation>{} zufällig gezogene Finger, je 484 Stöße an {} Orten, von denen ganze ausgelassen werden; {} Stöße werden gemessen, bei den anderen werden zu wenige Marken gefunden. Die Kräfte sind die auf den Finger in den Achsen der Kamera und haben keinen Fehler eines Kraftmessers</translation>
+    </message>
+    <message>
+        <source>Nothing drags along the finger: that hardly moves a marker, and is told by none</source>
+        <translation>Nichts zieht längs des Fingers: Das bewegt kaum eine Marke, und keine zeigt es an</translation>
+    </message>
+    <message>
+        <source>error of the relief, ours alone: the paper shows pictures</source>
+        <translation>Fehler des Reliefs, nur unseres: Die Veröffentlichung zeigt Bilder</translation>
+    </message>
+    <message>
+        <source>mean depth error (mm)</source>
+        <translation>mittlerer Tiefenfehler (mm)</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>bent</source>
+        <translation>gebogen</translation>
+    </message>
+    <message>
+        <source>straight, one reference</source>
+        <translation>gerade, eine Referenz</translation>
+    </message>
+    <message>
+        <source>bent, one reference</source>
+        <translation>gebogen, eine Referenz</translation>
+    </message>
+    <message>
+        <source>time of a frame&apos;s steps, ours on this computer and the paper&apos;s on its own</source>
+        <translation>Zeit für die Schritte eines Bildes, unsere auf diesem Computer und die der Veröffentlichung auf ihrem</translation>
+    </message>
+    <message>
+        <source>time (ms)</source>
+        <translation>Zeit (ms)</translation>
+    </message>
+    <message>
+        <source>edges, shape</source>
+        <translation>Kanten, Form</translation>
+    </message>
+    <message>
+        <source>markers, reference</source>
+        <translation>Marken, Referenz</translation>
+    </message>
+    <message>
+        <source>depth, contacts</source>
+        <translation>Tiefe, Kontakte</translation>
+    </message>
+    <message>
+        <source>whole frame</source>
+        <translation>ganzes Bild</translation>
+    </message>
+    <message>
+        <source>error of the place along the finger, one point a touch</source>
+        <translation>Fehler des Ortes längs des Fingers, ein Punkt je Berührung</translation>
+    </message>
+    <message>
+        <source>error of the place (mm)</source>
+        <translation>Fehler des Ortes (mm)</translation>
+    </message>
+    <message>
+        <source>paper, mean within 20 mm of the middle, measured</source>
+        <translation>Veröffentlichung, Mittel innerhalb von 20 mm um die Mitte, gemessen</translation>
+    </message>
+    <message>
+        <source>paper, mean at the tip, measured</source>
+        <translation>Veröffentlichung, Mittel an der Spitze, gemessen</translation>
+    </message>
+    <message>
+        <source>error of the angle of a bar, by how it is turned</source>
+        <translation>Fehler des Winkels eines Stabs, je nachdem, wie er gedreht ist</translation>
+    </message>
+    <message>
+        <source>true angle (degrees)</source>
+        <translation>wahrer Winkel (Grad)</translation>
+    </message>
+    <message>
+        <source>error of the angle (degrees)</source>
+        <translation>Fehler des Winkels (Grad)</translation>
+    </message>
+    <message>
+        <source>paper, the lesser, measured</source>
+        <translation>Veröffentlichung, die kleinere, gemessen</translation>
+    </message>
+    <message>
+        <source>paper, the greater, measured</source>
+        <translation>Veröffentlichung, die größere, gemessen</translation>
+    </message>
+    <message>
+        <source>the finger is not calibrated</source>
+        <translation>der Finger ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>calibrating it with ball presses</source>
+        <translation>ihn mit Kugeleindrücken kalibrieren</translation>
+    </message>
+    <message>
+        <source>this is not the report of the finger&apos;s calibration</source>
+        <translation>dies ist nicht der Bericht der Kalibrierung dieses Fingers</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; counts in no unit of force</source>
+        <translation>die Spalte &apos;{}&apos; zählt in keiner Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>pressing in different directions; several tables may be given</source>
+        <translation>in verschiedene Richtungen drücken; es können mehrere Tabellen angegeben werden</translation>
+    </message>
+    <message>
+        <source>The gauge tells {:.0f} ms (sd {:.0f} ms) after the pictures; that is taken out.</source>
+        <translation>Der Kraftmesser meldet {:.0f} ms (Standardabweichung {:.0f} ms) nach den Bildern; das wird herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>The gauge tells {:.0f} ms (sd {:.0f} ms) before the pictures; that is taken out.</source>
+        <translation>Der Kraftmesser meldet {:.0f} ms (Standardabweichung {:.0f} ms) vor den Bildern; das wird herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>How late the gauge tells could not be told from these frames: nothing is taken out. Try: some quick taps while recording.</source>
+        <translation>Wie spät der Kraftmesser meldet, ließ sich aus diesen Bildern nicht ermitteln: Es wird nichts herausgerechnet. Abhilfe: beim Aufnehmen einige Male schnell antippen.</translation>
+    </message>
+    <message>
+        <source>The gauge and the camera were on different clocks: {:.3f} s (sd {:.3f} s) apart by the markers&apos; motion, drifting by {:.0f} ppm.</source>
+        <translation>Kraftmesser und Kamera liefen nach verschiedenen Uhren: nach der Bewegung der Marken {:.3f} s (Standardabweichung {:.3f} s) auseinander, mit einer Drift von {:.0f} ppm.</translation>
+    </message>
+    <message>
+        <source>has {} markers and {} axes, the tables before it {} and {}</source>
+        <translation>hat {} Marken und {} Achsen, die Tabellen davor {} und {}</translation>
+    </message>
+    <message>
+        <source>tables of one finger and one kind of gauge</source>
+        <translation>Tabellen eines einzigen Fingers und einer einzigen Art von Kraftmesser</translation>
+    </message>
+    <message>
+        <source>pressing the ball in deeper, whole on the face</source>
+        <translation>die Kugel tiefer eindrücken, ganz auf der Fläche</translation>
+    </message>
+    <message>
+        <source>nothing is dark enough for a ball that presses</source>
+        <translation>nichts ist dunkel genug für eine Kugel, die drückt</translation>
+    </message>
+    <message>
+        <source>no circle gives a cubic whose constant is zero</source>
+        <translation>kein Kreis ergibt eine kubische Kurve, deren Konstante null ist</translation>
+    </message>
+    <message>
+        <source>the cubic without a constant leaves {:.0f} % of the depths&apos; spread: its contact is too faint, small or steep</source>
+        <translation>die kubische Kurve ohne Konstante lässt {:.0f} % der Streuung der Tiefen übrig: Der Kontakt ist zu schwach, zu klein oder zu steil</translation>
+    </message>
+    <message>
+        <source>stopped before the first solution</source>
+        <translation>angehalten vor der ersten Lösung</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method finds a ball in none of {} presses ({})</source>
+        <translation>das Verfahren der Veröffentlichung findet bei keinem von {} Eindrücken eine Kugel ({})</translation>
+    </message>
+    <message>
+        <source>there is none that is not excluded</source>
+        <translation>es gibt keinen, der nicht ausgeschlossen ist</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method can measure none of {} presses ({})</source>
+        <translation>das Verfahren der Veröffentlichung kann keinen von {} Eindrücken messen ({})</translation>
+    </message>
+    <message>
+        <source>our own method</source>
+        <translation>unser eigenes Verfahren</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method calibrates in its own way, and this finger keeps no presses to do so with</source>
+        <translation>das Verfahren der Veröffentlichung kalibriert auf seine eigene Weise, und dieser Finger bewahrt keine Eindrücke dafür auf</translation>
+    </message>
+    <message>
+        <source>alltact calibrate with ball presses</source>
+        <translation>alltact calibrate mit Kugeleindrücken</translation>
+    </message>
+    <message>
+        <source>stopped before the study was over</source>
+        <translation>angehalten, bevor die Studie zu Ende war</translation>
+    </message>
+    <message>
+        <source>measuring what settings cost</source>
+        <translation>es wird gemessen, was Einstellungen kosten</translation>
+    </message>
+    <message>
+        <source>too few pictures of the reference recording show the face</source>
+        <translation>zu wenige Bilder der Referenzaufnahme zeigen die Fläche</translation>
+    </message>
+    <message>
+        <source>record the finger bending through all its poses</source>
+        <translation>den Finger aufnehmen, wie er sich durch alle seine Haltungen biegt</translation>
+    </message>
+    <message>
+        <source>balls painted into untouched pictures of {}</source>
+        <translation>Kugeln, in unberührte Bilder von {} gemalt</translation>
+    </message>
+    <message>
+        <source>the demonstration&apos;s finger, simulated, pressed in random places</source>
+        <translation>der Finger der Vorführung, simuliert, an zufälligen Orten gedrückt</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>unverändert</translation>
+    </message>
+    <message>
+        <source>is not what a study of this program keeps</source>
+        <translation>ist nicht, was eine Studie dieses Programms aufbewahrt</translation>
+    </message>
+    <message>
+        <source>remove it, and the study begins anew</source>
+        <translation>entfernen, dann beginnt die Studie von vorn</translation>
+    </message>
+    <message>
+        <source>the gripper&apos;s fingers are {} and {}, and others are open</source>
+        <translation>die Finger des Greifers sind {} und {}, und andere sind offen</translation>
+    </message>
+    <message>
+        <source>opening these two fingers</source>
+        <translation>diese beiden Finger öffnen</translation>
     </message>
 </context>
 </TS>

@@ -2,22 +2,22 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>alltact::ContactWords</name>
+    <message numerus="yes">
+        <source>%n contact(s) on the face.</source>
+        <translation>
+            <numerusform>%n contact on the face.</numerusform>
+            <numerusform>%n contacts on the face.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::ConvergencePlot</name>
     <message numerus="yes">
         <source>After %n round(s) %1 mm are left.</source>
         <translation>
             <numerusform>After %n round %1 mm are left.</numerusform>
             <numerusform>After %n rounds %1 mm are left.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>alltact::FrameWords</name>
-    <message numerus="yes">
-        <source>%n contact(s) on the face.</source>
-        <translation>
-            <numerusform>%n contact on the face.</numerusform>
-            <numerusform>%n contacts on the face.</numerusform>
         </translation>
     </message>
 </context>
@@ -72,6 +72,30 @@
         <translation>
             <numerusform>%n usable</numerusform>
             <numerusform>%n usable</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ProblemList</name>
+    <message numerus="yes">
+        <source>%n min ago</source>
+        <translation>
+            <numerusform>%n min ago</numerusform>
+            <numerusform>%n min ago</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n h ago</source>
+        <translation>
+            <numerusform>%n h ago</numerusform>
+            <numerusform>%n h ago</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
         </translation>
     </message>
 </context>
@@ -155,6 +179,41 @@
         <translation>
             <numerusform>%n frame lost</numerusform>
             <numerusform>%n frames lost</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::en</name>
+    <message numerus="yes">
+        <source>{} frames</source>
+        <comment>{} frame</comment>
+        <translation>
+            <numerusform>{} frame</numerusform>
+            <numerusform>{} frames</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %</source>
+        <comment>{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
+        <translation>
+            <numerusform>{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
+            <numerusform>{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the recording holds {} frames; at least 2 are needed</source>
+        <comment>the recording holds {} frame; at least 2 are needed</comment>
+        <translation>
+            <numerusform>the recording holds {} frame; at least 2 are needed</numerusform>
+            <numerusform>the recording holds {} frames; at least 2 are needed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{1} {2:.3f} mm ({0} presses)</source>
+        <comment>{1} {2:.3f} mm ({0} press)</comment>
+        <translation>
+            <numerusform>{1} {2:.3f} mm ({0} press)</numerusform>
+            <numerusform>{1} {2:.3f} mm ({0} presses)</numerusform>
         </translation>
     </message>
 </context>

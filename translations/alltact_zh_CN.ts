@@ -146,6 +146,103 @@
     </message>
 </context>
 <context>
+    <name>alltact::ContactWords</name>
+    <message>
+        <source>Touched on the contact face</source>
+        <translation>接触面被触碰</translation>
+    </message>
+    <message>
+        <source>Pushed from the back</source>
+        <translation>从背面被推</translation>
+    </message>
+    <message>
+        <source>Pushed from the upper side</source>
+        <translation>从上侧面被推</translation>
+    </message>
+    <message>
+        <source>Pushed from the lower side</source>
+        <translation>从下侧面被推</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>已持续 %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>纵向</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>横向</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>± %1°</source>
+        <translation>± %1°</translation>
+    </message>
+    <message>
+        <source>(the face&apos;s normal)</source>
+        <translation>（面的法线）</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3</source>
+        <translation>x %1，y %2，z %3</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Area %1 mm², volume %2 mm³.</source>
+        <translation>面积 %1 mm²，体积 %2 mm³。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contact(s) on the face.</source>
+        <translation>
+            <numerusform>表面上有 %n 处接触。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It slips or rolls over the skin.</source>
+        <translation>它在表皮上打滑或滚动。</translation>
+    </message>
+    <message>
+        <source>Not known without a reference recording.</source>
+        <translation>没有参考录像，无法得知。</translation>
+    </message>
+    <message>
+        <source>Nothing touches the finger.</source>
+        <translation>没有东西触碰手指。</translation>
+    </message>
+    <message>
+        <source>The last contact lasted %1 and ended %2 ago.</source>
+        <translation>上一次接触持续了 %1，于 %2 前结束。</translation>
+    </message>
+    <message>
+        <source>It slipped.</source>
+        <translation>期间有打滑。</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Along: over the face from its base. Across: from its middle line towards +y. Direction: the way the finger gave, in the camera&apos;s frame; its standard deviation is that within the finger&apos;s section.</source>
+        <translation>纵向：沿面从根部算起。横向：从面的中线向 +y 方向。方向：手指退让的方向，以相机坐标系表示；其标准差是手指横截面内的标准差。</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ControlPanel</name>
     <message>
         <source>Automatic exposure</source>
@@ -324,6 +421,17 @@
     </message>
 </context>
 <context>
+    <name>alltact::ExperimentFigurePlot</name>
+    <message>
+        <source>Figure of an experiment</source>
+        <translation>实验图表</translation>
+    </message>
+    <message>
+        <source>Nothing was measured</source>
+        <translation>没有测量结果</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ExportDialog</name>
     <message>
         <source>Export finger</source>
@@ -453,6 +561,69 @@
     </message>
 </context>
 <context>
+    <name>alltact::FingerCards</name>
+    <message>
+        <source>Not calibrated yet</source>
+        <translation>尚未标定</translation>
+    </message>
+    <message>
+        <source>Calibrated; how well is not kept</source>
+        <translation>已标定；没有保存其质量</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>Usable for contact and its place</source>
+        <translation>可用于判断接触及其位置</translation>
+    </message>
+    <message>
+        <source>Unproven</source>
+        <translation>未经证实</translation>
+    </message>
+    <message>
+        <source>Not fit to measure with</source>
+        <translation>不适合测量</translation>
+    </message>
+    <message>
+        <source>Calibrated %1</source>
+        <translation>标定于 %1</translation>
+    </message>
+    <message>
+        <source>Calibrated %1, checked %2</source>
+        <translation>标定于 %1，检查于 %2</translation>
+    </message>
+    <message>
+        <source>Due: record it bending</source>
+        <translation>待办：录制它弯曲的过程</translation>
+    </message>
+    <message>
+        <source>Due: calibrate it</source>
+        <translation>待办：标定</translation>
+    </message>
+    <message>
+        <source>Due: a check</source>
+        <translation>待办：检查</translation>
+    </message>
+    <message>
+        <source>Drifting: look at the last check</source>
+        <translation>漂移：请查看最近一次检查</translation>
+    </message>
+    <message>
+        <source>Due: calibrate it again</source>
+        <translation>待办：重新标定</translation>
+    </message>
+    <message>
+        <source>Nothing is due</source>
+        <translation>没有待办事项</translation>
+    </message>
+    <message>
+        <source>Open the finger %1</source>
+        <translation>打开手指 %1</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FingerMenu</name>
     <message>
         <source>&amp;Recent fingers</source>
@@ -555,23 +726,120 @@
     </message>
 </context>
 <context>
+    <name>alltact::ForceBox</name>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Re-&amp;zero</source>
+        <translation>重新归零(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;As measured</source>
+        <translation>按实测值(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Forces count from the model&apos;s own zero again.</source>
+        <translation>力重新从模型自身的零点算起。</translation>
+    </message>
+    <message>
+        <source>Force now</source>
+        <translation>当前的力</translation>
+    </message>
+    <message>
+        <source>From which zero forces count</source>
+        <translation>力从哪个零点算起</translation>
+    </message>
+    <message>
+        <source>Force over the last half minute</source>
+        <translation>最近半分钟的力</translation>
+    </message>
+    <message>
+        <source>The force model was trained with nothing like this picture.</source>
+        <translation>力模型的训练数据中没有与此图像相似的情况。</translation>
+    </message>
+    <message>
+        <source>A recording is shown as it was measured.</source>
+        <translation>录像按实测值显示。</translation>
+    </message>
+    <message>
+        <source>The mean of the last half second counts as no force from now on.</source>
+        <translation>从现在起，最近半秒的平均值视为零力。</translation>
+    </message>
+    <message>
+        <source>There is no reading in range that could count as zero.</source>
+        <translation>没有可作为零点的范围内读数。</translation>
+    </message>
+    <message>
+        <source>No force is told of this picture.</source>
+        <translation>此图像没有给出力。</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>95 % lie within ±.</source>
+        <translation>95 % 在 ± 范围以内。</translation>
+    </message>
+    <message>
+        <source>Out of range: do not rely on it.</source>
+        <translation>超出范围：请勿依赖此值。</translation>
+    </message>
+    <message>
+        <source>Zero: the model&apos;s own.</source>
+        <translation>零点：模型自身的零点。</translation>
+    </message>
+    <message>
+        <source>Zero: the reading of %1, while something touched the finger.</source>
+        <translation>零点：%1 的读数，当时有东西触碰手指。</translation>
+    </message>
+    <message>
+        <source>Zero: the reading of %1.</source>
+        <translation>零点：%1 的读数。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ForcePlot</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>时间 (s)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>力 (N)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ForceWords</name>
+    <message>
+        <source>The finger is being loaded.</source>
+        <translation>正在加载手指。</translation>
+    </message>
+    <message>
+        <source>Open a finger to see its forces.</source>
+        <translation>请打开一个手指以查看其受力。</translation>
+    </message>
+    <message>
+        <source>A finger without markers tells no forces.</source>
+        <translation>没有标记点的手指不能给出力。</translation>
+    </message>
+    <message>
+        <source>Forces are told once there is a reference recording.</source>
+        <translation>有了参考录像后才会给出力。</translation>
+    </message>
+    <message>
+        <source>No force is told of this picture.</source>
+        <translation>此图像没有给出力。</translation>
+    </message>
+    <message>
+        <source>This finger has no force model yet. A table of its markers beside a gauge&apos;s forces trains one:</source>
+        <translation>此手指还没有力模型。可用其标记点与测力计的力并列的表训练一个：</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FrameWords</name>
-    <message>
-        <source>The finger is pushed from its contact face.</source>
-        <translation>手指从接触面受推。</translation>
-    </message>
-    <message>
-        <source>The finger is pushed from its back.</source>
-        <translation>手指从背面受推。</translation>
-    </message>
-    <message>
-        <source>The finger is pushed from its upper side.</source>
-        <translation>手指从上侧受推。</translation>
-    </message>
-    <message>
-        <source>The finger is pushed from its lower side.</source>
-        <translation>手指从下侧受推。</translation>
-    </message>
     <message>
         <source>no depth: too dark</source>
         <translation>无深度:过暗</translation>
@@ -591,24 +859,6 @@
     <message>
         <source>depth %1 mm</source>
         <translation>深度 %1 mm</translation>
-    </message>
-    <message>
-        <source>Nothing presses on the contact face.</source>
-        <translation>接触面上没有受压。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n contact(s) on the face.</source>
-        <translation>
-            <numerusform>面上有 %n 处接触。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Deepest %1 mm, area %2 mm², volume %3 mm³.</source>
-        <translation>最深 %1 mm,面积 %2 mm²,体积 %3 mm³。</translation>
-    </message>
-    <message>
-        <source>Not known without a reference recording.</source>
-        <translation>没有参考录像,无法得知。</translation>
     </message>
     <message>
         <source>Depth, mm</source>
@@ -992,6 +1242,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>&amp;Inspect</source>
         <translation>检视(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>What touches the finger</source>
+        <translation>触碰手指的东西</translation>
+    </message>
+    <message>
+        <source>Not calibrated yet: the whole face&apos;s shape, without depth</source>
+        <translation>尚未标定：整个面的形状，没有深度</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>还没有图像。</translation>
     </message>
 </context>
 <context>
@@ -1409,6 +1675,89 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::LivePairBox</name>
+    <message>
+        <source>Second finger</source>
+        <translation>第二个手指</translation>
+    </message>
+    <message>
+        <source>&amp;Second finger…</source>
+        <translation>第二个手指(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Close it</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Mo&amp;tor at</source>
+        <translation>电机位于(&amp;T)</translation>
+    </message>
+    <message>
+        <source> turns</source>
+        <translation> 圈</translation>
+    </message>
+    <message>
+        <source>Motor position in turns</source>
+        <translation>电机位置，单位为圈</translation>
+    </message>
+    <message>
+        <source>Where the gripper&apos;s motor stands: the figures hold for this position.</source>
+        <translation>夹爪电机所处的位置：数值对应于此位置。</translation>
+    </message>
+    <message>
+        <source>Gap and width</source>
+        <translation>间隙和宽度</translation>
+    </message>
+    <message>
+        <source>Whether both pictures are of one moment</source>
+        <translation>两幅图像是否属于同一时刻</translation>
+    </message>
+    <message>
+        <source>Waiting for the second picture.</source>
+        <translation>正在等待第二幅图像。</translation>
+    </message>
+    <message>
+        <source>Without times of capture: the newest of both.</source>
+        <translation>没有拍摄时间：显示两者各自最新的图像。</translation>
+    </message>
+    <message>
+        <source>In time: 2 was taken %1 ms after 1.</source>
+        <translation>同步：2 比 1 晚 %1 ms 拍摄。</translation>
+    </message>
+    <message>
+        <source>Not in time: 2 was taken %1 ms after 1, more than half a frame.</source>
+        <translation>不同步：2 比 1 晚 %1 ms 拍摄，超过半帧。</translation>
+    </message>
+    <message>
+        <source>With a gripper.yaml, the gap between the faces and the width of what is held are told here.</source>
+        <translation>有 gripper.yaml 时，此处给出两个面之间的间隙和所夹物体的宽度。</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>正在测量…</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>间隙</translation>
+    </message>
+    <message>
+        <source>Held width</source>
+        <translation>夹持宽度</translation>
+    </message>
+    <message>
+        <source>No gap is told: both faces need depth.</source>
+        <translation>没有给出间隙：两个面都需要深度。</translation>
+    </message>
+    <message>
+        <source>Nothing is held by both.</source>
+        <translation>两个手指没有共同夹住任何东西。</translation>
+    </message>
+</context>
+<context>
     <name>alltact::LivePlace</name>
     <message>
         <source>show %1</source>
@@ -1538,6 +1887,26 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>&amp;Live</source>
         <translation>实时(&amp;L)</translation>
     </message>
+    <message>
+        <source>What touches the finger</source>
+        <translation>触碰手指的东西</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>change the motor&apos;s position</source>
+        <translation>更改电机位置</translation>
+    </message>
+    <message>
+        <source>watch a second finger</source>
+        <translation>观察第二个手指</translation>
+    </message>
+    <message>
+        <source>close the second finger</source>
+        <translation>关闭第二个手指</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MainWindow</name>
@@ -1653,6 +2022,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Mapping</source>
         <translation>映射</translation>
+    </message>
+    <message>
+        <source>The presses are read again to show what each pixel says.</source>
+        <translation>正在重新读取按压，以显示每个像素的结果。</translation>
     </message>
 </context>
 <context>
@@ -2189,6 +2562,42 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>measured %1 mm deep, the solution has %2 mm</source>
         <translation>测得深 %1 mm,解为 %2 mm</translation>
     </message>
+    <message>
+        <source>no face seen</source>
+        <translation>看不到面</translation>
+    </message>
+    <message>
+        <source>not comparable</source>
+        <translation>无法比较</translation>
+    </message>
+    <message>
+        <source>nothing pressed in</source>
+        <translation>没有压入</translation>
+    </message>
+    <message>
+        <source>only specks</source>
+        <translation>只有斑点</translation>
+    </message>
+    <message>
+        <source>two contacts</source>
+        <translation>两处接触</translation>
+    </message>
+    <message>
+        <source>larger than the ball</source>
+        <translation>大于球</translation>
+    </message>
+    <message>
+        <source>over the edge</source>
+        <translation>超出边缘</translation>
+    </message>
+    <message>
+        <source>no ball&apos;s disc</source>
+        <translation>不是球的暗斑</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>不可用</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPage</name>
@@ -2429,6 +2838,44 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Good</source>
         <translation>良好</translation>
+    </message>
+    <message>
+        <source>Dismiss until it happens again</source>
+        <translation>忽略，直到再次发生</translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation>忽略：%1</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>刚刚</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n min ago</source>
+        <translation>
+            <numerusform>%n 分钟前</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n h ago</source>
+        <translation>
+            <numerusform>%n 小时前</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>另有 %n 条</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the newest alone</source>
+        <translation>只显示最新一条</translation>
+    </message>
+    <message>
+        <source>Show all in full</source>
+        <translation>完整显示全部</translation>
     </message>
 </context>
 <context>
@@ -2808,6 +3255,101 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::SecondCameraDialog</name>
+    <message>
+        <source>The second finger&apos;s folder</source>
+        <translation>第二个手指的文件夹</translation>
+    </message>
+    <message>
+        <source>What shows the second finger</source>
+        <translation>显示第二个手指的来源</translation>
+    </message>
+    <message>
+        <source>Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)</source>
+        <translation>视频和场景 (*.mkv *.avi *.mp4 *.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>The gripper&apos;s file</source>
+        <translation>夹爪文件</translation>
+    </message>
+    <message>
+        <source>Grippers (*.yaml)</source>
+        <translation>夹爪 (*.yaml)</translation>
+    </message>
+    <message>
+        <source>Second finger</source>
+        <translation>第二个手指</translation>
+    </message>
+    <message>
+        <source>Another finger of the same gripper with its own camera. Both pictures are shown as of one moment; with a gripper.yaml the gap between the faces and the width of what is held are told, too.</source>
+        <translation>同一夹爪的另一个手指，带有自己的相机。两幅图像按同一时刻显示；有 gripper.yaml 时，还会给出两个面之间的间隙和所夹物体的宽度。</translation>
+    </message>
+    <message>
+        <source>&amp;Finger&apos;s folder</source>
+        <translation>手指文件夹(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>相机(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Gripper</source>
+        <translation>夹爪(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Finger&apos;s folder</source>
+        <translation>手指文件夹</translation>
+    </message>
+    <message>
+        <source>Camera, video or scene</source>
+        <translation>相机、视频或场景</translation>
+    </message>
+    <message>
+        <source>Gripper&apos;s file</source>
+        <translation>夹爪文件</translation>
+    </message>
+    <message>
+        <source>gripper.yaml; may be left empty</source>
+        <translation>gripper.yaml；可以留空</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>Choose the finger&apos;s folder</source>
+        <translation>选择手指文件夹</translation>
+    </message>
+    <message>
+        <source>Choose a video or a scene</source>
+        <translation>选择视频或场景</translation>
+    </message>
+    <message>
+        <source>Choose the gripper&apos;s file</source>
+        <translation>选择夹爪文件</translation>
+    </message>
+    <message>
+        <source>&amp;Show it</source>
+        <translation>显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Choose the finger&apos;s folder.</source>
+        <translation>请选择手指文件夹。</translation>
+    </message>
+    <message>
+        <source>Choose the camera that watches it.</source>
+        <translation>请选择观察该手指的相机。</translation>
+    </message>
+</context>
+<context>
     <name>alltact::SecondFingerDialog</name>
     <message>
         <source>The second finger&apos;s folder</source>
@@ -3093,6 +3635,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Camera %1</source>
         <translation>相机 %1</translation>
     </message>
+    <message>
+        <source>&amp;Try with a simulated finger</source>
+        <translation>用仿真手指试用(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A whole day in five minutes: record, press, calibrate and check a finger that is computed</source>
+        <translation>五分钟体验完整的一天：对一个由计算生成的手指进行录制、按压、标定和检查</translation>
+    </message>
 </context>
 <context>
     <name>alltact::StatusLine</name>
@@ -3179,6 +3729,61 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Play</source>
         <translation>播放</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::TryGuide</name>
+    <message>
+        <source>A day with a simulated finger</source>
+        <translation>仿真手指的一天</translation>
+    </message>
+    <message>
+        <source>End the &amp;guide</source>
+        <translation>结束引导(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Done:</source>
+        <translation>完成：</translation>
+    </message>
+    <message>
+        <source>%1 of %2:</source>
+        <translation>第 %1 步，共 %2 步：</translation>
+    </message>
+    <message>
+        <source>Go to &amp;Record</source>
+        <translation>转到录制(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Go to &amp;Inspect</source>
+        <translation>转到检视(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Go to &amp;Calibrate</source>
+        <translation>转到标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The simulated finger gets a folder of its own.</source>
+        <translation>仿真手指将有自己的文件夹。</translation>
+    </message>
+    <message>
+        <source>Record it for half a minute while it bends, then install the recording.</source>
+        <translation>请录制它弯曲的过程半分钟，然后将录像设为参考。</translation>
+    </message>
+    <message>
+        <source>Tell the ball&apos;s radius, 4 mm, and press Space whenever the ball is in: six times.</source>
+        <translation>请输入球半径 4 mm，每当球压入时按空格键：共六次。</translation>
+    </message>
+    <message>
+        <source>Calibrate with these presses and read the verdict.</source>
+        <translation>请用这些按压进行标定，并阅读结论。</translation>
+    </message>
+    <message>
+        <source>Check it with three presses, as every week.</source>
+        <translation>请像每周那样，用三次按压进行检查。</translation>
+    </message>
+    <message>
+        <source>That was a finger&apos;s whole day. Look at its contacts in 3D.</source>
+        <translation>这就是手指完整的一天。请在三维视图中查看它的接触。</translation>
     </message>
 </context>
 <context>
@@ -3278,6 +3883,17 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>none</source>
         <comment>source</comment>
         <translation>无</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ZeroWords</name>
+    <message>
+        <source>re-zero the force</source>
+        <translation>力重新归零</translation>
+    </message>
+    <message>
+        <source>show the force as measured</source>
+        <translation>按测量值显示力</translation>
     </message>
 </context>
 <context>
@@ -6245,14 +6861,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有圆锥与轮廓相切</translation>
     </message>
     <message>
-        <source>the camera does not see the circle&apos;s middle</source>
-        <translation>相机看不到圆心</translation>
-    </message>
-    <message>
-        <source>no place of the ball gives a cubic</source>
-        <translation>球的任何位置都得不到三次曲线</translation>
-    </message>
-    <message>
         <source>the ball that follows from the dark border hardly touches the face</source>
         <translation>由暗区边界得出的球几乎没有接触面</translation>
     </message>
@@ -8791,10 +9399,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>一张未接触图像与全部姿态录像的比较</translation>
     </message>
     <message>
-        <source>depth in rooms of 300, 1100 and 2500 lux</source>
-        <translation>在 300、1100 和 2500 勒克斯的房间里的深度</translation>
-    </message>
-    <message>
         <source>relief of an M8 thread, against a single reference</source>
         <translation>M8 螺纹的浮雕，与单一参考比较</translation>
     </message>
@@ -8955,12 +9559,828 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>接触内的深度，{} 勒克斯时的平均误差</translation>
     </message>
     <message>
-        <source>the same at {} lux, without correction of the light</source>
-        <translation>同上，{} 勒克斯，不校正光照</translation>
+        <source>the source paper&apos;s method</source>
+        <translation>原论文的方法</translation>
     </message>
     <message>
-        <source>How much of a room&apos;s light gets into a finger is a guess of the scene, 4 grey levels of a white surface for every 1000 lux</source>
-        <translation>房间光线进入手指多少是场景的假设：每 1000 勒克斯为白色表面的 4 个灰度级</translation>
+        <source>a picture in which the whole face is bright against its side faces, or our own method</source>
+        <translation>整个面明显亮于其侧面的图片，或使用本程序的方法</translation>
+    </message>
+    <message>
+        <source>the binarised picture shows both edges of the face in {} of {} columns, and a fifth of them is needed</source>
+        <translation>二值化图像在 {} 列中显示出面的两条边缘（共 {} 列），而至少需要五分之一</translation>
+    </message>
+    <message>
+        <source>no distance of the face follows from its edges</source>
+        <translation>由面的边缘得不出面的距离</translation>
+    </message>
+    <message>
+        <source>our own method, which needs no dots, or a recording of a finger that has them</source>
+        <translation>使用本程序的方法，它不需要标记点，或使用带标记点的手指的录像</translation>
+    </message>
+    <message>
+        <source>alltact reference with a video of the untouched finger bending</source>
+        <translation>用未触碰手指弯曲过程的视频运行 alltact reference</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method chooses its reference by the markers, and this finger has none</source>
+        <translation>原论文的方法按标记点选择参考，而此手指没有标记点</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method sorts two whole rows, and {} of this finger&apos;s dots are missing</source>
+        <translation>原论文的方法对两整排标记点排序，而此手指缺少 {} 个标记点</translation>
+    </message>
+    <message>
+        <source>fewer than two dots of a row are seen, from which the source paper&apos;s method could tell the others: uncover and light the dots on the side faces</source>
+        <translation>一排中看得见的标记点不足两个，原论文的方法无法由此推断其余的点：请露出并照亮侧面上的标记点</translation>
+    </message>
+    <message>
+        <source>stopped while the recording was read</source>
+        <translation>读取录像时已停止</translation>
+    </message>
+    <message>
+        <source>reading the recording as the source paper does</source>
+        <translation>正在按原论文的方式读取录像</translation>
+    </message>
+    <message>
+        <source>the reference recording</source>
+        <translation>参考录像</translation>
+    </message>
+    <message>
+        <source>recording it anew with this camera</source>
+        <translation>用此相机重新录制</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method finds face and markers in none of {} frames</source>
+        <translation>原论文的方法在 {} 帧中都没有找到面和标记点</translation>
+    </message>
+    <message>
+        <source>our own method, or a recording with brighter dots</source>
+        <translation>使用本程序的方法，或标记点更亮的录像</translation>
+    </message>
+    <message>
+        <source>{} dots were found beside the face: too few to sort into two rows</source>
+        <translation>在面旁找到 {} 个点：太少，无法排成两排</translation>
+    </message>
+    <message>
+        <source>a network exported with fixed sizes, one picture at a time and opset 11 or 12, or --marker-network own</source>
+        <translation>使用以固定尺寸、每次一张图片和 opset 11 或 12 导出的神经网络，或使用 --marker-network own</translation>
+    </message>
+    <message>
+        <source>OpenCV cannot run this network</source>
+        <translation>OpenCV 无法运行此神经网络</translation>
+    </message>
+    <message>
+        <source>this network makes {} of {}, which are neither dots nor boxes</source>
+        <translation>此神经网络的输出为 {}，输入为 {}，输出既不是点也不是框</translation>
+    </message>
+    <message>
+        <source>this network gives numbers that are not finite</source>
+        <translation>此神经网络给出的数不是有限数</translation>
+    </message>
+    <message>
+        <source>the file that says what this network must give is not there</source>
+        <translation>缺少说明此神经网络应给出什么结果的文件</translation>
+    </message>
+    <message>
+        <source>training it again, which writes both</source>
+        <translation>重新训练，这会写出两个文件</translation>
+    </message>
+    <message>
+        <source>the picture must be as large as what the network takes, {} x {}</source>
+        <translation>图片必须与神经网络接受的尺寸相同，即 {} x {}</translation>
+    </message>
+    <message>
+        <source>this network takes {}, not one picture of 1 or 3 channels and a fixed size of {} to {} px a side</source>
+        <translation>此神经网络接受 {}，而不是一张 1 或 3 通道、边长固定在 {} 到 {} px 之间的图片</translation>
+    </message>
+    <message>
+        <source>OpenCV cannot read this network (opset {}; it knows those up to 12 well)</source>
+        <translation>OpenCV 无法读取此神经网络（opset {}；它能很好地支持 12 及以下）</translation>
+    </message>
+    <message>
+        <source>the network and its .yaml of the same training, or exporting it with opset 11 or 12</source>
+        <translation>使用同一次训练得到的神经网络及其 .yaml，或以 opset 11 或 12 导出</translation>
+    </message>
+    <message>
+        <source>the network gives {} numbers where its .yaml has {}</source>
+        <translation>神经网络给出 {} 个数，而其 .yaml 中有 {} 个</translation>
+    </message>
+    <message>
+        <source>on a known picture the network gives numbers that are up to {:.3g} off what its .yaml says, and {:.3g} is allowed</source>
+        <translation>对一张已知图片，神经网络给出的数与其 .yaml 所述最多相差 {:.3g}，而允许的是 {:.3g}</translation>
+    </message>
+    <message>
+        <source>this is no network in the ONNX format, or only part of one, or damaged</source>
+        <translation>这不是 ONNX 格式的神经网络，或者不完整，或者已损坏</translation>
+    </message>
+    <message>
+        <source>copying or exporting the file again</source>
+        <translation>重新复制或导出该文件</translation>
+    </message>
+    <message>
+        <source>&apos;crossing&apos; tells the finger&apos;s bend, and with it where a press lies, several times closer</source>
+        <translation>&apos;crossing&apos; 得出的手指弯曲以及由此得出的按压位置要精确数倍</translation>
+    </message>
+    <message>
+        <source>&apos;crossing&apos; takes a little longer</source>
+        <translation>&apos;crossing&apos; 用时稍长</translation>
+    </message>
+    <message>
+        <source>more hide the noise of dark pictures; beyond 16 a bent finger&apos;s edge is no longer straight within them</source>
+        <translation>越多越能抑制暗图像的噪声；超过 16 时，弯曲手指的边缘在其中不再是直的</translation>
+    </message>
+    <message>
+        <source>fewer make more places, each of which the curve has to be fitted to</source>
+        <translation>越少则位置越多，曲线须对每个位置进行拟合</translation>
+    </message>
+    <message>
+        <source>higher follows sharper bends; too high follows noise where the edge is hidden</source>
+        <translation>越高越能跟随急剧的弯曲；过高则会在边缘被遮住处跟随噪声</translation>
+    </message>
+    <message>
+        <source>higher makes the fit longer</source>
+        <translation>越高则拟合用时越长</translation>
+    </message>
+    <message>
+        <source>how the engraved dots are found and numbered: spots followed by how the finger moves, the source paper&apos;s two sorted rows, or a convolutional network in every frame</source>
+        <translation>如何找到刻出的标记点并编号：按手指的运动跟踪斑点、原论文的两排排序，或在每一帧中使用卷积神经网络</translation>
+    </message>
+    <message>
+        <source>&apos;network&apos; finds more dots that are worn, dark or badly lit; &apos;paper&apos; loses its numbers where dots are hidden</source>
+        <translation>&apos;network&apos; 能找到更多磨损、暗淡或光照不良的标记点；&apos;paper&apos; 在标记点被遮住处会丢失编号</translation>
+    </message>
+    <message>
+        <source>&apos;network&apos; takes many times as long</source>
+        <translation>&apos;network&apos; 用时是其他方法的许多倍</translation>
+    </message>
+    <message>
+        <source>the network that marker-method network uses, and paper too where one is named: an ONNX file, a detector such as YOLO11 among them</source>
+        <translation>marker-method network 使用的神经网络，指定时 paper 也使用：一个 ONNX 文件，也可以是 YOLO11 之类的检测器</translation>
+    </message>
+    <message>
+        <source>&apos;local&apos; keeps depth of a bent finger right between the recorded poses; &apos;single&apos; is right at rest alone</source>
+        <translation>&apos;local&apos; 使弯曲手指在已录制姿态之间的深度保持正确；&apos;single&apos; 只在静止时正确</translation>
+    </message>
+    <message>
+        <source>&apos;local&apos; adds up several pictures instead of one</source>
+        <translation>&apos;local&apos; 要累加多张图片，而不是一张</translation>
+    </message>
+    <message>
+        <source>&apos;corrected&apos; keeps depth right when the room or the lamp changes</source>
+        <translation>&apos;corrected&apos; 在房间或灯光变化时使深度保持正确</translation>
+    </message>
+    <message>
+        <source>&apos;corrected&apos; looks once over the untouched skin</source>
+        <translation>&apos;corrected&apos; 要查看一遍未触碰的表皮</translation>
+    </message>
+    <message>
+        <source>more quiets the depth of a smooth contact and rounds off edges and threads</source>
+        <translation>越多则平滑接触的深度噪声越小，但边缘和螺纹会变圆</translation>
+    </message>
+    <message>
+        <source>more takes longer, none the least</source>
+        <translation>越多用时越长，不平滑用时最短</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>值为空</translation>
+    </message>
+    <message>
+        <source>could not write the gauge&apos;s readings</source>
+        <translation>无法写入测力计的读数</translation>
+    </message>
+    <message>
+        <source>The gauge is back.</source>
+        <translation>测力计已恢复。</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no direction</source>
+        <translation>“{}”不是方向</translation>
+    </message>
+    <message>
+        <source>x, -y, 0.6,0.8,0 or, for several values, x/y/z</source>
+        <translation>x、-y、0.6,0.8,0，有多个值时用 x/y/z</translation>
+    </message>
+    <message>
+        <source>such as &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;, or a table with at, type, scale, zero, unit</source>
+        <translation>如 &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;，或带有 at、type、scale、zero、unit 的表格</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; describes no report of a gauge</source>
+        <translation>“{}”没有描述测力计的报告</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no {}</source>
+        <translation>“{}”不能用作 {}</translation>
+    </message>
+    <message>
+        <source>the table describes no report of a gauge</source>
+        <translation>表格没有描述测力计的报告</translation>
+    </message>
+    <message>
+        <source>The device tells other reports than the one described. Try: its id and length.</source>
+        <translation>设备发送的报告与所描述的不同。建议：检查其 id 和长度。</translation>
+    </message>
+    <message>
+        <source>there is no gauge &apos;{}&apos;</source>
+        <translation>没有测力计“{}”</translation>
+    </message>
+    <message>
+        <source>mark10, imada or sauter, or the question and the speed</source>
+        <translation>使用 mark10、imada 或 sauter，或给出查询命令和速率</translation>
+    </message>
+    <message>
+        <source>there are {} directions for {} values</source>
+        <translation>有 {} 个方向，却有 {} 个值</translation>
+    </message>
+    <message>
+        <source>one for each, as x/y/z</source>
+        <translation>每个值一个方向，如 x/y/z</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no text with \r, \n, \xHH</source>
+        <translation>“{}”不是带有 \r、\n、\xHH 的文本</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no unit of force</source>
+        <translation>“{}”不是力的单位</translation>
+    </message>
+    <message>
+        <source>N, mN, kN, g, kgf, lbf or ozf</source>
+        <translation>N、mN、kN、g、kgf、lbf 或 ozf</translation>
+    </message>
+    <message>
+        <source>of a HID gauge the unit is told with its report</source>
+        <translation>HID 测力计的单位在其报告描述中给出</translation>
+    </message>
+    <message>
+        <source>unit= in the report&apos;s description</source>
+        <translation>在报告描述中使用 unit=</translation>
+    </message>
+    <message>
+        <source>model, speed and question are of a serial gauge</source>
+        <translation>型号、速率和查询命令只用于串口测力计</translation>
+    </message>
+    <message>
+        <source>serial:/dev/ttyUSB0</source>
+        <translation>serial:/dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>it is not told where the force stands in the gauge&apos;s reports</source>
+        <translation>没有说明力在测力计报告中的位置</translation>
+    </message>
+    <message>
+        <source>a report is told of a gauge that is no HID device</source>
+        <translation>为不是 HID 设备的测力计给出了报告描述</translation>
+    </message>
+    <message>
+        <source>hid:DEVICE and &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;</source>
+        <translation>hid:DEVICE 和 &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no gauge</source>
+        <translation>“{}”不是测力计</translation>
+    </message>
+    <message>
+        <source>typed, serial:/dev/ttyUSB0 or hid:DEVICE</source>
+        <translation>typed、serial:/dev/ttyUSB0 或 hid:DEVICE</translation>
+    </message>
+    <message>
+        <source>{} lines of the gauge were no readings</source>
+        <translation>测力计有 {} 行不是读数</translation>
+    </message>
+    <message>
+        <source>The gauge does not answer to &apos;{}&apos;. Try: another speed, another question, its settings for the serial line.</source>
+        <translation>测力计对“{}”没有应答。建议：换一个速率，换一个查询命令，或检查其串口设置。</translation>
+    </message>
+    <message>
+        <source>make this user a member of the group dialout (sudo usermod -aG dialout $USER) and log in again</source>
+        <translation>将此用户加入 dialout 组（sudo usermod -aG dialout $USER），然后重新登录</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>另一程序正在使用它</translation>
+    </message>
+    <message>
+        <source>close that program</source>
+        <translation>关闭该程序</translation>
+    </message>
+    <message>
+        <source>there is no such serial line</source>
+        <translation>没有这样的串口</translation>
+    </message>
+    <message>
+        <source>plug the gauge in; none was found</source>
+        <translation>插上测力计；没有找到测力计</translation>
+    </message>
+    <message>
+        <source>plug it in, or one of {}</source>
+        <translation>插上它，或使用 {} 之一</translation>
+    </message>
+    <message>
+        <source>the serial line is gone</source>
+        <translation>串口已消失</translation>
+    </message>
+    <message>
+        <source>plug the gauge in again</source>
+        <translation>重新插上测力计</translation>
+    </message>
+    <message>
+        <source>the serial line cannot be set up</source>
+        <translation>无法设置串口</translation>
+    </message>
+    <message>
+        <source>this is no serial line</source>
+        <translation>这不是串口</translation>
+    </message>
+    <message>
+        <source>the gauge&apos;s /dev/tty...</source>
+        <translation>使用测力计的 /dev/tty...</translation>
+    </message>
+    <message>
+        <source>the serial line does not take {} baud</source>
+        <translation>串口不接受 {} 波特</translation>
+    </message>
+    <message>
+        <source>the speed that the gauge&apos;s manual tells</source>
+        <translation>使用测力计手册中给出的速率</translation>
+    </message>
+    <message>
+        <source>{} baud is no speed of a serial line</source>
+        <translation>{} 波特不是串口的速率</translation>
+    </message>
+    <message>
+        <source>9600, 19200, 115200 or what the gauge&apos;s manual tells</source>
+        <translation>9600、19200、115200，或测力计手册中给出的速率</translation>
+    </message>
+    <message>
+        <source>the serial line cannot be opened</source>
+        <translation>无法打开串口</translation>
+    </message>
+    <message>
+        <source>the serial line takes nothing</source>
+        <translation>串口不接收数据</translation>
+    </message>
+    <message>
+        <source>check its cable</source>
+        <translation>检查其电缆</translation>
+    </message>
+    <message>
+        <source>{} from now on</source>
+        <translation>从现在起为 {}</translation>
+    </message>
+    <message>
+        <source>what was typed holds no longer</source>
+        <translation>之前键入的内容不再有效</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no reading; a number, &apos;y 1.2 N&apos;, &apos;block NAME&apos;, or nothing</source>
+        <translation>&apos;{}&apos; 不是读数；请键入一个数、&apos;y 1.2 N&apos;、&apos;block NAME&apos;，或什么都不键入</translation>
+    </message>
+    <message>
+        <source>{:.3f} {:.3f} {:.3f} N</source>
+        <translation>{:.3f} {:.3f} {:.3f} N</translation>
+    </message>
+    <message>
+        <source>ours, simulated</source>
+        <translation>本程序，仿真</translation>
+    </message>
+    <message>
+        <source>paper, measured</source>
+        <translation>论文，实测</translation>
+    </message>
+    <message>
+        <source>Fx and Fy of pushes, on fingers drawn at random</source>
+        <translation>推压的 Fx 和 Fy，手指随机抽取</translation>
+    </message>
+    <message>
+        <source>place and force in rooms of 300, 1100 and 2500 lux</source>
+        <translation>300、1100 和 2500 勒克斯的房间中的位置和力</translation>
+    </message>
+    <message>
+        <source>Ours are simulated, with the truth known; the paper&apos;s were measured on a real finger.</source>
+        <translation>本程序的为仿真值，真值已知；论文的是在真实手指上测得的。</translation>
+    </message>
+    <message>
+        <source>least depth of a ball that is felt, ours alone</source>
+        <translation>能感觉到的最小压球深度，仅本程序</translation>
+    </message>
+    <message>
+        <source>place along the finger (mm)</source>
+        <translation>沿手指的位置（mm）</translation>
+    </message>
+    <message>
+        <source>least depth felt (mm)</source>
+        <translation>能感觉到的最小深度（mm）</translation>
+    </message>
+    <message>
+        <source>least force that is felt, on every face over height</source>
+        <translation>每个面上能感觉到的最小力随高度的变化</translation>
+    </message>
+    <message>
+        <source>least force felt (N)</source>
+        <translation>能感觉到的最小力（N）</translation>
+    </message>
+    <message>
+        <source>paper, at most, measured</source>
+        <translation>论文，上限，实测</translation>
+    </message>
+    <message>
+        <source>{} lux</source>
+        <translation>{} 勒克斯</translation>
+    </message>
+    <message>
+        <source>error of the place in rooms of different light; the paper tells no figure by room</source>
+        <translation>不同光照的房间中的位置误差；论文没有按房间给出数字</translation>
+    </message>
+    <message>
+        <source>mean error of the place (mm)</source>
+        <translation>位置的平均误差（mm）</translation>
+    </message>
+    <message>
+        <source>error of the force in rooms of different light, by a model that learnt in the dark</source>
+        <translation>不同光照的房间中力的误差，所用模型在黑暗中训练</translation>
+    </message>
+    <message>
+        <source>mean error of Fx and Fy (N)</source>
+        <translation>Fx 和 Fy 的平均误差（N）</translation>
+    </message>
+    <message>
+        <source>place, mean error at {} lux</source>
+        <translation>位置，{} 勒克斯时的平均误差</translation>
+    </message>
+    <message>
+        <source>force, mean error at {} lux</source>
+        <translation>力，{} 勒克斯时的平均误差</translation>
+    </message>
+    <message>
+        <source>place, greatest change between rooms</source>
+        <translation>位置，房间之间的最大变化</translation>
+    </message>
+    <message>
+        <source>force, greatest change between rooms</source>
+        <translation>力，房间之间的最大变化</translation>
+    </message>
+    <message>
+        <source>the same without correction of the light</source>
+        <translation>同上，不作光照校正</translation>
+    </message>
+    <message>
+        <source>How much of a room&apos;s light gets into a finger is a guess of the scene, 4 grey levels of a white surface for every 1000 lux; the same frames are shown in every room</source>
+        <translation>有多少房间的光进入手指是场景的推测：每 1000 勒克斯使白色表面增加 4 个灰度级；每个房间中显示的是相同的帧</translation>
+    </message>
+    <message>
+        <source>told right (%)</source>
+        <translation>判断正确（%）</translation>
+    </message>
+    <message>
+        <source>side of 8</source>
+        <translation>8 个方向</translation>
+    </message>
+    <message>
+        <source>frames under 10 px, or told to be in a pose never recorded</source>
+        <translation>低于 10 px，或被判为从未录制过的姿态的帧</translation>
+    </message>
+    <message>
+        <source>how many frames have a reference closer than so many px, summed over the dots</source>
+        <translation>参考距离（各点之和）小于相应 px 数的帧有多少</translation>
+    </message>
+    <message>
+        <source>distance to the reference (px)</source>
+        <translation>与参考的距离（px）</translation>
+    </message>
+    <message>
+        <source>frames (%)</source>
+        <translation>帧（%）</translation>
+    </message>
+    <message>
+        <source>nearest of a recording, ours</source>
+        <translation>录像中最近的，本程序</translation>
+    </message>
+    <message>
+        <source>one reference, ours</source>
+        <translation>单一参考，本程序</translation>
+    </message>
+    <message>
+        <source>nearest, paper, measured</source>
+        <translation>最近的，论文，实测</translation>
+    </message>
+    <message>
+        <source>one, paper, measured</source>
+        <translation>单一，论文，实测</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>无误差</translation>
+    </message>
+    <message>
+        <source>held out, ours, simulated</source>
+        <translation>留出，本程序，仿真</translation>
+    </message>
+    <message>
+        <source>true force (N)</source>
+        <translation>真实力（N）</translation>
+    </message>
+    <message>
+        <source>told force (N)</source>
+        <translation>得出的力（N）</translation>
+    </message>
+    <message>
+        <source>mean error of the force, ours simulated and the paper&apos;s measured</source>
+        <translation>力的平均误差，本程序为仿真，论文为实测</translation>
+    </message>
+    <message>
+        <source>mean error (N)</source>
+        <translation>平均误差（N）</translation>
+    </message>
+    <message>
+        <source>Fx</source>
+        <translation>Fx</translation>
+    </message>
+    <message>
+        <source>Fy</source>
+        <translation>Fy</translation>
+    </message>
+    <message>
+        <source>aim</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>where along the finger the error is: the base moves the markers least</source>
+        <translation>误差在手指上的分布：根部使标记点移动得最少</translation>
+    </message>
+    <message>
+        <source>Fx, ours</source>
+        <translation>Fx，本程序</translation>
+    </message>
+    <message>
+        <source>Fy, ours</source>
+        <translation>Fy，本程序</translation>
+    </message>
+    <message>
+        <source>Fx, paper, over all places</source>
+        <translation>Fx，论文，全部位置</translation>
+    </message>
+    <message>
+        <source>Fy, paper, over all places</source>
+        <translation>Fy，论文，全部位置</translation>
+    </message>
+    <message>
+        <source>Fx told of places that were held out</source>
+        <translation>在留出的位置上得出的 Fx</translation>
+    </message>
+    <message>
+        <source>Fy told of places that were held out</source>
+        <translation>在留出的位置上得出的 Fy</translation>
+    </message>
+    <message>
+        <source>Fx, mean error on places held out</source>
+        <translation>Fx，留出位置上的平均误差</translation>
+    </message>
+    <message>
+        <source>Fy, mean error on places held out</source>
+        <translation>Fy，留出位置上的平均误差</translation>
+    </message>
+    <message>
+        <source>Fx, the same of the worst finger</source>
+        <translation>Fx，同上，最差的手指</translation>
+    </message>
+    <message>
+        <source>Fy, the same of the worst finger</source>
+        <translation>Fy，同上，最差的手指</translation>
+    </message>
+    <message>
+        <source>forces within their intervals of 95 %</source>
+        <translation>落在其 95 % 区间内的力</translation>
+    </message>
+    <message>
+        <source>the same, away from 95 %</source>
+        <translation>同上，与 95 % 的偏差</translation>
+    </message>
+    <message>
+        <source>{} fingers drawn at random, 484 pushes each at {} places, of which whole ones are held out; {} pushes are measured, in the others too few markers are found. Forces are those on the finger in the camera&apos;s axes and have no error of a gauge</source>
+        <translation>随机抽取 {} 个手指，每个在 {} 个位置上推压 484 次，其中有整个位置被留出；测得 {} 次推压，其余的找到的标记点太少。力是作用在手指上的力，以相机坐标轴表示，不含测力计的误差</translation>
+    </message>
+    <message>
+        <source>Nothing drags along the finger: that hardly moves a marker, and is told by none</source>
+        <translation>没有沿手指方向的拉力：它几乎不使标记点移动，也没有标记点能反映它</translation>
+    </message>
+    <message>
+        <source>error of the relief, ours alone: the paper shows pictures</source>
+        <translation>浮雕的误差，仅本程序：论文给出的是图片</translation>
+    </message>
+    <message>
+        <source>mean depth error (mm)</source>
+        <translation>平均深度误差（mm）</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>伸直</translation>
+    </message>
+    <message>
+        <source>bent</source>
+        <translation>弯曲</translation>
+    </message>
+    <message>
+        <source>straight, one reference</source>
+        <translation>伸直，单一参考</translation>
+    </message>
+    <message>
+        <source>bent, one reference</source>
+        <translation>弯曲，单一参考</translation>
+    </message>
+    <message>
+        <source>time of a frame&apos;s steps, ours on this computer and the paper&apos;s on its own</source>
+        <translation>一帧各步骤的用时，本程序在本计算机上，论文在其自己的计算机上</translation>
+    </message>
+    <message>
+        <source>time (ms)</source>
+        <translation>时间（ms）</translation>
+    </message>
+    <message>
+        <source>edges, shape</source>
+        <translation>边缘，形状</translation>
+    </message>
+    <message>
+        <source>markers, reference</source>
+        <translation>标记点，参考</translation>
+    </message>
+    <message>
+        <source>depth, contacts</source>
+        <translation>深度，接触</translation>
+    </message>
+    <message>
+        <source>whole frame</source>
+        <translation>整帧</translation>
+    </message>
+    <message>
+        <source>error of the place along the finger, one point a touch</source>
+        <translation>沿手指的位置误差，每次触碰一个点</translation>
+    </message>
+    <message>
+        <source>error of the place (mm)</source>
+        <translation>位置误差（mm）</translation>
+    </message>
+    <message>
+        <source>paper, mean within 20 mm of the middle, measured</source>
+        <translation>论文，中部 20 mm 内的平均值，实测</translation>
+    </message>
+    <message>
+        <source>paper, mean at the tip, measured</source>
+        <translation>论文，指尖处的平均值，实测</translation>
+    </message>
+    <message>
+        <source>error of the angle of a bar, by how it is turned</source>
+        <translation>杆的角度误差随其转角的变化</translation>
+    </message>
+    <message>
+        <source>true angle (degrees)</source>
+        <translation>真实角度（度）</translation>
+    </message>
+    <message>
+        <source>error of the angle (degrees)</source>
+        <translation>角度误差（度）</translation>
+    </message>
+    <message>
+        <source>paper, the lesser, measured</source>
+        <translation>论文，较小者，实测</translation>
+    </message>
+    <message>
+        <source>paper, the greater, measured</source>
+        <translation>论文，较大者，实测</translation>
+    </message>
+    <message>
+        <source>the finger is not calibrated</source>
+        <translation>手指尚未标定</translation>
+    </message>
+    <message>
+        <source>calibrating it with ball presses</source>
+        <translation>用球按压标定它</translation>
+    </message>
+    <message>
+        <source>this is not the report of the finger&apos;s calibration</source>
+        <translation>这不是该手指标定的报告</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; counts in no unit of force</source>
+        <translation>列 &apos;{}&apos; 的单位不是力的单位</translation>
+    </message>
+    <message>
+        <source>pressing in different directions; several tables may be given</source>
+        <translation>向不同方向按压；可以给出多个表</translation>
+    </message>
+    <message>
+        <source>The gauge tells {:.0f} ms (sd {:.0f} ms) after the pictures; that is taken out.</source>
+        <translation>测力计的读数比图片晚 {:.0f} ms（标准差 {:.0f} ms）；已作扣除。</translation>
+    </message>
+    <message>
+        <source>The gauge tells {:.0f} ms (sd {:.0f} ms) before the pictures; that is taken out.</source>
+        <translation>测力计的读数比图片早 {:.0f} ms（标准差 {:.0f} ms）；已作扣除。</translation>
+    </message>
+    <message>
+        <source>How late the gauge tells could not be told from these frames: nothing is taken out. Try: some quick taps while recording.</source>
+        <translation>无法由这些帧得出测力计滞后多少：未作任何扣除。建议：录制时快速轻触几次。</translation>
+    </message>
+    <message>
+        <source>The gauge and the camera were on different clocks: {:.3f} s (sd {:.3f} s) apart by the markers&apos; motion, drifting by {:.0f} ppm.</source>
+        <translation>测力计和相机使用不同的时钟：按标记点的运动，两者相差 {:.3f} s（标准差 {:.3f} s），漂移 {:.0f} ppm。</translation>
+    </message>
+    <message>
+        <source>has {} markers and {} axes, the tables before it {} and {}</source>
+        <translation>有 {} 个标记点和 {} 个轴，而之前的表有 {} 个和 {} 个</translation>
+    </message>
+    <message>
+        <source>tables of one finger and one kind of gauge</source>
+        <translation>使用同一手指、同一种测力计的表</translation>
+    </message>
+    <message>
+        <source>pressing the ball in deeper, whole on the face</source>
+        <translation>把球压得更深，并使其完全在面上</translation>
+    </message>
+    <message>
+        <source>nothing is dark enough for a ball that presses</source>
+        <translation>没有暗到足以表明有球压入的部分</translation>
+    </message>
+    <message>
+        <source>no circle gives a cubic whose constant is zero</source>
+        <translation>没有圆能得出常数项为零的三次曲线</translation>
+    </message>
+    <message>
+        <source>the cubic without a constant leaves {:.0f} % of the depths&apos; spread: its contact is too faint, small or steep</source>
+        <translation>不含常数项的三次曲线留下深度离散的 {:.0f} %：接触太弱、太小或太陡</translation>
+    </message>
+    <message>
+        <source>stopped before the first solution</source>
+        <translation>得到第一个解之前已停止</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method finds a ball in none of {} presses ({})</source>
+        <translation>原论文的方法在 {} 次按压中都找不到球（{}）</translation>
+    </message>
+    <message>
+        <source>there is none that is not excluded</source>
+        <translation>没有未被排除的按压</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method can measure none of {} presses ({})</source>
+        <translation>原论文的方法无法测量 {} 次按压中的任何一次（{}）</translation>
+    </message>
+    <message>
+        <source>our own method</source>
+        <translation>使用本程序自己的方法</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method calibrates in its own way, and this finger keeps no presses to do so with</source>
+        <translation>原论文的方法以自己的方式标定，而此手指没有保存可用于此的按压</translation>
+    </message>
+    <message>
+        <source>alltact calibrate with ball presses</source>
+        <translation>用球按压运行 alltact calibrate</translation>
+    </message>
+    <message>
+        <source>stopped before the study was over</source>
+        <translation>研究完成前已停止</translation>
+    </message>
+    <message>
+        <source>measuring what settings cost</source>
+        <translation>正在测量各设置的代价</translation>
+    </message>
+    <message>
+        <source>too few pictures of the reference recording show the face</source>
+        <translation>参考录像中显示面的图片太少</translation>
+    </message>
+    <message>
+        <source>record the finger bending through all its poses</source>
+        <translation>录制手指弯曲经过其所有姿态的过程</translation>
+    </message>
+    <message>
+        <source>balls painted into untouched pictures of {}</source>
+        <translation>画入 {} 的未触碰图片中的球</translation>
+    </message>
+    <message>
+        <source>the demonstration&apos;s finger, simulated, pressed in random places</source>
+        <translation>演示的手指，仿真，在随机位置按压</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>保持原样</translation>
+    </message>
+    <message>
+        <source>is not what a study of this program keeps</source>
+        <translation>不是本程序的研究所保存的内容</translation>
+    </message>
+    <message>
+        <source>remove it, and the study begins anew</source>
+        <translation>删除它，研究将重新开始</translation>
+    </message>
+    <message>
+        <source>the gripper&apos;s fingers are {} and {}, and others are open</source>
+        <translation>夹爪的手指是 {} 和 {}，而打开的是其他手指</translation>
+    </message>
+    <message>
+        <source>opening these two fingers</source>
+        <translation>打开这两个手指</translation>
     </message>
 </context>
 </TS>

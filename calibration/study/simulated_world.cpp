@@ -33,13 +33,14 @@ Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
                    0};
   constexpr bool kBaseAtLowU = true;  // as the scene has it
   const int count = std::min(options.frames, plan->frame_count());
+  const std::vector<FramePtr> pictures = bench->frames(*plan, 0, count);
   for (int number = 0; number < count; ++number) {
     if (job.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
     Truth truth = plan->truth(number);
     const auto zone = zone_of_press(truth.depth_mm, kBaseAtLowU);
     if (!zone) continue;
     StudyFrame frame;
-    frame.picture = bench->frame(*plan, number);
+    frame.picture = pictures[static_cast<std::size_t>(number)];
     frame.depth_mm = std::move(truth.depth_mm);
     frame.zone = *zone;
     world.frames.push_back(std::move(frame));

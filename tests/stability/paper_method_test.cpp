@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFingers = 2;
+constexpr int kPaperFingers = 2;
 
 /// What differs from finger to finger.
 struct Drawn {
@@ -116,7 +116,7 @@ Evaluation judged(Pipeline& pipeline, const Plan& plan) {
 }
 
 TEST(PaperMethod, MeasuresRandomFingersFromPictureToDepthAndOursBetter) {
-  for (int number = 0; number < kFingers; ++number) {
+  for (int number = 0; number < kPaperFingers; ++number) {
     SCOPED_TRACE(number);
     test::TemporaryFolder folder;
     const Drawn drawn = drawn_finger(number);

@@ -136,7 +136,7 @@ bool ForcePlot::draw() {
   for (int axis = 0; axis < axes; ++axis) draw_axis(axis);
   chart().xAxis->setLabel(tr("Time (s)"));
   chart().yAxis->setLabel(tr("Force (N)"));
-  show_legend(Qt::AlignTop | Qt::AlignLeft);
+  show_legend();
   return true;
 }
 

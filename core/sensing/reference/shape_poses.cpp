@@ -8,7 +8,7 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kLeastFrames = 8;
+constexpr std::size_t kLeastPoses = 8;
 constexpr Eigen::Index kMostTries = 100;  // frames that the standard deviation is learnt from
 
 bool all_seen(const Markers& markers) {
@@ -36,7 +36,7 @@ std::optional<ShapePoses> ShapePoses::learn(const std::vector<EdgeCurves>& faces
     seen.push_back(std::move(at));
     frames.push_back(static_cast<Eigen::Index>(i));
   }
-  if (seen.size() < kLeastFrames) return std::nullopt;
+  if (seen.size() < kLeastPoses) return std::nullopt;
   const auto count = static_cast<Eigen::Index>(seen.size());
   Eigen::MatrixXd shapes(count, 4 * PosePlaces::kPerEdge), recorded(count, layouts.cols());
   for (Eigen::Index i = 0; i < count; ++i) {
