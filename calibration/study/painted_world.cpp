@@ -107,21 +107,34 @@ class Painter {
     FaceZone zone;
   };
 
+  // At a z drawn evenly within the zone; where all columns have the same, at a column.
+  static std::optional<int> column_in(FaceZone zone, const FaceShape& shape, Draws& draws) {
+    const auto& columns = shape.columns();
+    std::vector<int> valid;
+    for (int u = 0; u < shape.width_px(); ++u)
+      if (columns[static_cast<std::size_t>(u)].valid) valid.push_back(u);
+    if (valid.empty()) return std::nullopt;
+    const auto z_of = [&](int u) { return columns[static_cast<std::size_t>(u)].z_mm; };
+    const auto [nearest, farthest] = std::minmax_element(
+        valid.begin(), valid.end(), [&](int a, int b) { return z_of(a) < z_of(b); });
+    const double part =
+        (static_cast<double>(zone) + draws.uniform()) / static_cast<double>(kFaceZones);
+    const double range_mm = z_of(*farthest) - z_of(*nearest);
+    if (range_mm <= 0)
+      return valid[static_cast<std::size_t>(part * static_cast<double>(valid.size()))];
+    const double z_mm = z_of(*nearest) + part * range_mm;
+    return *std::min_element(valid.begin(), valid.end(), [&](int a, int b) {
+      return std::abs(z_of(a) - z_mm) < std::abs(z_of(b) - z_mm);
+    });
+  }
+
   [[nodiscard]] std::optional<Placed> ball_on(const FaceShape& shape,
                                               Draws& draws,
                                               FaceZone zone) const {
-    const auto& columns = shape.columns();
-    const auto valid = [](const FaceColumn& column) { return column.valid; };
-    const auto first = std::find_if(columns.begin(), columns.end(), valid);
-    const auto last = std::find_if(columns.rbegin(), columns.rend(), valid);
-    if (first == columns.end()) return std::nullopt;
-    const double low = static_cast<double>(first - columns.begin());
-    const double high = static_cast<double>(columns.rend() - last) - 1;
-    double part = (static_cast<double>(zone) + draws.uniform()) / static_cast<double>(kFaceZones);
-    if (!shape.base_at_low_u()) part = 1 - part;
-    const double u = low + part * (high - low);
-    const FaceColumn& column = columns[static_cast<std::size_t>(u)];
-    if (!column.valid) return std::nullopt;
+    const auto found = column_in(zone, shape, draws);
+    if (!found) return std::nullopt;
+    const int u = *found;
+    const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
     const double v =
         column.upper_v + (0.2 + 0.6 * draws.uniform()) * (column.lower_v - column.upper_v);
     const auto local = shape.at(u, v);

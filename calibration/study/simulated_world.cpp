@@ -31,13 +31,12 @@ Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
                    std::move(library).value(),
                    {},
                    0};
-  constexpr bool kBaseAtLowU = true;  // as the scene has it
   const int count = std::min(options.frames, plan->frame_count());
   const std::vector<FramePtr> pictures = bench->frames(*plan, 0, count);
   for (int number = 0; number < count; ++number) {
     if (job.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
     Truth truth = plan->truth(number);
-    const auto zone = zone_of_press(truth.depth_mm, kBaseAtLowU);
+    const auto zone = zone_of_press(truth.depth_mm, truth.view_z_mm);
     if (!zone) continue;
     StudyFrame frame;
     frame.picture = pictures[static_cast<std::size_t>(number)];

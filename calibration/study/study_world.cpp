@@ -1,7 +1,8 @@
 #include "calibration/study/study_world.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <limits>
 
 namespace alltact {
 namespace {
@@ -19,22 +20,23 @@ void mix(std::uint64_t& hash, const cv::Mat& picture) {
 
 }  // namespace
 
-std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm, bool base_at_low_u) {
-  int first = depth_mm.cols, last = -1, deepest = -1;
+std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm, const cv::Mat& view_z_mm) {
+  float nearest = std::numeric_limits<float>::infinity(), farthest = -nearest;
   float greatest = kLeastPressMm;
+  std::optional<float> z;  // where it is deepest
   for (int v = 0; v < depth_mm.rows; ++v) {
     const auto* depth = depth_mm.ptr<float>(v);
+    const auto* view_z = view_z_mm.ptr<float>(v);
     for (int u = 0; u < depth_mm.cols; ++u) {
-      if (std::isnan(depth[u])) continue;
-      first = std::min(first, u);
-      last = std::max(last, u);
-      if (depth[u] > greatest) greatest = depth[u], deepest = u;
+      if (std::isnan(view_z[u])) continue;
+      nearest = std::min(nearest, view_z[u]);
+      farthest = std::max(farthest, view_z[u]);
+      if (depth[u] > greatest) greatest = depth[u], z = view_z[u];
     }
   }
-  if (deepest < 0) return std::nullopt;
-  int third = 3 * (deepest - first) / (last - first + 1);
-  if (!base_at_low_u) third = 2 - third;
-  return static_cast<FaceZone>(third);
+  if (!z) return std::nullopt;
+  const float part = (*z - nearest) / std::max(farthest - nearest, 1e-6F);
+  return static_cast<FaceZone>(std::clamp(static_cast<int>(3 * part), 0, 2));
 }
 
 std::uint64_t checksum_of(const std::vector<StudyFrame>& frames) {

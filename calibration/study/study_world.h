@@ -32,7 +32,8 @@
 
 namespace alltact {
 
-/// Thirds of the face's length in the picture.
+/// Thirds of the face from its end near the camera to the far one, by z; of a flat sensor by
+/// column.
 enum class FaceZone { kBase = 0, kMiddle, kTip };
 inline constexpr std::size_t kFaceZones = 3;
 
@@ -73,10 +74,10 @@ struct StudyWorldOptions {
                                                  const StudyWorldOptions& options,
                                                  const Job& job);
 
-/// The truth's third of the face, by where it is deepest. nullopt where nothing presses deeper than
-/// 0.02 mm.
-///   base_at_low_u: as FaceShape says
-[[nodiscard]] std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm, bool base_at_low_u);
+/// Where on the face a truth is deepest. nullopt where nothing presses deeper than 0.02 mm.
+///   depth_mm, view_z_mm: CV_32FC1, NaN off the face
+[[nodiscard]] std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm,
+                                                    const cv::Mat& view_z_mm);
 
 /// Of everything in the frames that errors are computed from.
 [[nodiscard]] std::uint64_t checksum_of(const std::vector<StudyFrame>& frames);

@@ -148,14 +148,48 @@ TEST(ShippedScenes, ExperimentReferences) {
 TEST(ShippedScenes, ExperimentRoomLight) {
   const ShippedScene scene("experiment_room_light");
   const Plan plan = scene.plan({ALLTACT_BARE}), dark = scene.plan({ALLTACT_BARE, "ambient"});
-  for (int frame = 0; frame < 9; ++frame) {
-    const double level = 0.004 * std::array{300, 1100, 2500}[static_cast<std::size_t>(frame / 3)];
+  const Plan places = ShippedScene("experiment_localisation").plan();
+  ASSERT_EQ(plan.frame_count(), places.frame_count());
+  constexpr double kLevel = 0.004 * 300;
+  for (int frame = 0; frame < plan.frame_count(); frame += 5) {
     const Truth truth = plan.truth(frame);
-    EXPECT_EQ(truth.ball->centre_mm, plan.truth(frame % 3).ball->centre_mm);
+    EXPECT_EQ(truth.ball->centre_mm, places.truth(frame).ball->centre_mm);
     const cv::Mat untouched = within_face(truth, 2) & (truth.depth_mm == 0);
     const cv::Mat added = plan.render(frame) - dark.render(frame);
-    EXPECT_NEAR(mean_of(added, untouched), level * layer_reflectance(0.6, 0, 1.5), 1e-3);
+    EXPECT_NEAR(mean_of(added, untouched), kLevel * layer_reflectance(0.6, 0, 1.5), 1e-3);
   }
+}
+
+// Pushes on the contact face at places that come again every 22 frames; drag across alone.
+void expect_drawn_pushes(const Plan& plan) {
+  double least_N = 1e9, most_N = 0;
+  for (int frame = 0; frame < plan.frame_count(); frame += 3) {
+    const Truth truth = plan.truth(frame);
+    ASSERT_EQ(truth.contacts.size(), 1U) << frame;
+    const ContactTruth& contact = truth.contacts.front();
+    EXPECT_EQ(contact.face, PushedFace::kContact);
+    EXPECT_NEAR(contact.along_mm, 27 + 3 * (frame % 22), 0.6) << "slides a little";
+    EXPECT_LE(std::abs(contact.across_mm), 4.6);
+    EXPECT_LE(std::abs(contact.force_N->y()), 1.0 + 1e-6);
+    least_N = std::min(least_N, contact.force_N->norm());
+    most_N = std::max(most_N, contact.force_N->norm());
+  }
+  EXPECT_GE(least_N, 0.2);
+  EXPECT_LT(least_N, 0.6);
+  EXPECT_GT(most_N, 2.0);
+  EXPECT_LE(most_N, std::hypot(2.5, 1.0));
+}
+
+TEST(ShippedScenes, ExperimentForce) {
+  const Plan plan = ShippedScene("experiment_force").plan();
+  ASSERT_EQ(plan.frame_count(), 484);
+  expect_drawn_pushes(plan);
+}
+
+TEST(ShippedScenes, ExperimentRoomForce) {
+  const Plan plan = ShippedScene("experiment_room_force").plan();
+  ASSERT_EQ(plan.frame_count(), 44);
+  expect_drawn_pushes(plan);
 }
 
 TEST(ShippedScenes, ExperimentThreadM8) {
