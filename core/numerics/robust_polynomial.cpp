@@ -25,21 +25,6 @@ double spread(const Eigen::VectorXd& residuals) {
   return std::max(kMadToSd * upper_median(sizes), 1e-9);
 }
 
-/// Weighted least squares by normal equations: a tenth of the work of QR. False where those are
-/// singular to rounding.
-bool solve_normal(const Eigen::MatrixXd& design,
-                  const Eigen::VectorXd& target,
-                  const Eigen::VectorXd& weights,
-                  Eigen::VectorXd* coefficients) {
-  const Eigen::MatrixXd weighted = weights.asDiagonal() * design;
-  Eigen::MatrixXd normal(design.cols(), design.cols());
-  normal.triangularView<Eigen::Lower>() = weighted.transpose().lazyProduct(design);
-  const Eigen::LLT<Eigen::MatrixXd> factor(normal.selfadjointView<Eigen::Lower>());
-  if (factor.info() != Eigen::Success) return false;
-  *coefficients = factor.solve(weighted.transpose() * target);
-  return true;
-}
-
 double cauchy_weight(double r) {
   return 1.0 / (1.0 + r * r);
 }
@@ -89,18 +74,14 @@ std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>&
     target[i] = y[k] / sd[k];
   }
 
-  // Which points are believed needs no more than half the digits; the curve then comes from QR.
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(count), before = weights;
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(count);
   Eigen::VectorXd residuals;
-  const auto solve_exactly = [&](const Eigen::VectorXd& with) {
-    const Eigen::VectorXd root = with.cwiseSqrt();
-    fit.coefficients = least_squares(root.asDiagonal() * design, root.cwiseProduct(target));
-  };
   for (int round = 0; round < kCauchyRounds + kTukeyRounds; ++round) {
-    if (!solve_normal(design, target, weights, &fit.coefficients)) solve_exactly(weights);
+    const Eigen::VectorXd root = weights.cwiseSqrt();
+    fit.coefficients = least_squares(root.asDiagonal() * design, root.cwiseProduct(target));
     residuals = target - design * fit.coefficients;
     fit.scale = spread(residuals);
-    before = weights;
+    const Eigen::VectorXd before = weights;
     const bool cauchy = round < kCauchyRounds;
     for (Eigen::Index i = 0; i < count; ++i)
       weights[i] =
@@ -109,7 +90,6 @@ std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>&
     if (!cauchy) break;
     round = kCauchyRounds - 1;  // on to Tukey's
   }
-  solve_exactly(before);
 
   fit.first = x[points.back()], fit.last = x[points.front()];
   for (Eigen::Index i = 0; i < count; ++i) {

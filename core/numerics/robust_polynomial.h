@@ -24,10 +24,9 @@ struct RobustPolynomial {
   [[nodiscard]] double sd(double x) const;
 };
 
-/// Weighted least squares by Householder QR, made robust by re-weighting (whose rounds are solved
-/// by normal equations): Cauchy weights from a median start, then Tukey's biweight (c = 4.685), on
-/// residuals divided by sd. Points with valid = 0 do not count. nullopt when fewer than 2 (degree +
-/// 1) points are valid or believed.
+/// Weighted least squares by Householder QR, made robust by re-weighting: Cauchy weights from a
+/// median start, then Tukey's biweight (c = 4.685), on residuals divided by sd. Points with
+/// valid = 0 do not count. nullopt when fewer than 2 (degree + 1) points are valid or believed.
 [[nodiscard]] std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>& x,
                                                                     const std::vector<double>& y,
                                                                     const std::vector<double>& sd,
