@@ -3,7 +3,7 @@
 #include "app/console/flags.h"
 #include "app/pictures/pictures.h"
 #include "calibration/finger/measuring_settings.h"
-#include "calibration/paper_method/paper_pipeline.h"
+#include "calibration/finger/paper_pipeline.h"
 #include "calibration/reference/settings_record.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"

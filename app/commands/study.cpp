@@ -2,6 +2,7 @@
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "app/console/passing_folder.h"
+#include "calibration/experiments/simulated_world.h"
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/study/study_figure.h"
 #include "calibration/study/study_file.h"

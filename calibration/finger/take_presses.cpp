@@ -1,6 +1,6 @@
 #include "calibration/finger/take_presses.h"
 
-#include "calibration/paper_method/paper_pipeline.h"
+#include "calibration/finger/paper_pipeline.h"
 #include "core/io/picture.h"
 #include "core/sensing/pipeline.h"
 

@@ -4,11 +4,11 @@
 #include "calibration/joint/measured_presses.h"
 #include "calibration/joint/model_choice.h"
 #include "calibration/joint/outline_methods.h"
+#include "calibration/joint/paper_calibration.h"
 #include "calibration/joint/starting_balls.h"
 #include "calibration/joint/stored_curve.h"
 #include "calibration/joint/tangent_arc.h"
 #include "calibration/joint/verdict.h"
-#include "calibration/paper_method/paper_calibration.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Two peers of the joint method: every ball from its dark border alone, then one polynomial through
-// all presses. (The source paper's own is in calibration/paper_method.)
+// all presses. (The source paper's own is in paper_calibration.h.)
 #pragma once
 
 #include "calibration/joint/calibrate.h"

@@ -1,7 +1,7 @@
 #include "calibration/live/frame_measurer.h"
 
 #include "calibration/finger/measuring_settings.h"
-#include "calibration/paper_method/paper_pipeline.h"
+#include "calibration/finger/paper_pipeline.h"
 #include "core/sensing/depth/depth_sd.h"
 
 #include <algorithm>

@@ -20,7 +20,6 @@
 #include "core/sensing/reference/reference_library.h"
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -65,14 +64,6 @@ struct StudyWorldOptions {
 [[nodiscard]] Result<StudyWorld> painted_world(const FingerPtr& finger,
                                                const StudyWorldOptions& options,
                                                const Job& job);
-
-/// The scene study_presses (the demonstration's finger, pressed by a ball in random places and
-/// poses), measured by a finger that is recorded and calibrated by scenes as well.
-///   folder: for that finger; what an earlier study left there goes
-/// Errors: those of ExperimentBench; stopped.
-[[nodiscard]] Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
-                                                 const StudyWorldOptions& options,
-                                                 const Job& job);
 
 /// Where on the face a truth is deepest. nullopt where nothing presses deeper than 0.02 mm.
 ///   depth_mm, view_z_mm: CV_32FC1, NaN off the face

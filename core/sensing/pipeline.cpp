@@ -1,13 +1,13 @@
 #include "core/sensing/pipeline.h"
 
 #include "core/force/force_meter.h"
-#include "core/paper_method/paper_method.h"
 #include "core/sensing/contact/finger_contact_tracker.h"
 #include "core/sensing/contact/reference_free_contact.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/frame_faults.h"
 #include "core/sensing/markers/plain_rows.h"
+#include "core/sensing/paper_method.h"
 #include "core/sensing/reference/pose_places.h"
 #include "core/sensing/stop_watch.h"
 

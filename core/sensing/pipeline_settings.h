@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/sensing/face/face_edges.h"
-#include "core/sensing/markers/marker_methods.h"
+#include "core/sensing/marker_methods.h"
 #include "core/sensing/reference/reference_library.h"
 #include "core/settings.h"
 

@@ -1,6 +1,6 @@
 // What the ways of finding markers cost and gain, side by side on simulated fingers drawn at random
 // that the network was not trained on: clear, worn, blurred, partly lit, with dark dots.
-#include "core/sensing/markers/marker_methods.h"
+#include "core/sensing/marker_methods.h"
 
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/markers/networks/network_dot_finder.h"

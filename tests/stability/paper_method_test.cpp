@@ -1,7 +1,7 @@
 // The source paper's whole method beside ours on simulated fingers drawn at random: other width,
 // incline, light and skin in every run, each recorded and calibrated by itself.
 #include "calibration/finger/calibrate_finger.h"
-#include "calibration/paper_method/paper_pipeline.h"
+#include "calibration/finger/paper_pipeline.h"
 #include "calibration/reference/reference_recording.h"
 #include "calibration/study/evaluate.h"
 #include "core/program.h"

@@ -10,8 +10,8 @@
 #include "widgets/inspect/save_bar.h"
 #include "widgets/inspect/time_line.h"
 #include "widgets/live/live_session.h"
+#include "widgets/panels/force_box.h"
 #include "widgets/places/place.h"
-#include "widgets/touch/force_box.h"
 
 #include <QElapsedTimer>
 #include <QLabel>

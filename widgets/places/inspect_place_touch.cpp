@@ -1,8 +1,8 @@
 // What the finger feels, in the place Inspect.
+#include "widgets/live/zero_change.h"
 #include "widgets/places/inspect_place.h"
 #include "widgets/touch/contact_words.h"
 #include "widgets/touch/force_words.h"
-#include "widgets/touch/zero_change.h"
 
 #include <QVBoxLayout>
 

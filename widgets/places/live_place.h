@@ -4,10 +4,10 @@
 
 #include "widgets/controls/control_panel.h"
 #include "widgets/pair/live_pair_box.h"
+#include "widgets/panels/force_box.h"
 #include "widgets/panels/picture_panel.h"
 #include "widgets/places/place.h"
 #include "widgets/shell/start_panel.h"
-#include "widgets/touch/force_box.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

@@ -1,7 +1,7 @@
 // What the finger feels, in the place Live.
+#include "widgets/live/zero_change.h"
 #include "widgets/places/live_place.h"
 #include "widgets/touch/force_words.h"
-#include "widgets/touch/zero_change.h"
 
 #include <QVBoxLayout>
 

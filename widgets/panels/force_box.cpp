@@ -1,4 +1,4 @@
-#include "widgets/touch/force_box.h"
+#include "widgets/panels/force_box.h"
 
 #include "widgets/touch/contact_words.h"
 

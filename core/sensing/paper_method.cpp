@@ -1,10 +1,10 @@
-#include "core/paper_method/paper_method.h"
+#include "core/sensing/paper_method.h"
 
 #include "core/numerics/picture_noise.h"
-#include "core/paper_method/paper_face.h"
 #include "core/sensing/contact/face_touch.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/pixel_flags.h"
+#include "core/sensing/paper_face.h"
 #include "core/sensing/stop_watch.h"
 
 namespace alltact {

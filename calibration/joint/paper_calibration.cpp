@@ -1,7 +1,7 @@
-#include "calibration/paper_method/paper_calibration.h"
+#include "calibration/joint/paper_calibration.h"
 
 #include "calibration/joint/ball_clouds.h"
-#include "calibration/paper_method/circle_search.h"
+#include "calibration/joint/circle_search.h"
 
 namespace alltact {
 namespace {

@@ -1,5 +1,5 @@
 // The force in figures and over time.
-#include "widgets/touch/force_box.h"
+#include "widgets/panels/force_box.h"
 
 #include "widgets/touch/contact_words.h"
 

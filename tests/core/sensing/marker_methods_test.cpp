@@ -1,4 +1,4 @@
-#include "core/sensing/markers/marker_methods.h"
+#include "core/sensing/marker_methods.h"
 
 #include "core/io/atomic_file.h"
 #include "core/sensing/markers/networks/network_dot_finder.h"

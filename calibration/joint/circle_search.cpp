@@ -1,4 +1,4 @@
-#include "calibration/paper_method/circle_search.h"
+#include "calibration/joint/circle_search.h"
 
 #include "calibration/joint/sample_misfit.h"
 #include "core/geometry/ball.h"

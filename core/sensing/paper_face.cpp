@@ -1,4 +1,4 @@
-#include "core/paper_method/paper_face.h"
+#include "core/sensing/paper_face.h"
 
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/least_squares.h"

@@ -15,8 +15,8 @@
 
 #include "core/finger/finger_store.h"
 #include "core/job.h"
-#include "core/paper_method/paper_reference.h"
 #include "core/result.h"
+#include "core/sensing/paper_reference.h"
 #include "core/sensing/pipeline.h"
 
 #include <memory>

@@ -1,5 +1,6 @@
+#include "calibration/experiments/simulated_world.h"
+
 #include "calibration/experiments/experiment_bench.h"
-#include "calibration/study/study_world.h"
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 #include "core/finger/press_set.h"
 #include "core/frame.h"
 #include "core/job.h"
-#include "core/paper_method/paper_method.h"
 #include "core/result.h"
+#include "core/sensing/paper_method.h"
 #include "core/sensing/pipeline.h"
 
 #include <vector>

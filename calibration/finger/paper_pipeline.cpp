@@ -1,7 +1,7 @@
-#include "calibration/paper_method/paper_pipeline.h"
+#include "calibration/finger/paper_pipeline.h"
 
 #include "calibration/finger/calibration_inputs.h"
-#include "calibration/paper_method/paper_calibration.h"
+#include "calibration/joint/paper_calibration.h"
 #include "core/io/picture.h"
 
 namespace alltact {

@@ -1,4 +1,4 @@
-#include "widgets/touch/zero_change.h"
+#include "widgets/live/zero_change.h"
 
 #include "widgets/value_change.h"
 

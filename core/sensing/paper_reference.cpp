@@ -1,8 +1,8 @@
-#include "core/paper_method/paper_reference.h"
+#include "core/sensing/paper_reference.h"
 
-#include "core/paper_method/paper_face.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/markers/paper_rows.h"
+#include "core/sensing/paper_face.h"
 
 #include <cassert>
 #include <cmath>

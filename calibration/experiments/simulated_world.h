@@ -1,0 +1,20 @@
+// Simulated pictures to measure settings by.
+#pragma once
+
+#include "calibration/study/study_world.h"
+#include "core/job.h"
+#include "core/result.h"
+
+#include <filesystem>
+
+namespace alltact {
+
+/// The scene study_presses (the demonstration's finger, pressed by a ball in random places and
+/// poses), measured by a finger that is recorded and calibrated by scenes as well.
+///   folder: for that finger; what an earlier study left there goes
+/// Errors: those of ExperimentBench; stopped.
+[[nodiscard]] Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
+                                                 const StudyWorldOptions& options,
+                                                 const Job& job);
+
+}  // namespace alltact
