@@ -78,7 +78,11 @@ RecordingInfo FrameMeasurer::recording() const {
   return {input_, frames_->count(), frames_->frames_per_s(), times_ns_};
 }
 
-void FrameMeasurer::measure_by_other(MeasuredFrame& frame, bool is_next) {
+void FrameMeasurer::measure_by_other(MeasuredFrame& frame, bool is_next, const Job& job) {
+  if (const Status status = open_other(job); !status) {
+    frame.other_problem = status.error();
+    return;
+  }
   if (!is_next) other_->forget();
   auto result = (*other_)(frame.result.frame);
   if (result) frame.other = std::move(*result);
@@ -97,10 +101,7 @@ Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number,
   last_ = number;
   MeasuredFrame frame = measured_by(*finger_, std::move(*result));
   frame.number = number;
-  if (other == OtherMethod::kPaper) {
-    if (const Status status = open_other(job); !status) return status.error();
-    measure_by_other(frame, is_next);
-  }
+  if (other == OtherMethod::kPaper) measure_by_other(frame, is_next, job);
   return frame;
 }
 
@@ -115,8 +116,7 @@ Result<MeasuredFrame> FrameMeasurer::complete(const FrameResult& live,
   MeasuredFrame frame = measured_by(*snapshot, live);
   if (other == OtherMethod::kPaper && !folder.empty()) {
     if (const Status status = load_finger(folder, job); !status) return status.error();
-    if (const Status status = open_other(job); !status) return status.error();
-    measure_by_other(frame, false);
+    measure_by_other(frame, false, job);
   }
   return frame;
 }

@@ -30,6 +30,8 @@ struct MeasuredFrame {
   cv::Mat sd_mm;  ///< of the depth (depth_sd_mm()); empty where there is no depth
   /// The other method's, where two are compared and it could measure the frame.
   std::optional<FrameResult> other;
+  /// Why no frame of this finger can be measured by the other method, where that was wished.
+  std::optional<Error> other_problem;
 };
 
 /// Depth less the other method's, CV_32FC1, the picture's size; NaN where one of them is missing.
@@ -57,8 +59,7 @@ class FrameMeasurer {
   [[nodiscard]] RecordingInfo recording() const;
 
   /// With both open. `number`: beyond the recording's end the last frame is taken. Errors: the
-  /// frame cannot be read, or is not of the finger's size; by the other method those of
-  /// paper_pipeline().
+  /// frame cannot be read, or is not of the finger's size.
   [[nodiscard]] Result<MeasuredFrame> measure(std::size_t number,
                                               OtherMethod other,
                                               const Job& job);
@@ -74,7 +75,7 @@ class FrameMeasurer {
 
  private:
   Status open_other(const Job& job);
-  void measure_by_other(MeasuredFrame& frame, bool is_next);
+  void measure_by_other(MeasuredFrame& frame, bool is_next, const Job& job);
 
   std::filesystem::path folder_, input_;
   std::shared_ptr<FingerStore> store_;

@@ -120,6 +120,7 @@ TEST_F(InspectPair, SavesBothInTheGrippersFrame) {
   put_in_gripper(two_.left(), TwoFingers::place_of_left());
   put_in_gripper(two_.right(), TwoFingers::place_of_right());
   ASSERT_TRUE(open_both());
+  ASSERT_TRUE(wait_until([&] { return pair().is_placed(); }));
   const TemporaryFolder out;
   place().save(out / "both.ply");
   ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }));

@@ -15,10 +15,12 @@ InspectAnswer Inspector::operator()(const InspectWish& wish, const Job& job) {
   if (std::exchange(grid_of_, wish.finger) != wish.finger) grid_ = {};
   InspectAnswer answer;
   auto frame = measured(wish, job, answer.recording);
-  if (frame)
-    answer.frame = with_surfaces(std::move(*frame));
-  else
+  if (!frame) {
     answer.problem = frame.error();
+    return answer;
+  }
+  answer.problem = frame->other_problem;
+  answer.frame = with_surfaces(std::move(*frame));
   return answer;
 }
 

@@ -88,6 +88,7 @@ Status save_film(const FilmOptions& options, const std::filesystem::path& file, 
   for (std::size_t count = 1; wish.number < count && !job.stop_requested(); ++wish.number) {
     const InspectAnswer answer = inspector(wish, job);
     if (!answer.recording) return *answer.problem;
+    if (answer.frame && answer.frame->other_problem) return *answer.frame->other_problem;
     count = answer.recording->count;
     job.report(static_cast<double>(wish.number) / static_cast<double>(count),
                en::say("frame {} of {}", wish.number + 1, count));
