@@ -69,6 +69,7 @@ CalibrateStudio::CalibrateStudio(int presses) {
       MadeFingers::get().calibrated(), finger(), std::filesystem::copy_options::recursive);
   auto own = Finger::load(finger()).value();
   own.mapping.reset();
+  own.mapping_record.reset();
   must(own.save(finger()));
   must(write_file_atomically(folder_ / "pressing.yaml", pressing_scene()));
   if (presses == 0) return;

@@ -90,7 +90,12 @@ TEST(Undo, LeadsBackToTheFirstPage) {
   undo(studio);
   EXPECT_TRUE(
       wait_until([&] { return studio.session().status().source.state == SourceState::kClosed; }));
-  EXPECT_NE(studio.find<QPushButton>("Simulated finger"), nullptr);
+  EXPECT_TRUE(wait_until([&] {
+    const auto buttons = studio.window().findChildren<QPushButton*>();
+    return std::any_of(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+      return button->isVisible() && button->text() == QLatin1String("&Simulated finger");
+    });
+  }));
   EXPECT_NE(studio.find<QToolButton>("Source: none"), nullptr);
 }
 
