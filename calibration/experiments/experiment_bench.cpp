@@ -18,7 +18,7 @@
 namespace alltact {
 namespace {
 
-constexpr const char* kBenchRecording = "short_reference";
+constexpr const char* kBenchRecording = "demo_reference";
 constexpr const char* kBenchPresses = "demo_presses";
 constexpr int kAtATime = 16;  // pictures that are rendered side by side and held in memory
 

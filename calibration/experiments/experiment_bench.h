@@ -34,7 +34,7 @@ struct BenchOptions {
 
 class ExperimentBench {
  public:
-  /// Makes the finger: recorded with the scene short_reference and calibrated with demo_presses.
+  /// Makes the finger: recorded with the scene demo_reference and calibrated with demo_presses.
   /// Errors: a scene that is missing or wrong; those of install_reference() and
   /// calibrate_finger(); stopped.
   [[nodiscard]] static Result<ExperimentBench> make(const BenchOptions& options, const Job& job);
