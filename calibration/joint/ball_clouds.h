@@ -5,7 +5,11 @@
 #include "calibration/presses/press.h"
 #include "calibration/presses/press_samples.h"
 #include "core/geometry/circle_fit.h"
+#include "core/job.h"
+#include "core/message.h"
+#include "core/result.h"
 
+#include <utility>
 #include <vector>
 
 namespace alltact {
@@ -28,6 +32,33 @@ struct BallCloud {
                                               const std::vector<Sample>& samples,
                                               const Eigen::Vector3d& centre_mm,
                                               bool cut_by_edge);
+
+/// The clouds of those presses for which `cloud_of` finds one; why the others have none is said in
+/// left_out.
+struct CloudsFound {
+  std::vector<BallCloud> clouds;
+  std::vector<Message> left_out;
+  Message reason;        ///< of the last one left out
+  bool stopped = false;  ///< not all were looked at
+};
+template <class Presses, class CloudOf>
+[[nodiscard]] CloudsFound clouds_of(const Presses& presses, CloudOf&& cloud_of, const Job& job) {
+  CloudsFound found;
+  for (const auto& press : presses) {
+    if (job.stop_requested()) {
+      found.stopped = true;
+      break;
+    }
+    Result<BallCloud> cloud = cloud_of(press);
+    if (cloud) {
+      found.clouds.push_back(std::move(*cloud));
+    } else {
+      found.left_out.push_back(en::say("{}.", cloud.error().message()));
+      found.reason = cloud.error().what;
+    }
+  }
+  return found;
+}
 
 /// The cubic without constant through d of all clouds (at least one), written in the basis of
 /// MappingParameters; one of lower degree where the cubic does not increase, said in a remark. Adds

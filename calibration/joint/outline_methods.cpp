@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -132,25 +134,16 @@ Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presse
                                          const Face& face,
                                          const Job& job,
                                          Calibration calibration) {
-  std::vector<BallCloud> solved;
-  Message reason;
-  for (const OutlinePress& input : presses) {
-    if (job.stop_requested()) break;
-    auto one = solve_press(input, method, face);
-    if (one) {
-      solved.push_back(std::move(*one));
-    } else {
-      calibration.left_out.push_back(en::say("{}.", one.error().message()));
-      reason = one.error().what;
-    }
-  }
-  if (solved.empty())
+  CloudsFound found = clouds_of(
+      presses, [&](const OutlinePress& press) { return solve_press(press, method, face); }, job);
+  if (found.clouds.empty())
     return Error{en::say("no ball follows from the dark border of any of {} presses ({})",
                          presses.size(),
-                         reason),
+                         found.reason),
                  "",
                  en::say("the joint method, which fits the ball itself")};
-  return calibrate_through(std::move(solved), std::move(calibration));
+  std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(calibration.left_out));
+  return calibrate_through(found.clouds, std::move(calibration));
 }
 
 }  // namespace alltact

@@ -21,28 +21,19 @@ Result<Calibration> calibrate_as_paper(const std::vector<Press>& presses,
                                        const Camera& camera,
                                        const Face& face,
                                        const Job& job) {
-  Calibration calibration;
-  std::vector<BallCloud> clouds;
-  Message reason;
-  for (const Press& press : presses) {
-    if (job.stop_requested()) break;
-    auto cloud = cloud_of_press(press, camera, face);
-    if (cloud) {
-      clouds.push_back(std::move(*cloud));
-    } else {
-      calibration.left_out.push_back(en::say("{}.", cloud.error().message()));
-      reason = cloud.error().what;
-    }
-  }
-  if (clouds.empty() && job.stop_requested())
+  CloudsFound found = clouds_of(
+      presses, [&](const Press& press) { return cloud_of_press(press, camera, face); }, job);
+  if (found.clouds.empty() && found.stopped)
     return Error{en::say("stopped before the first solution"), "", ""};
-  if (clouds.empty())
+  if (found.clouds.empty())
     return Error{en::say("the source paper's method finds a ball in none of {} presses ({})",
                          presses.size(),
-                         reason),
+                         found.reason),
                  "",
                  en::say("the joint method, which fits the ball itself")};
-  return calibrate_through(clouds, std::move(calibration));
+  Calibration calibration;
+  calibration.left_out = std::move(found.left_out);
+  return calibrate_through(found.clouds, std::move(calibration));
 }
 
 }  // namespace alltact
