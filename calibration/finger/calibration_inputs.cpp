@@ -2,13 +2,13 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
+#include "core/numerics/checksum.h"
 #include "core/printable.h"
 #include "core/sources/files/picture_source.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 
 #include <fmt/format.h>
 
@@ -16,28 +16,6 @@ namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Checksum {
- public:
-  void add(const void* bytes, std::size_t count) {
-    const auto* at = static_cast<const unsigned char*>(bytes);
-    for (; count >= sizeof(std::uint64_t);
-         count -= sizeof(std::uint64_t), at += sizeof(std::uint64_t)) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, at, sizeof word);
-      mix(word);
-    }
-    for (; count > 0; --count) mix(*at++);
-  }
-  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", value_); }
-
- private:
-  void mix(std::uint64_t word) {
-    value_ = (value_ ^ word) * 0x100000001b3U;
-    value_ ^= value_ >> 32;  // a multiplication alone never carries high bits down
-  }
-  std::uint64_t value_ = 0xcbf29ce484222325U;
-};
 
 /// A setting that the file does not name has its default; one of another version is kept.
 template <class S>

@@ -2,6 +2,7 @@
 
 #include "core/finger/force_model.h"
 #include "core/io/atomic_file.h"
+#include "core/numerics/checksum.h"
 #include "core/program.h"
 #include "core/utc_time.h"
 
@@ -24,11 +25,10 @@ constexpr const char* kForceSplit = "split";       // there, too
 constexpr const char* kForceAsked = "asked_kind";  // there: a kind, or "auto"
 constexpr const char* kNoForce = "none";
 
-/// 64-bit FNV-1a.
 std::string hash_of(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 1099511628211U;
-  return fmt::format("{:016x}", hash);
+  Checksum checksum;
+  checksum.add(text.data(), text.size());
+  return checksum.text();
 }
 
 /// Least distance of neighbouring markers of a row at rest.

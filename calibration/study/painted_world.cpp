@@ -1,9 +1,9 @@
 #include "calibration/study/study_world.h"
-#include "core/io/picture.h"
 #include "core/numerics/philox.h"
 #include "core/numerics/picture_noise.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/pipeline.h"
+#include "core/sensing/reference/flat_reference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -277,12 +277,7 @@ Result<Untouched> untouched_of_flat(const FingerSnapshot& snapshot,
                                     const Job& job) {
   auto library = ReferenceLibrary::load(snapshot, job);
   if (!library) return library.error();
-  if (!snapshot.finger.reference) return too_few(snapshot);
-  const auto file = snapshot.folder / snapshot.finger.reference->image;
-  const auto raw = read_grey_picture(file);
-  if (!raw) return raw.error();
-  const auto turned = oriented_for(
-      snapshot.finger.camera, *raw, en::say("the untouched picture"), file.string(), "");
+  const auto turned = flat_reference(snapshot.folder, snapshot.finger);
   if (!turned) return turned.error();
   const cv::Mat& grey = *turned;
   const double sd = std::sqrt(2.0) * picture_noise_sd(grey);

@@ -1,5 +1,7 @@
 #include "calibration/study/study_world.h"
 
+#include "core/numerics/checksum.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,13 +11,9 @@ namespace {
 
 constexpr float kLeastPressMm = 0.02F;
 
-// 64-bit FNV-1a.
-void mix(std::uint64_t& hash, const cv::Mat& picture) {
+void add_picture(Checksum& checksum, const cv::Mat& picture) {
   const std::size_t bytes = static_cast<std::size_t>(picture.cols) * picture.elemSize();
-  for (int row = 0; row < picture.rows; ++row) {
-    const std::uint8_t* at = picture.ptr(row);
-    for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ at[i]) * 0x100000001b3U;
-  }
+  for (int row = 0; row < picture.rows; ++row) checksum.add(picture.ptr(row), bytes);
 }
 
 }  // namespace
@@ -40,12 +38,12 @@ std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm, const cv::Mat& vi
 }
 
 std::uint64_t checksum_of(const std::vector<StudyFrame>& frames) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
+  Checksum checksum;
   for (const StudyFrame& frame : frames) {
-    mix(hash, frame.picture->grey);
-    mix(hash, frame.depth_mm);
+    add_picture(checksum, frame.picture->grey);
+    add_picture(checksum, frame.depth_mm);
   }
-  return hash;
+  return checksum.value();
 }
 
 }  // namespace alltact

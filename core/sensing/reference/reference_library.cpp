@@ -1,8 +1,8 @@
 #include "core/sensing/reference/reference_library.h"
 
-#include "core/io/picture.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/markers/layout_search.h"
+#include "core/sensing/reference/flat_reference.h"
 #include "core/sensing/reference/reference_error.h"
 #include "core/sensing/reference/reference_weights.h"
 #include "core/shared_values.h"
@@ -145,22 +145,6 @@ Eigen::MatrixXd seen_layouts(const MarkerTable& table, const std::vector<int>& m
   return layouts;
 }
 
-/// The untouched picture that a flat sensor's finger names.
-Result<cv::Mat> flat_picture(const std::filesystem::path& finger_folder, const Finger& finger) {
-  if (!finger.reference || finger.reference->image.empty())
-    return Error{en::say("the sensor has no untouched picture"),
-                 (finger_folder / Finger::kFileName).string(),
-                 en::say("give one with the calibration")};
-  const auto file = finger_folder / finger.reference->image;
-  const auto raw = read_grey_picture(file);
-  if (!raw) return raw.error();
-  return oriented_for(finger.camera,
-                      *raw,
-                      en::say("the untouched picture"),
-                      file.string(),
-                      en::say("give the untouched picture anew"));
-}
-
 /// All that a library of these files depends on, as text; nullopt where that cannot be told.
 std::optional<std::string> made_from(const std::filesystem::path& video,
                                      const std::filesystem::path& table,
@@ -192,7 +176,7 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   const std::filesystem::path& finger_folder = snapshot.folder;
   const Finger& finger = snapshot.finger;
   if (finger.face.kind == FaceKind::kFlat) {
-    const auto grey = flat_picture(finger_folder, finger);
+    const auto grey = flat_reference(finger_folder, finger);
     if (!grey) return grey.error();
     return single(*grey);
   }
