@@ -27,7 +27,7 @@ from program import run_program  # noqa: E402
 from summary import must_reach, report  # noqa: E402
 
 
-def judge_one(program: Path, made: Path, results: Path | None) -> dict[str, Any]:
+def judge_one(program: Path, made: Path, results: Path | None, settings: list[str]) -> dict[str, Any]:
     """Figures of one rendered finger; results: where to keep what the program wrote."""
     facts = json.loads((made / "finger.json").read_text())
     with ExitStack() as stack:
@@ -36,7 +36,7 @@ def judge_one(program: Path, made: Path, results: Path | None) -> dict[str, Any]
         else:
             scratch = results / made.name
             scratch.mkdir(parents=True)
-        run = run_program(program, made, facts, scratch)
+        run = run_program(program, made, facts, scratch, settings)
         figures: dict[str, Any] = {
             "name": made.name,
             "class": facts["class"],
@@ -77,6 +77,9 @@ def main() -> int:
     parser.add_argument(
         "--measured-only", action="store_true", help="exit status 0 when every finger is measured, however well"
     )
+    parser.add_argument(
+        "--settings", default="", help='flags to calibrate and measure with: --settings="--marker-method network"'
+    )
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--json", type=Path, help="file for all figures")
     options = parser.parse_args()
@@ -96,7 +99,8 @@ def main() -> int:
                 for folder in made:
                     print(folder.result(), flush=True)
                 return 0
-            judged = [pool.submit(judge_one, options.program, folder.result(), options.results) for folder in made]
+            settings = options.settings.split()
+            judged = [pool.submit(judge_one, options.program, folder.result(), options.results, settings) for folder in made]
             fingers = []
             for figures in judged:
                 fingers.append(figures.result())

@@ -26,8 +26,9 @@ class Run:
     unnamed: list[str] = field(default_factory=list)  # pictures that cannot be measured rightly, yet no problem is told
 
 
-def run_program(program: Path, made: Path, facts: dict[str, Any], scratch: Path) -> Run:
-    """made: the folder of a rendered finger; scratch: an empty folder for what the program writes."""
+def run_program(program: Path, made: Path, facts: dict[str, Any], scratch: Path, settings: list[str]) -> Run:
+    """made: the folder of a rendered finger; scratch: an empty folder for what the program writes; settings: flags to
+    calibrate and measure with."""
     finger = scratch / "finger"
     run = Run(results=scratch / "results")
     steps = (
@@ -42,11 +43,17 @@ def run_program(program: Path, made: Path, facts: dict[str, Any], scratch: Path)
         ("reference", ["reference", finger, made / "recording", "--json"]),
         (
             "calibrate",
-            ["calibrate", finger, made / "presses", "--ball-radius-mm", f"{facts['ball_radius_mm']:.4f}", "--json"],
+            [
+                *("calibrate", finger, made / "presses"),
+                *("--ball-radius-mm", f"{facts['ball_radius_mm']:.4f}", "--json", *settings),
+            ],
         ),
         (
             "reconstruct",
-            ["reconstruct", finger, made / "tests", "-o", run.results, "--format", "depth,depth_sd,points", "--json"],
+            [
+                *("reconstruct", finger, made / "tests", "-o", run.results),
+                *("--format", "depth,depth_sd,points", "--json", *settings),
+            ],
         ),
     )
     for name, arguments in steps:

@@ -1,0 +1,284 @@
+#include "core/sensing/surface/surface_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Dense>
+
+namespace alltact {
+namespace {
+
+constexpr std::size_t kLeastOfBall = 30, kLeastOfRoughness = 30, kLeastOfPlane = 10,
+                      kLeastOfStep = 12;
+constexpr double kLeastNoiseMm = 1e-6;  // weights stay finite where a pixel claims none
+
+Error too_few(std::size_t have, std::size_t need) {
+  return {en::say("{} measured pixels where {} are needed", have, need),
+          "",
+          en::say("a larger piece, or one that is measured")};
+}
+
+/// All depths moved by what is common to them.
+SurfacePatch moved(const SurfacePatch& patch) {
+  SurfacePatch other = patch;
+  for (SurfacePoint& point : other.points) point.depth_mm += point.common_mm;
+  return other;
+}
+
+struct Sphere {
+  Eigen::Vector3d centre_mm;
+  double radius_mm = 0, radius_sd_mm = 0, residual_mm = 0;
+};
+
+/// A sphere near enough to begin with: |p|^2 is linear in centre and R^2 - |c|^2.
+std::optional<Eigen::Vector4d> sphere_to_begin_with(const std::vector<const SurfacePoint*>& points,
+                                                    const Eigen::Vector3d& middle) {
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (const SurfacePoint* point : points) {
+    const Eigen::Vector3d p = point->point_mm() - middle;
+    const Eigen::Vector4d row(2 * p.x(), 2 * p.y(), 2 * p.z(), 1);
+    normal += row * row.transpose();
+    right += row * p.squaredNorm();
+  }
+  const Eigen::FullPivLU<Eigen::Matrix4d> lu(normal);
+  if (!lu.isInvertible()) return std::nullopt;
+  const Eigen::Vector4d found = lu.solve(right);
+  const double squared = found[3] + found.head<3>().squaredNorm();
+  if (!(squared > 0) || !std::isfinite(squared)) return std::nullopt;
+  return Eigen::Vector4d(found[0], found[1], found[2], std::sqrt(squared));
+}
+
+/// Gauss-Newton on the distances from the sphere, each weighted by what its noise along z does to
+/// it.
+std::optional<Sphere> fit_sphere(const std::vector<const SurfacePoint*>& points,
+                                 double noise_pixels) {
+  constexpr int kRounds = 60;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const SurfacePoint* point : points) middle += point->point_mm();
+  middle /= static_cast<double>(points.size());
+  const auto begin = sphere_to_begin_with(points, middle);
+  if (!begin) return std::nullopt;
+  Eigen::Vector4d now = *begin;
+  Eigen::Matrix4d normal;
+  double squares = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    normal.setZero();
+    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    squares = 0;
+    for (const SurfacePoint* point : points) {
+      const Eigen::Vector3d from = point->point_mm() - middle - now.head<3>();
+      const double distance = from.norm();
+      if (!(distance > 0)) return std::nullopt;
+      const Eigen::Vector3d way = from / distance;
+      const double off = distance - now[3];
+      const double sd =
+          std::max(point->noise_mm, kLeastNoiseMm) * std::max(std::abs(way.z()), 0.05);
+      const Eigen::Vector4d row(-way.x(), -way.y(), -way.z(), -1);
+      normal += row * row.transpose() / (sd * sd);
+      right += row * off / (sd * sd);
+      squares += off * off;
+    }
+    const Eigen::LDLT<Eigen::Matrix4d> solver(normal);
+    if (solver.info() != Eigen::Success || !(solver.rcond() > 1e-14)) return std::nullopt;
+    const Eigen::Vector4d step = solver.solve(right);
+    now -= step;
+    if (!now.allFinite() || !(now[3] > 0)) return std::nullopt;
+    if (step.norm() < 1e-12 * now[3]) break;
+  }
+  const Eigen::Matrix4d covariance = normal.inverse() * noise_pixels;
+  return Sphere{middle + now.head<3>(),
+                now[3],
+                std::sqrt(std::max(covariance(3, 3), 0.0)),
+                std::sqrt(squares / static_cast<double>(points.size()))};
+}
+
+/// Which points to begin with: at least half as deep as the deepest.
+std::vector<std::size_t> deep_half(const SurfacePatch& patch) {
+  double deepest = 0;
+  for (const SurfacePoint& point : patch.points) deepest = std::max(deepest, point.depth_mm);
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < patch.points.size(); ++i)
+    if (patch.points[i].depth_mm > 0 && patch.points[i].depth_mm >= 0.5 * deepest)
+      chosen.push_back(i);
+  return chosen;
+}
+
+/// The same by the ball instead of by single depths, whose noise would choose what fits it.
+std::vector<std::size_t> deep_half_of(const Sphere& ball, const SurfacePatch& patch) {
+  std::vector<double> depth_mm(patch.points.size(), 0);
+  double deepest = 0;
+  for (std::size_t i = 0; i < depth_mm.size(); ++i) {
+    const Eigen::Vector3d from = patch.points[i].untouched_mm - ball.centre_mm;
+    const double squared = ball.radius_mm * ball.radius_mm - from.head<2>().squaredNorm();
+    if (squared > 0) depth_mm[i] = from.z() + std::sqrt(squared);
+    deepest = std::max(deepest, depth_mm[i]);
+  }
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < depth_mm.size(); ++i)
+    if (depth_mm[i] > 0 && depth_mm[i] >= 0.5 * deepest) chosen.push_back(i);
+  return chosen;
+}
+
+std::vector<const SurfacePoint*> points_of(const SurfacePatch& patch,
+                                           const std::vector<std::size_t>& chosen) {
+  std::vector<const SurfacePoint*> points;
+  for (const std::size_t i : chosen) points.push_back(&patch.points[i]);
+  return points;
+}
+
+}  // namespace
+
+double noise_pixels_of_area(double smoothing_px) {
+  return std::max(1.0, 4 * std::numbers::pi * smoothing_px * smoothing_px);
+}
+
+double noise_pixels_of_row(double smoothing_px) {
+  return std::max(1.0, 2 * std::sqrt(std::numbers::pi) * smoothing_px);
+}
+
+Result<FittedBall> fit_ball(const SurfacePatch& patch) {
+  const Error none{en::say("no ball lies in this piece"),
+                   "",
+                   en::say("a piece that is round, seen up to where it is half as deep")};
+  std::vector<std::size_t> cap = deep_half(patch);
+  std::optional<Sphere> ball;
+  constexpr int kChoices = 4;
+  for (int choice = 0; choice < kChoices; ++choice) {
+    if (cap.size() < kLeastOfBall) return too_few(cap.size(), kLeastOfBall);
+    ball = fit_sphere(points_of(patch, cap), patch.noise_pixels);
+    if (!ball) return none;
+    cap = deep_half_of(*ball, patch);
+  }
+  const SurfacePatch other = moved(patch);
+  const auto if_moved = fit_sphere(points_of(other, cap), patch.noise_pixels);
+  if (!if_moved) return none;
+  const double sd = std::hypot(ball->radius_sd_mm, if_moved->radius_mm - ball->radius_mm);
+  if (!(sd < 0.5 * ball->radius_mm)) return none;
+  return FittedBall{ball->centre_mm, {ball->radius_mm, sd}, ball->residual_mm, cap.size()};
+}
+
+Result<PressedPart> pressed_part(const SurfacePatch& patch, double threshold_mm) {
+  double area = 0, volume = 0, flat = 0;
+  double noise_of_volume = 0, common_of_volume = 0, least = 0, most = 0;
+  for (const SurfacePoint& point : patch.points) {
+    const double sd = std::hypot(point.noise_mm, point.common_mm);
+    if (point.depth_mm - sd > threshold_mm) least += point.on_face_mm2;
+    if (point.depth_mm + sd > threshold_mm) most += point.on_face_mm2;
+    if (!(point.depth_mm > threshold_mm)) continue;
+    area += point.on_face_mm2;
+    flat += point.flat_mm2;
+    volume += point.flat_mm2 * point.depth_mm;
+    noise_of_volume += std::pow(point.flat_mm2 * point.noise_mm, 2);
+    common_of_volume += point.flat_mm2 * point.common_mm;
+  }
+  if (!(area > 0))
+    return Error{en::say("nothing here is deeper than {} mm", threshold_mm),
+                 "",
+                 en::say("a piece where something presses")};
+  PressedPart part;
+  part.area_mm2 = {area, (most - least) / 2};
+  part.volume_mm3 = {volume,
+                     std::hypot(std::sqrt(noise_of_volume * patch.noise_pixels), common_of_volume)};
+  part.mean_mm = {volume / flat, part.volume_mm3.sd / flat};
+  return part;
+}
+
+Result<Roughness> roughness(const SurfacePatch& patch) {
+  const std::size_t n = patch.points.size();
+  if (n < kLeastOfRoughness) return too_few(n, kLeastOfRoughness);
+  const auto plane = fit_plane(patch);
+  if (!plane) return plane.error();
+  // Heights along the patch's own normal, over two directions in it.
+  const Eigen::Vector3d across = plane->normal.unitOrthogonal();
+  const Eigen::Vector3d along = plane->normal.cross(across);
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const SurfacePoint& point : patch.points) middle += point.point_mm();
+  middle /= static_cast<double>(n);
+  Eigen::MatrixXd form(static_cast<Eigen::Index>(n), 6);
+  Eigen::VectorXd height(static_cast<Eigen::Index>(n));
+  double reach = 0;
+  for (const SurfacePoint& point : patch.points)
+    reach = std::max(reach, (point.point_mm() - middle).norm());
+  double noise_squares = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector3d p = (patch.points[i].point_mm() - middle) / reach;
+    const double x = across.dot(p), y = along.dot(p);
+    form.row(static_cast<Eigen::Index>(i)) << 1, x, y, x * x, x * y, y * y;
+    height[static_cast<Eigen::Index>(i)] = plane->normal.dot(p) * reach;
+    noise_squares += std::pow(patch.points[i].noise_mm * plane->normal.z(), 2);
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(form);
+  if (solver.rank() < 6)
+    return Error{
+        en::say("the piece is too narrow to take its form out"), "", en::say("a wider one")};
+  const Eigen::VectorXd rest = height - form * solver.solve(height);
+  const double pixels = static_cast<double>(n);
+  const double squares =
+      rest.squaredNorm() / (pixels - std::min(6.0 * patch.noise_pixels, pixels / 2));
+  Roughness rough;
+  rough.noise_mm = std::sqrt(noise_squares / pixels);
+  rough.sz_mm = rest.maxCoeff() - rest.minCoeff();
+  // The variance of a mean square over so many independent pixels, through the root.
+  const double independent = std::max(pixels / patch.noise_pixels, 2.0);
+  const double sd_of_squares = squares * std::sqrt(2 / independent);
+  const double true_squares = std::max(0.0, squares - rough.noise_mm * rough.noise_mm);
+  const double sq = std::sqrt(true_squares);
+  rough.sq_mm = {sq,
+                 std::max(sq - std::sqrt(std::max(0.0, true_squares - sd_of_squares)),
+                          std::sqrt(true_squares + sd_of_squares) - sq)};
+  return rough;
+}
+
+Result<StepHeight> step_height(const SurfacePatch& line, const std::vector<double>& along_mm) {
+  const std::size_t n = line.points.size();
+  if (n < kLeastOfStep) return too_few(n, kLeastOfStep);
+  const double begin = along_mm.front(), length = along_mm.back() - begin;
+  struct Fit {
+    double height, sd, misfit;
+  };
+  // Least squares of offset, slope and step, without what is nearer to the step than `gap`.
+  const auto fit_at = [&](double at, double gap_mm, bool is_moved) -> std::optional<Fit> {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    double squares = 0;
+    std::size_t before = 0, after = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double from = along_mm[i] - at;
+      if (std::abs(from) < gap_mm) continue;
+      ++(from < 0 ? before : after);
+      const SurfacePoint& point = line.points[i];
+      const double depth = point.depth_mm + (is_moved ? point.common_mm : 0);
+      const double weight = 1 / std::pow(std::max(point.noise_mm, kLeastNoiseMm), 2);
+      const Eigen::Vector3d row(1, from / length, from < 0 ? 0 : 1);
+      normal += weight * row * row.transpose();
+      right += weight * row * depth;
+      squares += weight * depth * depth;
+    }
+    if (before < kLeastOfStep / 3 || after < kLeastOfStep / 3) return std::nullopt;
+    const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
+    if (solver.info() != Eigen::Success || !(solver.rcond() > 1e-13)) return std::nullopt;
+    const Eigen::Vector3d found = solver.solve(right);
+    const double variance = normal.inverse()(2, 2) * line.noise_pixels;
+    const double used = static_cast<double>(before + after);
+    return Fit{found[2], std::sqrt(variance), (squares - right.dot(found)) / used};
+  };
+  std::optional<Fit> best;
+  double best_at = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    const double at = (along_mm[i - 1] + along_mm[i]) / 2;
+    const auto fit = fit_at(at, 0, false);
+    if (fit && (!best || fit->misfit < best->misfit)) best = fit, best_at = at;
+  }
+  const double gap_mm = 0.05 * length;
+  if (best) best = fit_at(best_at, gap_mm, false);
+  const auto if_moved = best ? fit_at(best_at, gap_mm, true) : std::nullopt;
+  if (!if_moved || !(std::abs(best->height) > 3 * best->sd))
+    return Error{en::say("no step along this line stands out of the noise"),
+                 "",
+                 en::say("a line that crosses the step at a right angle")};
+  return StepHeight{{best->height, std::hypot(best->sd, if_moved->height - best->height)}, best_at};
+}
+
+}  // namespace alltact

@@ -1,0 +1,100 @@
+// A piece of the measured contact face, and what can be measured of it with how sure that is.
+//
+// Every standard deviation here has two parts. Noise is that of single pixels, which smoothing
+// spreads over `noise_pixels` of them: many pixels average it out. What the mapping, the reference
+// and the light leave open is common to neighbours: it is carried through by measuring once more
+// with all depths moved by it.
+#pragma once
+
+#include "core/result.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// A value with one standard deviation, in the same unit.
+struct Measured {
+  double value = 0, sd = 0;
+};
+
+struct SurfacePoint {
+  Eigen::Vector3d untouched_mm;  ///< camera frame, as if nothing pressed
+  double depth_mm = 0;           ///< along z; the contact face is at untouched - (0, 0, depth)
+  double noise_mm = 0, common_mm = 0;  ///< standard deviations of the depth
+  double on_face_mm2 = 0,
+         flat_mm2 = 0;  ///< that the pixel covers of the untouched face, and along z
+
+  [[nodiscard]] Eigen::Vector3d point_mm() const {
+    return untouched_mm - Eigen::Vector3d(0, 0, depth_mm);
+  }
+};
+
+struct SurfacePatch {
+  std::vector<SurfacePoint> points;
+  double noise_pixels = 1;  ///< neighbouring pixels that share their noise; at least 1
+};
+
+/// Of white noise that a Gaussian of this standard deviation has smoothed: the sum of its
+/// autocorrelation, 4 pi sd^2, and of a single row of pixels, 2 sqrt(pi) sd; at least 1.
+[[nodiscard]] double noise_pixels_of_area(double smoothing_px);
+[[nodiscard]] double noise_pixels_of_row(double smoothing_px);
+
+/// The ball whose cap the deepest part of a patch is: geometric fit, weighted by the noise, to the
+/// points at least half as deep as the deepest (the skin lifts off a ball further out).
+struct FittedBall {
+  Eigen::Vector3d centre_mm;  ///< camera frame
+  Measured radius_mm;
+  double residual_mm = 0;  ///< root of the mean square
+  std::size_t points = 0;
+};
+/// Errors: fewer than 30 points there; they lie in a plane, or hold the radius to no better than
+/// half of itself.
+[[nodiscard]] Result<FittedBall> fit_ball(const SurfacePatch& patch);
+
+/// Of what is deeper than `threshold_mm`.
+struct PressedPart {
+  Measured area_mm2;    ///< on the untouched face
+  Measured volume_mm3;  ///< displaced along z
+  Measured mean_mm;     ///< depth, by area
+};
+/// Error: nothing is.
+[[nodiscard]] Result<PressedPart> pressed_part(const SurfacePatch& patch, double threshold_mm);
+
+/// Heights above the second-degree surface through a patch: its form is taken out, as ISO 25178 has
+/// it, so bends of the finger and of what presses do not count.
+struct Roughness {
+  Measured
+      sq_mm;  ///< root of the mean square, what noise adds taken off again; 0: within the noise
+  double sz_mm = 0;     ///< from the lowest to the highest, noise included
+  double noise_mm = 0;  ///< what a perfectly smooth skin would show
+};
+/// Error: fewer than 30 points, or in one line.
+[[nodiscard]] Result<Roughness> roughness(const SurfacePatch& patch);
+
+/// A plane, as the contact face has it within a patch.
+struct FittedPlane {
+  Eigen::Vector3d normal;           ///< unit, towards the camera
+  Eigen::Matrix3d covariance;       ///< of the normal, from noise
+  Eigen::Vector3d normal_if_moved;  ///< with all depths moved by what is common
+};
+/// Error: fewer than 10 points, or in one line.
+[[nodiscard]] Result<FittedPlane> fit_plane(const SurfacePatch& patch);
+/// Between two planes, degrees in [0, 180].
+[[nodiscard]] Measured angle_deg(const FittedPlane& a, const FittedPlane& b);
+
+/// A step of the depths along a line: two parallel straight lines, one before and one after the
+/// place where they fit best, a tenth of the length around it left out (ISO 5436 leaves a third).
+struct StepHeight {
+  Measured height_mm;  ///< second less first
+  double at_mm = 0;    ///< along the line
+};
+/// `along_mm` ascending, one for each point. Errors: fewer than 12 points; no step that stands out
+/// of the noise.
+[[nodiscard]] Result<StepHeight> step_height(const SurfacePatch& line,
+                                             const std::vector<double>& along_mm);
+
+}  // namespace alltact
