@@ -9,12 +9,16 @@
 namespace alltact {
 namespace {
 
-MeasuredFrame measured_by(const FingerSnapshot& finger, FrameResult result) {
+MeasuredFrame measured_by(const FingerSnapshot& finger,
+                          const PipelineSettings& settings,
+                          FrameResult result) {
   MeasuredFrame frame;
   frame.result = std::move(result);
   frame.face = finger.finger.face;
   frame.camera = finger.camera;
   frame.is_calibrated = finger.mapping.has_value();
+  frame.mapping = finger.mapping;
+  frame.smoothing_px = settings.smoothing_px;
   const FrameResult& first = frame.result;
   if (!finger.mapping || !first.depth || !first.shape || !first.reference) return frame;
   frame.sd_mm = depth_sd_mm(*first.depth, *first.reference, *first.shape, *finger.mapping);
@@ -99,7 +103,7 @@ Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number,
   auto result = (*first_)(*picture);
   if (!result) return result.error();
   last_ = number;
-  MeasuredFrame frame = measured_by(*finger_, std::move(*result));
+  MeasuredFrame frame = measured_by(*finger_, first_->settings(), std::move(*result));
   frame.number = number;
   if (other == OtherMethod::kPaper) measure_by_other(frame, is_next, job);
   return frame;
@@ -113,7 +117,8 @@ Result<MeasuredFrame> FrameMeasurer::complete(const FrameResult& live,
   const auto snapshot = FingerSnapshot::of(folder, finger);
   if (!snapshot) return snapshot.error();
   last_.reset();
-  MeasuredFrame frame = measured_by(*snapshot, live);
+  MeasuredFrame frame = measured_by(
+      *snapshot, folder.empty() ? PipelineSettings{} : measuring_settings(folder), live);
   if (other == OtherMethod::kPaper && !folder.empty()) {
     if (const Status status = load_finger(folder, job); !status) return status.error();
     measure_by_other(frame, false, job);

@@ -27,7 +27,9 @@ struct MeasuredFrame {
   Face face;
   bool is_calibrated = false;  ///< else there is no depth
   std::optional<Camera> camera;
-  cv::Mat sd_mm;  ///< of the depth (depth_sd_mm()); empty where there is no depth
+  cv::Mat sd_mm;                   ///< of the depth (depth_sd_mm()); empty where there is no depth
+  std::optional<Mapping> mapping;  ///< that the depth was read with
+  double smoothing_px = 0;         ///< and what came before that
   /// The other method's, where two are compared and it could measure the frame.
   std::optional<FrameResult> other;
   /// Why no frame of this finger can be measured by the other method, where that was wished.

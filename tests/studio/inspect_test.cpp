@@ -6,12 +6,15 @@
 #include "core/sensing/measures.h"
 #include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
+#include "widgets/inspect/surface_readings.h"
 
 #include <QAccessible>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSlider>
+#include <QTableWidget>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -152,6 +155,32 @@ TEST_F(Inspect, AProfileIsTheDepthAlongTheLine) {
     if (std::isfinite(depth)) most = std::max(most, depth);
   EXPECT_FLOAT_EQ(static_cast<float>(most),
                   frame().result.depth->depth_mm.at<float>(cv::Point(deepest)));
+}
+
+TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
+  ASSERT_TRUE(open_pictures());
+  auto* table = studio_.find<QTableWidget>("Measured between the points");
+  EXPECT_FALSE(table->isVisible());
+  studio_.click("Deepest");
+  const cv::Point2d deepest = *place().options().a;
+  set("Point A, u", deepest.x - 14);
+  set("Point A, v", deepest.y - 26);
+  set("Point B, u", deepest.x + 14);
+  set("Point B, v", deepest.y + 26);
+  const auto readings = surface_readings(frame(), *place().options().a, *place().options().b);
+  ASSERT_EQ(static_cast<std::size_t>(table->rowCount()), readings.size());
+  const Measured radius = readings.front().measured.value();
+  EXPECT_NEAR(radius.value, 4.0, std::max(3 * radius.sd, 0.1)) << "as the scene says";
+  EXPECT_LT(radius.sd, 0.5);
+  EXPECT_NEAR(readings[2].measured.value().value,
+              frame().result.regions.front().volume_mm3,
+              0.05 * frame().result.regions.front().volume_mm3);
+  EXPECT_EQ(table->item(0, 1)->text(), value_text(readings.front()));
+  studio_.click("Copy as CSV");
+  EXPECT_EQ(QGuiApplication::clipboard()->text(), csv_of(readings));
+  studio_.click("Across");  // a line is no box
+  EXPECT_EQ(table->item(0, 1)->text(), QStringLiteral("–"));
+  EXPECT_FALSE(table->item(0, 1)->toolTip().isEmpty());
 }
 
 TEST_F(Inspect, PutsPointsByClicksAndTakesThemBack) {

@@ -67,6 +67,9 @@ Overlay points_overlay(const std::optional<cv::Point2d>& a, const std::optional<
         painter.setPen(QPen(colour, width));
         painter.drawLine(place(*a), place(*b));
       }
+      painter.setPen(QPen(kMark, 1.0, Qt::DashLine));  // the box that is measured
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRect(QRectF(place(*a), place(*b)).normalized());
     }
     if (a) draw_point(painter, place(*a), QStringLiteral("A"));
     if (b) draw_point(painter, place(*b), QStringLiteral("B"));

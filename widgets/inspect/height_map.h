@@ -11,7 +11,8 @@ namespace alltact {
 /// none.
 [[nodiscard]] cv::Mat height_layer(const cv::Mat& value_mm, const ColourScale& scale);
 
-/// Points A and B with their letters, and the line between them.
+/// Points A and B with their letters, the line between them, and the box whose corners
+/// they are.
 [[nodiscard]] Overlay points_overlay(const std::optional<cv::Point2d>& a,
                                      const std::optional<cv::Point2d>& b);
 

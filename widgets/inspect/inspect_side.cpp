@@ -53,7 +53,8 @@ InspectSide::InspectSide(QWidget* parent)
       along_(new QPushButton),
       clear_(new QPushButton),
       reading_(new QLabel),
-      profile_(new SectionPlot) {
+      profile_(new SectionPlot),
+      surface_(new SurfaceBox) {
   comparison_->setObjectName(QStringLiteral("comparison"));
   deepest_->setObjectName(QStringLiteral("deepest"));
   across_->setObjectName(QStringLiteral("across"));
@@ -61,6 +62,7 @@ InspectSide::InspectSide(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   for (QGroupBox* group : {make_view_group(), make_points_group(), make_profile_group()})
     column->addWidget(group);
+  column->addWidget(surface_);
   column->addStretch();
   connect_view();
   connect_points();
@@ -346,9 +348,11 @@ void InspectSide::show_frame(const std::shared_ptr<const InspectedFrame>& frame)
 void InspectSide::show_reading() {
   if (!frame_ || !frame_->result.depth) {
     reading_->setText(tr("Nothing to measure yet."));
+    surface_->show_readings(nullptr, {}, {});
     return profile_->set_profiles({}, std::nullopt);
   }
   reading_->setText(reading_text(*frame_, options_.a, options_.b));
+  surface_->show_readings(frame_, options_.a, options_.b);
   if (!options_.a || !options_.b) return profile_->set_profiles({}, std::nullopt);
   std::optional<Profile> other;
   if (options_.shown_comparison() != Comparison::kNone && frame_->other)

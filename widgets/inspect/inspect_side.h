@@ -3,6 +3,7 @@
 
 #include "widgets/inspect/inspect_options.h"
 #include "widgets/inspect/section_plot.h"
+#include "widgets/inspect/surface_box.h"
 #include "widgets/translated.h"
 
 #include <QCheckBox>
@@ -58,6 +59,7 @@ class InspectSide : public Translated<QWidget> {
   QPushButton *deepest_, *across_, *along_, *clear_;
   QLabel* reading_;
   SectionPlot* profile_;
+  SurfaceBox* surface_;
 };
 
 }  // namespace alltact

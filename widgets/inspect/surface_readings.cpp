@@ -1,0 +1,111 @@
+#include "widgets/inspect/surface_readings.h"
+
+#include "core/sensing/surface/read_patch.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+constexpr double kPressedMm = 0.05;  // less is not told from noise everywhere
+constexpr int kAroundPx = 6;
+
+struct SurfaceWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::SurfaceWords)
+ public:
+  static QString radius() { return tr("Ball's radius"); }
+  static QString area() { return tr("Pressed area"); }
+  static QString volume() { return tr("Volume"); }
+  static QString mean() { return tr("Mean depth"); }
+  static QString rough() { return tr("Roughness Sq"); }
+  static QString step() { return tr("Step from A to B"); }
+  static QString angle() { return tr("Angle of A to B"); }
+  static QString none() { return tr("–"); }
+};
+
+template <class T>
+SurfaceReading reading(QString name,
+                       const char* unit,
+                       int decimals,
+                       const Result<T>& found,
+                       const Measured T::*member) {
+  SurfaceReading reading{std::move(name), QString::fromUtf8(unit), {}, decimals, {}};
+  if (found)
+    reading.measured = (*found).*member;
+  else
+    reading.reason = found.error().what;
+  return reading;
+}
+
+cv::Rect box_of(cv::Point2d a, cv::Point2d b) {
+  const cv::Point first(static_cast<int>(std::lround(std::min(a.x, b.x))),
+                        static_cast<int>(std::lround(std::min(a.y, b.y))));
+  const cv::Point last(static_cast<int>(std::lround(std::max(a.x, b.x))),
+                       static_cast<int>(std::lround(std::max(a.y, b.y))));
+  return {first, last + cv::Point(1, 1)};
+}
+
+cv::Rect around(cv::Point2d at) {
+  return box_of(at - cv::Point2d(kAroundPx, kAroundPx), at + cv::Point2d(kAroundPx, kAroundPx));
+}
+
+}  // namespace
+
+std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
+                                             cv::Point2d a,
+                                             cv::Point2d b) {
+  if (!frame.result.depth || !frame.mapping) return {};
+  const auto patch = [&](const cv::Rect& box) {
+    return patch_in(frame.result, frame.face, *frame.mapping, frame.smoothing_px, box);
+  };
+  const SurfacePatch whole = patch(box_of(a, b));
+  const auto ball = fit_ball(whole);
+  const auto part = pressed_part(whole, kPressedMm);
+  const auto rough = roughness(whole);
+  const SurfaceLine line =
+      line_between(frame.result, frame.face, *frame.mapping, frame.smoothing_px, a, b);
+  const auto step = step_height(line.patch, line.along_mm);
+  using W = SurfaceWords;
+  std::vector<SurfaceReading> all = {reading(W::radius(), "mm", 3, ball, &FittedBall::radius_mm),
+                                     reading(W::area(), "mm²", 2, part, &PressedPart::area_mm2),
+                                     reading(W::volume(), "mm³", 3, part, &PressedPart::volume_mm3),
+                                     reading(W::mean(), "mm", 3, part, &PressedPart::mean_mm),
+                                     reading(W::rough(), "mm", 4, rough, &Roughness::sq_mm),
+                                     reading(W::step(), "mm", 3, step, &StepHeight::height_mm)};
+  const auto at_a = fit_plane(patch(around(a))), at_b = fit_plane(patch(around(b)));
+  SurfaceReading angle{W::angle(), QStringLiteral("°"), {}, 2, {}};
+  if (at_a && at_b)
+    angle.measured = angle_deg(*at_a, *at_b);
+  else
+    angle.reason = (at_a ? at_b : at_a).error().what;
+  all.push_back(angle);
+  return all;
+}
+
+QString value_text(const SurfaceReading& reading) {
+  if (!reading.measured) return SurfaceWords::none();
+  const QLocale locale;
+  return QStringLiteral("%1 ± %2 %3")
+      .arg(locale.toString(reading.measured->value + 0.0, 'f', reading.decimals),
+           locale.toString(reading.measured->sd, 'f', reading.decimals),
+           reading.unit);
+}
+
+QString csv_of(const std::vector<SurfaceReading>& readings) {
+  QStringList lines{QStringLiteral("name,value,sd,unit")};
+  for (const SurfaceReading& reading : readings) {
+    if (!reading.measured) continue;
+    lines << QStringLiteral("\"%1\",%2,%3,%4")
+                 .arg(reading.name)
+                 .arg(reading.measured->value, 0, 'g', 8)
+                 .arg(reading.measured->sd, 0, 'g', 4)
+                 .arg(reading.unit);
+  }
+  return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+}  // namespace alltact
