@@ -30,7 +30,8 @@ cv::Mat depth_difference_mm(const MeasuredFrame& frame) {
 Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job& job) {
   if (folder != folder_) store_ = folder.empty() ? nullptr : FingerStore::of(folder);
   const auto finger = store_ ? store_->snapshot() : Result<FingerPtr>(Error());
-  const bool is_as_before = finger && finger_ && (*finger)->revision == finger_->revision;
+  const bool is_as_before = finger && finger_ && (*finger)->revision == finger_->revision &&
+                            (*finger)->measuring == finger_->measuring;
   if (folder == folder_ && first_ && is_as_before) return {};
   folder_ = folder;
   finger_.reset();
