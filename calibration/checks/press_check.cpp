@@ -335,8 +335,8 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
   PressCheck check;
   check.ball_radius_mm = said.ball_radius_mm;
   // Up to the brightness difference.
-  auto pipeline =
-      Pipeline::create(snapshot.without_mapping(), measuring_settings(snapshot.folder), job);
+  auto pipeline = Pipeline::create(
+      snapshot.without_mapping(), for_presses(measuring_settings(snapshot.folder)), job);
   if (!pipeline) return pipeline.error();
   job.report(0.3, en::say("measuring the presses"));
   auto measured = measure_all(presses, *pipeline, *snapshot.mapping, said, job);

@@ -48,10 +48,10 @@ Result<Pipeline> make_pipeline(const CalibrationWork& work,
     if (!method) return method.error();
     return Pipeline::of_paper(std::move(method).value());
   }
-  if (!work.untouched) return Pipeline::create(blank, done.inputs.pipeline, job);
+  if (!work.untouched) return Pipeline::create(blank, for_presses(done.inputs.pipeline), job);
   auto library = flat_library(work, done.finger);
   if (!library) return library.error();
-  return Pipeline::over(std::move(library).value(), blank, done.inputs.pipeline);
+  return Pipeline::over(std::move(library).value(), blank, for_presses(done.inputs.pipeline));
 }
 
 /// The picture that was kept must be the one that was calibrated with.

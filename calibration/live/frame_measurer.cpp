@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <opencv2/imgproc.hpp>
+
 namespace alltact {
 namespace {
 
@@ -13,7 +15,7 @@ MeasuredFrame measured_by(const FingerSnapshot& finger, FrameResult result) {
   MeasuredFrame frame;
   frame.result = std::move(result);
   frame.face = finger.finger.face;
-  frame.camera = finger.camera;
+  frame.camera = frame.result.shape ? frame.result.shape->camera() : finger.camera;
   frame.is_calibrated = finger.mapping.has_value();
   const FrameResult& first = frame.result;
   if (!finger.mapping || !first.depth || !first.shape || !first.reference) return frame;
@@ -24,7 +26,11 @@ MeasuredFrame measured_by(const FingerSnapshot& finger, FrameResult result) {
 }  // namespace
 
 cv::Mat depth_difference_mm(const MeasuredFrame& frame) {
-  return frame.result.depth->depth_mm - frame.other->depth->depth_mm;
+  const cv::Mat& ours = frame.result.depth->depth_mm;
+  cv::Mat other = frame.other->depth->depth_mm;
+  if (other.size() != ours.size())  // ours is reduced: beside what lies in its pixels' middles
+    cv::resize(other, other, ours.size(), 0, 0, cv::INTER_NEAREST);
+  return ours - other;
 }
 
 Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job& job) {

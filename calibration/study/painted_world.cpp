@@ -253,8 +253,7 @@ Result<Untouched> untouched_of_recording(const FingerSnapshot& snapshot,
   const auto file = snapshot.folder / finger.reference->video;
   const Split split = split_of(table->frames.size(), static_cast<std::size_t>(options.frames));
   if (split.painted.size() < kLeastFrames) return too_few(snapshot);
-  auto library = ReferenceLibrary::from_recording(
-      file, rows_of(*table, split.kept), finger, snapshot.camera, job);
+  auto library = ReferenceLibrary::from_recording(file, rows_of(*table, split.kept), snapshot, job);
   if (!library) return library.error();
   auto video = VideoFile::open(file, job);
   if (!video) return video.error();

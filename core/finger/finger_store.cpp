@@ -64,7 +64,7 @@ Result<FingerSnapshot> FingerSnapshot::of(const fs::path& folder, Finger finger)
     mapping = std::move(*made);
   }
   return FingerSnapshot{
-      folder, 0, std::move(finger), *camera, std::move(mapping), {}, {}, {}, {}, {}, {}};
+      folder, 0, std::move(finger), *camera, std::move(mapping), {}, {}, {}, {}, {}, 1, {}, {}};
 }
 
 FingerSnapshot FingerSnapshot::without_mapping() const {

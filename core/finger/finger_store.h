@@ -39,7 +39,9 @@ struct FingerSnapshot {
   std::vector<Message> warnings;            ///< what is strange in finger.yaml
   std::shared_ptr<const ForceModel> force;  ///< of a finger whose forces are told
   std::optional<Error> force_problem;       ///< why `force` is null though the finger names one
-  std::string measuring;                    ///< what kMeasuringFile holds; empty: it is not there
+  int reduced_by = 1;  ///< pixels a side that are one here (reduced_finger.h); 1: none are
+  CameraParameters whole_camera;  ///< of the pictures that come, where they are reduced
+  std::string measuring;          ///< what kMeasuringFile holds; empty: it is not there
 
   /// Of a finger that is at hand, whatever stands in its folder. Errors: those of Camera::create
   /// and Mapping::create.

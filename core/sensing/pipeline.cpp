@@ -1,5 +1,7 @@
 #include "core/sensing/pipeline.h"
 
+#include "core/camera/reduced_picture.h"
+#include "core/finger/reduced_finger.h"
 #include "core/force/force_meter.h"
 #include "core/sensing/contact/finger_contact_tracker.h"
 #include "core/sensing/contact/reference_free_contact.h"
@@ -7,8 +9,10 @@
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/frame_faults.h"
 #include "core/sensing/markers/plain_rows.h"
+#include "core/sensing/markers/whole_markers.h"
 #include "core/sensing/paper_method.h"
 #include "core/sensing/reference/pose_places.h"
+#include "core/sensing/running_mean.h"
 #include "core/sensing/stop_watch.h"
 
 #include <algorithm>
@@ -41,7 +45,9 @@ struct Pipeline::State {
   PipelineSettings settings;
   FaceEdgeFinder edge_finder;
   std::optional<Finger> finger;
-  std::optional<Camera> camera;  // with the finger
+  std::optional<Camera> camera;          // with the finger
+  std::optional<FingerSnapshot> turned;  // the same, for how pictures become its own
+  RunningMean mean{1};
   // Before there is a reference.
   std::optional<PlainRows> rows;
   ReferenceFreeContactDetector contact;
@@ -79,7 +85,9 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   result.frame = frame;
   auto grey = state.oriented(*frame);
   if (!grey) return grey.error();
-  result.grey = std::move(grey).value();
+  result.grey = state.mean(*grey);
+  result.reduced_by =
+      state.turned ? state.turned->reduced_by : pixels_a_side(state.settings.resolution);
   if (state.library) state.look_at_picture(result);
   watch.lap(result.times_ms.prepare);
   state.find_shape(result, watch);
@@ -94,14 +102,14 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
 }
 
 Result<cv::Mat> Pipeline::State::oriented(const Frame& frame) const {
-  if (!finger) return frame.grey;
-  return oriented_for(finger->camera,
-                      frame.grey,
-                      en::say("the picture"),
-                      frame.origin,
-                      library ? en::say("a picture at the size that the finger was calibrated with")
-                              : en::say("the finger that belongs to this camera, or this finger's "
-                                        "camera"));
+  if (!turned) return reduced_picture(frame.grey, pixels_a_side(settings.resolution));
+  return picture_for(*turned,
+                     frame.grey,
+                     en::say("the picture"),
+                     frame.origin,
+                     library ? en::say("a picture at the size that the finger was calibrated with")
+                             : en::say("the finger that belongs to this camera, or this finger's "
+                                       "camera"));
 }
 
 void Pipeline::State::look_at_picture(FrameResult& result) {
@@ -193,8 +201,11 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
     result.push =
         push_of(*result.markers, *finger->contact, result.shape->base_at_low_u(), ways_px2);
   }
-  result.reference = library->reference_for(
-      result.markers ? *result.markers : Markers{}, *result.shape, settings.reference);
+  result.reference = library->reference_for(result.markers ? *result.markers : Markers{},
+                                            *result.shape,
+                                            settings.reference,
+                                            {},
+                                            settings.reference_neighbours);
   if (!result.reference->known_pose) {
     result.problems.push_back(never_recorded(result.reference->distance_px));
   }
@@ -211,6 +222,7 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   DifferenceOptions options;
   options.smoothing =
       mapping ? smoothing_of(settings.smoothing_px) : plain_smoothing_of(settings.smoothing_px);
+  options.columns = columns_of(settings.region, *result.shape);
   options.correct_light = settings.light == LightChange::kCorrected;
   options.noise_sd = result.edges ? result.edges->noise_sd : kPlaneNoise;
   options.measure_noise = !result.edges;
@@ -278,7 +290,7 @@ void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
   if (!result.regions.empty()) place_mm = result.regions.front().place_on_face_mm;
   std::optional<double> time_s;
   if (result.frame->time_ns != 0) time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
-  result.force = (*force)(*result.markers, place_mm, time_s);
+  result.force = (*force)(whole_markers(*result.markers, result.reduced_by), place_mm, time_s);
   if (!result.force)
     result.problems.push_back(en::say("no marker is seen that could tell the force"));
   else if (!result.force->in_range)
@@ -291,7 +303,8 @@ void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
 Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
                                   const PipelineSettings& settings,
                                   const Job& job) {
-  auto library = ReferenceLibrary::load(finger, job);
+  auto library =
+      ReferenceLibrary::load(reduced_finger(finger, pixels_a_side(settings.resolution)), job);
   if (!library) return library.error();
   Pipeline pipeline = over(std::move(library).value(), finger, settings);
   if (pipeline.state_->marker_problem) return *pipeline.state_->marker_problem;
@@ -299,8 +312,9 @@ Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
 }
 
 Pipeline Pipeline::over(ReferenceLibrary library,
-                        const FingerSnapshot& snapshot,
+                        const FingerSnapshot& whole,
                         const PipelineSettings& settings) {
+  const FingerSnapshot snapshot = reduced_finger(whole, pixels_a_side(settings.resolution));
   const Finger& finger = snapshot.finger;
   Pipeline pipeline = before_reference(snapshot, settings);
   State& state = *pipeline.state_;
@@ -318,7 +332,7 @@ Pipeline Pipeline::over(ReferenceLibrary library,
   }
   state.force_problem = snapshot.force_problem;
   if (!snapshot.force) return pipeline;
-  if (const Status belongs = snapshot.force->belongs_to(finger); belongs)
+  if (const Status belongs = snapshot.force->belongs_to(whole.finger); belongs)
     state.force.emplace(snapshot.force);
   else
     state.force_problem = belongs.error();
@@ -333,13 +347,14 @@ Pipeline Pipeline::of_paper(PaperMethod method) {
   return pipeline;
 }
 
-Pipeline Pipeline::before_reference(const FingerSnapshot& snapshot,
-                                    const PipelineSettings& settings) {
+Pipeline Pipeline::before_reference(const FingerSnapshot& whole, const PipelineSettings& settings) {
+  const FingerSnapshot snapshot = reduced_finger(whole, pixels_a_side(settings.resolution));
   const Finger& finger = snapshot.finger;
   Pipeline pipeline = of_unknown_finger(settings);
   State& state = *pipeline.state_;
   state.finger = finger;
   state.camera = snapshot.camera;
+  state.turned = snapshot;
   state.edge_finder = FaceEdgeFinder({settings.edge_method,
                                       settings.edge_columns,
                                       FaceView{snapshot.camera, finger.face.width_mm}});
@@ -350,6 +365,7 @@ Pipeline Pipeline::before_reference(const FingerSnapshot& snapshot,
 Pipeline Pipeline::of_unknown_finger(const PipelineSettings& settings) {
   auto state = std::make_unique<State>();
   state->settings = settings;
+  state->mean = RunningMean(settings.average_frames);
   state->edge_finder = FaceEdgeFinder({settings.edge_method, settings.edge_columns});
   return Pipeline(std::move(state));
 }
@@ -367,6 +383,7 @@ void Pipeline::forget() {
   state_->contact.forget();
   state_->touched.forget();
   state_->last.reset();
+  state_->mean.forget();
 }
 bool Pipeline::has_reference() const {
   return state_->library.has_value() || state_->paper.has_value();

@@ -196,6 +196,10 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   line["frame"] = result.frame->name;
   line["index"] = index;
   if (result.frame->time_ns != 0) line["time_ns"] = result.frame->time_ns;
+  if (result.reduced_by != 1) {
+    line["reduced_by"] = result.reduced_by;
+    line["size_px"] = {result.grey.cols, result.grey.rows};
+  }
   if (result.depth && result.shape) line["face"] = face_json(*result.shape);
   if (result.markers) line["markers"] = markers_json(*result.markers);
   if (result.markers && result.marker_method != MarkerMethod::kBlobs)
