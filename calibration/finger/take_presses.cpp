@@ -91,7 +91,9 @@ Status measure_presses(CalibrationWork& work,
                        Pipeline& pipeline,
                        FingerCalibration& done,
                        const Job& job) {
-  auto source = open_presses(work.presses);
+  PressInput input = work.presses;
+  input.pictures_per_press = static_cast<std::size_t>(done.inputs.calibration.pictures_per_press);
+  auto source = open_presses(input);
   if (!source) return source.error();
   if (!work.is_repetition) done.inputs.is_continuous = (*source)->is_continuous();
   const double count = static_cast<double>((*source)->count().value_or(0));
