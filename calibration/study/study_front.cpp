@@ -178,7 +178,7 @@ StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row) {
   const int missing = row.frames_missing - base.frames_missing;
   if (missing > 0)
     balance.loses.push_back(
-        en::count("no depth in {} picture", "no depth in {} pictures", missing));
+        en::count("no depth in {} pictures", "no depth in {} picture", missing));
   return balance;
 }
 
