@@ -18,10 +18,6 @@ constexpr std::size_t kMostGap = 5;        // frames on either side of a painted
 constexpr std::size_t kLeastFrames = 3;    // painted
 constexpr std::size_t kPicturesOfBar = 4;  // of so many one shows a bar as well
 
-double ball_radius_mm(const FingerSnapshot& finger) {
-  return finger.presses.ball_radius_mm > 0 ? finger.presses.ball_radius_mm : kUsualBallRadiusMm;
-}
-
 // 95 % of what the mapping is wrong by, as the calibration tells it: pictures painted with the very
 // mapping that reads them cannot show that.
 double mapping_p95_mm(const FingerSnapshot& finger) {
@@ -86,15 +82,9 @@ Error stopped_painting() {
   return {en::say("stopped before the study was over"), "", ""};
 }
 
-/// Untouched pictures and the library without them.
-struct Untouched {
-  ReferenceLibrary library;
-  std::vector<cv::Mat> pictures;
-};
-
-Result<Untouched> untouched_of_recording(const FingerSnapshot& snapshot,
-                                         const StudyWorldOptions& options,
-                                         const Job& job) {
+Result<UntouchedPictures> untouched_of_recording(const FingerSnapshot& snapshot,
+                                                 const StudyWorldOptions& options,
+                                                 const Job& job) {
   const Finger& finger = snapshot.finger;
   if (!finger.reference || finger.reference->video.empty() || finger.reference->markers.empty())
     return Error{en::say("the finger has no reference recording"),
@@ -111,7 +101,7 @@ Result<Untouched> untouched_of_recording(const FingerSnapshot& snapshot,
   if (!library) return library.error();
   auto video = VideoFile::open(file, job);
   if (!video) return video.error();
-  Untouched untouched{std::move(library).value(), {}};
+  UntouchedPictures untouched{nullptr, std::move(library).value(), {}};
   for (const std::size_t row : split.painted) {
     if (job.stop_requested()) return stopped_painting();
     const auto frame = video->frame(static_cast<std::size_t>(table->frames[row]));
@@ -125,9 +115,9 @@ Result<Untouched> untouched_of_recording(const FingerSnapshot& snapshot,
 }
 
 // The one picture there is, with as much more noise as two pictures differ by.
-Result<Untouched> untouched_of_flat(const FingerSnapshot& snapshot,
-                                    const StudyWorldOptions& options,
-                                    const Job& job) {
+Result<UntouchedPictures> untouched_of_flat(const FingerSnapshot& snapshot,
+                                            const StudyWorldOptions& options,
+                                            const Job& job) {
   auto library = ReferenceLibrary::load(snapshot, job);
   if (!library) return library.error();
   if (!snapshot.finger.reference) return too_few(snapshot);
@@ -139,7 +129,7 @@ Result<Untouched> untouched_of_flat(const FingerSnapshot& snapshot,
   if (!turned) return turned.error();
   const cv::Mat& grey = *turned;
   const double sd = std::sqrt(2.0) * picture_noise_sd(grey);
-  Untouched untouched{std::move(library).value(), {}};
+  UntouchedPictures untouched{nullptr, std::move(library).value(), {}};
   for (int number = 0; number < options.frames; ++number) {
     if (job.stop_requested()) return stopped_painting();
     StudyDraws draws(~options.seed, static_cast<std::uint32_t>(number));
@@ -166,9 +156,13 @@ Result<FingerPtr> upright(const FingerSnapshot& finger) {
 
 }  // namespace
 
-Result<StudyWorld> painted_world(const FingerPtr& finger,
-                                 const StudyWorldOptions& options,
-                                 const Job& job) {
+double painted_radius_mm(const FingerSnapshot& finger) {
+  return finger.presses.ball_radius_mm > 0 ? finger.presses.ball_radius_mm : kUsualBallRadiusMm;
+}
+
+Result<UntouchedPictures> untouched_pictures(const FingerPtr& finger,
+                                             const StudyWorldOptions& options,
+                                             const Job& job) {
   if (!finger->mapping)
     return Error{en::say("the finger is not calibrated yet"),
                  (finger->folder / Finger::kFileName).string(),
@@ -179,14 +173,23 @@ Result<StudyWorld> painted_world(const FingerPtr& finger,
   if (!untouched) return untouched.error();
   auto turned = upright(*finger);
   if (!turned) return turned.error();
+  untouched->finger = std::move(turned).value();
+  return untouched;
+}
+
+Result<StudyWorld> painted_world(const FingerPtr& finger,
+                                 const StudyWorldOptions& options,
+                                 const Job& job) {
+  const auto untouched = untouched_pictures(finger, options, job);
+  if (!untouched) return untouched.error();
   StudyWorld world{en::say("balls painted into untouched pictures of {}", finger->finger.name),
                    false,
-                   std::move(turned).value(),
+                   untouched->finger,
                    untouched->library,
                    {},
                    0};
   Pipeline pipeline = Pipeline::over(world.library, *world.finger, PipelineSettings{});
-  const PressPainter painter(*finger, ball_radius_mm(*finger));
+  const PressPainter painter(*finger, painted_radius_mm(*finger));
   for (std::size_t i = 0; i < untouched->pictures.size(); ++i) {
     if (job.stop_requested()) return stopped_painting();
     auto frame = std::make_shared<Frame>();

@@ -74,6 +74,22 @@ struct StudyWorldOptions {
                                                const StudyWorldOptions& options,
                                                const Job& job);
 
+/// Untouched pictures of a finger, for painting into, and what they are compared with.
+struct UntouchedPictures {
+  FingerPtr finger;          ///< whose pictures are turned already
+  ReferenceLibrary library;  ///< without the pictures and their neighbours in time
+  std::vector<cv::Mat> pictures;
+};
+
+/// At most so many as the options say, evenly over the recording; of a flat sensor its one picture
+/// with as much more noise as two pictures differ by. Errors: as painted_world().
+[[nodiscard]] Result<UntouchedPictures> untouched_pictures(const FingerPtr& finger,
+                                                           const StudyWorldOptions& options,
+                                                           const Job& job);
+
+/// Of the ball that the finger was calibrated with; 3 mm if none is known.
+[[nodiscard]] double painted_radius_mm(const FingerSnapshot& finger);
+
 /// Where on the face a truth is deepest. nullopt where nothing presses deeper than 0.02 mm.
 ///   depth_mm, view_z_mm: CV_32FC1, NaN off the face
 [[nodiscard]] std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm,
