@@ -1,6 +1,7 @@
 #include "calibration/experiments/simulated_world.h"
 
 #include "calibration/experiments/experiment_bench.h"
+#include "core/finger/reduced_finger.h"
 
 #include <algorithm>
 
@@ -50,6 +51,9 @@ Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
                    std::move(library).value(),
                    {},
                    0};
+  world.reduced_library = [whole = world.finger](int by, const Job& doing) {
+    return ReferenceLibrary::load(reduced_finger(*whole, by), doing);
+  };
   const int count = std::min(options.frames, plan->frame_count());
   const std::vector<FramePtr> pictures = bench->frames(*plan, 0, count);
   for (int number = 0; number < count; ++number) {

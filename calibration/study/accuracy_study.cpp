@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include <opencv2/imgproc.hpp>
 
@@ -42,6 +44,16 @@ std::optional<Eigen::Vector2d> place_of(const std::vector<ContactRegion>& region
   return regions.front().deepest_on_face_mm;  // of the largest
 }
 
+/// Each pixel of the truth beside the one that covers it; what no pixel covers is not measured.
+cv::Mat at_whole_size(const cv::Mat& depth_mm, int reduced_by, const cv::Mat& truth_mm) {
+  if (reduced_by == 1) return depth_mm;
+  cv::Mat whole(truth_mm.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  const cv::Size covered(depth_mm.cols * reduced_by, depth_mm.rows * reduced_by);
+  cv::Mat part = whole({0, 0, covered.width, covered.height});
+  cv::resize(depth_mm, part, covered, 0, 0, cv::INTER_NEAREST);
+  return whole;
+}
+
 class Measured {
  public:
   void add_errors(const StudyFrame& frame, const FrameAnswer& answer, const FrameResult& result) {
@@ -51,7 +63,7 @@ class Measured {
       return;
     }
     const auto zone = static_cast<std::size_t>(frame.zone);
-    const cv::Mat& depth = result.depth->depth_mm;
+    const cv::Mat depth = at_whole_size(result.depth->depth_mm, result.reduced_by, frame.depth_mm);
     for (int v = 0; v < depth.rows; ++v) {
       const auto* truth = frame.depth_mm.ptr<float>(v);
       const auto* read = depth.ptr<float>(v);
@@ -127,6 +139,18 @@ class AccuracyStudyRun {
   AccuracyStudyRun(const StudyWorld& world, const StudyOptions& options, const Job& job)
       : world_(world), options_(options), job_(job) {}
 
+  /// Reads the libraries of all resolutions that are asked for.
+  [[nodiscard]] Status read_libraries(const std::vector<PipelineSettings>& choices) {
+    for (const PipelineSettings& choice : choices) {
+      const int by = pixels_a_side(choice.resolution);
+      if (by == 1 || reduced_.contains(by)) continue;
+      auto library = world_.reduced_library(by, job_);
+      if (!library) return library.error();
+      reduced_.emplace(by, std::move(library).value());
+    }
+    return {};
+  }
+
   [[nodiscard]] Status find_answers() {
     Pipeline pipeline = pipeline_of(options_.base);
     for (const StudyFrame& frame : world_.frames) {
@@ -175,13 +199,17 @@ class AccuracyStudyRun {
     }
     std::vector<StudyRow> rows;
     for (std::size_t i = 0; i < choices.size(); ++i)
-      rows.push_back(measured[i].row(choices[i], world_.library.memory_bytes()));
+      rows.push_back(measured[i].row(choices[i], library_of(choices[i]).memory_bytes()));
     return rows;
   }
 
  private:
+  [[nodiscard]] const ReferenceLibrary& library_of(const PipelineSettings& settings) const {
+    const auto reduced = reduced_.find(pixels_a_side(settings.resolution));
+    return reduced == reduced_.end() ? world_.library : reduced->second;
+  }
   [[nodiscard]] Pipeline pipeline_of(const PipelineSettings& settings) const {
-    return Pipeline::over(world_.library, *world_.finger, settings);
+    return Pipeline::over(library_of(settings), *world_.finger, settings);
   }
 
   [[nodiscard]] FrameAnswer answer_of(const StudyFrame& frame, const FrameResult& seen) const {
@@ -206,6 +234,7 @@ class AccuracyStudyRun {
   const StudyOptions& options_;
   const Job& job_;
   std::vector<FrameAnswer> answers_;
+  std::map<int, ReferenceLibrary> reduced_;  // by pixels a side
 };
 
 }  // namespace
@@ -218,6 +247,7 @@ Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
   AccuracyStudyRun run(world, options, job);
   if (const Status status = run.find_answers(); !status) return status.error();
   const std::vector<PipelineSettings> choices = study_choices(options.base, options.extent);
+  if (const Status status = run.read_libraries(choices); !status) return status.error();
   std::vector<StudyRow> rows = known;
   const auto row_of = [&](const PipelineSettings& choice) {
     return std::find_if(rows.begin(), rows.end(), [&](const StudyRow& row) {

@@ -51,8 +51,8 @@ Result<CalibratingBench> CalibratingBench::make(const FingerPtr& finger,
 }
 
 Status CalibratingBench::look_at_pictures() {
-  Pipeline pipeline =
-      Pipeline::over(untouched_.library, finger(), measuring_settings(finger().folder));
+  Pipeline pipeline = Pipeline::over(
+      untouched_.library, finger(), for_presses(measuring_settings(finger().folder)));
   for (const cv::Mat& grey : untouched_.pictures) {
     auto frame = std::make_shared<Frame>();
     frame->grey = grey;
@@ -98,8 +98,9 @@ Result<const ReadPresses*> CalibratingBench::presses(int draw, int pictures) {
   const auto key = std::make_pair(draw, pictures);
   if (const auto known = read_.find(key); known != read_.end()) return &known->second;
   ReadPresses read;
-  Pipeline pipeline = Pipeline::over(
-      untouched_.library, finger().without_mapping(), measuring_settings(finger().folder));
+  Pipeline pipeline = Pipeline::over(untouched_.library,
+                                     finger().without_mapping(),
+                                     for_presses(measuring_settings(finger().folder)));
   for (int number = 0; number < kMostPresses; ++number) {
     auto press = painted(draw, number, pictures, false);
     if (!press) continue;
@@ -161,7 +162,8 @@ Result<std::vector<float>> CalibratingBench::errors_mm(const Mapping& mapping,
     FingerSnapshot measuring = finger();
     measuring.mapping = mapping;
     measuring.finger.mapping = mapping.parameters();
-    pipeline = Pipeline::over(untouched_.library, measuring, measuring_settings(finger().folder));
+    pipeline = Pipeline::over(
+        untouched_.library, measuring, for_presses(measuring_settings(finger().folder)));
   }
   std::vector<float> errors;
   for (const StudyFrame& frame : frames) {

@@ -1,5 +1,6 @@
 #include "calibration/study/painted_press.h"
 #include "calibration/study/study_world.h"
+#include "core/finger/reduced_finger.h"
 #include "core/io/picture.h"
 #include "core/numerics/picture_noise.h"
 #include "core/recording/video_file.h"
@@ -96,11 +97,15 @@ Result<UntouchedPictures> untouched_of_recording(const FingerSnapshot& snapshot,
   const auto file = snapshot.folder / finger.reference->video;
   const Split split = split_of(table->frames.size(), static_cast<std::size_t>(options.frames));
   if (split.painted.size() < kLeastFrames) return too_few(snapshot);
-  auto library = ReferenceLibrary::from_recording(file, rows_of(*table, split.kept), snapshot, job);
+  const auto library_of = [file, kept = rows_of(*table, split.kept), snapshot](int by,
+                                                                               const Job& doing) {
+    return ReferenceLibrary::from_recording(file, kept, reduced_finger(snapshot, by), doing);
+  };
+  auto library = library_of(1, job);
   if (!library) return library.error();
   auto video = VideoFile::open(file, job);
   if (!video) return video.error();
-  UntouchedPictures untouched{nullptr, std::move(library).value(), {}};
+  UntouchedPictures untouched{nullptr, std::move(library).value(), {}, library_of};
   for (const std::size_t row : split.painted) {
     if (job.stop_requested()) return stopped_painting();
     const auto frame = video->frame(static_cast<std::size_t>(table->frames[row]));
@@ -128,7 +133,10 @@ Result<UntouchedPictures> untouched_of_flat(const FingerSnapshot& snapshot,
   if (!turned) return turned.error();
   const cv::Mat& grey = *turned;
   const double sd = std::sqrt(2.0) * picture_noise_sd(grey);
-  UntouchedPictures untouched{nullptr, std::move(library).value(), {}};
+  const auto library_of = [snapshot](int by, const Job& doing) {
+    return ReferenceLibrary::load(reduced_finger(snapshot, by), doing);
+  };
+  UntouchedPictures untouched{nullptr, std::move(library).value(), {}, library_of};
   for (int number = 0; number < options.frames; ++number) {
     if (job.stop_requested()) return stopped_painting();
     StudyDraws draws(~options.seed, static_cast<std::uint32_t>(number));
@@ -205,6 +213,7 @@ Result<StudyWorld> painted_world(const FingerPtr& finger,
   }
   if (world.frames.size() < kLeastFrames) return too_few(*finger);
   world.mapping_p95_mm = mapping_p95_mm(*finger);
+  world.reduced_library = untouched->reduced_library;
   world.checksum = checksum_of(world.frames);
   return world;
 }

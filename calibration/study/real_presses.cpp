@@ -3,6 +3,7 @@
 #include "calibration/checks/ball_by_shape.h"
 #include "calibration/joint/calibrate.h"
 #include "calibration/study/study_front.h"
+#include "core/finger/reduced_finger.h"
 #include "core/io/picture.h"
 #include "core/sensing/pipeline.h"
 
@@ -119,14 +120,21 @@ Result<RealPresses> RealPresses::open(const FingerPtr& finger, const Job& job) {
   return real;
 }
 
+Result<Pipeline> RealPresses::pipeline_of(const PipelineSettings& settings, const Job& job) const {
+  const FingerSnapshot finger = finger_->without_mapping();
+  if (settings.resolution == Resolution::kWhole) return Pipeline::over(library_, finger, settings);
+  return Pipeline::create(finger, settings, job);
+}
+
 Result<std::vector<Press>> RealPresses::measured(const PipelineSettings& settings,
                                                  const Job& job) const {
-  Pipeline pipeline = Pipeline::over(library_, finger_->without_mapping(), settings);
+  auto pipeline = pipeline_of(settings, job);
+  if (!pipeline) return pipeline.error();
   std::vector<Press> presses;
   for (const FramePtr& frame : frames_) {
     if (job.stop_requested()) return stopped_among_presses();
-    pipeline.forget();
-    auto result = pipeline(frame);
+    pipeline->forget();
+    auto result = (*pipeline)(frame);
     if (!result) return result.error();
     if (!result->difference || !result->shape || result->reference->by_shape) continue;
     const PressNote& note = inputs_.said.of(frame->name);
@@ -144,6 +152,7 @@ Result<RealErrors> RealPresses::held_out(const PipelineSettings& settings, const
   const auto presses = measured(settings, job);
   if (!presses) return presses.error();
   const Face& face = finger_->finger.face;
+  const Camera camera = reduced_finger(*finger_, pixels_a_side(settings.resolution)).camera;
   const CalibrationSettings chosen =
       as_it_was_chosen(inputs_.calibration, finger_->mapping->parameters());
   RealErrorSum sum;
@@ -154,7 +163,7 @@ Result<RealErrors> RealPresses::held_out(const PipelineSettings& settings, const
     std::vector<Press> kept, left;
     for (std::size_t i = 0; i < presses->size(); ++i)
       (i % folds == fold ? left : kept).push_back((*presses)[i]);
-    const auto calibration = calibrate(kept, finger_->camera, face, chosen, job);
+    const auto calibration = calibrate(kept, camera, face, chosen, job);
     if (job.stop_requested()) return stopped_among_presses();
     const auto mapping =
         calibration ? Mapping::create(calibration->mapping) : Result<Mapping>(calibration.error());

@@ -12,6 +12,7 @@
 #include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/result.h"
+#include "core/sensing/pipeline.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <cstddef>
@@ -47,6 +48,9 @@ class RealPresses {
  private:
   RealPresses(FingerPtr finger, CalibrationInputs inputs, ReferenceLibrary library)
       : finger_(std::move(finger)), inputs_(std::move(inputs)), library_(std::move(library)) {}
+
+  [[nodiscard]] Result<Pipeline> pipeline_of(const PipelineSettings& settings,
+                                             const Job& job) const;
 
   FingerPtr finger_;
   CalibrationInputs inputs_;

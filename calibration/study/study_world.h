@@ -47,6 +47,9 @@ struct StudyFrame {
   std::optional<double> angle_deg = std::nullopt;
 };
 
+/// The library of the same pictures reduced by so many pixels a side (reduced_finger.h).
+using LibraryAtResolution = std::function<Result<ReferenceLibrary>(int reduced_by, const Job& job)>;
+
 struct StudyWorld {
   Message about;           ///< a phrase
   bool simulated = false;  ///< false: painted
@@ -59,6 +62,7 @@ struct StudyWorld {
   /// 95 % of what the finger's mapping is wrong by, where the pictures do not show it (painted);
   /// 0 where they do.
   double mapping_p95_mm = 0;
+  LibraryAtResolution reduced_library = {};
 };
 
 struct StudyWorldOptions {
@@ -79,6 +83,7 @@ struct UntouchedPictures {
   FingerPtr finger;          ///< whose pictures are turned already
   ReferenceLibrary library;  ///< without the pictures and their neighbours in time
   std::vector<cv::Mat> pictures;
+  LibraryAtResolution reduced_library;
 };
 
 /// At most so many as the options say, evenly over the recording; of a flat sensor its one picture
