@@ -121,6 +121,8 @@ struct ReconstructOptions {
   bool live = false;      ///< lines on standard output instead of files, until stopped
   bool as_paper = false;  ///< by the source paper's method, which has no settings
   PipelineSettings pipeline;
+  /// Of the finger that `pipeline` is; empty: none.
+  std::string preset;
 };
 /// Turns pictures into depth. Error at the end when any of them could not be.
 Status run_reconstruct(const ReconstructOptions& options, Console& console);
@@ -226,6 +228,8 @@ struct StudyCommandOptions {
   std::optional<Path> folder;  ///< keeps the study; empty: nothing is kept
   bool quick = false;          ///< one setting at a time, a few pictures
   std::optional<double> within_ms, keep_mm;
+  bool save = false;  ///< keeps the presets with the finger
+  std::string use;    ///< what the finger measures with from now on (study_use.h); empty: as before
   std::uint64_t seed = 1;
   int threads = 1;
 };

@@ -1,8 +1,8 @@
 #include "app/commands/commands.h"
+#include "app/commands/kept_settings.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "app/pictures/pictures.h"
-#include "calibration/finger/measuring_settings.h"
 #include "calibration/finger/paper_pipeline.h"
 #include "calibration/reference/settings_record.h"
 #include "core/io/atomic_file.h"
@@ -213,18 +213,6 @@ Status reconstruct_live(std::unique_ptr<Source> source,
   return {};
 }
 
-/// A mapping holds for the settings that its presses were read with.
-void warn_of_other_settings(const PipelineSettings& kept,
-                            const PipelineSettings& asked,
-                            Console& console) {
-  for (const auto& setting : pipeline_settings())
-    if (setting.name != "contact-threshold-mm" && setting.get(kept) != setting.get(asked))
-      console.warn(fmt::format("Warning: --{} is {}, and the finger was calibrated with {}.",
-                               setting.name,
-                               setting.get(asked),
-                               setting.get(kept)));
-}
-
 }  // namespace
 
 Status run_reconstruct(const ReconstructOptions& options, Console& console) {
@@ -363,6 +351,12 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->type_name("ours|paper")
       ->check(CLI::IsMember({"ours", "paper"}));
   add_threads_flag(*command, options->threads);
+  command
+      ->add_option("--preset",
+                   options->preset,
+                   "Measure with settings that a study found for this finger (alltact study FINGER "
+                   "--save), or as it was calibrated (default: what the finger uses)")
+      ->type_name("fast|balanced|finest|calibrated");
   SettingFlags<PipelineSettings> pipeline;
   pipeline.add_to(*command, pipeline_settings());
   command->callback([=, &chosen] {
@@ -379,12 +373,17 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       if (wants(kind)) options->surfaces.emplace_back(kind);
     const bool is_paper = *method == "paper";
     options->as_paper = is_paper;
-    const PipelineSettings kept =
-        is_paper ? PipelineSettings{} : measuring_settings(options->finger);
-    options->pipeline = pipeline.applied_to(kept);
-    if (is_paper) pipeline.refuse_all("the source paper's method has none of these settings");
-    chosen = [=](Console& console) {
-      if (!is_paper) warn_of_other_settings(kept, options->pipeline, console);
+    if (is_paper) {
+      const char* none = "the source paper's method has none of these settings";
+      pipeline.refuse_all(none);
+      if (!options->preset.empty()) throw CLI::ValidationError("--preset", none);
+    }
+    chosen = [=](Console& console) -> Status {
+      if (is_paper) return run_reconstruct(*options, console);
+      const auto kept = kept_settings(options->finger, options->preset);
+      if (!kept) return kept.error();
+      options->pipeline = pipeline.applied_to(*kept);
+      warn_of_other_settings(*kept, options->pipeline, console);
       return run_reconstruct(*options, console);
     };
   });

@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/commands/study_use.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "app/console/passing_folder.h"
@@ -85,6 +86,12 @@ class StudyCommand {
 
   Status run() {
     if (options_.fingers.empty()) return study_of({});
+    if (uses_what_is_kept(options_)) {
+      for (const Path& finger : options_.fingers)
+        if (const Status used = use_what_is_kept(finger, options_.use, console_); !used)
+          return used;
+      return {};
+    }
     for (const Path& finger : options_.fingers)
       if (const Status status = study_of(finger); !status) return status;
     return {};
@@ -117,7 +124,11 @@ class StudyCommand {
         console_.job());
     if (!study) return study.error();
     if (const Status told = tell(*study, how); !told) return told;
-    return write(*study, kept);
+    if (const Status written = write(*study, kept); !written || finger_folder.empty())
+      return written;
+    const std::string machine = fmt::format(
+        "{}, {} thread{}", processor(), options_.threads, options_.threads > 1 ? "s" : "");
+    return keep_and_use(options_, *study, finger_folder, machine, console_);
   }
 
   Result<StudyWorld> world_of(const Path& finger_folder,
@@ -126,7 +137,7 @@ class StudyCommand {
     if (finger_folder.empty()) return simulated_world(folder_, options, console_.job());
     const auto finger = open_finger(finger_folder, console_);
     if (!finger) return finger.error();
-    how.base = measuring_settings(finger_folder);
+    how.base = calibrated_settings(finger_folder);
     return painted_world(*finger, options, console_.job());
   }
 
@@ -252,11 +263,13 @@ void add_study(CLI::App& program, Chosen& chosen) {
                           ->type_name("MM")
                           ->check(CLI::Range(1e-6, 100.0));
   command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
+  add_use_flags(*command, *options);
   add_threads_flag(*command, options->threads);
   command->callback([=, &chosen] {
     if (!output->empty()) options->folder = *folder;
     if (!within->empty()) options->within_ms = limits->first;
     if (!keep->empty()) options->keep_mm = limits->second;
+    check_use_flags(*options);
     chosen = [=](Console& console) { return run_study(*options, console); };
   });
 }
