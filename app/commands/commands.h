@@ -224,10 +224,13 @@ struct ExperimentsOptions {
 Status run_experiments(const ExperimentsOptions& options, Console& console);
 
 struct StudyCommandOptions {
-  std::vector<Path> fingers;   ///< none: the demonstration's, simulated
+  /// None: the demonstration's, simulated; with `simulating` the scene (none: demo_presses).
+  std::vector<Path> fingers;
   std::optional<Path> folder;  ///< keeps the study; empty: nothing is kept
   bool quick = false;          ///< one setting at a time, a few pictures
-  std::optional<double> within_ms, keep_mm;
+  bool calibrating = false;    ///< what presses, pictures and methods cost and bring instead
+  bool simulating = false;     ///< what each effect of a scene costs and changes instead
+  std::optional<double> within_ms, keep_mm, place_mm;
   bool save = false;  ///< keeps the presets with the finger
   std::string use;    ///< what the finger measures with from now on (study_use.h); empty: as before
   std::uint64_t seed = 1;

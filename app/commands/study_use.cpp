@@ -38,8 +38,8 @@ Status use(const Path& finger,
 Result<std::pair<std::size_t, std::string>> row_within(const StudyCommandOptions& options,
                                                        const AccuracyStudy& study) {
   const bool is_time = options.use == kWithin;
-  const auto row = is_time ? as_good_as_fits(study, *options.within_ms)
-                           : as_fast_as_keeps(study, *options.keep_mm);
+  const auto row = is_time ? as_good_as_fits(study, *options.within_ms, options.place_mm)
+                           : as_fast_as_keeps(study, *options.keep_mm, options.place_mm);
   const std::string name = is_time ? fmt::format("within {} ms", *options.within_ms)
                                    : fmt::format("95 % within {} mm", *options.keep_mm);
   if (!row)
@@ -68,6 +68,9 @@ void add_use_flags(CLI::App& command, StudyCommandOptions& options) {
 void check_use_flags(const StudyCommandOptions& options) {
   if ((options.save || !options.use.empty()) && options.fingers.empty())
     throw CLI::ValidationError(options.save ? "--save" : "--use", "there is no finger to keep it");
+  if ((options.save || !options.use.empty()) && (options.calibrating || options.simulating))
+    throw CLI::ValidationError(options.save ? "--save" : "--use",
+                               "that study tells nothing of what frames are measured with");
   if (options.use == kWithin && !options.within_ms) throw CLI::RequiredError("--within-ms");
   if (options.use == kKeep && !options.keep_mm) throw CLI::RequiredError("--keep-mm");
 }

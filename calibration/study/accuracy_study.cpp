@@ -1,5 +1,6 @@
 #include "calibration/study/accuracy_study.h"
 
+#include "calibration/study/study_clock.h"
 #include "calibration/study/truly_pressed.h"
 #include "core/numerics/median.h"
 #include "core/sensing/pipeline.h"
@@ -9,6 +10,7 @@
 #include <limits>
 #include <map>
 
+#include <malloc.h>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
@@ -25,6 +27,12 @@ std::optional<ErrorSpread> spread_of(std::vector<float>& errors) {
   std::nth_element(errors.begin(), at, errors.end());
   spread.p95_mm = *at;
   return spread;
+}
+
+/// What the program has taken and not given back.
+std::size_t heap_bytes() {
+  const auto heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
 }
 
 double part_of(std::vector<double> values, double part) {
@@ -83,7 +91,6 @@ class Measured {
     }
     const auto place_mm = place_of(result.regions);
     if (frame.place_mm && place_mm) places_mm_.push_back((*place_mm - *frame.place_mm).norm());
-    row_.memory_bytes = std::max(row_.memory_bytes, bytes_of(result));
   }
   void add_angle(const StudyFrame& frame, const FrameResult& result) {
     ++row_.bars;
@@ -98,7 +105,8 @@ class Measured {
     times_ms_.push_back(milliseconds);
     ratios_.push_back(milliseconds / base_milliseconds);
   }
-  [[nodiscard]] StudyRow row(const PipelineSettings& settings, std::size_t library_bytes) {
+  void set_memory(std::size_t bytes) { row_.memory_bytes = bytes; }
+  [[nodiscard]] StudyRow row(const PipelineSettings& settings) {
     row_.settings = settings;
     std::vector<float> all;
     for (std::size_t zone = 0; zone < kFaceZones; ++zone) {
@@ -115,18 +123,10 @@ class Measured {
     row_.time_ms = part_of(times_ms_, 0.5);
     row_.time_p95_ms = part_of(times_ms_, 0.95);
     row_.time_ratio = part_of(ratios_, 0.5);
-    row_.memory_bytes += library_bytes;
     return row_;
   }
 
  private:
-  static std::size_t bytes_of(const FrameResult& result) {
-    std::size_t bytes = result.grey.total() * result.grey.elemSize();
-    for (const cv::Mat& map : {result.depth->depth_mm, result.depth->flags})
-      bytes += map.total() * map.elemSize();
-    return bytes;
-  }
-
   StudyRow row_;
   std::array<std::vector<float>, kFaceZones> errors_;
   std::vector<double> places_mm_, angles_deg_, times_ms_, ratios_;
@@ -167,21 +167,29 @@ class AccuracyStudyRun {
                                                       double from,
                                                       double to) {
     std::vector<Pipeline> pipelines;
-    for (const PipelineSettings& choice : choices) pipelines.push_back(pipeline_of(choice));
     std::vector<Measured> measured(choices.size());
-    for (std::size_t i = 0; i < choices.size(); ++i)
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      const std::size_t before = heap_bytes();
+      pipelines.push_back(pipeline_of(choices[i]));
+      const auto held = pipelines[i](world_.frames.front().picture);
+      if (!held) return held.error();
+      const std::size_t now = heap_bytes();
+      measured[i].set_memory(library_of(choices[i]).memory_bytes() +
+                             (now > before ? now - before : 0));
       for (const StudyFrame& bar : world_.bars) {
         pipelines[i].forget();
         const auto seen = pipelines[i](bar.picture);
         if (!seen) return seen.error();
         measured[i].add_angle(bar, *seen);
       }
+    }
     const std::size_t frames = world_.frames.size();
     const auto rounds = static_cast<std::size_t>(options_.repeats) * frames;
     for (std::size_t round = 0; round < rounds; ++round) {
       if (job_.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
-      job_.report(from + (to - from) * static_cast<double>(round) / static_cast<double>(rounds),
-                  en::say("measuring what settings cost"));
+      clock_.report(job_,
+                    from + (to - from) * static_cast<double>(round) / static_cast<double>(rounds),
+                    en::say("measuring what settings cost"));
       const std::size_t number = round % frames;
       const StudyFrame& frame = world_.frames[number];
       double base_ms = 1;
@@ -198,8 +206,7 @@ class AccuracyStudyRun {
       }
     }
     std::vector<StudyRow> rows;
-    for (std::size_t i = 0; i < choices.size(); ++i)
-      rows.push_back(measured[i].row(choices[i], library_of(choices[i]).memory_bytes()));
+    for (std::size_t i = 0; i < choices.size(); ++i) rows.push_back(measured[i].row(choices[i]));
     return rows;
   }
 
@@ -233,6 +240,7 @@ class AccuracyStudyRun {
   const StudyWorld& world_;
   const StudyOptions& options_;
   const Job& job_;
+  const StudyClock clock_;
   std::vector<FrameAnswer> answers_;
   std::map<int, ReferenceLibrary> reduced_;  // by pixels a side
 };

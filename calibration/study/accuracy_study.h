@@ -52,7 +52,8 @@ struct StudyRow {
   int bars_missing = 0;                 ///< without an angle
   double time_ms = 0, time_p95_ms = 0;  ///< on this computer, then
   double time_ratio = 1;                ///< to the base, median
-  /// Of one frame's pictures and maps, and the reference's.
+  /// The reference's, and what a pipeline and its first frame's result hold: heap, so that it may
+  /// differ by some hundred bytes from run to run.
   std::size_t memory_bytes = 0;
   /// Of the finger's own presses (real_presses.h), which no calibration of them has seen. Never
   /// mixed with the rest.

@@ -3,6 +3,7 @@
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/joint/calibrate.h"
 #include "calibration/study/calibrating_bench.h"
+#include "calibration/study/study_clock.h"
 #include "core/numerics/philox.h"
 
 #include <algorithm>
@@ -217,12 +218,13 @@ Result<CalibratingStudy> study_calibrating(const FingerPtr& finger,
   const auto choices = calibrating_choices(options.quick);
   const int draws = options.quick ? kQuickDraws : kDraws;
   std::vector<double> base_seconds;
+  const StudyClock clock;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (job.stop_requested()) return stopped_calibrating();
     const auto part = [&](std::size_t at) {
       return static_cast<double>(at) / static_cast<double>(choices.size());
     };
-    job.report(part(i), en::say("calibrating with {}", words_of(choices[i])));
+    clock.report(job, part(i), en::say("calibrating with {}", words_of(choices[i])));
     Job quiet(job, part(i), part(i));  // the calibration's own progress is not the study's
     auto sum = paint_and_calibrate(*bench, choices[i], draws, quiet);
     if (!sum) return sum.error();

@@ -2,6 +2,7 @@
 
 #include "calibration/checks/ball_by_shape.h"
 #include "calibration/joint/calibrate.h"
+#include "calibration/study/study_clock.h"
 #include "calibration/study/study_front.h"
 #include "core/finger/reduced_finger.h"
 #include "core/io/picture.h"
@@ -188,12 +189,14 @@ Status add_real_errors(AccuracyStudy& study,
                        const std::vector<std::size_t>& wanted,
                        const KeepRows& keep,
                        const Job& job) {
+  const StudyClock clock;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     StudyRow& row = study.rows[wanted[i]];
     if (row.real) continue;
     if (job.stop_requested()) return stopped_among_presses();
-    job.report(static_cast<double>(i) / static_cast<double>(wanted.size()),
-               en::say("leaving out presses, {} of {}", i + 1, wanted.size()));
+    clock.report(job,
+                 static_cast<double>(i) / static_cast<double>(wanted.size()),
+                 en::say("leaving out presses, {} of {}", i + 1, wanted.size()));
     const auto errors = presses.held_out(row.settings, job);
     if (job.stop_requested()) return stopped_among_presses();
     if (!errors && wanted[i] == 0) return errors.error();
