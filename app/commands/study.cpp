@@ -9,6 +9,7 @@
 #include "calibration/study/real_presses.h"
 #include "calibration/study/study_figure.h"
 #include "calibration/study/study_file.h"
+#include "calibration/study/study_machine.h"
 #include "core/io/atomic_file.h"
 #include "core/program.h"
 
@@ -124,7 +125,7 @@ class StudyCommand {
     if (const Status written = write(*study, kept); !written || finger_folder.empty())
       return written;
     const std::string machine = fmt::format("{}, {} thread{}",
-                                            study_provenance(options_).at("processor"),
+                                            this_machine().processor,
                                             options_.threads,
                                             options_.threads > 1 ? "s" : "");
     return keep_and_use(options_, *study, finger_folder, machine, console_);
