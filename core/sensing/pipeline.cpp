@@ -67,11 +67,38 @@ struct Pipeline::State {
   void find_depth(FrameResult& result, StopWatch& watch) const;
   void find_contact(FrameResult& result, StopWatch& watch) const;
   [[nodiscard]] Eigen::MatrixXd markers_covariance(const FrameResult& result) const;
-  void tell_contact(FrameResult& result, StopWatch& watch);
+  void tell_contact(FrameResult& result, std::optional<FrameContacts>* contacts, StopWatch& watch);
   void find_force(FrameResult& result, StopWatch& watch);
 };
 
 Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
+  return measured(frame, nullptr);
+}
+
+Result<FrameResult> Pipeline::alone(const FramePtr& frame, std::optional<FrameContacts>& contacts) {
+  contacts.reset();
+  return measured(frame, &contacts);
+}
+
+void Pipeline::warm_up(const FramePtr& frame) {
+  State& state = *state_;
+  if (state.paper) return;
+  auto grey = state.oriented(*frame);
+  if (!grey || !state.library) return;
+  FrameResult result;
+  result.frame = state.last = frame;
+  result.grey = std::move(*grey);
+  StopWatch watch;
+  state.find_shape(result, watch);
+  if (result.shape) static_cast<void>(state.find_markers(result));
+}
+
+bool Pipeline::remembers_long() const {
+  return state_->paper.has_value() || (state_->force && state_->force->creeps());
+}
+
+Result<FrameResult> Pipeline::measured(const FramePtr& frame,
+                                       std::optional<FrameContacts>* contacts) {
   State& state = *state_;
   if (state.paper) return (*state.paper)(frame);
   StopWatch watch;
@@ -87,7 +114,7 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   if (result.shape && state.library) state.find_reference(result, watch);
   if (result.reference) state.find_depth(result, watch);
   if (result.depth) state.find_contact(result, watch);
-  if (result.reference) state.tell_contact(result, watch);
+  if (result.reference) state.tell_contact(result, contacts, watch);
   if (result.markers && state.library) state.find_force(result, watch);
   watch.total(result.times_ms.total);
   return result;
@@ -254,7 +281,9 @@ Eigen::MatrixXd Pipeline::State::markers_covariance(const FrameResult& result) c
       *result.markers, model && !all_seen ? model->covariance_px2(*result.markers) : std::nullopt);
 }
 
-void Pipeline::State::tell_contact(FrameResult& result, StopWatch& watch) {
+void Pipeline::State::tell_contact(FrameResult& result,
+                                   std::optional<FrameContacts>* contacts,
+                                   StopWatch& watch) {
   FingerContactTracker::FrameSigns signs;
   if (result.frame->time_ns != 0) signs.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
   signs.shape = &*result.shape;
@@ -265,7 +294,10 @@ void Pipeline::State::tell_contact(FrameResult& result, StopWatch& watch) {
     signs.settings = &*finger->contact;
     signs.ways_px2 = &ways_px2;
   }
-  result.contact = touched(signs);
+  if (contacts != nullptr)
+    *contacts = FingerContactTracker::alone(signs);
+  else
+    result.contact = touched(signs);
   double milliseconds = 0;
   watch.lap(milliseconds);
   result.times_ms.contact += milliseconds;
