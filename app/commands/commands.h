@@ -112,12 +112,13 @@ struct ReconstructOptions {
   Path finger;
   std::vector<Path> inputs;
   Path folder;
-  bool depth = true, depth_sd = false, sd_causes = false, flags = true, points = true;
+  bool depth = true, depth16 = false, depth_sd = false, sd_causes = false, flags = true;
+  bool points = false;
   std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
   bool picture = false;               ///< of the face in 3D
   Standpoint standpoint = Standpoint::kTilted;
   SceneOptions scene;
-  int threads = 1;
+  int threads = 0;        ///< 0: all cores
   bool live = false;      ///< lines on standard output instead of files, until stopped
   bool as_paper = false;  ///< by the source paper's method, which has no settings
   PipelineSettings pipeline;

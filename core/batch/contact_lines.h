@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace alltact {
 
@@ -15,8 +16,9 @@ namespace alltact {
 struct FrameLine {
   std::string frame;  ///< its name
   std::string line;
-  bool is_measured = false;  ///< it has a depth
-  double total_ms = 0;       ///< that measuring it took
+  bool is_measured = false;           ///< it has a depth
+  double total_ms = 0;                ///< that measuring it took
+  std::vector<std::string> warnings;  ///< for whoever watches; not kept
   struct Contacts {
     ContactState::Seen seen;
     std::array<std::string, 5> texts;  ///< contact_text() of FrameContacts::by_face

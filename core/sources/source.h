@@ -20,12 +20,6 @@ class Source {
   /// read. After an error the next call goes on with the picture behind it, where there is one.
   [[nodiscard]] virtual Result<FramePtr> next() = 0;
 
-  /// Passes over frames without giving them, as far as there are so many.
-  virtual void skip(std::size_t count) {
-    for (; count > 0; --count)
-      if (const auto frame = next(); frame && !*frame) return;
-  }
-
   /// How many frames there will be, where that is known.
   [[nodiscard]] virtual std::optional<std::size_t> count() const = 0;
 
@@ -38,6 +32,12 @@ class Source {
 
   /// About how often frames come or came.
   [[nodiscard]] virtual double frames_per_s() const { return 30.0; }
+
+  /// Passes over frames without giving them, as far as there are so many.
+  virtual void skip(std::size_t count) {
+    for (; count > 0; --count)
+      if (const auto frame = next(); frame && !*frame) return;
+  }
 };
 
 enum class Pace {
