@@ -11,6 +11,7 @@
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/reference/motion_coverage.h"
 #include "calibration/reference/reference_recording.h"
+#include "core/batch/parts.h"
 #include "core/camera/flat_port.h"
 #include "core/finger/finger_store.h"
 #include "core/finger/new_finger.h"
@@ -118,13 +119,17 @@ struct ReconstructOptions {
   bool picture = false;               ///< of the face in 3D
   Standpoint standpoint = Standpoint::kTilted;
   SceneOptions scene;
-  int threads = 0;        ///< 0: all cores
-  bool live = false;      ///< lines on standard output instead of files, until stopped
-  bool as_paper = false;  ///< by the source paper's method, which has no settings
+  int threads = 0;           ///< 0: all cores
+  std::optional<Part> part;  ///< only this part of the frames, for run_merge()
+  bool live = false;         ///< lines on standard output instead of files, until stopped
+  bool as_paper = false;     ///< by the source paper's method, which has no settings
   PipelineSettings pipeline;
 };
 /// Turns pictures into depth. Error at the end when any of them could not be.
 Status run_reconstruct(const ReconstructOptions& options, Console& console);
+
+/// Brings the parts of a reconstruction together (parts.h).
+Status run_merge(const std::vector<Path>& folders, Console& console);
 
 /// The light that a recording is made with.
 struct LightOptions {
@@ -251,6 +256,7 @@ void add_lens(CLI::App& program, Chosen& chosen);
 void add_reference(CLI::App& program, Chosen& chosen);
 void add_calibrate(CLI::App& program, Chosen& chosen);
 void add_reconstruct(CLI::App& program, Chosen& chosen);
+void add_merge(CLI::App& program, Chosen& chosen);
 void add_record(CLI::App& program, Chosen& chosen);
 void add_force(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);

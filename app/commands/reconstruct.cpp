@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/commands/reconstruct_part.h"
 #include "app/commands/result_files.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
@@ -22,8 +23,9 @@ namespace {
 
 /// What a run has come to.
 struct Progress {
-  std::string lines;
-  std::size_t index = 0;  ///< frames seen
+  std::string lines;               ///< of results.jsonl
+  std::vector<std::string> parts;  ///< instead, where only a part is asked for
+  std::size_t index = 0;           ///< frames seen
   std::size_t failed = 0;
   double total_ms = 0;
 };
@@ -142,13 +144,15 @@ Result<std::vector<Pipeline>> make_pipelines(const FingerSnapshot& finger,
 Status reconstruct_all(Source& source,
                        std::vector<Pipeline>& pipelines,
                        const ReconstructOptions& options,
+                       const BatchFrames& frames,
                        Progress& progress,
                        Console& console) {
   const auto files = ResultFiles::create(options);
   if (!files) return files.error();
   std::set<std::string> names;
   ContactLines contacts(source.is_continuous());
-  const double count = static_cast<double>(source.count().value_or(0));
+  const double count =
+      static_cast<double>(std::min(source.count().value_or(0), frames.end) - frames.first);
   BatchWork work;
   work.look = [&](BatchFrame& frame) {
     if (frame.frame && !names.insert(frame.frame->name).second)
@@ -161,8 +165,11 @@ Status reconstruct_all(Source& source,
   };
   work.take = [&](std::size_t index, FrameLine&& line) -> Status {
     for (const std::string& warning : line.warnings) console.warn(warning);
-    progress.lines += contacts(line) + "\n";
-    progress.index = index + 1;
+    if (options.part)
+      progress.parts.push_back(line.to_json());
+    else
+      progress.lines += contacts(line) + "\n";
+    progress.index = index + 1 - frames.first;
     progress.failed += line.is_measured ? 0 : 1;
     progress.total_ms += line.total_ms;
     if (count > 0)
@@ -170,7 +177,7 @@ Status reconstruct_all(Source& source,
                            en::say("{} of {:.0f}: {}", progress.index, count, line.frame));
     return {};
   };
-  return measure_batch(source, pipelines, {}, work, console.job());
+  return measure_batch(source, pipelines, frames, work, console.job());
 }
 
 }  // namespace
@@ -201,11 +208,23 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   if (const Status status = make_folder(options.folder); !status) return status;
 
   Progress progress;
-  Status status = reconstruct_all(**source, *pipelines, options, progress, console);
+  const auto frames = frames_asked(options, **source, pipelines->front());
+  if (!frames) return frames.error();
+  const bool is_continuous = (*source)->is_continuous();
+  const std::size_t count = (*source)->count().value_or(0);
+  Status status = reconstruct_all(**source, *pipelines, options, *frames, progress, console);
   if (!status) return status;
   if (status = sync_disk_of(options.folder); !status) return status;
-  const Path results = options.folder / "results.jsonl";
-  status = write_file_atomically(results, progress.lines);
+  const Path results =
+      options.folder / (options.part ? part_file(*options.part) : std::string("results.jsonl"));
+  status = options.part ? write_part(options.folder,
+                                     {*options.part,
+                                      name_of_run(options, count),
+                                      frames->first,
+                                      count,
+                                      is_continuous,
+                                      std::move(progress.parts)})
+                        : write_file_atomically(results, progress.lines);
   if (!status) return status;
   return tell(progress, results, console);
 }
@@ -285,6 +304,18 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
                    "Depth at which the colours of pictures end (default 1)")
       ->type_name("MM")
       ->check(CLI::Range(0.1, 10.0));
+  command
+      ->add_option_function<std::string>(
+          "--shard",
+          [=](const std::string& text) {
+            const auto part = part_of(text);
+            if (!part) throw CLI::ValidationError("--shard", part.error().what.english());
+            options->part = *part;
+          },
+          "Only part K of N of the frames; `alltact merge` brings the parts together, the same as "
+          "without")
+      ->type_name("K/N")
+      ->excludes(live);
   command
       ->add_option(
           "--method",

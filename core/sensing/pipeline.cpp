@@ -8,6 +8,7 @@
 #include "core/sensing/frame_faults.h"
 #include "core/sensing/markers/plain_rows.h"
 #include "core/sensing/paper_method.h"
+#include "core/sensing/pipeline_problems.h"
 #include "core/sensing/reference/pose_places.h"
 #include "core/sensing/stop_watch.h"
 
@@ -22,13 +23,6 @@ constexpr int kFaultRows = 8;  // one in so many tells how much of the face is m
 /// Of a flat sensor, grey levels: what is dark and how the light is weighed does not hang on how
 /// noisy a picture is.
 constexpr double kPlaneNoise = 1.0;
-
-Message never_recorded(double distance_px) {
-  return en::say(
-      "this pose was never recorded: the nearest reference frame is {:.1f} px away; record the "
-      "finger bending further in this direction",
-      distance_px);
-}
 
 bool any_seen(const Markers& markers) {
   return std::any_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
@@ -135,9 +129,7 @@ void Pipeline::State::look_at_picture(FrameResult& result) {
   if (auto fault = picture_fault(result.grey)) result.problems.push_back(std::move(*fault));
   if (last && !is_same_frame(*last, *result.frame) &&
       is_same_picture(last->grey, result.frame->grey))
-    result.problems.push_back(en::say(
-        "the picture is the same as the one before to the last grey level: the camera stands "
-        "still; plug it in again"));
+    result.problems.push_back(camera_stands_still());
   last = result.frame;
 }
 
@@ -197,10 +189,7 @@ void Pipeline::State::find_markers_by_shape(FrameResult& result) const {
   const ShapePoses* poses = library->shape_poses();
   auto told = poses ? (*poses)(*result.shape) : std::nullopt;
   if (!told) return;
-  result.problems.push_back(en::say(
-      "the markers were not found: the face's shape alone tells this pose, so that depth is less "
-      "sure and neither twist nor what touches the finger is told; uncover and light the dots on "
-      "the side faces"));
+  result.problems.push_back(told_by_shape());
   if (!told->known_pose) result.problems.push_back(never_recorded(told->distance_px));
   result.markers = std::move(told->markers);
 }
@@ -227,10 +216,7 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
   }
   constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
   if (result.reference->known_pose && result.reference->error_factor > kFarBeyond)
-    result.problems.push_back(
-        en::say("few recorded frames are near this pose: its reference is {:.0f} times less "
-                "sure than usual; record the finger bending slowly through it",
-                result.reference->error_factor));
+    result.problems.push_back(few_frames_near(result.reference->error_factor));
   watch.lap(result.times_ms.reference);
 }
 
@@ -314,9 +300,7 @@ void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
   if (!result.force)
     result.problems.push_back(en::say("no marker is seen that could tell the force"));
   else if (!result.force->in_range)
-    result.problems.push_back(
-        en::say("the force model was trained with nothing like this frame: its force cannot be "
-                "relied on; add rows with such forces to the table and train it again"));
+    result.problems.push_back(force_out_of_range());
   watch.lap(result.times_ms.force);
 }
 
