@@ -11,6 +11,7 @@
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/reference/motion_coverage.h"
 #include "calibration/reference/reference_recording.h"
+#include "core/batch/parts.h"
 #include "core/camera/flat_port.h"
 #include "core/finger/finger_store.h"
 #include "core/finger/new_finger.h"
@@ -112,20 +113,25 @@ struct ReconstructOptions {
   Path finger;
   std::vector<Path> inputs;
   Path folder;
-  bool depth = true, depth_sd = false, sd_causes = false, flags = true, points = true;
+  bool depth = true, depth16 = false, depth_sd = false, sd_causes = false, flags = true;
+  bool points = false;
   std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
   bool picture = false;               ///< of the face in 3D
   Standpoint standpoint = Standpoint::kTilted;
   SceneOptions scene;
-  int threads = 1;
-  bool live = false;      ///< lines on standard output instead of files, until stopped
-  bool as_paper = false;  ///< by the source paper's method, which has no settings
+  int threads = 0;           ///< 0: all cores
+  std::optional<Part> part;  ///< only this part of the frames, for run_merge()
+  bool live = false;         ///< lines on standard output instead of files, until stopped
+  bool as_paper = false;     ///< by the source paper's method, which has no settings
   PipelineSettings pipeline;
   /// Of the finger that `pipeline` is; empty: none.
   std::string preset;
 };
 /// Turns pictures into depth. Error at the end when any of them could not be.
 Status run_reconstruct(const ReconstructOptions& options, Console& console);
+
+/// Brings the parts of a reconstruction together (parts.h).
+Status run_merge(const std::vector<Path>& folders, Console& console);
 
 /// The light that a recording is made with.
 struct LightOptions {
@@ -257,6 +263,7 @@ void add_lens(CLI::App& program, Chosen& chosen);
 void add_reference(CLI::App& program, Chosen& chosen);
 void add_calibrate(CLI::App& program, Chosen& chosen);
 void add_reconstruct(CLI::App& program, Chosen& chosen);
+void add_merge(CLI::App& program, Chosen& chosen);
 void add_record(CLI::App& program, Chosen& chosen);
 void add_force(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);

@@ -11,6 +11,7 @@
 #include "core/sensing/markers/plain_rows.h"
 #include "core/sensing/markers/whole_markers.h"
 #include "core/sensing/paper_method.h"
+#include "core/sensing/pipeline_problems.h"
 #include "core/sensing/reference/pose_places.h"
 #include "core/sensing/running_mean.h"
 #include "core/sensing/stop_watch.h"
@@ -26,13 +27,6 @@ constexpr int kFaultRows = 8;  // one in so many tells how much of the face is m
 /// Of a flat sensor, grey levels: what is dark and how the light is weighed does not hang on how
 /// noisy a picture is.
 constexpr double kPlaneNoise = 1.0;
-
-Message never_recorded(double distance_px) {
-  return en::say(
-      "this pose was never recorded: the nearest reference frame is {:.1f} px away; record the "
-      "finger bending further in this direction",
-      distance_px);
-}
 
 bool any_seen(const Markers& markers) {
   return std::any_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
@@ -73,11 +67,38 @@ struct Pipeline::State {
   void find_depth(FrameResult& result, StopWatch& watch) const;
   void find_contact(FrameResult& result, StopWatch& watch) const;
   [[nodiscard]] Eigen::MatrixXd markers_covariance(const FrameResult& result) const;
-  void tell_contact(FrameResult& result, StopWatch& watch);
+  void tell_contact(FrameResult& result, std::optional<FrameContacts>* contacts, StopWatch& watch);
   void find_force(FrameResult& result, StopWatch& watch);
 };
 
 Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
+  return measured(frame, nullptr);
+}
+
+Result<FrameResult> Pipeline::alone(const FramePtr& frame, std::optional<FrameContacts>& contacts) {
+  contacts.reset();
+  return measured(frame, &contacts);
+}
+
+void Pipeline::warm_up(const FramePtr& frame) {
+  State& state = *state_;
+  if (state.paper) return;
+  auto grey = state.oriented(*frame);
+  if (!grey || !state.library) return;
+  FrameResult result;
+  result.frame = state.last = frame;
+  result.grey = std::move(*grey);
+  StopWatch watch;
+  state.find_shape(result, watch);
+  if (result.shape) static_cast<void>(state.find_markers(result));
+}
+
+bool Pipeline::remembers_long() const {
+  return state_->paper.has_value() || (state_->force && state_->force->creeps());
+}
+
+Result<FrameResult> Pipeline::measured(const FramePtr& frame,
+                                       std::optional<FrameContacts>* contacts) {
   State& state = *state_;
   if (state.paper) return (*state.paper)(frame);
   StopWatch watch;
@@ -95,7 +116,7 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   if (result.shape && state.library) state.find_reference(result, watch);
   if (result.reference) state.find_depth(result, watch);
   if (result.depth) state.find_contact(result, watch);
-  if (result.reference) state.tell_contact(result, watch);
+  if (result.reference) state.tell_contact(result, contacts, watch);
   if (result.markers && state.library) state.find_force(result, watch);
   watch.total(result.times_ms.total);
   return result;
@@ -116,9 +137,7 @@ void Pipeline::State::look_at_picture(FrameResult& result) {
   if (auto fault = picture_fault(result.grey)) result.problems.push_back(std::move(*fault));
   if (last && !is_same_frame(*last, *result.frame) &&
       is_same_picture(last->grey, result.frame->grey))
-    result.problems.push_back(en::say(
-        "the picture is the same as the one before to the last grey level: the camera stands "
-        "still; plug it in again"));
+    result.problems.push_back(camera_stands_still());
   last = result.frame;
 }
 
@@ -178,10 +197,7 @@ void Pipeline::State::find_markers_by_shape(FrameResult& result) const {
   const ShapePoses* poses = library->shape_poses();
   auto told = poses ? (*poses)(*result.shape) : std::nullopt;
   if (!told) return;
-  result.problems.push_back(en::say(
-      "the markers were not found: the face's shape alone tells this pose, so that depth is less "
-      "sure and neither twist nor what touches the finger is told; uncover and light the dots on "
-      "the side faces"));
+  result.problems.push_back(told_by_shape());
   if (!told->known_pose) result.problems.push_back(never_recorded(told->distance_px));
   result.markers = std::move(told->markers);
 }
@@ -211,10 +227,7 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
   }
   constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
   if (result.reference->known_pose && result.reference->error_factor > kFarBeyond)
-    result.problems.push_back(
-        en::say("few recorded frames are near this pose: its reference is {:.0f} times less "
-                "sure than usual; record the finger bending slowly through it",
-                result.reference->error_factor));
+    result.problems.push_back(few_frames_near(result.reference->error_factor));
   watch.lap(result.times_ms.reference);
 }
 
@@ -266,7 +279,9 @@ Eigen::MatrixXd Pipeline::State::markers_covariance(const FrameResult& result) c
       *result.markers, model && !all_seen ? model->covariance_px2(*result.markers) : std::nullopt);
 }
 
-void Pipeline::State::tell_contact(FrameResult& result, StopWatch& watch) {
+void Pipeline::State::tell_contact(FrameResult& result,
+                                   std::optional<FrameContacts>* contacts,
+                                   StopWatch& watch) {
   FingerContactTracker::FrameSigns signs;
   if (result.frame->time_ns != 0) signs.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
   signs.shape = &*result.shape;
@@ -277,7 +292,10 @@ void Pipeline::State::tell_contact(FrameResult& result, StopWatch& watch) {
     signs.settings = &*finger->contact;
     signs.ways_px2 = &ways_px2;
   }
-  result.contact = touched(signs);
+  if (contacts != nullptr)
+    *contacts = FingerContactTracker::alone(signs);
+  else
+    result.contact = touched(signs);
   double milliseconds = 0;
   watch.lap(milliseconds);
   result.times_ms.contact += milliseconds;
@@ -294,9 +312,7 @@ void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
   if (!result.force)
     result.problems.push_back(en::say("no marker is seen that could tell the force"));
   else if (!result.force->in_range)
-    result.problems.push_back(
-        en::say("the force model was trained with nothing like this frame: its force cannot be "
-                "relied on; add rows with such forces to the table and train it again"));
+    result.problems.push_back(force_out_of_range());
   watch.lap(result.times_ms.force);
 }
 

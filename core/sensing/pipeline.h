@@ -10,6 +10,7 @@
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/contact/face_touch.h"
 #include "core/sensing/contact/finger_contact.h"
+#include "core/sensing/contact/finger_contact_tracker.h"
 #include "core/sensing/contact/push.h"
 #include "core/sensing/depth/local_depth.h"
 #include "core/sensing/face/face_edges.h"
@@ -107,6 +108,18 @@ class Pipeline {
   /// result.
   [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame);
 
+  /// The same without what lasts over frames: no `contact`; `contacts` is what decides it once the
+  /// frames before are known (contact_lines.h), nullopt where nothing does.
+  [[nodiscard]] Result<FrameResult> alone(const FramePtr& frame,
+                                          std::optional<FrameContacts>& contacts);
+
+  /// Only what the next frame needs of this one: where the markers are, and the picture.
+  void warm_up(const FramePtr& frame);
+
+  /// Results depend on more than the few frames before: creep in the finger's force model, or the
+  /// source paper's method. Such a recording is measured in one piece.
+  [[nodiscard]] bool remembers_long() const;
+
   /// The next frame is not the neighbour of the last one in time.
   void forget();
 
@@ -119,6 +132,8 @@ class Pipeline {
 
  private:
   struct State;
+  [[nodiscard]] Result<FrameResult> measured(const FramePtr& frame,
+                                             std::optional<FrameContacts>* contacts);
   explicit Pipeline(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 
