@@ -94,7 +94,8 @@ void Pipeline::warm_up(const FramePtr& frame) {
 }
 
 bool Pipeline::remembers_long() const {
-  return state_->paper.has_value() || (state_->force && state_->force->creeps());
+  return state_->settings.average_frames > 1 ||
+         (state_->paper.has_value() || (state_->force && state_->force->creeps()));
 }
 
 Result<FrameResult> Pipeline::measured(const FramePtr& frame,
