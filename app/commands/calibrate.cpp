@@ -204,7 +204,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   SettingFlags<CalibrationSettings> calibration;
   calibration.add_to(*command, calibration_settings());
   SettingFlags<PipelineSettings> pipeline;
-  pipeline.add_to(*command, pipeline_settings(), {"contact-threshold-mm"});
+  pipeline.add_to(*command, pipeline_settings(), settings_beyond_mapping());
   command->callback([=, &chosen] {
     if (!options->again && presses->count() == 0) throw CLI::RequiredError("PRESS");
     if (!options->again && radius->count() == 0) throw CLI::RequiredError("--ball-radius-mm");

@@ -11,6 +11,7 @@
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/reference/motion_coverage.h"
 #include "calibration/reference/reference_recording.h"
+#include "core/batch/parts.h"
 #include "core/camera/flat_port.h"
 #include "core/finger/finger_store.h"
 #include "core/finger/new_finger.h"
@@ -112,18 +113,25 @@ struct ReconstructOptions {
   Path finger;
   std::vector<Path> inputs;
   Path folder;
-  bool depth = true, depth_sd = false, sd_causes = false, flags = true, points = true;
+  bool depth = true, depth16 = false, depth_sd = false, sd_causes = false, flags = true;
+  bool points = false;
   std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
   bool picture = false;               ///< of the face in 3D
   Standpoint standpoint = Standpoint::kTilted;
   SceneOptions scene;
-  int threads = 1;
-  bool live = false;      ///< lines on standard output instead of files, until stopped
-  bool as_paper = false;  ///< by the source paper's method, which has no settings
+  int threads = 0;           ///< 0: all cores
+  std::optional<Part> part;  ///< only this part of the frames, for run_merge()
+  bool live = false;         ///< lines on standard output instead of files, until stopped
+  bool as_paper = false;     ///< by the source paper's method, which has no settings
   PipelineSettings pipeline;
+  /// Of the finger that `pipeline` is; empty: none.
+  std::string preset;
 };
 /// Turns pictures into depth. Error at the end when any of them could not be.
 Status run_reconstruct(const ReconstructOptions& options, Console& console);
+
+/// Brings the parts of a reconstruction together (parts.h).
+Status run_merge(const std::vector<Path>& folders, Console& console);
 
 /// The light that a recording is made with.
 struct LightOptions {
@@ -222,10 +230,15 @@ struct ExperimentsOptions {
 Status run_experiments(const ExperimentsOptions& options, Console& console);
 
 struct StudyCommandOptions {
-  std::vector<Path> fingers;   ///< none: the demonstration's, simulated
+  /// None: the demonstration's, simulated; with `simulating` the scene (none: demo_presses).
+  std::vector<Path> fingers;
   std::optional<Path> folder;  ///< keeps the study; empty: nothing is kept
   bool quick = false;          ///< one setting at a time, a few pictures
-  std::optional<double> within_ms, keep_mm;
+  bool calibrating = false;    ///< what presses, pictures and methods cost and bring instead
+  bool simulating = false;     ///< what each effect of a scene costs and changes instead
+  std::optional<double> within_ms, keep_mm, place_mm;
+  bool save = false;  ///< keeps the presets with the finger
+  std::string use;    ///< what the finger measures with from now on (study_use.h); empty: as before
   std::uint64_t seed = 1;
   int threads = 1;
 };
@@ -250,6 +263,7 @@ void add_lens(CLI::App& program, Chosen& chosen);
 void add_reference(CLI::App& program, Chosen& chosen);
 void add_calibrate(CLI::App& program, Chosen& chosen);
 void add_reconstruct(CLI::App& program, Chosen& chosen);
+void add_merge(CLI::App& program, Chosen& chosen);
 void add_record(CLI::App& program, Chosen& chosen);
 void add_force(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);

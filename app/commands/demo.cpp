@@ -119,6 +119,7 @@ class Demo {
       reconstruction.finger = contender.finger;
       reconstruction.inputs = {folder("objects")};
       reconstruction.folder = contender.results;
+      reconstruction.points = true;  // the untouched face is compared as well
       reconstruction.as_paper = contender.calibration == CalibrationMethod::kPaper;
       std::error_code failed;  // results of an earlier demonstration
       fs::remove_all(contender.results, failed);

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   add_reference(program, chosen);
   add_calibrate(program, chosen);
   add_reconstruct(program, chosen);
+  add_merge(program, chosen);
   add_record(program, chosen);
   add_force(program, chosen);
   add_check(program, chosen);

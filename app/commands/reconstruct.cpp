@@ -1,14 +1,13 @@
 #include "app/commands/commands.h"
+#include "app/commands/kept_settings.h"
+#include "app/commands/reconstruct_part.h"
+#include "app/commands/result_files.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "app/pictures/pictures.h"
-#include "calibration/finger/measuring_settings.h"
 #include "calibration/finger/paper_pipeline.h"
 #include "calibration/reference/settings_record.h"
+#include "core/batch/batch.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
-#include "core/io/surface_file.h"
-#include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/result_json.h"
 #include "core/sources/newest_source.h"
@@ -22,148 +21,14 @@
 namespace alltact {
 namespace {
 
-/// The lines of results.jsonl as they come, and which frames failed.
+/// What a run has come to.
 struct Progress {
-  std::string lines;
-  std::size_t index = 0;  ///< frames seen
+  std::string lines;               ///< of results.jsonl
+  std::vector<std::string> parts;  ///< instead, where only a part is asked for
+  std::size_t index = 0;           ///< frames seen
   std::size_t failed = 0;
   double total_ms = 0;
-  std::set<std::string> names;
-  std::unique_ptr<FacePictures> faces;  ///< where pictures are wanted
 };
-
-/// As results.jsonl names it.
-ReferenceMethod reference_method(const ReconstructOptions& options) {
-  return options.as_paper ? ReferenceMethod::kNearest : options.pipeline.reference;
-}
-
-Status write_files(const FrameResult& result,
-                   const Pipeline& pipeline,
-                   const ReconstructOptions& options,
-                   Progress& progress) {
-  const Finger& finger = pipeline.finger();
-  const std::string& name = result.frame->name;
-  const cv::Mat& depth = result.depth->depth_mm;
-  if (options.depth) {
-    const Status status = write_picture(options.folder / (name + ".depth.tiff"), depth);
-    if (!status) return status;
-  }
-  if (options.depth_sd) {
-    const auto mapping = Mapping::create(*finger.mapping);
-    if (!mapping) return mapping.error();
-    const Status status =
-        write_picture(options.folder / (name + ".depth_sd.tiff"),
-                      depth_sd_mm(*result.depth, *result.reference, *result.shape, *mapping));
-    if (!status) return status;
-  }
-  if (options.sd_causes) {
-    const auto mapping = Mapping::create(*finger.mapping);
-    if (!mapping) return mapping.error();
-    for (const auto& [cause, sd_mm] :
-         depth_sd_by_cause(*result.depth, *result.reference, *result.shape, *mapping)) {
-      const Status status =
-          write_picture(options.folder / (name + ".sd_" + cause + ".tiff"), sd_mm);
-      if (!status) return status;
-    }
-  }
-  if (options.flags) {
-    const Status status =
-        write_picture(options.folder / (name + ".flags.png"), result.depth->flags);
-    if (!status) return status;
-  }
-  if (progress.faces) {
-    const Path file = options.folder / (name + ".3d.png");
-    const auto picture = progress.faces->picture(result, pipeline);
-    if (!picture) return Error{picture.error().what, file, picture.error().advice};
-    if (const Status status = write_picture(file, *picture); !status) return status;
-  }
-  if (!options.points && options.surfaces.empty()) return {};
-  const cv::Mat points = contact_face_points_mm(result, finger.face);
-  if (options.points) {
-    const Status status = write_picture(options.folder / (name + ".points.tiff"), points);
-    if (!status) return status;
-  }
-  for (const std::string& kind : options.surfaces) {
-    const Status status = write_surface(options.folder / (name + "." + kind), points, depth);
-    if (!status) return status;
-  }
-  return {};
-}
-
-/// As the problems of results.jsonl stand there.
-Message as_sentence(const Error& error) {
-  return en::say("{}.", error.message());
-}
-
-void add_failure(const std::string& name,
-                 const Error& problem,
-                 Progress& progress,
-                 Console& console) {
-  console.warn(problem.sentence());
-  progress.lines += failure_line(name, progress.index, {as_sentence(problem)}) + "\n";
-  ++progress.failed;
-}
-
-/// One frame from picture to files. Error: files could not be written, so nothing more can be.
-Status reconstruct_frame(const FramePtr& frame,
-                         Pipeline& pipeline,
-                         const ReconstructOptions& options,
-                         Progress& progress,
-                         Console& console) {
-  if (!progress.names.insert(frame->name).second) {
-    add_failure(frame->name,
-                Error{en::say("another picture is called '{}' as well", frame->name),
-                      frame->origin,
-                      en::say("giving the pictures different names")},
-                progress,
-                console);
-    return {};
-  }
-  auto result = pipeline(frame);
-  if (!result) {
-    add_failure(frame->name, result.error(), progress, console);
-    return {};
-  }
-  progress.total_ms += result->times_ms.total;
-  progress.lines += result_line(*result, progress.index, reference_method(options)) + "\n";
-  if (!result->depth) {
-    for (const Message& problem : result->problems)
-      console.warn(fmt::format("{}: {}", frame->name, problem));
-    ++progress.failed;
-    return {};
-  }
-  return write_files(*result, pipeline, options, progress);
-}
-
-/// Name of a picture that could not be read, from the error that says which it was.
-std::string name_of(const Error& error, std::size_t index) {
-  const std::string stem = Path(error.where.english()).stem().string();
-  return stem.empty() ? fmt::format("frame_{:05}", index) : stem;
-}
-
-Status reconstruct_all(Source& source,
-                       Pipeline& pipeline,
-                       const ReconstructOptions& options,
-                       Progress& progress,
-                       Console& console) {
-  const double count = static_cast<double>(source.count().value_or(0));
-  for (;; ++progress.index) {
-    if (console.job().stop_requested()) return {};
-    if (!source.is_continuous()) pipeline.forget();
-    const auto frame = source.next();
-    if (!frame) {
-      add_failure(name_of(frame.error(), progress.index), frame.error(), progress, console);
-      continue;
-    }
-    if (!*frame) return {};
-    if (count > 0) {
-      console.job().report(static_cast<double>(progress.index) / count,
-                           en::say("{} of {:.0f}: {}", progress.index + 1, count, (*frame)->name));
-    }
-    const Status status = reconstruct_frame(*frame, pipeline, options, progress, console);
-    if (!status) return status;
-  }
-}
 
 /// A live frame's line, or the line that says why there is none.
 std::string live_line(const Result<FramePtr>& frame,
@@ -213,64 +78,22 @@ Status reconstruct_live(std::unique_ptr<Source> source,
   return {};
 }
 
-/// A mapping holds for the settings that its presses were read with.
-void warn_of_other_settings(const PipelineSettings& kept,
-                            const PipelineSettings& asked,
-                            Console& console) {
-  for (const auto& setting : pipeline_settings())
-    if (setting.name != "contact-threshold-mm" && setting.get(kept) != setting.get(asked))
-      console.warn(fmt::format("Warning: --{} is {}, and the finger was calibrated with {}.",
-                               setting.name,
-                               setting.get(asked),
-                               setting.get(kept)));
+/// 0: all cores that this process may use.
+int threads_of(int asked) {
+  if (asked > 0) return asked;
+  constexpr int kMost = 64;
+  return std::clamp(cv::getNumberOfCPUs(), 1, kMost);
 }
 
-}  // namespace
-
-Status run_reconstruct(const ReconstructOptions& options, Console& console) {
-  if (options.live && console.json())
-    return Error{en::say("--live gives a line of JSON for each frame already"),
-                 "",
-                 en::say("without --json")};
-  cv::setNumThreads(options.threads);
-  const auto finger = open_finger(options.finger, console);
-  if (!finger) return finger.error();
-  if (!(*finger)->mapping) {
-    return Error{en::say("the finger is not calibrated yet"),
-                 (options.finger / Finger::kFileName).string(),
-                 en::say("alltact calibrate with ball presses")};
-  }
-  SourceOptions how;
-  how.pace = options.live ? Pace::kRecorded : Pace::kAsked;
-  how.job = &console.job();
-  auto source = open_source(options.inputs, how);
-  if (!source) return source.error();
-  auto pipeline = options.as_paper ? paper_pipeline(**finger, console.job())
-                                   : Pipeline::create(**finger, options.pipeline, console.job());
-  if (!pipeline) return pipeline.error();
-  if (options.live) return reconstruct_live(std::move(*source), *pipeline, options, console);
-  if (const Status status = make_folder(options.folder); !status) return status;
-
-  Progress progress;
-  if (options.picture) {
-    const auto pictures = load_pictures();
-    if (!pictures) return pictures.error();
-    auto faces = (*pictures)->faces({1280, 720}, options.scene, options.standpoint);
-    if (!faces) return faces.error();
-    progress.faces = std::move(*faces);
-  }
-  Status status = reconstruct_all(**source, *pipeline, options, progress, console);
-  if (!status) return status;
-  const Path results = options.folder / "results.jsonl";
-  status = write_file_atomically(results, progress.lines);
-  if (!status) return status;
+/// The figures of a run, once its files are there.
+Status tell(const Progress& progress, const Path& results, Console& console) {
   const std::size_t done = progress.index - progress.failed;
   const double mean_ms = done > 0 ? progress.total_ms / static_cast<double>(done) : 0.0;
   console.say(fmt::format("{} of {} frames reconstructed, {:.1f} ms each; results in {}",
                           done,
                           progress.index,
                           mean_ms,
-                          options.folder.string()));
+                          results.parent_path().string()));
   Console::Json& answer = console.answer();
   answer["frames"] = progress.index;
   answer["failed"] = progress.failed;
@@ -289,10 +112,115 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   return {};
 }
 
+/// As many pipelines as there shall be threads. They share what is large (ReferenceLibrary::load).
+Result<std::vector<Pipeline>> make_pipelines(const FingerSnapshot& finger,
+                                             const ReconstructOptions& options,
+                                             const Job& job) {
+  // Pictures in 3D are drawn by one thread.
+  const int wanted = options.picture || options.live ? 1 : threads_of(options.threads);
+  std::vector<Pipeline> pipelines;
+  while (pipelines.size() < static_cast<std::size_t>(wanted)) {
+    auto pipeline = options.as_paper ? paper_pipeline(finger, job)
+                                     : Pipeline::create(finger, options.pipeline, job);
+    if (!pipeline) return pipeline.error();
+    pipelines.push_back(std::move(*pipeline));
+    if (pipelines.front().remembers_long()) break;
+  }
+  return pipelines;
+}
+
+Status reconstruct_all(Source& source,
+                       std::vector<Pipeline>& pipelines,
+                       const ReconstructOptions& options,
+                       const BatchFrames& frames,
+                       Progress& progress,
+                       Console& console) {
+  const auto files = ResultFiles::create(options);
+  if (!files) return files.error();
+  std::set<std::string> names;
+  ContactLines contacts(source.is_continuous());
+  const double count =
+      static_cast<double>(std::min(source.count().value_or(0), frames.end) - frames.first);
+  BatchWork work;
+  work.look = [&](BatchFrame& frame) {
+    if (frame.frame && !names.insert(frame.frame->name).second)
+      frame.problem = Error{en::say("another picture is called '{}' as well", frame.frame->name),
+                            frame.frame->origin,
+                            en::say("giving the pictures different names")};
+  };
+  work.write = [&](BatchFrame& frame, const Pipeline& pipeline) {
+    return files->write(frame, pipeline);
+  };
+  work.take = [&](std::size_t index, FrameLine&& line) -> Status {
+    for (const std::string& warning : line.warnings) console.warn(warning);
+    if (options.part)
+      progress.parts.push_back(line.to_json());
+    else
+      progress.lines += contacts(line) + "\n";
+    progress.index = index + 1 - frames.first;
+    progress.failed += line.is_measured ? 0 : 1;
+    progress.total_ms += line.total_ms;
+    if (count > 0)
+      console.job().report(static_cast<double>(progress.index) / count,
+                           en::say("{} of {:.0f}: {}", progress.index, count, line.frame));
+    return {};
+  };
+  return measure_batch(source, pipelines, frames, work, console.job());
+}
+
+}  // namespace
+
+Status run_reconstruct(const ReconstructOptions& options, Console& console) {
+  if (options.live && console.json())
+    return Error{en::say("--live gives a line of JSON for each frame already"),
+                 "",
+                 en::say("without --json")};
+  // Each thread has frames of its own.
+  cv::setNumThreads(options.live ? threads_of(options.threads) : 1);
+  const auto finger = open_finger(options.finger, console);
+  if (!finger) return finger.error();
+  if (!(*finger)->mapping) {
+    return Error{en::say("the finger is not calibrated yet"),
+                 (options.finger / Finger::kFileName).string(),
+                 en::say("alltact calibrate with ball presses")};
+  }
+  SourceOptions how;
+  how.pace = options.live ? Pace::kRecorded : Pace::kAsked;
+  how.job = &console.job();
+  auto source = open_source(options.inputs, how);
+  if (!source) return source.error();
+  auto pipelines = make_pipelines(**finger, options, console.job());
+  if (!pipelines) return pipelines.error();
+  if (options.live)
+    return reconstruct_live(std::move(*source), pipelines->front(), options, console);
+  if (const Status status = make_folder(options.folder); !status) return status;
+
+  Progress progress;
+  const auto frames = frames_asked(options, **source, pipelines->front());
+  if (!frames) return frames.error();
+  const bool is_continuous = (*source)->is_continuous();
+  const std::size_t count = (*source)->count().value_or(0);
+  Status status = reconstruct_all(**source, *pipelines, options, *frames, progress, console);
+  if (!status) return status;
+  if (status = sync_disk_of(options.folder); !status) return status;
+  const Path results =
+      options.folder / (options.part ? part_file(*options.part) : std::string("results.jsonl"));
+  status = options.part ? write_part(options.folder,
+                                     {*options.part,
+                                      name_of_run(options, count),
+                                      frames->first,
+                                      count,
+                                      is_continuous,
+                                      std::move(progress.parts)})
+                        : write_file_atomically(results, progress.lines);
+  if (!status) return status;
+  return tell(progress, results, console);
+}
+
 void add_reconstruct(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ReconstructOptions>();
-  auto formats = std::make_shared<std::vector<std::string>>(
-      std::vector<std::string>{"depth", "flags", "points"});
+  auto formats =
+      std::make_shared<std::vector<std::string>>(std::vector<std::string>{"depth", "flags"});
   auto method = std::make_shared<std::string>("ours");
   CLI::App* command = add_command(program, "reconstruct");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
@@ -315,7 +243,9 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->add_option(
           "--format",
           *formats,
-          "Files per frame, with commas: depth (float TIFF, mm), depth_sd (how sure each pixel is, "
+          "Files per frame, with commas: depth (float TIFF, mm), depth16 (16-bit PNG of whole "
+          "micrometres: depth_mm = 0.001 (value - 10000), 0: none), depth_sd (how sure each pixel "
+          "is, "
           "one standard deviation in mm), sd_causes (the same by cause: NAME.sd_noise.tiff, "
           "sd_mapping, "
           "sd_reference, sd_light, sd_lateral), flags (8-bit PNG: 0 measured, 1 off the face, 2 "
@@ -325,13 +255,21 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
           "points "
           "(float TIFF, x y z in mm), and meshes of the face for other programs: ply, vtp, stl, "
           "glb "
-          "(default depth,flags,points)")
+          "(default depth,flags)")
       ->type_name("LIST")
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->check(CLI::IsMember(
-          {"depth", "depth_sd", "sd_causes", "flags", "points", "ply", "vtp", "stl", "glb"}))
+      ->check(CLI::IsMember({"depth",
+                             "depth16",
+                             "depth_sd",
+                             "sd_causes",
+                             "flags",
+                             "points",
+                             "ply",
+                             "vtp",
+                             "stl",
+                             "glb"}))
       ->excludes(live);
   command
       ->add_flag("--picture",
@@ -355,6 +293,18 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->type_name("MM")
       ->check(CLI::Range(0.1, 10.0));
   command
+      ->add_option_function<std::string>(
+          "--shard",
+          [=](const std::string& text) {
+            const auto part = part_of(text);
+            if (!part) throw CLI::ValidationError("--shard", part.error().what.english());
+            options->part = *part;
+          },
+          "Only part K of N of the frames; `alltact merge` brings the parts together, the same as "
+          "without")
+      ->type_name("K/N")
+      ->excludes(live);
+  command
       ->add_option(
           "--method",
           *method,
@@ -362,7 +312,18 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
           "that the finger keeps, to compare with (default ours)")
       ->type_name("ours|paper")
       ->check(CLI::IsMember({"ours", "paper"}));
-  add_threads_flag(*command, options->threads);
+  command
+      ->add_option("--threads",
+                   options->threads,
+                   "The result is the same for any number (1 to 64; default all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
+  command
+      ->add_option("--preset",
+                   options->preset,
+                   "Measure with settings that a study found for this finger (alltact study FINGER "
+                   "--save), or as it was calibrated (default: what the finger uses)")
+      ->type_name("fast|balanced|finest|calibrated");
   SettingFlags<PipelineSettings> pipeline;
   pipeline.add_to(*command, pipeline_settings());
   command->callback([=, &chosen] {
@@ -371,6 +332,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       return std::find(formats->begin(), formats->end(), word) != formats->end();
     };
     options->depth = wants("depth");
+    options->depth16 = wants("depth16");
     options->depth_sd = wants("depth_sd");
     options->sd_causes = wants("sd_causes");
     options->flags = wants("flags");
@@ -379,12 +341,17 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       if (wants(kind)) options->surfaces.emplace_back(kind);
     const bool is_paper = *method == "paper";
     options->as_paper = is_paper;
-    const PipelineSettings kept =
-        is_paper ? PipelineSettings{} : measuring_settings(options->finger);
-    options->pipeline = pipeline.applied_to(kept);
-    if (is_paper) pipeline.refuse_all("the source paper's method has none of these settings");
-    chosen = [=](Console& console) {
-      if (!is_paper) warn_of_other_settings(kept, options->pipeline, console);
+    if (is_paper) {
+      const char* none = "the source paper's method has none of these settings";
+      pipeline.refuse_all(none);
+      if (!options->preset.empty()) throw CLI::ValidationError("--preset", none);
+    }
+    chosen = [=](Console& console) -> Status {
+      if (is_paper) return run_reconstruct(*options, console);
+      const auto kept = kept_settings(options->finger, options->preset);
+      if (!kept) return kept.error();
+      options->pipeline = pipeline.applied_to(*kept);
+      warn_of_other_settings(*kept, options->pipeline, console);
       return run_reconstruct(*options, console);
     };
   });

@@ -1,16 +1,17 @@
 #include "app/commands/commands.h"
+#include "app/commands/study_files.h"
+#include "app/commands/study_use.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "app/console/passing_folder.h"
 #include "calibration/experiments/simulated_world.h"
 #include "calibration/finger/measuring_settings.h"
+#include "calibration/study/real_presses.h"
 #include "calibration/study/study_figure.h"
 #include "calibration/study/study_file.h"
+#include "calibration/study/study_machine.h"
 #include "core/io/atomic_file.h"
 #include "core/program.h"
-#include "core/utc_time.h"
-
-#include <fstream>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -37,13 +38,23 @@ class KeptRows {
     auto rows = rows_of_lines(std::string_view(*text).substr(end + 1), file.string());
     if (!rows) return rows.error();
     kept.rows = std::move(rows).value();
-    kept.text_ = of + '\n';
-    for (const StudyRow& row : kept.rows) kept.text_ += line_of(row);
+    kept.of_ = of;
     return kept;
   }
+  /// Rows that are kept already are replaced.
   [[nodiscard]] Status add(const std::vector<StudyRow>& more) {
-    for (const StudyRow& row : more) text_ += line_of(row);
-    return write_file_atomically(file_, text_);
+    for (const StudyRow& row : more) {
+      const auto known = std::find_if(rows.begin(), rows.end(), [&](const StudyRow& kept) {
+        return key_of(kept.settings) == key_of(row.settings);
+      });
+      if (known == rows.end())
+        rows.push_back(row);
+      else
+        *known = row;
+    }
+    std::string text = of_ + '\n';
+    for (const StudyRow& row : rows) text += line_of(row);
+    return write_file_atomically(file_, text);
   }
 
   std::vector<StudyRow> rows;
@@ -51,40 +62,30 @@ class KeptRows {
  private:
   explicit KeptRows(Path file) : file_(std::move(file)) {}
   Result<KeptRows> begin(const std::string& of) {
-    text_ = of + '\n';
+    of_ = of;
     return *this;
   }
 
   Path file_;
-  std::string text_;
+  std::string of_;
 };
-
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
-Console::Json provenance(const StudyCommandOptions& options) {
-  return {{"program", program_version()},
-          {"date", utc_now()},
-          {"processor", processor()},
-          {"cores", cv::getNumberOfCPUs()},
-          {"threads", options.threads},
-          {"seed", options.seed}};
-}
 
 class StudyCommand {
  public:
   StudyCommand(const StudyCommandOptions& options, Path folder, Console& console)
       : options_(options), folder_(std::move(folder)), console_(console) {
-    console_.answer() = provenance(options);
+    console_.answer() = study_provenance(options);
     console_.answer()["studies"] = Console::Json::array();
   }
 
   Status run() {
     if (options_.fingers.empty()) return study_of({});
+    if (uses_what_is_kept(options_)) {
+      for (const Path& finger : options_.fingers)
+        if (const Status used = use_what_is_kept(finger, options_.use, console_); !used)
+          return used;
+      return {};
+    }
     for (const Path& finger : options_.fingers)
       if (const Status status = study_of(finger); !status) return status;
     return {};
@@ -109,15 +110,42 @@ class StudyCommand {
         kept / kRowsFile,
         fmt::format("{:016x} {} {}", world->checksum, program_version(), how.repeats));
     if (!rows) return rows.error();
-    const auto study = study_accuracy(
+    const std::vector<StudyRow> known = rows->rows;
+    auto study = study_accuracy(
         *world,
         how,
-        rows->rows,
+        known,
         [&](const std::vector<StudyRow>& more) { return rows->add(more); },
         console_.job());
     if (!study) return study.error();
+    if (!finger_folder.empty())
+      if (const Status held = hold_against_presses(finger_folder, *study, *rows); !held)
+        return held;
     if (const Status told = tell(*study, how); !told) return told;
-    return write(*study, kept);
+    if (const Status written = write(*study, kept); !written || finger_folder.empty())
+      return written;
+    const std::string machine = fmt::format("{}, {} thread{}",
+                                            this_machine().processor,
+                                            options_.threads,
+                                            options_.threads > 1 ? "s" : "");
+    return keep_and_use(options_, *study, finger_folder, machine, console_);
+  }
+
+  /// A finger that keeps no presses, or too few, is not told about; why is said.
+  Status hold_against_presses(const Path& finger_folder, AccuracyStudy& study, KeptRows& rows) {
+    const auto finger = open_finger(finger_folder, console_);
+    if (!finger) return finger.error();
+    const auto presses = RealPresses::open(*finger, console_.job());
+    if (!presses) {
+      console_.say(fmt::format("No real presses: {}", presses.error().sentence()));
+      return {};
+    }
+    return add_real_errors(
+        study,
+        *presses,
+        rows_for_real(study, !options_.quick),
+        [&](const std::vector<StudyRow>& more) { return rows.add(more); },
+        console_.job());
   }
 
   Result<StudyWorld> world_of(const Path& finger_folder,
@@ -126,7 +154,7 @@ class StudyCommand {
     if (finger_folder.empty()) return simulated_world(folder_, options, console_.job());
     const auto finger = open_finger(finger_folder, console_);
     if (!finger) return finger.error();
-    how.base = measuring_settings(finger_folder);
+    how.base = calibrated_settings(finger_folder);
     return painted_world(*finger, options, console_.job());
   }
 
@@ -143,13 +171,13 @@ class StudyCommand {
     Status status;
     if (options_.within_ms)
       status = tell_limit(fmt::format("within {} ms", *options_.within_ms),
-                          as_good_as_fits(study, *options_.within_ms),
+                          as_good_as_fits(study, *options_.within_ms, options_.place_mm),
                           study,
                           how,
                           json);
     if (status && options_.keep_mm)
       status = tell_limit(fmt::format("95 % within {} mm", *options_.keep_mm),
-                          as_fast_as_keeps(study, *options_.keep_mm),
+                          as_fast_as_keeps(study, *options_.keep_mm, options_.place_mm),
                           study,
                           how,
                           json);
@@ -172,10 +200,18 @@ class StudyCommand {
                     1000 * row.depth->median_mm,
                     1000 * row.depth->p95_mm,
                     flags.empty() ? "as it is" : flags));
+    const StudyBalance balance = balance_of(study, row);
+    if (!balance.loses.empty())
+      console_.say(fmt::format("  against the one in use it loses: {}", en::list(balance.loses)));
+    if (!balance.brings.empty())
+      console_.say(fmt::format("  and brings: {}", en::list(balance.brings)));
     json["choices"][name] = {{"flags", flags},
                              {"time_ms", frame_ms(study, row)},
                              {"median_mm", row.depth->median_mm},
-                             {"p95_mm", row.depth->p95_mm}};
+                             {"p95_mm", row.depth->p95_mm},
+                             {"loses", in_english(balance.loses)},
+                             {"brings", in_english(balance.brings)}};
+    if (row.place_mm) json["choices"][name]["place_mm"] = *row.place_mm;
   }
 
   Status tell_limit(const std::string& name,
@@ -193,15 +229,8 @@ class StudyCommand {
 
   Status write(const AccuracyStudy& study, const Path& kept) {
     if (!options_.folder) return {};
-    Console::Json json = provenance(options_);
-    json["study"] = console_.answer()["studies"].back();
-    for (const auto& [name, text] :
-         {std::pair<const char*, std::string>{"study.json", json.dump(2) + "\n"},
-          {"study.csv", csv_of(study)},
-          {"study.svg", svg_of(study)}})
-      if (const Status written = write_file_atomically(kept / name, text); !written) return written;
-    console_.say(fmt::format("Kept in {}: study.svg, study.csv, study.json.", kept.string()));
-    return {};
+    return write_study(
+        {json_of(study), csv_of(study), svg_of(study)}, study_provenance(options_), kept, console_);
   }
 
   const StudyCommandOptions& options_;
@@ -213,6 +242,8 @@ class StudyCommand {
 
 Status run_study(const StudyCommandOptions& options, Console& console) {
   cv::setNumThreads(options.threads);
+  if (options.calibrating) return run_calibrating_study(options, console);
+  if (options.simulating) return run_simulating_study(options, console);
   if (options.folder) {
     if (const Status made = make_folder(*options.folder); !made) return made;
     return StudyCommand(options, *options.folder, console).run();
@@ -226,6 +257,7 @@ void add_study(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<StudyCommandOptions>();
   auto folder = std::make_shared<Path>();
   auto limits = std::make_shared<std::pair<double, double>>();
+  auto place_limit = std::make_shared<double>();
   CLI::App* command = add_command(program, "study");
   command->add_option("FINGER",
                       options->fingers,
@@ -239,6 +271,16 @@ void add_study(CLI::App& program, Chosen& chosen) {
                        "(default: kept nowhere)")
           ->type_name("DIR");
   command->add_flag("--quick", options->quick, "One setting at a time, on few pictures");
+  CLI::Option* calibrating = command->add_flag(
+      "--calibrating",
+      options->calibrating,
+      "What presses, pictures of each, methods and rounds bring to a calibration, against minutes");
+  command
+      ->add_flag("--simulating",
+                 options->simulating,
+                 "What each effect of a scene costs and changes; a scene takes the finger's place "
+                 "(default: demo_presses)")
+      ->excludes(calibrating);
   CLI::Option* within =
       command
           ->add_option(
@@ -251,12 +293,23 @@ void add_study(CLI::App& program, Chosen& chosen) {
                                        "Also say what is fastest with 95 % of depth within so much")
                           ->type_name("MM")
                           ->check(CLI::Range(1e-6, 100.0));
+  CLI::Option* place =
+      command
+          ->add_option("--place-mm",
+                       *place_limit,
+                       "With both: how far off places may be told (default: a quarter more than "
+                       "now)")
+          ->type_name("MM")
+          ->check(CLI::Range(1e-6, 100.0));
   command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
+  add_use_flags(*command, *options);
   add_threads_flag(*command, options->threads);
   command->callback([=, &chosen] {
     if (!output->empty()) options->folder = *folder;
     if (!within->empty()) options->within_ms = limits->first;
     if (!keep->empty()) options->keep_mm = limits->second;
+    if (!place->empty()) options->place_mm = *place_limit;
+    check_use_flags(*options);
     chosen = [=](Console& console) { return run_study(*options, console); };
   });
 }

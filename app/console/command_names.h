@@ -24,6 +24,8 @@ inline constexpr std::array kCommands = {
                 "Installs a recording of the finger bent in all ways but touched nowhere"},
     CommandName{"calibrate", "Learns depth from presses of a ball of known radius"},
     CommandName{"reconstruct", "Turns pictures into depth and 3D points"},
+    CommandName{"merge",
+                "Brings the parts of a reconstruction that several computers shared together"},
     CommandName{"record", "Records a source without loss, and without losing anything when killed"},
     CommandName{"force", "Learns forces from where the markers are, with a gauge beside"},
     CommandName{"check", "Is this finger fit to use? What is missing, stale or weak"},

@@ -3,6 +3,7 @@
 #include "widgets/report/calibration_pages.h"
 #include "widgets/report/experiment_pages.h"
 #include "widgets/report/offscreen.h"
+#include "widgets/report/svg_figure.h"
 #include "widgets/scene3d/face_surface.h"
 #include "widgets/scene3d/scene_pictures.h"
 
@@ -39,6 +40,16 @@ class DrawnPictures : public Pictures {
                                                    const std::string& name) const override {
     const OffscreenDrawing drawing;
     return make_experiment_pages(report, name);
+  }
+
+  Result<std::vector<ReportFile>> figure_files(const std::string& svg,
+                                               const std::string& name,
+                                               const std::string& date) const override {
+    const OffscreenDrawing drawing;
+    auto files = svg_figure_files(svg, name, date);
+    if (!files) return files.error();
+    return std::vector<ReportFile>{{name + ".png", std::move(files->png)},
+                                   {name + ".pdf", std::move(files->pdf)}};
   }
 
   Result<std::unique_ptr<FacePictures>> faces(cv::Size size_px,

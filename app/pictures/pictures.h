@@ -41,6 +41,10 @@ class Pictures {
   [[nodiscard]] virtual Result<std::vector<ReportFile>> experiment_pages(
       const ExperimentReport& report, const std::string& name) const = 0;
 
+  /// NAME.png and NAME.pdf of a figure (svg_figure.h). Of the main thread.
+  [[nodiscard]] virtual Result<std::vector<ReportFile>> figure_files(
+      const std::string& svg, const std::string& name, const std::string& date) const = 0;
+
   /// Error: this computer has no OpenGL 3.2, not even in software.
   [[nodiscard]] virtual Result<std::unique_ptr<FacePictures>> faces(
       cv::Size size_px, const SceneOptions& options, Standpoint standpoint) const = 0;

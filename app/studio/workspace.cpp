@@ -70,7 +70,8 @@ void Workspace::listen_to_finger() {
   if (folder.empty()) return;
   store_ = FingerStore::of(folder);
   listening_ = store_->listen([this, folder](const FingerPtr& now, const FingerPtr& before) {
-    if (now->revision == before->revision) return;  // something was said of presses
+    if (now->revision == before->revision && now->measuring == before->measuring)
+      return;  // something was said of presses
     const auto follow = [this, folder] {
       if (folder != state_.finger) return;
       session_.open_finger(folder);

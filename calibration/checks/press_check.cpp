@@ -1,11 +1,10 @@
 #include "calibration/checks/press_check.h"
 
+#include "calibration/checks/ball_by_shape.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/joint/joint_fit.h"
 #include "calibration/joint/step_press.h"
-#include "calibration/presses/press_samples.h"
-#include "calibration/report/press_residuals.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
@@ -21,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSamples = 1500;        // a press
 constexpr double kFactorSeen = 0.02;  // a factor nearer to 1 is as good as 1
 constexpr double kChance = 3.0;       // standard deviations
 
@@ -51,62 +49,21 @@ Mean mean_of(const std::vector<CheckedPress>& presses, double CheckedPress::*mem
   return mean_of(std::move(values));
 }
 
-/// What the mapping reads, in place of the brightness. Below zero it goes on straight.
-double reading_mm(const Mapping& mapping, double x) {
-  return x < 0 ? mapping.slope_mm(0) * x : mapping.depth_mm(x);
-}
-
 /// The ball of one press by the shape of its contact: centre and factor free.
 Result<CheckedPress> measure(const Press& press,
                              double light_change,
                              const Face& face,
                              const Mapping& mapping,
                              const Job& job) {
-  const auto guess = find_ball(press, face);
-  if (!guess) return guess.error();
-  const Error too_small{en::say("{}: the contact covers too few pixels", press.name),
-                        "",
-                        en::say("pressing deeper, or a larger picture")};
-  PressSamples samples =
-      sample_around(press, face, guess->centre_mm, 1.06 * press.ball_radius_mm, kSamples);
-  if (samples.samples.size() < 60) return too_small;
-  JointOptions options;
-  options.along = mapping.parameters().along;
-  options.zone = kSureRim;
-  double deepest = 0;
-  for (Sample& sample : samples.samples) {
-    sample.x = mapping.parameters().variation.at(sample.place_mm) * reading_mm(mapping, sample.x);
-    deepest = std::max(deepest, sample.x);
-  }
-  // Noise in mm, where little presses: it only weighs samples against kFloorMm.
-  samples.x_sd *= mapping.slope_mm(0);
-  MappingCurve line({MappingKind::kPolynomial, 1}, std::max(deepest, 1e-3));
-  line.set_line(1.0);
-  JointOptions fixed = options;
-  fixed.fix_mapping = true;
-  JointFit fit = fit_jointly({&samples}, {line, {guess->centre_mm}, false}, fixed, job);
-  if (fit.converged) fit = fit_jointly({&samples}, fit, options, job);
-  if (job.stop_requested()) return stopped();
-  if (!fit.converged)
-    return Error{en::say("{}: no ball fits the contact", press.name), "", en::say("a clean ball")};
-
+  const auto ball = ball_by_shape(press, face, mapping, job);
+  if (!ball) return ball.error();
   CheckedPress result;
   result.name = press.name;
   result.light_change = light_change;
-  result.factor = fit.curve.values()[0];
-  const ContactDisc disc(samples, options.along, fit.centres_mm[0]);
-  int count = 0;
-  for (const Sample& sample : samples.samples) {
-    const double depth =
-        ball_depth_mm(sample, options.along, fit.centres_mm[0], press.ball_radius_mm);
-    if (!std::isfinite(depth) || !(disc.place_of(sample).radius <= kSureRim)) continue;
-    result.error_mm += std::abs(sample.x - depth -
-                                blur_mm(sample, samples, line, options.along, fit.centres_mm[0]));
-    result.depth_mm = std::max(result.depth_mm, depth);
-    ++count;
-  }
-  if (count == 0) return too_small;
-  result.error_mm /= count;
+  result.factor = ball->factor;
+  result.depth_mm = ball->depth_mm;
+  for (const double error_mm : ball->errors_mm) result.error_mm += std::abs(error_mm);
+  result.error_mm /= static_cast<double>(ball->errors_mm.size());
   return result;
 }
 
@@ -335,8 +292,8 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
   PressCheck check;
   check.ball_radius_mm = said.ball_radius_mm;
   // Up to the brightness difference.
-  auto pipeline =
-      Pipeline::create(snapshot.without_mapping(), measuring_settings(snapshot.folder), job);
+  auto pipeline = Pipeline::create(
+      snapshot.without_mapping(), for_presses(measuring_settings(snapshot.folder)), job);
   if (!pipeline) return pipeline.error();
   job.report(0.3, en::say("measuring the presses"));
   auto measured = measure_all(presses, *pipeline, *snapshot.mapping, said, job);

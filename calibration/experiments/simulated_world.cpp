@@ -1,6 +1,7 @@
 #include "calibration/experiments/simulated_world.h"
 
 #include "calibration/experiments/experiment_bench.h"
+#include "core/finger/reduced_finger.h"
 
 #include <algorithm>
 
@@ -8,6 +9,24 @@ namespace alltact {
 namespace {
 
 constexpr const char* kStudyScene = "study_presses";
+constexpr const char* kStudyBars = "experiment_pose";
+constexpr int kFramesOfBar = 4;  // for so many presses one bar is looked at
+
+Status add_bars(const ExperimentBench& bench, int frames, StudyWorld& world) {
+  const auto plan = bench.plan(kStudyBars);
+  if (!plan) return plan.error();
+  const int count = std::clamp(frames / kFramesOfBar, 1, plan->frame_count());
+  for (int i = 0; i < count; ++i) {
+    const int number = i * plan->frame_count() / count;
+    const Truth truth = plan->truth(number);
+    StudyFrame frame;
+    frame.picture = bench.frames(*plan, number, number + 1).front();
+    frame.depth_mm = truth.depth_mm;
+    frame.angle_deg = truth.contacts.front().angle_deg.value();
+    world.bars.push_back(std::move(frame));
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -32,6 +51,9 @@ Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
                    std::move(library).value(),
                    {},
                    0};
+  world.reduced_library = [whole = world.finger](int by, const Job& doing) {
+    return ReferenceLibrary::load(reduced_finger(*whole, by), doing);
+  };
   const int count = std::min(options.frames, plan->frame_count());
   const std::vector<FramePtr> pictures = bench->frames(*plan, 0, count);
   for (int number = 0; number < count; ++number) {
@@ -43,8 +65,11 @@ Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
     frame.picture = pictures[static_cast<std::size_t>(number)];
     frame.depth_mm = std::move(truth.depth_mm);
     frame.zone = *zone;
+    if (truth.contacts.size() == 1)
+      frame.place_mm.emplace(truth.contacts.front().along_mm, truth.contacts.front().across_mm);
     world.frames.push_back(std::move(frame));
   }
+  if (const Status added = add_bars(*bench, options.frames, world); !added) return added.error();
   world.checksum = checksum_of(world.frames);
   return world;
 }

@@ -21,7 +21,7 @@ struct Part {
 
 /// With what the finger's presses were read with.
 Result<std::string> json_of(const Finger& finger, const fs::path& finger_folder) {
-  return calibration_json(finger, measuring_settings(finger_folder));
+  return calibration_json(finger, calibrated_settings(finger_folder));
 }
 
 template <Result<std::string> (*text)(const Finger&)>

@@ -23,6 +23,21 @@ void add_remarks(Calibration& calibration) {
   }
 }
 
+/// Keeps so many of the presses that can be used, spread evenly over them; 0: all.
+void leave_out_beyond(int most, std::vector<TakenPress>& presses) {
+  std::vector<TakenPress*> usable;
+  for (TakenPress& press : presses)
+    if (press.left_out.empty()) usable.push_back(&press);
+  const auto kept = static_cast<std::size_t>(most);
+  if (kept == 0 || usable.size() <= kept) return;
+  const auto before = [&](std::size_t i) {  // of those kept, as many among the first i
+    return (i * kept + kept / 2) / usable.size();
+  };
+  for (std::size_t i = 0; i < usable.size(); ++i)
+    if (before(i + 1) == before(i))
+      usable[i]->left_out = en::say("beyond the {} that are to be used", most);
+}
+
 }  // namespace
 
 Status solve_presses(FingerCalibration& done,
@@ -30,6 +45,7 @@ Status solve_presses(FingerCalibration& done,
                      const MeasureAsPaper& as_paper,
                      const Job& job,
                      const RoundListener& on_round) {
+  leave_out_beyond(done.inputs.calibration.presses, done.presses);
   std::vector<Press> used;
   std::vector<Message> left_out;
   for (const TakenPress& one : done.presses) {

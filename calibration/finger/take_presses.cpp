@@ -48,10 +48,10 @@ Result<Pipeline> make_pipeline(const CalibrationWork& work,
     if (!method) return method.error();
     return Pipeline::of_paper(std::move(method).value());
   }
-  if (!work.untouched) return Pipeline::create(blank, done.inputs.pipeline, job);
+  if (!work.untouched) return Pipeline::create(blank, for_presses(done.inputs.pipeline), job);
   auto library = flat_library(work, done.finger);
   if (!library) return library.error();
-  return Pipeline::over(std::move(library).value(), blank, done.inputs.pipeline);
+  return Pipeline::over(std::move(library).value(), blank, for_presses(done.inputs.pipeline));
 }
 
 /// The picture that was kept must be the one that was calibrated with.
@@ -91,7 +91,9 @@ Status measure_presses(CalibrationWork& work,
                        Pipeline& pipeline,
                        FingerCalibration& done,
                        const Job& job) {
-  auto source = open_presses(work.presses);
+  PressInput input = work.presses;
+  input.pictures_per_press = static_cast<std::size_t>(done.inputs.calibration.pictures_per_press);
+  auto source = open_presses(input);
   if (!source) return source.error();
   if (!work.is_repetition) done.inputs.is_continuous = (*source)->is_continuous();
   const double count = static_cast<double>((*source)->count().value_or(0));

@@ -210,6 +210,7 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
   for (StepSamples& step : steps) place_within(part, &step.samples);
   check_measured(found, steps, settings, job, &calibration);
   ChoiceInput coarse;
+  coarse.most_rounds = settings.iterations;
   if (!steps.empty()) coarse.steps = &steps;
   for (const FoundBall& f : found) {
     coarse.presses.push_back(&f.coarse);

@@ -16,6 +16,25 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
                                             {"paper", CalibrationMethod::kPaper},
                                             {"circle", CalibrationMethod::kCircle},
                                             {"cone", CalibrationMethod::kCone}}),
+      trading(number_setting<S>("presses",
+                                en::say("presses that are used at most, spread evenly over those "
+                                        "given; 0: all of them"),
+                                &S::presses,
+                                0,
+                                1000),
+              {en::say("more hold the curve at more depths and places; ten well spread are usual"),
+               en::say("each has to be made, and is left out once to see what it predicts"),
+               {"4", "6", "8", "12", "0"}}),
+      trading(
+          number_setting<S>("pictures-per-press",
+                            en::say("pictures of a press held still (--bursts) that are "
+                                    "averaged at most"),
+                            &S::pictures_per_press,
+                            1,
+                            64),
+          {en::say("more leave less noise in a press, by their square root"),
+           en::say("the ball has to be held still for so long, and reading them takes a little"),
+           {"1", "4", "16", "64"}}),
       choice_setting<S, FamilyChoice>(
           "family",
           en::say("the mapping's curve; auto: whichever predicts presses left out best"),
@@ -48,6 +67,16 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
                   "auto: when presses left out agree clearly better then"),
           &S::over_face,
           {{"auto", OverFaceChoice::kAuto}, {"even", OverFaceChoice::kEven}}),
+      trading(number_setting<S>("iterations",
+                                en::say("rounds of the joint fit at most; it ends before when "
+                                        "nothing moves any more"),
+                                &S::iterations,
+                                1,
+                                60),
+              {en::say("more settle what presses say against each other; too few leave the curve "
+                       "where it began"),
+               en::say("each solves all presses together once, in every trial"),
+               {"2", "5", "10", "60"}}),
   };
   return settings;
 }

@@ -21,13 +21,16 @@ enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius, kLayer };
 enum class OverFaceChoice { kAuto = 1, kEven };
 enum class AlongChoice { kAuto = 1, kZ, kNormal, kProjected };
 
-/// All but the method are of the joint method.
+/// From family on, all are of the joint method.
 struct CalibrationSettings {
   CalibrationMethod method = CalibrationMethod::kJoint;
+  int presses = 0;              ///< that are used at most, evenly among those given; 0: all
+  int pictures_per_press = 64;  ///< of a press held still, averaged at most
   FamilyChoice family = FamilyChoice::kAuto;
   int degree = 0;  ///< number of Chebyshev coefficients, 1..8; 0: chosen by leaving presses out
   AlongChoice along = AlongChoice::kAuto;
   OverFaceChoice over_face = OverFaceChoice::kAuto;
+  int iterations = 60;  ///< rounds of reweighting, unless nothing moves any more before
 };
 [[nodiscard]] const std::vector<Setting<CalibrationSettings>>& calibration_settings();
 

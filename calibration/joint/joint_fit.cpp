@@ -13,7 +13,6 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostRounds = 60;  // of reweighting
 // The weights change after every round: solving each to the last digit would be for nothing.
 constexpr int kStepsARound = 20;
 constexpr double kLeftARound = 1e-8;       // of the sum of squares
@@ -101,7 +100,7 @@ JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
                      const Job& job) {
   JointFit fit = std::move(start);
   fit.converged = false;
-  for (int round = 0; round < kMostRounds && !job.stop_requested(); ++round) {
+  for (int round = 0; round < options.most_rounds && !job.stop_requested(); ++round) {
     std::vector<Weighted> weighted;
     weighted.reserve(presses.size());
     for (std::size_t i = 0; i < presses.size(); ++i)

@@ -29,6 +29,7 @@ struct JointOptions {
   MappingAlong along = MappingAlong::kZ;
   double zone = kSureZone;   ///< contacts are read up to this part of the rim's radius
   double settled_mm = 1e-8;  ///< the reweighting ends when no unknown changes by more
+  int most_rounds = 60;      ///< of reweighting
   bool fix_mapping = false;  ///< only the balls are free
   bool free_lift = false;    ///< the lift-off length is an unknown, shared by all presses
   /// Punches whose steps the mapping is to read right; may be null.

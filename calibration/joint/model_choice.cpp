@@ -138,6 +138,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
   choice.options.zone = kSureZone;
   choice.options.settled_mm = kSettledMm;
   choice.options.steps = input.steps;
+  choice.options.most_rounds = input.most_rounds;
   JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
   Message zone_remark;
   start = choose_zone(input, std::move(start), &choice.options, &zone_remark, job);

@@ -14,6 +14,7 @@ struct ChoiceInput {
   std::vector<const PressSamples*> presses;
   std::vector<Eigen::Vector3d> centres_mm;
   const std::vector<StepSamples>* steps = nullptr;  ///< see JointOptions
+  int most_rounds = 60;                             ///< likewise
 };
 
 inline constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};

@@ -22,6 +22,7 @@ std::vector<double> held_out_along(const ChoiceInput& input,
   options.zone = kZone;
   options.settled_mm = kSettledMm;
   options.steps = input.steps;
+  options.most_rounds = input.most_rounds;
   const double x_max = domain_of(input, along);
   if (!(x_max > 0.0)) return {};
   const JointFit start =

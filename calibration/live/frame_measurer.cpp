@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <opencv2/imgproc.hpp>
+
 namespace alltact {
 namespace {
 
@@ -15,7 +17,7 @@ MeasuredFrame measured_by(const FingerSnapshot& finger,
   MeasuredFrame frame;
   frame.result = std::move(result);
   frame.face = finger.finger.face;
-  frame.camera = finger.camera;
+  frame.camera = frame.result.shape ? frame.result.shape->camera() : finger.camera;
   frame.is_calibrated = finger.mapping.has_value();
   frame.mapping = finger.mapping;
   frame.smoothing_px = settings.smoothing_px;
@@ -28,13 +30,18 @@ MeasuredFrame measured_by(const FingerSnapshot& finger,
 }  // namespace
 
 cv::Mat depth_difference_mm(const MeasuredFrame& frame) {
-  return frame.result.depth->depth_mm - frame.other->depth->depth_mm;
+  const cv::Mat& ours = frame.result.depth->depth_mm;
+  cv::Mat other = frame.other->depth->depth_mm;
+  if (other.size() != ours.size())  // ours is reduced: beside what lies in its pixels' middles
+    cv::resize(other, other, ours.size(), 0, 0, cv::INTER_NEAREST);
+  return ours - other;
 }
 
 Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job& job) {
   if (folder != folder_) store_ = folder.empty() ? nullptr : FingerStore::of(folder);
   const auto finger = store_ ? store_->snapshot() : Result<FingerPtr>(Error());
-  const bool is_as_before = finger && finger_ && (*finger)->revision == finger_->revision;
+  const bool is_as_before = finger && finger_ && (*finger)->revision == finger_->revision &&
+                            (*finger)->measuring == finger_->measuring;
   if (folder == folder_ && first_ && is_as_before) return {};
   folder_ = folder;
   finger_.reset();

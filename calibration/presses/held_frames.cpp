@@ -81,7 +81,8 @@ FramePtr mean_frame(const std::vector<FramePtr>& frames) {
   return mean;
 }
 
-BurstSource::BurstSource(std::vector<fs::path> bursts) : bursts_(std::move(bursts)) {}
+BurstSource::BurstSource(std::vector<fs::path> bursts, std::size_t most)
+    : bursts_(std::move(bursts)), most_(std::clamp<std::size_t>(most, 1, kMostOfVideo)) {}
 
 Result<FramePtr> BurstSource::next() {
   if (position_ == bursts_.size()) return FramePtr();
@@ -91,7 +92,8 @@ Result<FramePtr> BurstSource::next() {
   HeldFrames held(kMostOfVideo);
   std::vector<FramePtr> longest;
   std::size_t read = 0;
-  while (longest.size() < kMostOfVideo) {
+  const std::size_t enough = std::max(most_, kFewestHeld);
+  while (longest.size() < enough) {
     auto frame = (*source)->next();
     if (!frame) return frame.error();
     if (!*frame) break;
@@ -105,6 +107,8 @@ Result<FramePtr> BurstSource::next() {
                          read),
                  burst.string(),
                  en::say("holding ball and finger still for half a second, at a steady light")};
+  if (longest.size() > most_)
+    longest.erase(longest.begin(), longest.end() - static_cast<std::ptrdiff_t>(most_));
   auto frame = std::make_shared<Frame>(*mean_frame(longest));
   frame->name = (burst.has_stem() ? burst : burst.parent_path()).stem().string();
   frame->origin = burst.string();

@@ -42,12 +42,12 @@ class HeldFrames {
 [[nodiscard]] FramePtr mean_frame(const std::vector<FramePtr>& frames);
 
 /// Each of several short videos or folders of pictures as one frame, named after it: the mean of
-/// the longest part of it in which the finger is held still, up to 64 frames. A single picture
-/// stays what it is. The source's errors are those of reading, and a video in which no four frames
-/// in a row show the same.
+/// the longest part of it in which the finger is held still, of its last `most` frames, up to 64. A
+/// single picture stays what it is. The source's errors are those of reading, and a video in which
+/// no four frames in a row show the same.
 class BurstSource final : public Source {
  public:
-  explicit BurstSource(std::vector<std::filesystem::path> bursts);
+  explicit BurstSource(std::vector<std::filesystem::path> bursts, std::size_t most = 64);
 
   [[nodiscard]] Result<FramePtr> next() override;
   [[nodiscard]] std::optional<std::size_t> count() const override { return bursts_.size(); }
@@ -57,6 +57,7 @@ class BurstSource final : public Source {
 
  private:
   std::vector<std::filesystem::path> bursts_;
+  std::size_t most_;
   std::size_t position_ = 0;
   std::vector<Message> made_of_;
 };

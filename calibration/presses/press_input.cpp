@@ -11,7 +11,9 @@ namespace alltact {
 Result<std::unique_ptr<Source>> open_presses(const PressInput& input) {
   if (!input.frames.empty())
     return std::unique_ptr<Source>(std::make_unique<FrameSource>(input.frames));
-  if (input.bursts) return std::unique_ptr<Source>(std::make_unique<BurstSource>(input.files));
+  if (input.bursts)
+    return std::unique_ptr<Source>(
+        std::make_unique<BurstSource>(input.files, input.pictures_per_press));
   auto source = open_source(input.files);
   if (source || std::none_of(input.files.begin(), input.files.end(), is_video)) return source;
   Error several = source.error();

@@ -1,14 +1,16 @@
 #include "calibration/study/accuracy_study.h"
 
+#include "calibration/study/study_clock.h"
 #include "calibration/study/truly_pressed.h"
 #include "core/numerics/median.h"
-#include "core/sensing/contact/contact_regions.h"
-#include "core/sensing/depth/depth_cells.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
+#include <malloc.h>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
@@ -27,6 +29,12 @@ std::optional<ErrorSpread> spread_of(std::vector<float>& errors) {
   return spread;
 }
 
+/// What the program has taken and not given back.
+std::size_t heap_bytes() {
+  const auto heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
 double part_of(std::vector<double> values, double part) {
   if (values.empty()) return 0;
   const auto rank = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
@@ -37,12 +45,21 @@ double part_of(std::vector<double> values, double part) {
 /// What is known of a frame beside its picture.
 struct FrameAnswer {
   cv::Mat away;  // CV_8UC1: further than kAwayMm from any contact
-  std::optional<Eigen::Vector2d> place_mm;
 };
 
 std::optional<Eigen::Vector2d> place_of(const std::vector<ContactRegion>& regions) {
   if (regions.empty()) return std::nullopt;
-  return regions.front().place_on_face_mm;  // the largest
+  return regions.front().deepest_on_face_mm;  // of the largest
+}
+
+/// Each pixel of the truth beside the one that covers it; what no pixel covers is not measured.
+cv::Mat at_whole_size(const cv::Mat& depth_mm, int reduced_by, const cv::Mat& truth_mm) {
+  if (reduced_by == 1) return depth_mm;
+  cv::Mat whole(truth_mm.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  const cv::Size covered(depth_mm.cols * reduced_by, depth_mm.rows * reduced_by);
+  cv::Mat part = whole({0, 0, covered.width, covered.height});
+  cv::resize(depth_mm, part, covered, 0, 0, cv::INTER_NEAREST);
+  return whole;
 }
 
 class Measured {
@@ -54,7 +71,7 @@ class Measured {
       return;
     }
     const auto zone = static_cast<std::size_t>(frame.zone);
-    const cv::Mat& depth = result.depth->depth_mm;
+    const cv::Mat depth = at_whole_size(result.depth->depth_mm, result.reduced_by, frame.depth_mm);
     for (int v = 0; v < depth.rows; ++v) {
       const auto* truth = frame.depth_mm.ptr<float>(v);
       const auto* read = depth.ptr<float>(v);
@@ -73,14 +90,23 @@ class Measured {
       }
     }
     const auto place_mm = place_of(result.regions);
-    if (answer.place_mm && place_mm) places_mm_.push_back((*place_mm - *answer.place_mm).norm());
-    row_.memory_bytes = std::max(row_.memory_bytes, bytes_of(result));
+    if (frame.place_mm && place_mm) places_mm_.push_back((*place_mm - *frame.place_mm).norm());
+  }
+  void add_angle(const StudyFrame& frame, const FrameResult& result) {
+    ++row_.bars;
+    if (result.regions.empty() || !result.regions.front().angle_deg) {
+      ++row_.bars_missing;
+      return;
+    }
+    const double off_deg = *result.regions.front().angle_deg - frame.angle_deg.value();
+    angles_deg_.push_back(std::abs(std::remainder(off_deg, 180.0)));  // a bar has no front
   }
   void add_time(double milliseconds, double base_milliseconds) {
     times_ms_.push_back(milliseconds);
     ratios_.push_back(milliseconds / base_milliseconds);
   }
-  [[nodiscard]] StudyRow row(const PipelineSettings& settings, std::size_t library_bytes) {
+  void set_memory(std::size_t bytes) { row_.memory_bytes = bytes; }
+  [[nodiscard]] StudyRow row(const PipelineSettings& settings) {
     row_.settings = settings;
     std::vector<float> all;
     for (std::size_t zone = 0; zone < kFaceZones; ++zone) {
@@ -91,24 +117,19 @@ class Measured {
     if (pressed_ > 0) row_.coverage = static_cast<double>(covered_) / static_cast<double>(pressed_);
     if (false_count_ > 0) row_.false_depth_mm = false_sum_ / static_cast<double>(false_count_);
     if (!places_mm_.empty()) row_.place_mm = upper_median(places_mm_);
+    if (!places_mm_.empty()) row_.place_p95_mm = part_of(places_mm_, 0.95);
+    if (!angles_deg_.empty()) row_.angle_deg = upper_median(angles_deg_);
+    if (!angles_deg_.empty()) row_.angle_p95_deg = part_of(angles_deg_, 0.95);
     row_.time_ms = part_of(times_ms_, 0.5);
     row_.time_p95_ms = part_of(times_ms_, 0.95);
     row_.time_ratio = part_of(ratios_, 0.5);
-    row_.memory_bytes += library_bytes;
     return row_;
   }
 
  private:
-  static std::size_t bytes_of(const FrameResult& result) {
-    std::size_t bytes = result.grey.total() * result.grey.elemSize();
-    for (const cv::Mat& map : {result.depth->depth_mm, result.depth->flags})
-      bytes += map.total() * map.elemSize();
-    return bytes;
-  }
-
   StudyRow row_;
   std::array<std::vector<float>, kFaceZones> errors_;
-  std::vector<double> places_mm_, times_ms_, ratios_;
+  std::vector<double> places_mm_, angles_deg_, times_ms_, ratios_;
   std::size_t pressed_ = 0, covered_ = 0, false_count_ = 0;
   double false_sum_ = 0;
 };
@@ -117,6 +138,18 @@ class AccuracyStudyRun {
  public:
   AccuracyStudyRun(const StudyWorld& world, const StudyOptions& options, const Job& job)
       : world_(world), options_(options), job_(job) {}
+
+  /// Reads the libraries of all resolutions that are asked for.
+  [[nodiscard]] Status read_libraries(const std::vector<PipelineSettings>& choices) {
+    for (const PipelineSettings& choice : choices) {
+      const int by = pixels_a_side(choice.resolution);
+      if (by == 1 || reduced_.contains(by)) continue;
+      auto library = world_.reduced_library(by, job_);
+      if (!library) return library.error();
+      reduced_.emplace(by, std::move(library).value());
+    }
+    return {};
+  }
 
   [[nodiscard]] Status find_answers() {
     Pipeline pipeline = pipeline_of(options_.base);
@@ -134,14 +167,29 @@ class AccuracyStudyRun {
                                                       double from,
                                                       double to) {
     std::vector<Pipeline> pipelines;
-    for (const PipelineSettings& choice : choices) pipelines.push_back(pipeline_of(choice));
     std::vector<Measured> measured(choices.size());
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      const std::size_t before = heap_bytes();
+      pipelines.push_back(pipeline_of(choices[i]));
+      const auto held = pipelines[i](world_.frames.front().picture);
+      if (!held) return held.error();
+      const std::size_t now = heap_bytes();
+      measured[i].set_memory(library_of(choices[i]).memory_bytes() +
+                             (now > before ? now - before : 0));
+      for (const StudyFrame& bar : world_.bars) {
+        pipelines[i].forget();
+        const auto seen = pipelines[i](bar.picture);
+        if (!seen) return seen.error();
+        measured[i].add_angle(bar, *seen);
+      }
+    }
     const std::size_t frames = world_.frames.size();
     const auto rounds = static_cast<std::size_t>(options_.repeats) * frames;
     for (std::size_t round = 0; round < rounds; ++round) {
       if (job_.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
-      job_.report(from + (to - from) * static_cast<double>(round) / static_cast<double>(rounds),
-                  en::say("measuring what settings cost"));
+      clock_.report(job_,
+                    from + (to - from) * static_cast<double>(round) / static_cast<double>(rounds),
+                    en::say("measuring what settings cost"));
       const std::size_t number = round % frames;
       const StudyFrame& frame = world_.frames[number];
       double base_ms = 1;
@@ -158,14 +206,17 @@ class AccuracyStudyRun {
       }
     }
     std::vector<StudyRow> rows;
-    for (std::size_t i = 0; i < choices.size(); ++i)
-      rows.push_back(measured[i].row(choices[i], world_.library.memory_bytes()));
+    for (std::size_t i = 0; i < choices.size(); ++i) rows.push_back(measured[i].row(choices[i]));
     return rows;
   }
 
  private:
+  [[nodiscard]] const ReferenceLibrary& library_of(const PipelineSettings& settings) const {
+    const auto reduced = reduced_.find(pixels_a_side(settings.resolution));
+    return reduced == reduced_.end() ? world_.library : reduced->second;
+  }
   [[nodiscard]] Pipeline pipeline_of(const PipelineSettings& settings) const {
-    return Pipeline::over(world_.library, *world_.finger, settings);
+    return Pipeline::over(library_of(settings), *world_.finger, settings);
   }
 
   [[nodiscard]] FrameAnswer answer_of(const StudyFrame& frame, const FrameResult& seen) const {
@@ -181,14 +232,6 @@ class AccuracyStudyRun {
       for (const FaceColumn& column : seen.shape->columns())
         if (column.valid) z.push_back(column.z_mm);
       if (!z.empty()) away_px = kAwayMm / world_.finger->camera.mm_per_px_at(upper_median(z));
-      DepthMap truth;
-      truth.depth_mm = frame.depth_mm;
-      truth.flags = cv::Mat::zeros(frame.depth_mm.size(), CV_8UC1);
-      truth.cells_mm = depth_cells(truth.depth_mm);
-      RegionOptions region_options;
-      region_options.threshold_mm = options_.base.contact_threshold_mm;
-      answer.place_mm =
-          place_of(contact_regions(truth, *seen.shape, world_.finger->finger.face, region_options));
     }
     answer.away = distance_px > away_px;
     return answer;
@@ -197,7 +240,9 @@ class AccuracyStudyRun {
   const StudyWorld& world_;
   const StudyOptions& options_;
   const Job& job_;
+  const StudyClock clock_;
   std::vector<FrameAnswer> answers_;
+  std::map<int, ReferenceLibrary> reduced_;  // by pixels a side
 };
 
 }  // namespace
@@ -210,6 +255,7 @@ Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
   AccuracyStudyRun run(world, options, job);
   if (const Status status = run.find_answers(); !status) return status.error();
   const std::vector<PipelineSettings> choices = study_choices(options.base, options.extent);
+  if (const Status status = run.read_libraries(choices); !status) return status.error();
   std::vector<StudyRow> rows = known;
   const auto row_of = [&](const PipelineSettings& choice) {
     return std::find_if(rows.begin(), rows.end(), [&](const StudyRow& row) {
@@ -234,7 +280,7 @@ Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
       if (const Status kept = keep(*measured); !kept) return kept.error();
     rows.insert(rows.end(), measured->begin(), measured->end());
   }
-  AccuracyStudy study{world.about, world.simulated, world.checksum, {}};
+  AccuracyStudy study{world.about, world.simulated, world.checksum, {}, world.mapping_p95_mm};
   for (const PipelineSettings& choice : choices) study.rows.push_back(*row_of(choice));
   return study;
 }

@@ -40,7 +40,15 @@ struct StudyFrame {
   FramePtr picture;
   cv::Mat depth_mm;                   ///< CV_32FC1 along z; NaN off the face
   FaceZone zone = FaceZone::kMiddle;  ///< of what presses
+  /// Where the skin is pressed deepest, along the face and across it (FaceShape::place_mm); absent:
+  /// nobody knows.
+  std::optional<Eigen::Vector2d> place_mm = std::nullopt;
+  /// Of a bar: how it is turned, as ContactRegion::angle_deg.
+  std::optional<double> angle_deg = std::nullopt;
 };
+
+/// The library of the same pictures reduced by so many pixels a side (reduced_finger.h).
+using LibraryAtResolution = std::function<Result<ReferenceLibrary>(int reduced_by, const Job& job)>;
 
 struct StudyWorld {
   Message about;           ///< a phrase
@@ -49,7 +57,12 @@ struct StudyWorld {
   /// Of which every pipeline takes its share; a copy costs nothing.
   ReferenceLibrary library;
   std::vector<StudyFrame> frames;
-  std::uint64_t checksum = 0;  ///< of pictures and truth
+  std::uint64_t checksum = 0;         ///< of pictures and truth
+  std::vector<StudyFrame> bars = {};  ///< only the angles are told of them
+  /// 95 % of what the finger's mapping is wrong by, where the pictures do not show it (painted);
+  /// 0 where they do.
+  double mapping_p95_mm = 0;
+  LibraryAtResolution reduced_library = {};
 };
 
 struct StudyWorldOptions {
@@ -64,6 +77,23 @@ struct StudyWorldOptions {
 [[nodiscard]] Result<StudyWorld> painted_world(const FingerPtr& finger,
                                                const StudyWorldOptions& options,
                                                const Job& job);
+
+/// Untouched pictures of a finger, for painting into, and what they are compared with.
+struct UntouchedPictures {
+  FingerPtr finger;          ///< whose pictures are turned already
+  ReferenceLibrary library;  ///< without the pictures and their neighbours in time
+  std::vector<cv::Mat> pictures;
+  LibraryAtResolution reduced_library;
+};
+
+/// At most so many as the options say, evenly over the recording; of a flat sensor its one picture
+/// with as much more noise as two pictures differ by. Errors: as painted_world().
+[[nodiscard]] Result<UntouchedPictures> untouched_pictures(const FingerPtr& finger,
+                                                           const StudyWorldOptions& options,
+                                                           const Job& job);
+
+/// Of the ball that the finger was calibrated with; 3 mm if none is known.
+[[nodiscard]] double painted_radius_mm(const FingerSnapshot& finger);
 
 /// Where on the face a truth is deepest. nullopt where nothing presses deeper than 0.02 mm.
 ///   depth_mm, view_z_mm: CV_32FC1, NaN off the face

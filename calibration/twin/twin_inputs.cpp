@@ -56,7 +56,7 @@ Result<std::vector<cv::Mat>> read_untouched(const FingerSnapshot& finger,
 Result<Measuring> make_measuring(const FingerSnapshot& finger,
                                  const TwinFiles& files,
                                  const Job& job) {
-  Measuring measuring{finger, measuring_settings(finger.folder), {}, {}, {}, {}};
+  Measuring measuring{finger, for_presses(measuring_settings(finger.folder)), {}, {}, {}, {}};
   auto untouched = read_untouched(finger, files.untouched);
   if (!untouched) return untouched.error();
   measuring.untouched = std::move(*untouched);

@@ -1,6 +1,7 @@
 #include "core/finger/finger_store.h"
 
 #include "core/finger/force_model.h"
+#include "core/io/atomic_file.h"
 
 #include <map>
 
@@ -63,7 +64,7 @@ Result<FingerSnapshot> FingerSnapshot::of(const fs::path& folder, Finger finger)
     mapping = std::move(*made);
   }
   return FingerSnapshot{
-      folder, 0, std::move(finger), *camera, std::move(mapping), {}, {}, {}, {}, {}};
+      folder, 0, std::move(finger), *camera, std::move(mapping), {}, {}, {}, {}, {}, 1, {}, {}};
 }
 
 FingerSnapshot FingerSnapshot::without_mapping() const {
@@ -90,12 +91,14 @@ std::shared_ptr<FingerStore> FingerStore::of(const fs::path& folder) {
 Result<FingerPtr> FingerStore::read() {
   const std::string finger_now = written(folder_ / Finger::kFileName);
   const std::string presses_now = written(PressSet::file_in(folder_));
+  const std::string measuring_now = written(folder_ / kMeasuringFile);
   const auto force_now = [&](const Finger& finger) {
     return finger.force_model.empty() ? std::string() : written(folder_ / finger.force_model);
   };
   const bool is_same_finger =
       last_ && finger_now == finger_written_ && force_now(last_->finger) == force_written_;
-  if (is_same_finger && presses_now == presses_written_) return last_;
+  if (is_same_finger && presses_now == presses_written_ && measuring_now == measuring_written_)
+    return last_;
   auto next = is_same_finger ? Result(*last_) : load(folder_, last_ ? last_->revision + 1 : 1);
   if (!next) return next.error();
   const std::string force_written = force_now(next->finger);
@@ -108,10 +111,13 @@ Result<FingerPtr> FingerStore::read() {
   auto presses = PressSet::load(folder_);
   next->presses_problem = presses ? std::nullopt : std::optional(presses.error());
   next->presses = presses ? std::move(*presses) : PressSet();
+  const auto measuring = read_file(folder_ / kMeasuringFile);
+  next->measuring = measuring ? *measuring : std::string();
   last_ = std::make_shared<const FingerSnapshot>(std::move(*next));
   finger_written_ = finger_now;
   presses_written_ = presses_now;
   force_written_ = force_written;
+  measuring_written_ = measuring_now;
   return last_;
 }
 
@@ -149,6 +155,19 @@ Result<FingerPtr> FingerStore::update(const std::function<Status(Finger&)>& chan
 
 Status FingerStore::keep_presses(const PressSet& presses) {
   if (Status saved = presses.save(folder_); !saved) return saved;
+  const auto now = snapshot();
+  return now ? Status() : Status(now.error());
+}
+
+Status FingerStore::keep_measuring(
+    const std::function<Result<std::string>(const fs::path& folder)>& content) {
+  {
+    const auto held = HeldFile::hold(folder_ / kChanging, this_process("changing"), kPatience);
+    if (!held) return held.error();
+    const auto text = content(folder_);
+    if (!text) return text.error();
+    if (Status kept = write_file_atomically(folder_ / kMeasuringFile, *text); !kept) return kept;
+  }
   const auto now = snapshot();
   return now ? Status() : Status(now.error());
 }

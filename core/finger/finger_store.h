@@ -23,6 +23,9 @@ namespace alltact {
 
 struct ForceModel;
 
+/// Where a finger keeps what it measures with (calibration/finger/measuring_presets.h).
+inline constexpr const char* kMeasuringFile = "measuring.yaml";
+
 /// What a folder held at one moment. The reference recording, which is large, is read when it is
 /// needed and shared by all who need it: ReferenceLibrary::load.
 struct FingerSnapshot {
@@ -36,6 +39,9 @@ struct FingerSnapshot {
   std::vector<Message> warnings;            ///< what is strange in finger.yaml
   std::shared_ptr<const ForceModel> force;  ///< of a finger whose forces are told
   std::optional<Error> force_problem;       ///< why `force` is null though the finger names one
+  int reduced_by = 1;  ///< pixels a side that are one here (reduced_finger.h); 1: none are
+  CameraParameters whole_camera;  ///< of the pictures that come, where they are reduced
+  std::string measuring;          ///< what kMeasuringFile holds; empty: it is not there
 
   /// Of a finger that is at hand, whatever stands in its folder. Errors: those of Camera::create
   /// and Mapping::create.
@@ -67,6 +73,12 @@ class FingerStore {
   /// Keeps what is said of the presses, whole or not at all.
   [[nodiscard]] Status keep_presses(const PressSet& presses);
 
+  /// Keeps what `content` gives for kMeasuringFile, whole or not at all; one after another among
+  /// threads and programs. Errors: those of `content` and snapshot(), and then the file is as it
+  /// was.
+  [[nodiscard]] Status keep_measuring(
+      const std::function<Result<std::string>(const std::filesystem::path& folder)>& content);
+
   /// For work of minutes on a finger (calibrating, recording its reference) that two must not do at
   /// once; update() goes on beside it. Error: another is at it, who is named.
   ///   doing: what is done, for those who come second ("calibrating")
@@ -91,7 +103,7 @@ class FingerStore {
   std::mutex mutex_;
   FingerPtr last_;
   /// Which files `last_` was read from.
-  std::string finger_written_, presses_written_, force_written_;
+  std::string finger_written_, presses_written_, force_written_, measuring_written_;
   std::list<std::weak_ptr<Listening>> listening_;
 };
 

@@ -41,6 +41,8 @@ class ForceMeter {
                                                 std::optional<double> time_s);
   /// The next frame is not the neighbour of the last one in time.
   void forget() { creep_.forget(); }
+  /// The model knows creep: what a frame tells depends on all before it.
+  [[nodiscard]] bool creeps() const { return model_->creep_s > 0; }
 
  private:
   std::shared_ptr<const ForceModel> model_;

@@ -104,7 +104,8 @@ Status sync_folder(const fs::path& folder) {
 
 /// `fill` writes the content, given the open temporary and its path.
 Status replace(const fs::path& wanted,
-               const std::function<Status(int number, const fs::path& temporary)>& fill) {
+               const std::function<Status(int number, const fs::path& temporary)>& fill,
+               bool waits_for_disk = true) {
   const fs::path file = without_links(wanted);
   std::error_code ignored;
   if (file.filename().empty() || fs::is_directory(file, ignored))
@@ -121,11 +122,11 @@ Status replace(const fs::path& wanted,
   Temporary temporary(path);
   copy_permissions(file, number);
   if (Status status = fill(number, temporary.path()); !status) return status;
-  if (::fsync(number) != 0 || !descriptor.close() ||
+  if ((waits_for_disk && ::fsync(number) != 0) || !descriptor.close() ||
       ::rename(temporary.path().c_str(), file.c_str()) != 0)
     return system_error(kWriting, wanted, errno);
   temporary.keep();
-  return sync_folder(folder);
+  return waits_for_disk ? sync_folder(folder) : Status();
 }
 
 }  // namespace
@@ -135,6 +136,22 @@ Status write_file_atomically(const fs::path& file, std::string_view content) {
     if (!write_all(number, content)) return system_error(kWriting, file, errno);
     return {};
   });
+}
+
+Status write_file_of_many(const fs::path& file, std::string_view content) {
+  const auto fill = [&](int number, const fs::path&) -> Status {
+    if (!write_all(number, content)) return system_error(kWriting, file, errno);
+    return {};
+  };
+  return replace(file, fill, false);
+}
+
+Status sync_disk_of(const fs::path& folder) {
+  Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (descriptor.number() < 0 || ::syncfs(descriptor.number()) != 0)
+    return system_error(
+        en::say("could not make sure that the files are on the disk"), folder, errno);
+  return {};
 }
 
 Status write_file_atomically(const fs::path& file,

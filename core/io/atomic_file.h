@@ -16,8 +16,18 @@ namespace alltact {
 [[nodiscard]] Status write_file_atomically(const std::filesystem::path& file,
                                            std::string_view content);
 
-/// The same for content that another library must write itself: `write` gets the path of the
-/// temporary (same folder, same ending) and fills it.
+/// One of many: whole or not at all for every program that looks, but not waited for until it is on
+/// the disk (two waits a file would take longer than all the rest). sync_disk_of() is called once
+/// behind the last one, before anything is written that says that they are there.
+[[nodiscard]] Status write_file_of_many(const std::filesystem::path& file,
+                                        std::string_view content);
+
+/// Waits until everything written to the disk that holds `folder` is there. Error: some of it could
+/// not be written.
+[[nodiscard]] Status sync_disk_of(const std::filesystem::path& folder);
+
+/// As write_file_atomically() for content that another library must write itself: `write` gets the
+/// path of the temporary (same folder, same ending) and fills it.
 [[nodiscard]] Status write_file_atomically(
     const std::filesystem::path& file,
     const std::function<Status(const std::filesystem::path& temporary)>& write);

@@ -1,5 +1,7 @@
 #include "core/sensing/pipeline.h"
 
+#include "core/camera/reduced_picture.h"
+#include "core/finger/reduced_finger.h"
 #include "core/force/force_meter.h"
 #include "core/sensing/contact/finger_contact_tracker.h"
 #include "core/sensing/contact/reference_free_contact.h"
@@ -7,8 +9,11 @@
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/frame_faults.h"
 #include "core/sensing/markers/plain_rows.h"
+#include "core/sensing/markers/whole_markers.h"
 #include "core/sensing/paper_method.h"
+#include "core/sensing/pipeline_problems.h"
 #include "core/sensing/reference/pose_places.h"
+#include "core/sensing/running_mean.h"
 #include "core/sensing/stop_watch.h"
 
 #include <algorithm>
@@ -23,13 +28,6 @@ constexpr int kFaultRows = 8;  // one in so many tells how much of the face is m
 /// noisy a picture is.
 constexpr double kPlaneNoise = 1.0;
 
-Message never_recorded(double distance_px) {
-  return en::say(
-      "this pose was never recorded: the nearest reference frame is {:.1f} px away; record the "
-      "finger bending further in this direction",
-      distance_px);
-}
-
 bool any_seen(const Markers& markers) {
   return std::any_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
 }
@@ -41,7 +39,9 @@ struct Pipeline::State {
   PipelineSettings settings;
   FaceEdgeFinder edge_finder;
   std::optional<Finger> finger;
-  std::optional<Camera> camera;  // with the finger
+  std::optional<Camera> camera;          // with the finger
+  std::optional<FingerSnapshot> turned;  // the same, for how pictures become its own
+  RunningMean mean{1};
   // Before there is a reference.
   std::optional<PlainRows> rows;
   ReferenceFreeContactDetector contact;
@@ -67,11 +67,39 @@ struct Pipeline::State {
   void find_depth(FrameResult& result, StopWatch& watch) const;
   void find_contact(FrameResult& result, StopWatch& watch) const;
   [[nodiscard]] Eigen::MatrixXd markers_covariance(const FrameResult& result) const;
-  void tell_contact(FrameResult& result, StopWatch& watch);
+  void tell_contact(FrameResult& result, std::optional<FrameContacts>* contacts, StopWatch& watch);
   void find_force(FrameResult& result, StopWatch& watch);
 };
 
 Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
+  return measured(frame, nullptr);
+}
+
+Result<FrameResult> Pipeline::alone(const FramePtr& frame, std::optional<FrameContacts>& contacts) {
+  contacts.reset();
+  return measured(frame, &contacts);
+}
+
+void Pipeline::warm_up(const FramePtr& frame) {
+  State& state = *state_;
+  if (state.paper) return;
+  auto grey = state.oriented(*frame);
+  if (!grey || !state.library) return;
+  FrameResult result;
+  result.frame = state.last = frame;
+  result.grey = std::move(*grey);
+  StopWatch watch;
+  state.find_shape(result, watch);
+  if (result.shape) static_cast<void>(state.find_markers(result));
+}
+
+bool Pipeline::remembers_long() const {
+  return state_->settings.average_frames > 1 ||
+         (state_->paper.has_value() || (state_->force && state_->force->creeps()));
+}
+
+Result<FrameResult> Pipeline::measured(const FramePtr& frame,
+                                       std::optional<FrameContacts>* contacts) {
   State& state = *state_;
   if (state.paper) return (*state.paper)(frame);
   StopWatch watch;
@@ -79,7 +107,9 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   result.frame = frame;
   auto grey = state.oriented(*frame);
   if (!grey) return grey.error();
-  result.grey = std::move(grey).value();
+  result.grey = state.mean(*grey);
+  result.reduced_by =
+      state.turned ? state.turned->reduced_by : pixels_a_side(state.settings.resolution);
   if (state.library) state.look_at_picture(result);
   watch.lap(result.times_ms.prepare);
   state.find_shape(result, watch);
@@ -87,30 +117,28 @@ Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
   if (result.shape && state.library) state.find_reference(result, watch);
   if (result.reference) state.find_depth(result, watch);
   if (result.depth) state.find_contact(result, watch);
-  if (result.reference) state.tell_contact(result, watch);
+  if (result.reference) state.tell_contact(result, contacts, watch);
   if (result.markers && state.library) state.find_force(result, watch);
   watch.total(result.times_ms.total);
   return result;
 }
 
 Result<cv::Mat> Pipeline::State::oriented(const Frame& frame) const {
-  if (!finger) return frame.grey;
-  return oriented_for(finger->camera,
-                      frame.grey,
-                      en::say("the picture"),
-                      frame.origin,
-                      library ? en::say("a picture at the size that the finger was calibrated with")
-                              : en::say("the finger that belongs to this camera, or this finger's "
-                                        "camera"));
+  if (!turned) return reduced_picture(frame.grey, pixels_a_side(settings.resolution));
+  return picture_for(*turned,
+                     frame.grey,
+                     en::say("the picture"),
+                     frame.origin,
+                     library ? en::say("a picture at the size that the finger was calibrated with")
+                             : en::say("the finger that belongs to this camera, or this finger's "
+                                       "camera"));
 }
 
 void Pipeline::State::look_at_picture(FrameResult& result) {
   if (auto fault = picture_fault(result.grey)) result.problems.push_back(std::move(*fault));
   if (last && !is_same_frame(*last, *result.frame) &&
       is_same_picture(last->grey, result.frame->grey))
-    result.problems.push_back(en::say(
-        "the picture is the same as the one before to the last grey level: the camera stands "
-        "still; plug it in again"));
+    result.problems.push_back(camera_stands_still());
   last = result.frame;
 }
 
@@ -170,10 +198,7 @@ void Pipeline::State::find_markers_by_shape(FrameResult& result) const {
   const ShapePoses* poses = library->shape_poses();
   auto told = poses ? (*poses)(*result.shape) : std::nullopt;
   if (!told) return;
-  result.problems.push_back(en::say(
-      "the markers were not found: the face's shape alone tells this pose, so that depth is less "
-      "sure and neither twist nor what touches the finger is told; uncover and light the dots on "
-      "the side faces"));
+  result.problems.push_back(told_by_shape());
   if (!told->known_pose) result.problems.push_back(never_recorded(told->distance_px));
   result.markers = std::move(told->markers);
 }
@@ -193,17 +218,17 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
     result.push =
         push_of(*result.markers, *finger->contact, result.shape->base_at_low_u(), ways_px2);
   }
-  result.reference = library->reference_for(
-      result.markers ? *result.markers : Markers{}, *result.shape, settings.reference);
+  result.reference = library->reference_for(result.markers ? *result.markers : Markers{},
+                                            *result.shape,
+                                            settings.reference,
+                                            {},
+                                            settings.reference_neighbours);
   if (!result.reference->known_pose) {
     result.problems.push_back(never_recorded(result.reference->distance_px));
   }
   constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
   if (result.reference->known_pose && result.reference->error_factor > kFarBeyond)
-    result.problems.push_back(
-        en::say("few recorded frames are near this pose: its reference is {:.0f} times less "
-                "sure than usual; record the finger bending slowly through it",
-                result.reference->error_factor));
+    result.problems.push_back(few_frames_near(result.reference->error_factor));
   watch.lap(result.times_ms.reference);
 }
 
@@ -211,6 +236,7 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   DifferenceOptions options;
   options.smoothing =
       mapping ? smoothing_of(settings.smoothing_px) : plain_smoothing_of(settings.smoothing_px);
+  options.columns = columns_of(settings.region, *result.shape);
   options.correct_light = settings.light == LightChange::kCorrected;
   options.noise_sd = result.edges ? result.edges->noise_sd : kPlaneNoise;
   options.measure_noise = !result.edges;
@@ -254,7 +280,9 @@ Eigen::MatrixXd Pipeline::State::markers_covariance(const FrameResult& result) c
       *result.markers, model && !all_seen ? model->covariance_px2(*result.markers) : std::nullopt);
 }
 
-void Pipeline::State::tell_contact(FrameResult& result, StopWatch& watch) {
+void Pipeline::State::tell_contact(FrameResult& result,
+                                   std::optional<FrameContacts>* contacts,
+                                   StopWatch& watch) {
   FingerContactTracker::FrameSigns signs;
   if (result.frame->time_ns != 0) signs.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
   signs.shape = &*result.shape;
@@ -265,7 +293,10 @@ void Pipeline::State::tell_contact(FrameResult& result, StopWatch& watch) {
     signs.settings = &*finger->contact;
     signs.ways_px2 = &ways_px2;
   }
-  result.contact = touched(signs);
+  if (contacts != nullptr)
+    *contacts = FingerContactTracker::alone(signs);
+  else
+    result.contact = touched(signs);
   double milliseconds = 0;
   watch.lap(milliseconds);
   result.times_ms.contact += milliseconds;
@@ -278,20 +309,19 @@ void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
   if (!result.regions.empty()) place_mm = result.regions.front().place_on_face_mm;
   std::optional<double> time_s;
   if (result.frame->time_ns != 0) time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
-  result.force = (*force)(*result.markers, place_mm, time_s);
+  result.force = (*force)(whole_markers(*result.markers, result.reduced_by), place_mm, time_s);
   if (!result.force)
     result.problems.push_back(en::say("no marker is seen that could tell the force"));
   else if (!result.force->in_range)
-    result.problems.push_back(
-        en::say("the force model was trained with nothing like this frame: its force cannot be "
-                "relied on; add rows with such forces to the table and train it again"));
+    result.problems.push_back(force_out_of_range());
   watch.lap(result.times_ms.force);
 }
 
 Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
                                   const PipelineSettings& settings,
                                   const Job& job) {
-  auto library = ReferenceLibrary::load(finger, job);
+  auto library =
+      ReferenceLibrary::load(reduced_finger(finger, pixels_a_side(settings.resolution)), job);
   if (!library) return library.error();
   Pipeline pipeline = over(std::move(library).value(), finger, settings);
   if (pipeline.state_->marker_problem) return *pipeline.state_->marker_problem;
@@ -299,8 +329,9 @@ Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
 }
 
 Pipeline Pipeline::over(ReferenceLibrary library,
-                        const FingerSnapshot& snapshot,
+                        const FingerSnapshot& whole,
                         const PipelineSettings& settings) {
+  const FingerSnapshot snapshot = reduced_finger(whole, pixels_a_side(settings.resolution));
   const Finger& finger = snapshot.finger;
   Pipeline pipeline = before_reference(snapshot, settings);
   State& state = *pipeline.state_;
@@ -318,7 +349,7 @@ Pipeline Pipeline::over(ReferenceLibrary library,
   }
   state.force_problem = snapshot.force_problem;
   if (!snapshot.force) return pipeline;
-  if (const Status belongs = snapshot.force->belongs_to(finger); belongs)
+  if (const Status belongs = snapshot.force->belongs_to(whole.finger); belongs)
     state.force.emplace(snapshot.force);
   else
     state.force_problem = belongs.error();
@@ -333,13 +364,14 @@ Pipeline Pipeline::of_paper(PaperMethod method) {
   return pipeline;
 }
 
-Pipeline Pipeline::before_reference(const FingerSnapshot& snapshot,
-                                    const PipelineSettings& settings) {
+Pipeline Pipeline::before_reference(const FingerSnapshot& whole, const PipelineSettings& settings) {
+  const FingerSnapshot snapshot = reduced_finger(whole, pixels_a_side(settings.resolution));
   const Finger& finger = snapshot.finger;
   Pipeline pipeline = of_unknown_finger(settings);
   State& state = *pipeline.state_;
   state.finger = finger;
   state.camera = snapshot.camera;
+  state.turned = snapshot;
   state.edge_finder = FaceEdgeFinder({settings.edge_method,
                                       settings.edge_columns,
                                       FaceView{snapshot.camera, finger.face.width_mm}});
@@ -350,6 +382,7 @@ Pipeline Pipeline::before_reference(const FingerSnapshot& snapshot,
 Pipeline Pipeline::of_unknown_finger(const PipelineSettings& settings) {
   auto state = std::make_unique<State>();
   state->settings = settings;
+  state->mean = RunningMean(settings.average_frames);
   state->edge_finder = FaceEdgeFinder({settings.edge_method, settings.edge_columns});
   return Pipeline(std::move(state));
 }
@@ -367,6 +400,7 @@ void Pipeline::forget() {
   state_->contact.forget();
   state_->touched.forget();
   state_->last.reset();
+  state_->mean.forget();
 }
 bool Pipeline::has_reference() const {
   return state_->library.has_value() || state_->paper.has_value();

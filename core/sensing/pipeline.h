@@ -10,6 +10,7 @@
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/contact/face_touch.h"
 #include "core/sensing/contact/finger_contact.h"
+#include "core/sensing/contact/finger_contact_tracker.h"
 #include "core/sensing/contact/push.h"
 #include "core/sensing/depth/local_depth.h"
 #include "core/sensing/face/face_edges.h"
@@ -36,7 +37,8 @@ struct StepTimes {
 /// All that one frame tells. What could not be had is absent, and `problems` says why.
 struct FrameResult {
   FramePtr frame;
-  cv::Mat grey;  ///< the oriented picture
+  cv::Mat grey;        ///< the oriented picture, reduced and averaged where settings say so
+  int reduced_by = 1;  ///< pixels a side of the frame in one of `grey`; all else is of `grey`
   std::optional<FaceEdges> edges;
   std::optional<FaceShape> shape;  ///< turned by the twist that the markers tell
   std::optional<Markers> markers;
@@ -71,8 +73,9 @@ struct FrameResult {
 /// reference; the place of the contact that it may ask for is that of the largest region.
 /// Before there is a reference, nothing is said of the picture as a whole (frame_faults.h).
 ///
-/// Remembers only what lies between frames of one continuous source: where the markers were, the
-/// last picture, how they crept, what touched, and before there is a reference how bright the skin
+/// Remembers only what lies between frames of one continuous source: the last pictures where they
+/// are averaged (PipelineSettings::average_frames), where the markers were, the last picture, how
+/// they crept, what touched, and before there is a reference how bright the skin
 /// was. Everything else depends on the frame alone. Another frame of the source (is_same_frame in
 /// frame_faults.h) whose picture is the last one to the grey level is named as that of a camera
 /// that stands still.
@@ -85,8 +88,9 @@ class Pipeline {
                                  const PipelineSettings& settings,
                                  const Job& job);
 
-  /// A pipeline over a library that is already in memory. A network for the markers that cannot be
-  /// used is a problem of every frame.
+  /// A pipeline over a library that is already in memory, of pictures as large as
+  /// settings.resolution makes the finger's (ReferenceLibrary::load of its reduced_finger()). A
+  /// network for the markers that cannot be used is a problem of every frame.
   static Pipeline over(ReferenceLibrary library,
                        const FingerSnapshot& finger,
                        const PipelineSettings& settings);
@@ -104,17 +108,32 @@ class Pipeline {
   /// result.
   [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame);
 
+  /// The same without what lasts over frames: no `contact`; `contacts` is what decides it once the
+  /// frames before are known (contact_lines.h), nullopt where nothing does.
+  [[nodiscard]] Result<FrameResult> alone(const FramePtr& frame,
+                                          std::optional<FrameContacts>& contacts);
+
+  /// Only what the next frame needs of this one: where the markers are, and the picture.
+  void warm_up(const FramePtr& frame);
+
+  /// Results depend on more than the few frames before: creep in the finger's force model, or the
+  /// source paper's method. Such a recording is measured in one piece.
+  [[nodiscard]] bool remembers_long() const;
+
   /// The next frame is not the neighbour of the last one in time.
   void forget();
 
   [[nodiscard]] bool has_reference() const;
-  /// Not of an unknown finger; the same holds for camera().
+  /// As it is in the pictures that are measured (reduced_finger.h). Not of an unknown finger; the
+  /// same holds for camera().
   [[nodiscard]] const Finger& finger() const;
   [[nodiscard]] const Camera& camera() const;
   [[nodiscard]] const PipelineSettings& settings() const;
 
  private:
   struct State;
+  [[nodiscard]] Result<FrameResult> measured(const FramePtr& frame,
+                                             std::optional<FrameContacts>* contacts);
   explicit Pipeline(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 

@@ -1,11 +1,90 @@
 #include "core/sensing/pipeline_settings.h"
 
+#include "core/printable.h"
+
+#include <charconv>
+#include <optional>
+
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
 
 using S = PipelineSettings;
+
+constexpr const char* kWholeFace = "all";
+constexpr double kLongestFace_mm = 1000;
+
+std::string region_text(const FaceRegion& region) {
+  if (region == FaceRegion{}) return kWholeFace;
+  return fmt::format("{}-{}", region.from_mm, region.to_mm);
+}
+
+std::optional<FaceRegion> region_from(std::string_view text) {
+  if (text == kWholeFace) return FaceRegion{};
+  FaceRegion region;
+  const char* end = text.data() + text.size();
+  const auto from = std::from_chars(text.data(), end, region.from_mm);
+  if (from.ec != std::errc{} || from.ptr == end || *from.ptr != '-') return std::nullopt;
+  const auto to = std::from_chars(from.ptr + 1, end, region.to_mm);
+  if (to.ec != std::errc{} || to.ptr != end) return std::nullopt;
+  const bool is_part =
+      region.from_mm >= 0 && region.to_mm > region.from_mm && region.to_mm <= kLongestFace_mm;
+  return is_part ? std::optional(region) : std::nullopt;
+}
+
+Setting<S> region_setting() {
+  Setting<S> setting{"region",
+                     en::say("the part of the face that depth is told of, in millimetres along it "
+                             "from its base; all else counts as off the face"),
+                     {},
+                     {},
+                     {}};
+  setting.range.other = "all, or FROM-TO in mm such as 20-60";
+  setting.get = [](const S& s) { return region_text(s.region); };
+  setting.set = [](S& s, std::string_view text) -> Status {
+    const auto region = region_from(text);
+    if (!region)
+      return Error{
+          en::say("'{}' is not 'all' or a part of the face in mm such as 20-60", printable(text)),
+          std::string("region"),
+          ""};
+    s.region = *region;
+    return {};
+  };
+  return setting;
+}
+
+std::vector<Setting<S>> settings_of_pictures() {
+  return {
+      trading(choice_setting<S, Resolution>(
+                  "resolution",
+                  en::say("pixels that a picture is measured with: all of them, or means of 2 by "
+                          "2 or 4 by 4 of them; results in pixels are then of that picture"),
+                  &S::resolution,
+                  {{"whole", Resolution::kWhole},
+                   {"half", Resolution::kHalf},
+                   {"quarter", Resolution::kQuarter}}),
+              {en::say("'whole' tells small contacts and steep edges, and numbers small dots"),
+               en::say("'half' is a quarter of the pixels and of the recording's memory, "
+                       "'quarter' a sixteenth"),
+               {"quarter", "half", "whole"}}),
+      trading(number_setting<S>("average-frames",
+                                en::say("pictures of one source whose running mean is measured; 1: "
+                                        "each by itself. A finger that moves is then seen where it "
+                                        "was on average, and blurred"),
+                                &S::average_frames,
+                                1,
+                                64),
+              {en::say("more quiet the noise of a finger that holds still, by their square root"),
+               en::say("more tell of the finger later, by half of them; adding them up takes a "
+                       "little"),
+               {"1"}}),
+      trading(region_setting(),
+              {en::say("'all' misses no contact"),
+               en::say("depth takes as much less time as the part is shorter than the face"),
+               {kWholeFace}})};
+}
 
 std::vector<Setting<S>> settings_of_edges() {
   return {
@@ -79,6 +158,17 @@ std::vector<Setting<S>> settings_of_depth() {
                            "'single' is right at rest alone"),
                    en::say("'local' adds up several pictures instead of one"),
                    {"single", "nearest", "local"}}),
+          trading(number_setting<S>(
+                      "reference-neighbours",
+                      en::say("recorded pictures that reference-method local computes the "
+                              "reference from"),
+                      &S::reference_neighbours,
+                      2,
+                      32),
+                  {en::say("more leave less noise in the reference; too many reach too far from "
+                           "the pose"),
+                   en::say("each is added up in every frame"),
+                   {"2", "4", "8", "16"}}),
           trading(choice_setting<S, LightChange>(
                       "light-change",
                       en::say("whether a change of the light since the reference is read from the "
@@ -111,11 +201,26 @@ std::vector<Setting<S>> settings_of_depth() {
 
 const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
   static const std::vector<Setting<S>> settings = [] {
-    std::vector<Setting<S>> all = settings_of_edges();
-    for (const auto& more : {settings_of_markers(), settings_of_depth()})
+    std::vector<Setting<S>> all = settings_of_pictures();
+    for (const auto& more : {settings_of_edges(), settings_of_markers(), settings_of_depth()})
       all.insert(all.end(), more.begin(), more.end());
     return all;
   }();
+  return settings;
+}
+
+const std::vector<std::string>& settings_beyond_mapping() {
+  static const std::vector<std::string> names{
+      "resolution", "average-frames", "region", "contact-threshold-mm"};
+  return names;
+}
+
+PipelineSettings for_presses(PipelineSettings settings) {
+  const PipelineSettings usual;
+  settings.resolution = usual.resolution;
+  settings.average_frames = usual.average_frames;
+  settings.region = usual.region;
+  settings.contact_threshold_mm = usual.contact_threshold_mm;
   return settings;
 }
 

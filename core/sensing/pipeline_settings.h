@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/sensing/face/face_edges.h"
+#include "core/sensing/face/face_region.h"
 #include "core/sensing/marker_methods.h"
 #include "core/sensing/reference/reference_library.h"
 #include "core/settings.h"
 
 #include <string>
+#include <vector>
 
 namespace alltact {
 
@@ -16,13 +18,24 @@ enum class LightChange {
   kCorrected,    ///< the untouched skin tells how it has changed (light_gain.h)
 };
 
+/// How many pixels a side are averaged into one before anything looks at a picture. Lengths in
+/// pixels, of settings and results, are then of what comes out.
+enum class Resolution { kWhole = 1, kHalf = 2, kQuarter = 4 };
+[[nodiscard]] constexpr int pixels_a_side(Resolution resolution) {
+  return static_cast<int>(resolution);
+}
+
 struct PipelineSettings {
+  Resolution resolution = Resolution::kWhole;
+  int average_frames = 1;
+  FaceRegion region;
   EdgeMethod edge_method = EdgeMethod::kCrossing;
   int edge_columns = 8;
   int profile_degree = 7;
   MarkerMethod marker_method = MarkerMethod::kBlobs;
   std::string marker_network = kOwnNetwork;  ///< an ONNX file
   ReferenceMethod reference = ReferenceMethod::kLocal;
+  int reference_neighbours = kPoseNeighbours;
   LightChange light = LightChange::kCorrected;
   double smoothing_px = 1.0;
   double contact_threshold_mm = 0.1;
@@ -30,5 +43,11 @@ struct PipelineSettings {
 
 /// The table that flags, help and files are made from.
 [[nodiscard]] const std::vector<Setting<PipelineSettings>>& pipeline_settings();
+
+/// Names of those that no mapping depends on: it is made from presses that are measured whole, each
+/// by itself.
+[[nodiscard]] const std::vector<std::string>& settings_beyond_mapping();
+/// These as usual, the others as they are: what presses are measured with.
+[[nodiscard]] PipelineSettings for_presses(PipelineSettings settings);
 
 }  // namespace alltact

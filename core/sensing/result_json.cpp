@@ -68,6 +68,14 @@ Json push_json(const Push& push) {
   return entry;
 }
 
+/// What lasts over frames.
+template <class Contact>
+void put_lasting(Json& entry, const Contact& contact) {
+  entry["new"] = contact.is_new;
+  if (contact.held_s) put(entry, "held_s", *contact.held_s, 3);
+  if (contact.is_slipping) entry["slipping"] = *contact.is_slipping;
+}
+
 Json contact_json(const FingerContact& contact) {
   Json entry = Json::object();
   entry["face"] = to_string(contact.face);
@@ -82,9 +90,6 @@ Json contact_json(const FingerContact& contact) {
     if (place->depth_sd_mm) put(entry, "depth_sd_mm", *place->depth_sd_mm, 4);
   }
   if (!contact.no_place.empty()) entry["no_place"] = contact.no_place.english();
-  entry["new"] = contact.is_new;
-  if (contact.held_s) put(entry, "held_s", *contact.held_s, 3);
-  if (contact.is_slipping) entry["slipping"] = *contact.is_slipping;
   return entry;
 }
 
@@ -196,6 +201,10 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   line["frame"] = result.frame->name;
   line["index"] = index;
   if (result.frame->time_ns != 0) line["time_ns"] = result.frame->time_ns;
+  if (result.reduced_by != 1) {
+    line["reduced_by"] = result.reduced_by;
+    line["size_px"] = {result.grey.cols, result.grey.rows};
+  }
   if (result.depth && result.shape) line["face"] = face_json(*result.shape);
   if (result.markers) line["markers"] = markers_json(*result.markers);
   if (result.markers && result.marker_method != MarkerMethod::kBlobs)
@@ -203,7 +212,11 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   if (result.reference)
     line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);
   if (result.push) line["contact"] = push_json(*result.push);
-  if (result.contact) line["finger_contact"] = contact_json(*result.contact);
+  if (result.contact) {
+    Json entry = contact_json(*result.contact);
+    put_lasting(entry, *result.contact);
+    line["finger_contact"] = std::move(entry);
+  }
   if (result.depth && !result.depth->flags.empty())
     line["validity"] = validity_json(result.depth->flags);
   if (result.depth) line["regions"] = regions_json(result.regions);
@@ -221,6 +234,23 @@ std::string failure_line(const std::string& frame,
   line["index"] = index;
   line["problems"] = english(problems);
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string contact_text(const FingerContact& contact) {
+  return contact_json(contact).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string with_contact(const std::string& line,
+                         const std::string& contact,
+                         const ContactState::Told& told) {
+  Json entry = Json::parse(contact);
+  put_lasting(entry, told);
+  // Before the first of the keys that result_line() puts behind it.
+  std::size_t at = std::string::npos;
+  for (const char* key : {",\"validity\":", ",\"regions\":", ",\"force\":", ",\"times_ms\":"})
+    if (at = line.find(key); at != std::string::npos) break;
+  assert(at != std::string::npos);
+  return line.substr(0, at) + ",\"finger_contact\":" + entry.dump() + line.substr(at);
 }
 
 }  // namespace alltact

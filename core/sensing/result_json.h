@@ -21,4 +21,13 @@ namespace alltact {
                                        std::size_t index,
                                        const std::vector<Message>& problems);
 
+/// A contact as it stands in a line, without what lasts over frames (is_new and behind it).
+[[nodiscard]] std::string contact_text(const FingerContact& contact);
+
+/// A line of a frame measured by itself (Pipeline::alone) with its contact put into it.
+///   contact: contact_text()
+[[nodiscard]] std::string with_contact(const std::string& line,
+                                       const std::string& contact,
+                                       const ContactState::Told& told);
+
 }  // namespace alltact

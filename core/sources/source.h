@@ -32,6 +32,12 @@ class Source {
 
   /// About how often frames come or came.
   [[nodiscard]] virtual double frames_per_s() const { return 30.0; }
+
+  /// Passes over frames without giving them, as far as there are so many.
+  virtual void skip(std::size_t count) {
+    for (; count > 0; --count)
+      if (const auto frame = next(); frame && !*frame) return;
+  }
 };
 
 enum class Pace {

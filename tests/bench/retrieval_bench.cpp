@@ -1,6 +1,7 @@
 // Finding the nearest recorded layout, beside a copy of the same bytes.
 #include "core/sensing/markers/layout_search.h"
 
+#include <cmath>
 #include <cstring>
 #include <random>
 
@@ -20,6 +21,49 @@ Eigen::MatrixXd layouts() {
   for (Eigen::Index i = 0; i < rows.size(); ++i) rows.data()[i] = place(random);
   return rows;
 }
+
+/// A finger of 12 markers that wanders through three modes of motion, a frame a thirtieth of a
+/// second.
+Eigen::MatrixXd motion(Eigen::Index frames) {
+  Eigen::MatrixXd rows(frames, kMarkers);
+  for (Eigen::Index i = 0; i < frames; ++i) {
+    const double t = static_cast<double>(i) / 30.0;
+    const double bend = 40 * std::sin(0.9 * t), curl = 15 * std::sin(0.37 * t + 1),
+                 sway = 10 * std::sin(0.211 * t + 2);
+    for (Eigen::Index m = 0; m < kMarkers / 2; ++m) {
+      const double along = static_cast<double>(m % 6) / 5;
+      rows(i, 2 * m) = 100 + 150 * along + bend * along * along;
+      rows(i, 2 * m + 1) = (m < 6 ? 80 : 460) + curl * along * (1 - along) + sway * along;
+    }
+  }
+  return rows;
+}
+
+/// Time of one retrieval in a recording of so many frames, its memory beside.
+void retrieval_of_a_finger(benchmark::State& state) {
+  const Eigen::MatrixXd layouts = motion(state.range(0));
+  const LayoutSearch search(layouts);
+  std::vector<Markers> asked;
+  std::mt19937 random(2);
+  std::normal_distribution<double> off(0, 0.3);
+  for (Eigen::Index i = 7; asked.size() < 64; i = (i + 7919) % layouts.rows()) {
+    Markers& markers = asked.emplace_back(static_cast<std::size_t>(kMarkers / 2));
+    for (std::size_t m = 0; m < markers.size(); ++m)
+      markers[m] = {layouts(i, static_cast<Eigen::Index>(2 * m)) + off(random),
+                    layouts(i, static_cast<Eigen::Index>(2 * m + 1)) + off(random),
+                    m % 5 != 0,
+                    0.05};
+  }
+  std::size_t next = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(search.nearest(asked[next++ % asked.size()]));
+  state.counters["MB"] = static_cast<double>(search.memory_bytes()) / 1e6;
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(retrieval_of_a_finger)
+    ->RangeMultiplier(10)
+    ->Range(100, 100000)
+    ->Complexity()
+    ->Unit(benchmark::kMicrosecond);
 
 void retrieval(benchmark::State& state) {
   const LayoutSearch search(layouts());

@@ -1,5 +1,7 @@
 #include "widgets/report/document.h"
 
+#include "widgets/report/pdf_date.h"
+
 #include <QBuffer>
 #include <QColor>
 #include <QHashFunctions>
@@ -36,23 +38,6 @@ QByteArray png_of(const QImage& picture) {
   buffer.open(QIODevice::WriteOnly);
   picture.save(&buffer, "PNG");
   return bytes;
-}
-
-/// The time of making becomes the time of what was made, in as many characters.
-void set_time(QByteArray& pdf, const std::string& date) {
-  QByteArray digits;
-  for (const char c : date)
-    if (c >= '0' && c <= '9') digits.append(c);
-  if (digits.size() != 14) return;
-  const qsizetype mark = pdf.indexOf("/CreationDate (D:");
-  if (mark < 0) return;
-  const qsizetype first = mark + 17;
-  const qsizetype end = pdf.indexOf(')', first);
-  QByteArray time = digits + "+00'00'";
-  if (end - first < time.size()) time = digits + 'Z';
-  if (end - first < time.size()) return;
-  pdf.replace(first, time.size(), time);
-  for (qsizetype i = first + time.size(); i < end; ++i) pdf[i] = ' ';
 }
 
 }  // namespace
@@ -180,7 +165,7 @@ Result<std::string> Document::pdf(const std::string& date) const {
   }
   QHashSeed::resetRandomGlobalSeed();
   if (bytes.isEmpty()) return Error{en::say("the report could not be printed"), "", ""};
-  set_time(bytes, date);
+  set_pdf_time(bytes, date);
   return bytes.toStdString();
 }
 

@@ -48,4 +48,14 @@ std::optional<FingerContact> FingerContactTracker::operator()(const FrameSigns& 
   return contact;
 }
 
+FrameContacts FingerContactTracker::alone(const FrameSigns& frame) {
+  const ContactSigns signs = signs_of(frame);
+  FrameContacts contacts;
+  contacts.seen = seen_in(frame, signs.strength());
+  contacts.by_face[0] = finger_contact(signs, *frame.shape, std::nullopt);
+  for (std::size_t face = 1; face < contacts.by_face.size(); ++face)
+    contacts.by_face[face] = finger_contact(signs, *frame.shape, static_cast<PushedFace>(face));
+  return contacts;
+}
+
 }  // namespace alltact

@@ -303,7 +303,7 @@ Difference difference(const cv::Mat& grey,
   Difference result;
   result.x = pooled_picture(grey.size(), CV_32FC1);
   result.flags = pooled_picture(grey.size(), CV_8UC1);
-  result.face = face_runs(shape, options.edge_margin_px, grey.size());
+  result.face = face_runs(shape, options.edge_margin_px, grey.size(), options.columns);
   result.blur_px2 = options.smoothing.blur_px2();
   const double noise_sd = noise_now(grey, reference, result.face, options);
   result.light = light_now(grey, reference, result.face, options, noise_sd);
@@ -348,7 +348,7 @@ DepthMap depth_map(const cv::Mat& grey,
                0.0,
                0.0,
                {}};
-  const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size());
+  const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size(), options.columns);
   const double noise_sd = noise_now(grey, reference, face, options);
   map.light = light_now(grey, reference, face, options, noise_sd);
   Mapper mapper(mapping, shape, face, map);

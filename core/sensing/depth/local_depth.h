@@ -38,7 +38,8 @@ struct DepthMap {
 
 struct DifferenceOptions {
   Smoothing smoothing = smoothing_of(1.0);
-  double edge_margin_px = 1.0;  ///< pixels this near the face's edges are off the face
+  double edge_margin_px = 1.0;           ///< pixels this near the face's edges are off the face
+  cv::Range columns = cv::Range::all();  ///< all others are taken as off the face
   /// Noise of the picture, grey levels: how pixels are weighed for the light, below which level the
   /// reference is too dark, and, unless it is measured, what standard deviations are told from.
   double noise_sd = 1.0;

@@ -26,7 +26,10 @@ FaceRuns by_rows(const std::vector<FaceRun>& closed, int height) {
 
 }  // namespace
 
-FaceRuns face_runs(const FaceShape& shape, double margin_px, const cv::Size& size) {
+FaceRuns face_runs(const FaceShape& shape,
+                   double margin_px,
+                   const cv::Size& size,
+                   const cv::Range& columns) {
   const int width = std::min(size.width, shape.width_px());
   std::vector<int> open(static_cast<std::size_t>(size.height), 0);  // where a row's run began
   std::vector<FaceRun> closed;
@@ -34,7 +37,7 @@ FaceRuns face_runs(const FaceShape& shape, double margin_px, const cv::Size& siz
   FaceShape::Rows before{0, -1};
   for (int u = 0; u <= width; ++u) {
     FaceShape::Rows here{0, -1};
-    if (u < width) {
+    if (u < width && u >= columns.start && u < columns.end) {
       const auto [first, last] = shape.rows(u, margin_px);
       here = {std::max(first, 0), std::min(last, size.height - 1)};
     }

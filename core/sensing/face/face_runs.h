@@ -32,8 +32,12 @@ struct FaceRuns {
   }
 };
 
-/// The pixels at least `margin_px` inside the face's edges, in columns that are valid.
-[[nodiscard]] FaceRuns face_runs(const FaceShape& shape, double margin_px, const cv::Size& size);
+/// The pixels at least `margin_px` inside the face's edges, in columns that are valid and among
+/// `columns`.
+[[nodiscard]] FaceRuns face_runs(const FaceShape& shape,
+                                 double margin_px,
+                                 const cv::Size& size,
+                                 const cv::Range& columns = cv::Range::all());
 
 /// Mean brightness of the face, grey levels, from some of its rows; 1 where there is no face.
 [[nodiscard]] double mean_brightness(const cv::Mat& grey, const FaceRuns& face);

@@ -18,49 +18,152 @@ ALLTACT_WIDE void add_distances(
   }
 }
 
+/// Those that are seen; all, when none is.
+std::vector<std::size_t> counting(const Markers& markers) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    if (markers[m].seen) numbers.push_back(m);
+  if (numbers.empty())
+    for (std::size_t m = 0; m < markers.size(); ++m) numbers.push_back(m);
+  return numbers;
+}
+
 }  // namespace
 
 LayoutSearch::LayoutSearch(const Eigen::MatrixXd& layouts)
     : frames_(static_cast<std::size_t>(layouts.rows())),
-      places_(layouts.data(), layouts.data() + layouts.size()) {}  // column by column already
+      markers_(static_cast<std::size_t>(layouts.cols()) / 2) {
+  group_round(layouts, static_cast<std::size_t>(std::ceil(std::sqrt(frames_))));
+  const std::size_t columns = 2 * markers_;
+  places_.resize(frames_ * columns);
+  place_of_row_.resize(frames_);
+  for (Group& group : groups_) {
+    const std::size_t size = group.end - group.begin;
+    group.reach_px.assign(markers_, 0.0F);
+    for (std::size_t i = 0; i < size; ++i) {
+      const int row = rows_[group.begin + i];
+      place_of_row_[static_cast<std::size_t>(row)] = group.begin + i;
+      float* at = places_.data() + group.begin * columns + i;
+      for (std::size_t c = 0; c < columns; ++c)
+        at[c * size] = static_cast<float>(layouts(row, static_cast<Eigen::Index>(c)));
+      for (std::size_t m = 0; m < markers_; ++m)
+        group.reach_px[m] = std::max(group.reach_px[m],
+                                     std::hypot(at[2 * m * size] - group.centre[2 * m],
+                                                at[(2 * m + 1) * size] - group.centre[2 * m + 1]));
+    }
+  }
+}
+
+/// Centres are layouts spread evenly over the recording; each layout goes to the nearest.
+void LayoutSearch::group_round(const Eigen::MatrixXd& layouts, std::size_t count) {
+  std::vector<std::vector<float>> columns(2 * markers_, std::vector<float>(count));
+  for (std::size_t g = 0; g < count; ++g)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      columns[c][g] = static_cast<float>(
+          layouts(static_cast<Eigen::Index>(g * frames_ / count), static_cast<Eigen::Index>(c)));
+  std::vector<std::vector<int>> members(count);
+  std::vector<float> sum(count);
+  for (std::size_t row = 0; row < frames_; ++row) {
+    std::fill(sum.begin(), sum.end(), 0.0F);
+    for (std::size_t m = 0; m < markers_; ++m)
+      add_distances(columns[2 * m].data(),
+                    columns[2 * m + 1].data(),
+                    static_cast<float>(
+                        layouts(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(2 * m))),
+                    static_cast<float>(layouts(static_cast<Eigen::Index>(row),
+                                               static_cast<Eigen::Index>(2 * m + 1))),
+                    count,
+                    sum.data());
+    const auto least = std::min_element(sum.begin(), sum.end()) - sum.begin();
+    members[static_cast<std::size_t>(least)].push_back(static_cast<int>(row));
+  }
+  for (std::size_t g = 0; g < count; ++g) {
+    if (members[g].empty()) continue;  // the same layout as another centre
+    Group group{rows_.size(), rows_.size() + members[g].size(), {}, {}};
+    for (const auto& column : columns) group.centre.push_back(column[g]);
+    rows_.insert(rows_.end(), members[g].begin(), members[g].end());
+    groups_.push_back(std::move(group));
+  }
+}
+
+std::vector<LayoutSearch::Bound> LayoutSearch::bounds(const Markers& markers) const {
+  const std::vector<std::size_t> numbers = counting(markers);
+  // Sums of floats are off by less than this, of themselves and of the places behind them.
+  constexpr float kSure = 1 - 1e-4F, kRoundingPx = 1e-2F;
+  std::vector<Bound> bounds(groups_.size());
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group& group = groups_[g];
+    float sum = 0;
+    for (const std::size_t m : numbers) {
+      const float du = static_cast<float>(markers[m].u) - group.centre[2 * m];
+      const float dv = static_cast<float>(markers[m].v) - group.centre[2 * m + 1];
+      sum += std::max(0.0F, std::sqrt(du * du + dv * dv) - group.reach_px[m]);
+    }
+    bounds[g] = {kSure * sum - kRoundingPx, g};
+  }
+  std::sort(bounds.begin(), bounds.end(), [](const Bound& a, const Bound& b) {
+    return a.least < b.least;
+  });
+  return bounds;
+}
 
 LayoutSearch::Found LayoutSearch::nearest(const Markers& markers,
                                           const std::vector<char>& without) const {
-  std::vector<float> sum(frames_, 0.0F);
-  const auto seen = [](const Marker& m) { return m.seen; };
-  const bool any_seen = std::any_of(markers.begin(), markers.end(), seen);
-  int used = 0;
-  for (std::size_t m = 0; m < markers.size(); ++m) {
-    if (any_seen && !markers[m].seen) continue;
-    const float* u = places_.data() + 2 * m * frames_;
-    add_distances(u,
-                  u + frames_,
-                  static_cast<float>(markers[m].u),
-                  static_cast<float>(markers[m].v),
-                  frames_,
-                  sum.data());
-    ++used;
+  const std::vector<std::size_t> numbers = counting(markers);
+  std::vector<float> sum;
+  int best_row = 0;
+  float best = std::numeric_limits<float>::infinity();
+  for (const Bound& bound : bounds(markers)) {
+    if (bound.least > best) break;
+    const Group& group = groups_[bound.group];
+    const std::size_t size = group.end - group.begin;
+    sum.assign(size, 0.0F);
+    for (const std::size_t m : numbers) {
+      const float* u = places_.data() + group.begin * 2 * markers_ + 2 * m * size;
+      add_distances(u,
+                    u + size,
+                    static_cast<float>(markers[m].u),
+                    static_cast<float>(markers[m].v),
+                    size,
+                    sum.data());
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      const int row = rows_[group.begin + i];
+      if (sum[i] > best || (sum[i] == best && row >= best_row)) continue;
+      if (!without.empty() && without[static_cast<std::size_t>(row)] != 0) continue;
+      best = sum[i];
+      best_row = row;
+    }
   }
-  for (std::size_t i = 0; i < without.size(); ++i)
-    if (without[i] != 0) sum[i] = std::numeric_limits<float>::infinity();
-  const auto least = std::min_element(sum.begin(), sum.end());
-  return {static_cast<int>(least - sum.begin()), static_cast<double>(*least) / std::max(1, used)};
+  return {
+      best_row,
+      static_cast<double>(best) / static_cast<double>(std::max<std::size_t>(1, numbers.size()))};
 }
 
 double LayoutSearch::median_step_px() const {
   std::vector<double> steps;
   std::vector<char> without(frames_, 0);
-  const std::size_t markers_count = places_.size() / (2 * frames_);
   const std::size_t every = std::max<std::size_t>(1, frames_ / 200);
-  for (std::size_t i = 0; i < frames_; i += every) {
-    Markers markers(markers_count);
-    for (std::size_t m = 0; m < markers_count; ++m)
-      markers[m] = {places_[2 * m * frames_ + i], places_[(2 * m + 1) * frames_ + i], true, 0};
-    without[i] = 1;
+  for (std::size_t row = 0; row < frames_; row += every) {
+    const auto group = std::find_if(
+        groups_.begin(), groups_.end(), [&](const Group& g) { return place_of_row_[row] < g.end; });
+    const std::size_t size = group->end - group->begin;
+    const float* at =
+        places_.data() + group->begin * 2 * markers_ + (place_of_row_[row] - group->begin);
+    Markers markers(markers_);
+    for (std::size_t m = 0; m < markers_; ++m)
+      markers[m] = {at[2 * m * size], at[(2 * m + 1) * size], true, 0};
+    without[row] = 1;
     steps.push_back(nearest(markers, without).distance_px);
-    without[i] = 0;
+    without[row] = 0;
   }
   return upper_median(steps);
+}
+
+std::size_t LayoutSearch::memory_bytes() const {
+  return places_.size() * sizeof(float) + rows_.size() * sizeof(int) +
+         place_of_row_.size() * sizeof(std::size_t) +
+         groups_.size() * (sizeof(Group) + 3 * markers_ * sizeof(float));
 }
 
 double known_distance_px(const LayoutSearch& search) {

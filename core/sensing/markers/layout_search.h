@@ -1,4 +1,10 @@
-// The recorded layout nearest to the markers, by looking at all of them.
+// The recorded layout nearest to the markers: exactly what looking at all of them would find.
+//
+// Layouts are grouped round about sqrt(n) of them. With a group's centre c and, of each marker, the
+// greatest distance r of its layouts from c, no layout of the group is nearer to q than
+//   sum over the markers that count of max(0, |q - c| - r)
+// by the triangle inequality, whichever markers count. Groups are looked through from the least of
+// these bounds on until the next one lies beyond what was found.
 #pragma once
 
 #include "core/sensing/markers/markers.h"
@@ -26,10 +32,28 @@ class LayoutSearch {
   /// Median over the rows (at most about 200 of them) of the distance to the nearest other row.
   [[nodiscard]] double median_step_px() const;
 
+  [[nodiscard]] std::size_t memory_bytes() const;
+
  private:
-  std::size_t frames_;
+  /// Layouts that lie near each other.
+  struct Group {
+    std::size_t begin, end;       // in the order of rows_
+    std::vector<float> centre;    // u0, v0, u1, ...
+    std::vector<float> reach_px;  // of each marker
+  };
+  struct Bound {
+    float least;  // sum over the markers that count
+    std::size_t group;
+  };
+  void group_round(const Eigen::MatrixXd& layouts, std::size_t count);
+  [[nodiscard]] std::vector<Bound> bounds(const Markers& markers) const;
+
+  std::size_t frames_, markers_;
+  std::vector<int> rows_;  // by group, ascending within each
   std::vector<float>
-      places_;  // u0 of all frames, v0 of all frames, u1 ...: the loops run along frames
+      places_;  // of a group: u0 of all its layouts, v0 of all, u1 ...: loops run along
+  std::vector<std::size_t> place_of_row_;  // its index in rows_
+  std::vector<Group> groups_;
 };
 
 /// How far the nearest layout may be of a pose that counts as recorded: three times the median

@@ -1,18 +1,15 @@
 // The untouched picture of a flat sensor.
 #pragma once
 
-#include "core/finger/finger.h"
+#include "core/finger/finger_store.h"
 #include "core/result.h"
-
-#include <filesystem>
 
 #include <opencv2/core.hpp>
 
 namespace alltact {
 
-/// The untouched picture that the finger names, oriented. Errors: it names none; those of reading
-/// it; not of the camera's size.
-[[nodiscard]] Result<cv::Mat> flat_reference(const std::filesystem::path& finger_folder,
-                                             const Finger& finger);
+/// The untouched picture that the finger names, as frames of this snapshot are (picture_for).
+/// Errors: it names none; those of reading it; not of the camera's size.
+[[nodiscard]] Result<cv::Mat> flat_reference(const FingerSnapshot& snapshot);
 
 }  // namespace alltact

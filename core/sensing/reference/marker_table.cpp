@@ -1,5 +1,6 @@
 #include "core/sensing/reference/marker_table.h"
 
+#include "core/camera/reduced_picture.h"
 #include "core/io/atomic_file.h"
 #include "core/printable.h"
 
@@ -159,6 +160,17 @@ Status MarkerTable::save(const std::filesystem::path& file) const {
     }
   text += fmt::format("end,{}\n", frames.size());
   return write_file_atomically(file, text);
+}
+
+MarkerTable reduced_table(MarkerTable table, int by) {
+  if (by == 1) return table;
+  table.layouts = table.layouts.unaryExpr([by](double px) { return reduced_px(px, by); });
+  for (Dot& dot : table.typical) {
+    dot.u = reduced_px(dot.u, by);
+    dot.v = reduced_px(dot.v, by);
+    dot.radius_px /= by;
+  }
+  return table;
 }
 
 Markers markers_of(const Eigen::MatrixXd& layouts,

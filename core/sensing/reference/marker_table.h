@@ -26,6 +26,9 @@ struct MarkerTable {
   [[nodiscard]] Status save(const std::filesystem::path& file) const;
 };
 
+/// Of the same recording reduced by `by` pixels a side (reduced_picture.h).
+[[nodiscard]] MarkerTable reduced_table(MarkerTable table, int by);
+
 /// A row of layouts (u0, v0, ...) as markers, with the uncertainty that recorded ones have.
 [[nodiscard]] Markers markers_of(const Eigen::MatrixXd& layouts,
                                  Eigen::Index row,

@@ -4,6 +4,7 @@
 #include "core/sensing/face/face_edges.h"
 
 #include <numeric>
+#include <queue>
 
 namespace alltact {
 namespace {
@@ -21,8 +22,13 @@ class Keeper {
   void add(std::size_t row, FacePicture face) {
     bytes_ += face.bytes();
     faces_[row] = std::move(face);
-    if (bytes_ > limit_ && rank_.empty()) rank_frames();
-    while (bytes_ > limit_ && kept() > 2) drop_one();
+    if (rank_.empty()) {
+      kept_.push_back(row);
+      if (bytes_ > limit_) rank_frames();
+    } else {
+      push(row);
+    }
+    while (bytes_ > limit_ && last_first_.size() > 2) drop_one();
   }
 
   [[nodiscard]] std::vector<std::size_t> rows() const {
@@ -35,28 +41,32 @@ class Keeper {
   FacePicture take(std::size_t row) { return std::move(*faces_[row]); }
 
  private:
-  [[nodiscard]] std::size_t kept() const { return rows().size(); }
+  /// Place of each row in the covering order. The order of all takes the square of their number,
+  /// days for a hundred thousand; more than twice as many as fit by now will not be kept, and all
+  /// behind those go in the order of the recording, the last first.
   void rank_frames() {
-    rank_ = farthest_point_order(table_.layouts, static_cast<int>(faces_.size()));
+    const std::size_t count = std::min(faces_.size(), 2 * kept_.size());
+    const std::vector<int> order = farthest_point_order(table_.layouts, static_cast<int>(count));
+    rank_.resize(faces_.size());
+    for (std::size_t row = 0; row < rank_.size(); ++row) rank_[row] = count + row;
+    for (std::size_t i = 0; i < order.size(); ++i) rank_[static_cast<std::size_t>(order[i])] = i;
+    for (const std::size_t row : kept_) push(row);
   }
+  void push(std::size_t row) { last_first_.emplace(rank_[row], row); }
+  /// The last of the covering order among those already read.
   void drop_one() {
-    while (!rank_.empty()) {
-      // The last of the covering order among those already read.
-      const auto last = std::find_if(rank_.rbegin(), rank_.rend(), [&](int row) {
-        return faces_[static_cast<std::size_t>(row)].has_value();
-      });
-      if (last == rank_.rend()) return;
-      auto& face = faces_[static_cast<std::size_t>(*last)];
-      bytes_ -= face->bytes();
-      face.reset();
-      return;
-    }
+    auto& face = faces_[last_first_.top().second];
+    last_first_.pop();
+    bytes_ -= face->bytes();
+    face.reset();
   }
 
   const MarkerTable& table_;
   std::size_t limit_, bytes_ = 0;
   std::vector<std::optional<FacePicture>> faces_;
-  std::vector<int> rank_;
+  std::vector<std::size_t> kept_;  // rows, until they are ranked
+  std::vector<std::size_t> rank_;  // of each row; empty: the limit was never passed
+  std::priority_queue<std::pair<std::size_t, std::size_t>> last_first_;  // rank and row
 };
 
 struct Looked {

@@ -1,5 +1,6 @@
 #include "core/sensing/reference/reference_library.h"
 
+#include "core/finger/reduced_finger.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/markers/layout_search.h"
 #include "core/sensing/reference/flat_reference.h"
@@ -26,7 +27,8 @@ Error wrong(Message what, const std::filesystem::path& file) {
 struct ReferenceLibrary::Content {
   /// The recorded frames nearest to a place in the modes, and their weights there.
   [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
-                                      const std::vector<char>& without) const;
+                                      const std::vector<char>& without,
+                                      int count = kPoseNeighbours) const;
   [[nodiscard]] FaceMix mix_of(const Neighbours& neighbours) const;
   /// The frame in the middle of all poses, and how far markers are from it.
   [[nodiscard]] Nearest rest(const Markers& markers) const;
@@ -34,7 +36,8 @@ struct ReferenceLibrary::Content {
   /// `shown` of the grid; empty where there is none such, or too few frames show it.
   [[nodiscard]] std::vector<char> hiding(const ChartWarp& warp,
                                          std::pair<int, int> shown,
-                                         const std::vector<char>& without) const;
+                                         const std::vector<char>& without,
+                                         int neighbours) const;
 
   cv::Size size;
   std::vector<int> frames;  // numbers in the video
@@ -55,8 +58,9 @@ struct ReferenceLibrary::Content {
 };
 
 Neighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& place,
-                                                 const std::vector<char>& without) const {
-  const PoseNeighbours near = pose_neighbours(modes, place, model->marker_count(), without);
+                                                 const std::vector<char>& without,
+                                                 int count) const {
+  const PoseNeighbours near = pose_neighbours(modes, place, model->marker_count(), without, count);
   const Eigen::VectorXd& w = near.weights;
   Neighbours found;
   found.reach_px2 = reach_px2(near.points, place, w);
@@ -95,7 +99,8 @@ ReferenceLibrary::Nearest ReferenceLibrary::Content::rest(const Markers& markers
 
 std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
                                                     std::pair<int, int> shown,
-                                                    const std::vector<char>& without) const {
+                                                    const std::vector<char>& without,
+                                                    int neighbours) const {
   if (warp.first() >= warp.end()) return {};
   const auto column = [&](float u) { return static_cast<int>(u) - grid.origin.x; };
   int first = std::max(0, column(warp.reach(warp.first()).first));
@@ -108,19 +113,21 @@ std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
     firsts.push_back(faces[i].first);
     ends.push_back(faces[i].end);
   }
-  constexpr std::size_t kEnough = 2 * kPoseNeighbours;
-  if (firsts.size() < kEnough) return {};
-  std::nth_element(firsts.begin(), firsts.begin() + kEnough - 1, firsts.end());
-  std::nth_element(ends.begin(), ends.end() - kEnough, ends.end());
-  first = std::max(first, firsts[kEnough - 1]);
-  end = std::min(end, *(ends.end() - kEnough));
+  const auto wanted = static_cast<std::size_t>(neighbours);
+  const std::size_t enough = 2 * wanted;
+  if (firsts.size() < enough) return {};
+  const auto nth = static_cast<std::ptrdiff_t>(enough);
+  std::nth_element(firsts.begin(), firsts.begin() + nth - 1, firsts.end());
+  std::nth_element(ends.begin(), ends.end() - nth, ends.end());
+  first = std::max(first, firsts[enough - 1]);
+  end = std::min(end, *(ends.end() - nth));
   std::vector<char> hidden(faces.size(), 0);
   std::size_t left = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     hidden[i] = faces[i].first > first || faces[i].end < end || (!without.empty() && without[i]);
     left += !hidden[i];
   }
-  return left >= kPoseNeighbours ? hidden : std::vector<char>();
+  return left >= wanted ? hidden : std::vector<char>();
 }
 
 namespace {
@@ -148,8 +155,9 @@ Eigen::MatrixXd seen_layouts(const MarkerTable& table, const std::vector<int>& m
 /// All that a library of these files depends on, as text; nullopt where that cannot be told.
 std::optional<std::string> made_from(const std::filesystem::path& video,
                                      const std::filesystem::path& table,
-                                     const Finger& finger,
+                                     const FingerSnapshot& snapshot,
                                      std::size_t memory_limit_bytes) {
+  const Finger& finger = snapshot.finger;
   Finger told;  // without what is measured with the library
   told.name = "-";
   told.camera = finger.camera;
@@ -158,7 +166,7 @@ std::optional<std::string> made_from(const std::filesystem::path& video,
   told.reference = finger.reference;
   const auto yaml = told.to_yaml();
   if (!yaml) return std::nullopt;
-  std::string key = fmt::format("{} {}", memory_limit_bytes, *yaml);
+  std::string key = fmt::format("{} {} {}", memory_limit_bytes, snapshot.reduced_by, *yaml);
   for (const std::filesystem::path& file : {video, table}) {
     struct stat of {};
     if (stat(file.c_str(), &of) != 0) return std::nullopt;
@@ -176,7 +184,7 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   const std::filesystem::path& finger_folder = snapshot.folder;
   const Finger& finger = snapshot.finger;
   if (finger.face.kind == FaceKind::kFlat) {
-    const auto grey = flat_reference(finger_folder, finger);
+    const auto grey = flat_reference(snapshot);
     if (!grey) return grey.error();
     return single(*grey);
   }
@@ -189,14 +197,13 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   const auto read = [&]() -> Result<std::shared_ptr<const Content>> {
     const auto table = MarkerTable::load(table_file, finger.marker_count());
     if (!table) return table.error();
-    auto library =
-        from_recording(video_file, *table, finger, snapshot.camera, job, memory_limit_bytes);
+    auto library = from_recording(video_file, *table, snapshot, job, memory_limit_bytes);
     if (!library) return library.error();
     return std::move(library->content_);
   };
   static SharedValues<Content> shared;
   const Error stopped{en::say("stopped before the reference was read"), video_file, ""};
-  const auto key = made_from(video_file, table_file, finger, memory_limit_bytes);
+  const auto key = made_from(video_file, table_file, snapshot, memory_limit_bytes);
   auto content = key ? shared.get(*key, job, stopped, read) : read();
   if (!content) return content.error();
   ReferenceLibrary library;
@@ -206,8 +213,7 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
 
 Result<ReferenceLibrary> ReferenceLibrary::from_recording(const std::filesystem::path& video_file,
                                                           const MarkerTable& table,
-                                                          const Finger& finger,
-                                                          const Camera& camera,
+                                                          const FingerSnapshot& finger,
                                                           const Job& job,
                                                           std::size_t memory_limit_bytes) {
   auto video = VideoFile::open(video_file, job);
@@ -215,10 +221,16 @@ Result<ReferenceLibrary> ReferenceLibrary::from_recording(const std::filesystem:
   const auto frame = [&](std::size_t number) -> Result<cv::Mat> {
     const auto read = video->frame(number);
     if (!read) return read.error();
-    return oriented_for(finger.camera, (*read)->grey, en::say("the recording's picture"), "", "");
+    return picture_for(finger, (*read)->grey, en::say("the recording's picture"), "", "");
   };
-  return from_frames(
-      frame, video->frame_count(), video_file, table, finger, camera, job, memory_limit_bytes);
+  return from_frames(frame,
+                     video->frame_count(),
+                     video_file,
+                     reduced_table(table, finger.reduced_by),
+                     finger.finger,
+                     finger.camera,
+                     job,
+                     memory_limit_bytes);
 }
 
 Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& frame,
@@ -322,7 +334,8 @@ ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers,
 Reference ReferenceLibrary::reference_for(const Markers& markers,
                                           const FaceShape& shape,
                                           ReferenceMethod method,
-                                          const std::vector<char>& without) const {
+                                          const std::vector<char>& without,
+                                          int neighbours) const {
   Reference reference;
   const Content& content = *content_;
   if (!content.search) {
@@ -349,14 +362,15 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.index)]}, {1.0F}}};
   if (method == ReferenceMethod::kLocal) {
     const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
-    const Neighbours near = content.neighbours(place, without);
+    const Neighbours near = content.neighbours(place, without, neighbours);
     const double unsure_px2 = reference.by_shape ? squares_of_sds(markers) : 0.0;
     mixes = {content.mix_of(near)};
     reference.error_factor = reference.outer_error_factor =
         content.error.factor(near.reach_px2 + unsure_px2);
-    const auto hiding = content.hiding(warp, mixes.front().shown(content.grid), without);
+    const auto hiding =
+        content.hiding(warp, mixes.front().shown(content.grid), without, neighbours);
     if (!hiding.empty()) {
-      const Neighbours further = content.neighbours(place, hiding);
+      const Neighbours further = content.neighbours(place, hiding, neighbours);
       mixes.push_back(content.mix_of(further));
       reference.outer_error_factor = content.error.factor(further.reach_px2 + unsure_px2);
     }

@@ -11,6 +11,7 @@
 #include "core/sensing/reference/marker_table.h"
 #include "core/sensing/reference/recorded_faces.h"
 #include "core/sensing/reference/reference_picture.h"
+#include "core/sensing/reference/reference_weights.h"
 #include "core/sensing/reference/shape_poses.h"
 
 #include <cstdint>
@@ -53,7 +54,8 @@ struct Reference {
 
 class ReferenceLibrary {
  public:
-  /// Reads the recording a finger names. Only the face is kept of every frame, laid over the rest
+  /// Reads the recording a finger names, reduced as the finger is (reduced_finger.h): its memory
+  /// falls with that. Only the face is kept of every frame, laid over the rest
   /// frame's (the one in the middle of all poses) so that each point of the skin stays at its
   /// place; when that would pass `memory_limit_bytes` only a covering subset of the frames
   /// (farthest-point sampling in marker space). While somebody holds what was read from the same
@@ -63,16 +65,16 @@ class ReferenceLibrary {
                                        const Job& job,
                                        std::size_t memory_limit_bytes = std::size_t{512} << 20);
 
-  /// The same from a recording and its marker table wherever they are.
+  /// The same from a recording and its marker table, at its own pixels, wherever they are.
   static Result<ReferenceLibrary> from_recording(const std::filesystem::path& video,
                                                  const MarkerTable& table,
-                                                 const Finger& finger,
-                                                 const Camera& camera,
+                                                 const FingerSnapshot& finger,
                                                  const Job& job,
                                                  std::size_t memory_limit_bytes = std::size_t{512}
                                                                                   << 20);
 
-  /// The same from frames that are at hand; `video` is where they are said to come from.
+  /// The same from frames and a table that are at hand, both at the pixels of `camera`; `video` is
+  /// where they are said to come from.
   static Result<ReferenceLibrary> from_frames(const FrameOfRecording& frame,
                                               std::size_t frame_count,
                                               const std::filesystem::path& video,
@@ -113,14 +115,15 @@ class ReferenceLibrary {
   /// tells how much less sure the reference is. `without` marks frames (by index) that take no
   /// part, as if they had not been recorded; empty: all do. At least two must.
   ///
-  /// kLocal: local linear regression over the 8 frames nearest in the finger's modes of motion.
-  /// known_pose: distance_px is at most three times the median distance of the recording's frames
-  /// to their nearest other, and at least 1.5 px is always allowed.
-  /// kSingle: frame and distance_px are those of the rest frame, and nothing is laid over.
+  /// kLocal: local linear regression over the `neighbours` frames nearest in the finger's modes of
+  /// motion. known_pose: distance_px is at most three times the median distance of the recording's
+  /// frames to their nearest other, and at least 1.5 px is always allowed. kSingle: frame and
+  /// distance_px are those of the rest frame, and nothing is laid over.
   [[nodiscard]] Reference reference_for(const Markers& markers,
                                         const FaceShape& shape,
                                         ReferenceMethod method,
-                                        const std::vector<char>& without = {}) const;
+                                        const std::vector<char>& without = {},
+                                        int neighbours = kPoseNeighbours) const;
 
  private:
   struct Content;

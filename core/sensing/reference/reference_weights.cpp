@@ -49,11 +49,12 @@ Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points,
 PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,
                                const Eigen::VectorXd& place,
                                int marker_count,
-                               const std::vector<char>& without) {
+                               const std::vector<char>& without,
+                               int count) {
   constexpr double kMismatchPx = 0.2;  // of every marker, that is worth no more noise to avoid
   constexpr double kMostWeight = 2.9;  // sum of |w|: noise and model error grow with it
   PoseNeighbours found;
-  found.rows = nearest_rows(modes, place, kPoseNeighbours, without);
+  found.rows = nearest_rows(modes, place, count, without);
   found.points.resize(static_cast<Eigen::Index>(found.rows.size()), place.size());
   for (std::size_t i = 0; i < found.rows.size(); ++i)
     found.points.row(static_cast<Eigen::Index>(i)) = modes.row(found.rows[i]);

@@ -19,7 +19,7 @@ namespace alltact {
                                                    double ridge_px,
                                                    double most);
 
-inline constexpr int kPoseNeighbours = 8;  ///< more gain little and cost their share
+inline constexpr int kPoseNeighbours = 8;  ///< as usual: more gain little and cost their share
 
 /// Recorded frames that tell a pose together, and how much each counts.
 struct PoseNeighbours {
@@ -28,12 +28,13 @@ struct PoseNeighbours {
   Eigen::VectorXd weights;  ///< local_linear_weights()
 };
 
-/// The kPoseNeighbours rows of `modes` (a row a frame, px) nearest to the pose `place`.
+/// The `count` rows of `modes` (a row a frame, px) nearest to the pose `place`.
 /// marker_count: of the layouts that the modes are of. `without` (by row) marks frames that take no
 /// part, empty: all do.
 [[nodiscard]] PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,
                                              const Eigen::VectorXd& place,
                                              int marker_count,
-                                             const std::vector<char>& without);
+                                             const std::vector<char>& without,
+                                             int count = kPoseNeighbours);
 
 }  // namespace alltact

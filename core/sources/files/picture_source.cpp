@@ -11,6 +11,7 @@ namespace fs = std::filesystem;
 /// Depth maps and the like, which lie beside pictures and are none: NAME.depth.tiff, NAME.3d.png.
 bool is_measurement(const fs::path& file) {
   static constexpr std::array kEndings{".depth",
+                                       ".depth16",
                                        ".depth_sd",
                                        ".flags",
                                        ".points",

@@ -3,6 +3,7 @@
 
 #include "core/sources/source.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <vector>
 
@@ -21,6 +22,7 @@ class PictureSource : public Source {
   explicit PictureSource(std::vector<std::filesystem::path> files);
 
   [[nodiscard]] Result<FramePtr> next() override;
+  void skip(std::size_t count) override { position_ += std::min(count, files_.size() - position_); }
   [[nodiscard]] std::optional<std::size_t> count() const override { return files_.size(); }
   [[nodiscard]] bool is_continuous() const override { return is_continuous_; }
 

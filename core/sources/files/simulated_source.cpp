@@ -22,6 +22,12 @@ std::optional<std::size_t> SimulatedSource::count() const {
   return count;
 }
 
+void SimulatedSource::skip(std::size_t count) {
+  const int end = is_live() ? std::numeric_limits<int>::max() : plan_.frame_count();
+  while (count > 0 && position_ < end)
+    if (!plan_.arrival(position_++).is_dropped) --count;
+}
+
 Result<FramePtr> SimulatedSource::next() {
   const int end = is_live() ? std::numeric_limits<int>::max() : plan_.frame_count();
   Arrival arrival{true, 0};

@@ -19,6 +19,7 @@ class SimulatedSource : public Source {
                                                             const SourceOptions& options);
 
   [[nodiscard]] Result<FramePtr> next() override;
+  void skip(std::size_t count) override;  ///< renders nothing
   /// None at the camera's pace, which never ends.
   [[nodiscard]] std::optional<std::size_t> count() const override;
   [[nodiscard]] bool is_continuous() const override { return true; }

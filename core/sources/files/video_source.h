@@ -5,6 +5,8 @@
 #include "core/sources/pacer.h"
 #include "core/sources/source.h"
 
+#include <algorithm>
+
 namespace alltact {
 
 class VideoSource : public Source {
@@ -13,6 +15,9 @@ class VideoSource : public Source {
       : video_(std::move(video)), pacer_(options) {}
 
   [[nodiscard]] Result<FramePtr> next() override;
+  void skip(std::size_t count) override {
+    position_ += std::min(count, video_.frame_count() - position_);
+  }
   [[nodiscard]] std::optional<std::size_t> count() const override { return video_.frame_count(); }
   [[nodiscard]] bool is_continuous() const override { return true; }
   [[nodiscard]] double frames_per_s() const override { return video_.frames_per_s(); }

@@ -15,8 +15,9 @@ namespace alltact {
 /// Opens what the inputs name:
 ///   one camera: its node (/dev/video0), or its lasting name or serial number (see find_camera);
 ///   pictures (png, jpg, bmp, tif, pgm) and folders of pictures (in name order; NAME.depth.tiff,
-///     NAME.depth_sd.tiff, NAME.flags.png, NAME.sd_*.tiff, NAME.points.tiff, NAME.z.tiff and
-///     NAME.3d.png beside them are results); they have no times and come as fast as asked;
+///     NAME.depth16.png, NAME.depth_sd.tiff, NAME.flags.png, NAME.sd_*.tiff, NAME.points.tiff,
+///     NAME.z.tiff and NAME.3d.png beside them are results); they have no times and come as fast as
+///     asked;
 ///   one video (mkv, avi, mp4; see VideoFile);
 ///   one scene (yaml): the finger it describes, simulated. As fast as asked it gives the scene's
 ///     frames; at the camera's pace it goes on without end, with the faults that the scene names.

@@ -1,0 +1,34 @@
+// What every study writes and says of itself.
+#pragma once
+
+#include "app/commands/commands.h"
+#include "core/result.h"
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace alltact {
+
+/// Program, date, machine with its power, seed.
+[[nodiscard]] Console::Json study_provenance(const StudyCommandOptions& options);
+
+struct StudyFiles {
+  nlohmann::json json;  ///< of the study itself
+  std::string csv, svg;
+};
+
+/// Writes study.json (with `provenance`), study.csv, study.svg, and study.png and study.pdf where
+/// this computer has what draws them, into the folder, and says so. Error: a file cannot be
+/// written.
+[[nodiscard]] Status write_study(const StudyFiles& files,
+                                 const Console::Json& provenance,
+                                 const Path& folder,
+                                 Console& console);
+
+/// `alltact study --calibrating` and `--simulating`.
+[[nodiscard]] Status run_calibrating_study(const StudyCommandOptions& options, Console& console);
+[[nodiscard]] Status run_simulating_study(const StudyCommandOptions& options, Console& console);
+
+}  // namespace alltact

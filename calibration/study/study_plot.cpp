@@ -1,0 +1,305 @@
+#include "calibration/study/study_plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+constexpr double kWidth = 900;
+constexpr double kLeft = 80, kRight = 870, kTop = 64, kBottom = 404;  // of the axes
+constexpr double kLine = 20;
+constexpr std::size_t kMostNames = 7;
+constexpr double kAroundFront = 1.6;  // times the slowest that is worth taking
+constexpr double kApartPx = 20;  // dots that are named; nearer ones are told by their neighbour
+constexpr std::size_t kLineOfNames = 118;  // characters that fit below the figure
+constexpr const char* kFrontColour = "#1f6fb2";
+constexpr const char* kRealColour = "#c2571a";
+constexpr const char* kBeatenColour = "#b8b8b8";
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '&')
+      safe += "&amp;";
+    else if (c == '<')
+      safe += "&lt;";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+/// A round number of which about `count` make up `range`.
+double step_for(double range, int count) {
+  const double rough = range / count;
+  const double decade = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (step * decade >= rough) return step * decade;
+  return 10 * decade;
+}
+
+/// Words on lines of at most kLineOfNames characters.
+std::vector<std::string> broken(const std::string& words) {
+  std::vector<std::string> lines;
+  std::string rest = words;
+  while (rest.size() > kLineOfNames) {
+    std::size_t cut = rest.rfind(' ', kLineOfNames);
+    if (cut == std::string::npos || cut == 0) cut = kLineOfNames;
+    lines.push_back(rest.substr(0, cut));
+    rest = rest.substr(rest[cut] == ' ' ? cut + 1 : cut);
+  }
+  lines.push_back(rest);
+  return lines;
+}
+
+class DrawnPlot {
+ public:
+  explicit DrawnPlot(const StudyPlot& plot) : plot_(plot) {
+    // What is far slower or worse than what is worth taking would squeeze that into a corner.
+    double farthest = 0, highest = 0;
+    const bool any = std::any_of(plot.dots.begin(), plot.dots.end(), [](const PlotDot& dot) {
+      return dot.is_on_front || dot.is_usual;
+    });
+    for (const PlotDot& dot : plot.dots) {
+      if (any && !dot.is_on_front && !dot.is_usual) continue;
+      farthest = std::max(farthest, dot.x);
+      highest = std::max({highest, dot.y, dot.y95.value_or(0), dot.real95.value_or(0)});
+    }
+    most_x_ = std::max((any ? kAroundFront : 1.1) * farthest, 1e-6);
+    most_y_ = std::max(1.1 * highest, 1e-6);
+    choose_names();
+  }
+
+  [[nodiscard]] std::string svg() {
+    write(kLeft, 26, "start", 17, plot_.title);
+    write(kLeft, 46, "start", 13, plot_.subtitle);
+    axes();
+    budget();
+    beaten();
+    if (plot_.has_staircase) staircase();
+    named();
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
+               "viewBox=\"0 0 {0} {1:.0f}\" font-family=\"DejaVu Sans, sans-serif\" "
+               "font-size=\"13\">\n<rect width=\"{0}\" height=\"{1:.0f}\" fill=\"white\"/>\n",
+               kWidth,
+               next_y_ + 4) +
+           text_ + "</svg>\n";
+  }
+
+ private:
+  [[nodiscard]] double x(double value) const { return kLeft + (kRight - kLeft) * value / most_x_; }
+  [[nodiscard]] double y(double value) const {
+    return kBottom - (kBottom - kTop) * value / most_y_;
+  }
+  [[nodiscard]] bool is_inside(const PlotDot& dot) const {
+    return dot.x <= most_x_ && dot.y <= most_y_;
+  }
+
+  void write(double at_x, double at_y, const char* anchor, int size, const std::string& words) {
+    text_ += fmt::format(
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n",
+        at_x,
+        at_y,
+        anchor,
+        size,
+        escaped(words));
+  }
+  void line(double x1, double y1, double x2, double y2, const std::string& how) {
+    text_ += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n",
+                         x1,
+                         y1,
+                         x2,
+                         y2,
+                         how);
+  }
+  /// A whisker ends within the axes; a cap shows that it ends there.
+  void whisker(double at_x, double from, double to, const char* colour) {
+    const double end = std::min(to, most_y_);
+    const std::string how = fmt::format("stroke=\"{}\"", colour);
+    line(at_x, y(from), at_x, y(end), how);
+    if (to <= most_y_) line(at_x - 4, y(end), at_x + 4, y(end), how);
+  }
+
+  void axes() {
+    const double step_x = step_for(most_x_, 8), step_y = step_for(most_y_, 6);
+    for (double at = 0; at <= most_x_; at += step_x) {
+      line(x(at), kTop, x(at), kBottom, "stroke=\"#e4e4e4\"");
+      write(x(at), kBottom + 18, "middle", 13, fmt::format("{:g}", at));
+    }
+    for (double at = 0; at <= most_y_; at += step_y) {
+      line(kLeft, y(at), kRight, y(at), "stroke=\"#e4e4e4\"");
+      write(kLeft - 8, y(at) + 4, "end", 13, fmt::format("{:g}", at));
+    }
+    line(kLeft, kBottom, kRight, kBottom, "stroke=\"black\"");
+    line(kLeft, kTop, kLeft, kBottom, "stroke=\"black\"");
+    write((kLeft + kRight) / 2, kBottom + 40, "middle", 14, plot_.x_label);
+    text_ += fmt::format(
+        "<text transform=\"translate(24 {:.1f}) rotate(-90)\" text-anchor=\"middle\" "
+        "font-size=\"14\">{}</text>\n",
+        (kTop + kBottom) / 2,
+        escaped(plot_.y_label));
+  }
+
+  void budget() {
+    if (!plot_.budget) return;
+    if (*plot_.budget > most_x_) {
+      write(kRight, kTop - 18, "end", 13, plot_.budget_words + " \u2192");
+      return;
+    }
+    line(x(*plot_.budget),
+         kTop,
+         x(*plot_.budget),
+         kBottom,
+         "stroke=\"#b03030\" stroke-dasharray=\"6 4\"");
+    write(std::min(x(*plot_.budget), kRight), kTop - 6, "end", 13, plot_.budget_words);
+  }
+
+  void beaten() {
+    int beyond = 0;
+    for (std::size_t i = 0; i < plot_.dots.size(); ++i) {
+      const PlotDot& dot = plot_.dots[i];
+      if (is_named(i)) continue;
+      if (!is_inside(dot)) {
+        ++beyond;
+        continue;
+      }
+      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n",
+                           x(dot.x),
+                           y(dot.y),
+                           dot.is_on_front ? kFrontColour : kBeatenColour);
+    }
+    if (beyond > 0)
+      write(kRight - 4,
+            kTop + 16,
+            "end",
+            13,
+            fmt::format("{} slower or worse, beyond this figure", beyond));
+  }
+
+  void staircase() {
+    std::vector<const PlotDot*> front;
+    for (const PlotDot& dot : plot_.dots)
+      if (dot.is_on_front && is_inside(dot)) front.push_back(&dot);
+    std::sort(front.begin(), front.end(), [](const auto* a, const auto* b) {
+      return a->x != b->x ? a->x < b->x : a->y < b->y;
+    });
+    std::string way;
+    double least = most_y_;
+    for (const PlotDot* dot : front) {
+      if (dot->y >= least) continue;  // on the front for something else
+      if (!way.empty()) way += fmt::format("{:.1f},{:.1f} ", x(dot->x), y(least));
+      way += fmt::format("{:.1f},{:.1f} ", x(dot->x), y(dot->y));
+      least = dot->y;
+    }
+    if (way.empty()) return;
+    way += fmt::format("{:.1f},{:.1f}", kRight, y(least));
+    text_ +=
+        fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n",
+                    way,
+                    kFrontColour);
+  }
+
+  void named() {
+    next_y_ = kBottom + 70;
+    for (std::size_t number = 0; number < named_.size(); ++number) {
+      const PlotDot& dot = plot_.dots[named_[number]];
+      const double at_x = x(dot.x);
+      const char* colour = dot.is_on_front ? kFrontColour : kBeatenColour;
+      if (dot.y95) whisker(at_x, dot.y, *dot.y95, colour);
+      if (dot.real && *dot.real <= most_y_) {
+        if (dot.real95) whisker(at_x + 6, *dot.real, *dot.real95, kRealColour);
+        text_ += fmt::format(
+            "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"8\" fill=\"white\" "
+            "stroke=\"{}\" stroke-width=\"2\"/>\n",
+            at_x + 2,
+            y(*dot.real) - 4,
+            kRealColour);
+      }
+      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\"{}/>\n",
+                           at_x,
+                           y(dot.y),
+                           colour,
+                           dot.is_usual ? " stroke=\"black\" stroke-width=\"2\"" : "");
+      write(at_x - 9, y(dot.y) - 8, "end", 13, fmt::format("{}", number + 1));
+      bool is_first = true;
+      for (const std::string& words : broken(dot.words)) {
+        if (is_first) write(kLeft, next_y_, "end", 13, fmt::format("{}", number + 1));
+        write(kLeft + 10, next_y_, "start", 13, words);
+        is_first = false;
+        next_y_ += kLine;
+      }
+    }
+    legend();
+  }
+
+  void legend() {
+    const double at_y = next_y_ + 4;
+    text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\"/>\n",
+                         kLeft + 10,
+                         at_y - 4,
+                         kFrontColour);
+    write(kLeft + 22, at_y, "start", 12, "median, whisker to 95 %");
+    text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n",
+                         kLeft + 210,
+                         at_y - 4,
+                         kBeatenColour);
+    write(kLeft + 220, at_y, "start", 12, "something else is better");
+    text_ += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"white\" stroke=\"black\" "
+        "stroke-width=\"2\"/>\n",
+        kLeft + 400,
+        at_y - 4);
+    write(kLeft + 412, at_y, "start", 12, "in use now");
+    if (!plot_.real_label.empty()) {
+      text_ += fmt::format(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"8\" fill=\"white\" stroke=\"{}\" "
+          "stroke-width=\"2\"/>\n",
+          kLeft + 500,
+          at_y - 9,
+          kRealColour);
+      write(kLeft + 514, at_y, "start", 12, plot_.real_label);
+    }
+    next_y_ = at_y + 8;
+  }
+
+  [[nodiscard]] bool is_named(std::size_t dot) const {
+    return std::find(named_.begin(), named_.end(), dot) != named_.end();
+  }
+
+  // What is in use, and then what stands apart, so that no number lies on another.
+  void choose_names() {
+    const auto add = [&](std::size_t i) {
+      const PlotDot& dot = plot_.dots[i];
+      if (named_.size() >= kMostNames || is_named(i) || !is_inside(dot)) return;
+      const bool is_apart = std::all_of(named_.begin(), named_.end(), [&](std::size_t other) {
+        const PlotDot& there = plot_.dots[other];
+        return std::hypot(x(dot.x) - x(there.x), y(dot.y) - y(there.y)) > kApartPx;
+      });
+      if (is_apart) named_.push_back(i);
+    };
+    for (std::size_t i = 0; i < plot_.dots.size(); ++i)
+      if (plot_.dots[i].is_usual) add(i);
+    for (const std::size_t i : plot_.named) add(i);
+    std::sort(named_.begin(), named_.end(), [&](std::size_t a, std::size_t b) {
+      return plot_.dots[a].x < plot_.dots[b].x;
+    });
+  }
+
+  const StudyPlot& plot_;
+  std::vector<std::size_t> named_;
+  double most_x_ = 1, most_y_ = 1, next_y_ = kBottom + 70;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string svg_of(const StudyPlot& plot) {
+  return DrawnPlot(plot).svg();
+}
+
+}  // namespace alltact

@@ -1,0 +1,35 @@
+// A figure of what something costs and brings, as SVG: dots, whiskers, a staircase, a few names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alltact {
+
+struct PlotDot {
+  double x = 0, y = 0;
+  std::optional<double> y95;   ///< end of the whisker
+  std::optional<double> real;  ///< the same measured with real presses: marked apart
+  std::optional<double> real95;
+  std::string words;         ///< told below where the dot is named
+  bool is_on_front = false;  ///< else grey
+  bool is_usual = false;     ///< ringed, and always named
+};
+
+struct StudyPlot {
+  std::string title, subtitle, x_label, y_label;
+  std::string real_label;        ///< what the real marks are; empty: there are none
+  std::vector<PlotDot> dots;     ///< at least one; x and y finite and not negative
+  bool has_staircase = true;     ///< along the front's running least
+  std::optional<double> budget;  ///< a line at this x, or an arrow where it lies beyond
+  std::string budget_words;
+  std::vector<std::size_t> named;  ///< in the order of preference; those that lie apart, up to
+                                   ///< seven, get a number and a line below
+};
+
+/// SVG, 900 px wide and as high as its names need. Both axes are linear from 0; what lies far
+/// beyond the front and the usual choice is counted, not drawn.
+[[nodiscard]] std::string svg_of(const StudyPlot& plot);
+
+}  // namespace alltact

@@ -1,0 +1,163 @@
+// A finger with its recording, measured with fewer pixels and other numbers of neighbours: the
+// demonstration's, simulated, a ball pressed into it.
+#include "calibration/reference/reference_recording.h"
+#include "core/finger/reduced_finger.h"
+#include "core/io/atomic_file.h"
+#include "core/numerics/median.h"
+#include "core/sensing/pipeline.h"
+#include "core/simulation/plan.h"
+#include "core/sources/source.h"
+#include "tests/support/temporary_folder.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+constexpr int kRecorded = 40, kPressed = 8;
+
+class RenderedSource : public Source {
+ public:
+  RenderedSource(const Plan& plan, int count) : plan_(plan), count_(count) {}
+  Result<FramePtr> next() override {
+    if (next_ == count_) return FramePtr();
+    auto frame = std::make_shared<Frame>();
+    frame->grey = plan_.render(next_++);
+    frame->name = fmt::format("frame_{:05d}", next_ - 1);
+    frame->origin = frame->name;
+    return FramePtr(frame);
+  }
+  [[nodiscard]] std::optional<std::size_t> count() const override {
+    return static_cast<std::size_t>(count_);
+  }
+  [[nodiscard]] bool is_continuous() const override { return true; }
+
+ private:
+  const Plan& plan_;
+  int count_, next_ = 0;
+};
+
+/// Recorded once for all tests.
+class RecordedFinger : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::string scene = read_file(std::filesystem::path(ALLTACT_SOURCE_DIR) /
+                                  "resources/scenes/demo_reference.yaml")
+                            .value();
+    const Plan plan = Plan::compile(Scene::parse(scene, "demo").value(), 5).value();
+    const std::string markers = "  - {use: markers,";
+    const std::string ball =
+        "  - {use: ball, radius_mm: 4.0, s_mm: {from: 22.0, to: 80.0}, y_mm: {from: -4.0, to: "
+        "4.0}, depth_mm: {from: 0.4, to: 1.2}}\n";
+    scene.insert(scene.find(markers), ball);
+    const Plan touched = Plan::compile(Scene::parse(scene, "demo").value(), 5).value();
+    folder_ = std::make_unique<TemporaryFolder>();
+    Finger finger = plan.finger();
+    RenderedSource source(plan, kRecorded);
+    const auto installed = install_reference(source, folder_->path(), finger, Job());
+    ASSERT_TRUE(installed.ok()) << installed.error().sentence();
+    MappingParameters mapping;
+    mapping.kind = MappingKind::kMoebius;
+    mapping.x_max = 0.6;
+    mapping.a_mm = 2.4;
+    mapping.b = 0.6;
+    finger.mapping = mapping;
+    finger_ = std::make_unique<FingerSnapshot>(FingerSnapshot::of(folder_->path(), finger).value());
+    RenderedSource live(touched, kPressed);
+    for (auto frame = live.next(); *frame; frame = live.next()) frames_.push_back(*frame);
+  }
+  static void TearDownTestSuite() {
+    folder_.reset();
+    finger_.reset();
+    frames_.clear();
+  }
+
+  static std::vector<FrameResult> measured(const PipelineSettings& settings) {
+    auto pipeline = Pipeline::create(*finger_, settings, Job());
+    EXPECT_TRUE(pipeline.ok()) << pipeline.error().sentence();
+    std::vector<FrameResult> results;
+    for (const FramePtr& frame : frames_) {
+      auto result = (*pipeline)(frame);
+      EXPECT_TRUE(result.ok());
+      results.push_back(std::move(result).value());
+    }
+    return results;
+  }
+
+  static std::unique_ptr<TemporaryFolder> folder_;
+  static std::unique_ptr<FingerSnapshot> finger_;
+  static std::vector<FramePtr> frames_;
+};
+std::unique_ptr<TemporaryFolder> RecordedFinger::folder_;
+std::unique_ptr<FingerSnapshot> RecordedFinger::finger_;
+std::vector<FramePtr> RecordedFinger::frames_;
+
+TEST_F(RecordedFinger, IsReadAtTheResolutionThatIsMeasuredWith) {
+  const auto whole = ReferenceLibrary::load(*finger_, Job());
+  ASSERT_TRUE(whole.ok());
+  for (const int by : {2, 4}) {
+    const auto reduced = ReferenceLibrary::load(reduced_finger(*finger_, by), Job());
+    ASSERT_TRUE(reduced.ok()) << reduced.error().sentence();
+    EXPECT_EQ(reduced->frame_count(), whole->frame_count());
+    const double part =
+        static_cast<double>(reduced->memory_bytes()) / static_cast<double>(whole->memory_bytes());
+    EXPECT_NEAR(part * by * by, 1.0, 0.1) << "of the memory";
+  }
+}
+
+TEST_F(RecordedFinger, TellsTheSameMillimetresWithFewerPixels) {
+  const std::vector<FrameResult> whole = measured({});
+  for (const Resolution resolution : {Resolution::kHalf, Resolution::kQuarter}) {
+    PipelineSettings settings;
+    settings.resolution = resolution;
+    const int by = pixels_a_side(resolution);
+    const std::vector<FrameResult> reduced = measured(settings);
+    std::vector<double> depths_mm, places_mm, distances_mm;
+    for (int i = 0; i < kPressed; ++i) {
+      const FrameResult &a = whole[static_cast<std::size_t>(i)],
+                        &b = reduced[static_cast<std::size_t>(i)];
+      ASSERT_TRUE(a.depth && b.depth) << i << " by " << by;
+      ASSERT_EQ(b.depth->depth_mm.size(), cv::Size(960 / by, 540 / by));
+      ASSERT_FALSE(a.regions.empty()) << i;
+      // A small contact near the tip is a few pixels of a quarter of the picture.
+      if (b.regions.empty()) continue;
+      places_mm.push_back((a.regions[0].place_mm - b.regions[0].place_mm).norm());
+      for (int v = 0; v < b.depth->depth_mm.rows; ++v)
+        for (int u = 0; u < b.depth->depth_mm.cols; ++u) {
+          const cv::Mat square = a.depth->depth_mm({u * by, v * by, by, by});
+          const double mean = cv::mean(square)[0];
+          const double here = static_cast<double>(b.depth->depth_mm.at<float>(v, u));
+          if (mean > 0.1 && std::isfinite(here)) depths_mm.push_back(std::abs(here - mean));
+          const double middle = 0.5 * (by - 1);
+          const auto local = a.shape->at(u * by + middle, v * by + middle),
+                     other = b.shape->at(u, v);
+          if (local && other && u % 8 == 0 && v % 8 == 0)
+            distances_mm.push_back((local->view_point_mm - other->view_point_mm).norm());
+        }
+    }
+    ASSERT_GE(places_mm.size(), by == 2 ? std::size_t{kPressed} : std::size_t{kPressed / 2});
+    EXPECT_LT(upper_median(depths_mm), by == 2 ? 0.01 : 0.04);
+    EXPECT_LT(upper_median(places_mm), by == 2 ? 0.06 : 0.15);
+    EXPECT_LT(upper_median(distances_mm), by == 2 ? 0.1 : 0.3);
+  }
+}
+
+TEST_F(RecordedFinger, MoreNeighboursLeaveLessNoiseInTheReference) {
+  double before = std::numeric_limits<double>::infinity();
+  for (const int neighbours : {2, 4, 8, 16}) {
+    PipelineSettings settings;
+    settings.reference_neighbours = neighbours;
+    double gain = 0;
+    for (const FrameResult& result : measured(settings)) {
+      ASSERT_TRUE(result.reference);
+      gain += result.reference->noise_gain / kPressed;
+    }
+    EXPECT_LT(gain, before) << neighbours;
+    before = gain;
+  }
+}
+
+}  // namespace
+}  // namespace alltact::test

@@ -1,0 +1,27 @@
+// The time that a PDF says it was made at.
+#pragma once
+
+#include <QByteArray>
+#include <string>
+
+namespace alltact {
+
+/// The time of making becomes the time of what was made (as utc_now() writes it), in as many
+/// characters; anything else stays as it is.
+inline void set_pdf_time(QByteArray& pdf, const std::string& date) {
+  QByteArray digits;
+  for (const char c : date)
+    if (c >= '0' && c <= '9') digits.append(c);
+  if (digits.size() != 14) return;
+  const qsizetype mark = pdf.indexOf("/CreationDate (D:");
+  if (mark < 0) return;
+  const qsizetype first = mark + 17;
+  const qsizetype end = pdf.indexOf(')', first);
+  QByteArray time = digits + "+00'00'";
+  if (end - first < time.size()) time = digits + 'Z';
+  if (end - first < time.size()) return;
+  pdf.replace(first, time.size(), time);
+  for (qsizetype i = first + time.size(); i < end; ++i) pdf[i] = ' ';
+}
+
+}  // namespace alltact
