@@ -102,7 +102,7 @@ TEST(AccuracyStudy, ErrorsAreTheSameWithAnyNumberOfThreadsAndAreSmallWhereNothin
     EXPECT_EQ(base.bars, 2);
     EXPECT_EQ(base.bars_missing, 0);
     EXPECT_LT(*base.angle_deg, 1.0);
-    EXPECT_GT(base.memory_bytes, 3U * FlatSensor::kWidth * FlatSensor::kHeight);
+    EXPECT_GT(base.memory_bytes, 2U * FlatSensor::kWidth * FlatSensor::kHeight);
     EXPECT_EQ(base.time_ratio, 1);
     EXPECT_GT(base.time_ms, 0);
     const auto unsmoothed =
