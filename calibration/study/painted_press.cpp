@@ -15,7 +15,7 @@ constexpr double kDeepestPart = 0.8;      // of what the mapping was calibrated 
 constexpr double kShallowestMm = 0.15;    // still to be told from nothing
 constexpr std::uint32_t kMostTries = 20;  // to place something
 constexpr double kBarRadiusPart = 0.5;    // of the ball's
-constexpr double kBarHalfLengthMm = 4.0;
+constexpr double kBarHalfLengthMm = 3.0;
 constexpr double kBarDepthMm = 0.5;
 
 std::optional<double> way_to_ball(const Eigen::Vector3d& centre_mm,
@@ -173,20 +173,33 @@ std::optional<StudyFrame> PressPainter::bar(const cv::Mat& grey,
                                             const FaceShape& shape,
                                             StudyDraws& draws,
                                             FaceZone zone) const {
-  const auto spot = spot_on(shape, draws, zone);
-  if (!spot) return std::nullopt;
-  const auto plane = contact_plane(shape, {spot->u, spot->v});
-  if (!plane) return std::nullopt;
-  const double angle_rad = M_PI * (draws.uniform() - 0.5);
-  PaintedBody body;
-  body.radius_mm = kBarRadiusPart * radius_mm_;
-  body.half_length_mm = kBarHalfLengthMm;
-  body.axis = *plane * Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad));
   const double depth_mm = std::min(kBarDepthMm, deepest_mm_);
-  body.centre_mm = spot->outer_mm + (body.radius_mm - depth_mm) * spot->local.normal;
-  StudyFrame frame = painted_with(body, zone, grey, shape);
-  frame.angle_deg = 180.0 / M_PI * angle_rad;
-  return frame;
+  const auto is_on_face = [&](const Eigen::Vector3d& point_mm) {
+    const auto pixel = shape.camera().project(point_mm);
+    return pixel && pixel->x() >= 0 && pixel->x() <= grey.cols - 1 && pixel->y() >= 0 &&
+           pixel->y() <= grey.rows - 1 && shape.at(pixel->x(), pixel->y());
+  };
+  for (std::uint32_t tried = 0; tried < kMostTries; ++tried) {
+    const auto spot = spot_on(shape, draws, zone);
+    if (!spot) continue;
+    const auto plane = contact_plane(shape, {spot->u, spot->v});
+    const double angle_rad = M_PI * (draws.uniform() - 0.5);
+    if (!plane) continue;
+    PaintedBody body;
+    body.radius_mm = kBarRadiusPart * radius_mm_;
+    body.half_length_mm = kBarHalfLengthMm;
+    body.axis = *plane * Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad));
+    body.centre_mm = spot->outer_mm + (body.radius_mm - depth_mm) * spot->local.normal;
+    // What the face's end cuts off has another angle.
+    const Eigen::Vector3d to_end = (body.half_length_mm + body.radius_mm) * body.axis;
+    if (!is_on_face(spot->local.view_point_mm + to_end) ||
+        !is_on_face(spot->local.view_point_mm - to_end))
+      continue;
+    StudyFrame frame = painted_with(body, zone, grey, shape);
+    frame.angle_deg = 180.0 / M_PI * angle_rad;
+    return frame;
+  }
+  return std::nullopt;
 }
 
 StudyFrame PressPainter::painted_with(const PaintedBody& body,

@@ -57,7 +57,7 @@ class PressPainter {
                                                const FaceShape& shape,
                                                StudyDraws& draws,
                                                FaceZone zone) const;
-  /// A bar with round sides and ends, half as wide as the ball and 8 mm longer, with its angle.
+  /// A bar with round sides and ends, half as wide as the ball and 6 mm longer, with its angle.
   [[nodiscard]] std::optional<StudyFrame> bar(const cv::Mat& grey,
                                               const FaceShape& shape,
                                               StudyDraws& draws,

@@ -128,7 +128,7 @@ std::string text_line(const AccuracyStudy& study, std::size_t number) {
     add(zone ? std::optional(zone->median_mm) : std::nullopt);
   add(row.false_depth_mm);
   add(row.place_mm);
-  line += fmt::format(" {:>8}", row.angle_deg ? fmt::format("{:.1f}", *row.angle_deg) : "-");
+  line += fmt::format(" {:>8}", row.angle_deg ? fmt::format("{:.2f}", *row.angle_deg) : "-");
   if (study.rows.front().real)
     add(row.real ? std::optional(row.real->depth.median_mm) : std::nullopt);
   return line + "  " + words_of(row.settings, study.rows.front().settings).english();

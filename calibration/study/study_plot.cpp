@@ -174,8 +174,8 @@ class DrawnPlot {
                            dot.is_on_front ? kFrontColour : kBeatenColour);
     }
     if (beyond > 0)
-      write(kRight - 4,
-            kTop + 16,
+      write(kRight,
+            kBottom + 40,
             "end",
             13,
             fmt::format("{} slower or worse, beyond this figure", beyond));

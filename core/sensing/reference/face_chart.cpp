@@ -249,6 +249,13 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
       inner_first_(from.end()),
       inner_end_(from.end()) {
   const std::size_t size = from.along_mm.size();
+  if (size ==
+      0) {  // a face without a valid column, as a stiff curve may leave it: nothing is shown
+    for (PlacesByColumn* places : {&rows_, &columns_})
+      for (auto* values : {&places->constant, &places->slope, &places->bow})
+        values->assign(PlacesByColumn::kBeyond, 0.0F);
+    return;
+  }
   for (auto* values : {&t_at_0_, &t_per_v_, &u0_, &tilt_}) values->resize(size);
   for (PlacesByColumn* places : {&rows_, &columns_})
     for (auto* values : {&places->constant, &places->slope, &places->bow}) values->resize(size);
