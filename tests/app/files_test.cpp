@@ -113,7 +113,8 @@ TEST(Files, AFullDiskIsToldAndLeavesNothingHalf) {
   ASSERT_EQ(flat.calibrate().status, 0);
   const SmallDisk disk(flat.folder / "disk", 400);  // a depth picture has 300 kB, points 900 kB
   if (!disk.mounted()) GTEST_SKIP() << disk.problem();
-  const ProgramRun run = flat.reconstruct({flat.presses[0].string()}, "disk");
+  const ProgramRun run =
+      flat.reconstruct({flat.presses[0].string()}, "disk", {"--format", "depth,flags,points"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.errors, HasSubstr("space"));
   for (const std::string& name : names_in(flat.folder / "disk"))
@@ -147,7 +148,8 @@ TEST(Files, AReadOnlyFolderIsTold) {
     const SmallDisk disk(flat.folder / "disk", 64);
     if (!disk.mounted()) GTEST_SKIP() << disk.problem();
     ASSERT_TRUE(disk.forbid_writing());
-    const ProgramRun run = flat.reconstruct({flat.presses[0].string()}, "disk");
+    const ProgramRun run =
+        flat.reconstruct({flat.presses[0].string()}, "disk", {"--format", "depth,flags,points"});
     EXPECT_EQ(run.status, 1);
     EXPECT_THAT(run.errors, HasSubstr("disk"));
   } else {

@@ -1,0 +1,88 @@
+// A recording shared between processes, brought together again.
+#include "tests/support/flat_finger.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// Lines without what differs from run to run.
+std::vector<std::string> lines_of(const fs::path& file) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text_of(file));
+  for (std::string line; std::getline(stream, line);) {
+    auto json = nlohmann::ordered_json::parse(line);
+    json.erase("times_ms");
+    lines.push_back(json.dump());
+  }
+  return lines;
+}
+
+/// A calibrated sensor and 70 pictures of its presses: three pieces.
+struct Shared : FlatFinger {
+  Shared() {
+    EXPECT_EQ(make().status, 0);
+    EXPECT_EQ(calibrate().status, 0);
+    fs::create_directory(folder / "pictures");
+    for (int i = 0; i < 70; ++i)
+      fs::copy_file(presses[static_cast<std::size_t>(i) % presses.size()],
+                    folder / "pictures" / ("p" + std::to_string(100 + i) + ".png"));
+  }
+  ProgramRun part(const std::string& which,
+                  const std::string& output,
+                  const std::string& format = "depth16") const {
+    return reconstruct({file("pictures")}, output, {"--format", format, "--shard", which});
+  }
+};
+
+TEST(Merge, PartsMakeWhatOneProcessMakes) {
+  const Shared shared;
+  ASSERT_EQ(shared.reconstruct({shared.file("pictures")}, "whole", {"--format", "depth16"}).status,
+            0);
+  for (const char* which : {"1/4", "2/4", "3/4", "4/4"})  // one has no frames
+    ASSERT_EQ(shared.part(which, std::string("part") + which[0]).status, 0);
+  const ProgramRun merge = run_alltact({"merge",
+                                        shared.file("part1"),
+                                        shared.file("part2"),
+                                        shared.file("part3"),
+                                        shared.file("part4")});
+  ASSERT_EQ(merge.status, 0) << merge.errors;
+  const auto whole = lines_of(shared.folder / "whole" / "results.jsonl");
+  EXPECT_EQ(whole.size(), 70U);
+  EXPECT_EQ(lines_of(shared.folder / "part1" / "results.jsonl"), whole);
+  for (int i = 0; i < 70; ++i) {
+    const std::string name = "p" + std::to_string(100 + i) + ".depth16.png";
+    EXPECT_EQ(text_of(shared.folder / "part1" / name), text_of(shared.folder / "whole" / name));
+  }
+  EXPECT_THAT(text_of(shared.folder / "whole" / "results.jsonl"),
+              HasSubstr("\"mm_per_step\":0.001,\"zero_at\":10000"));
+}
+
+TEST(Merge, WhatDoesNotBelongTogetherIsRefusedAndStays) {
+  const Shared shared;
+  ASSERT_EQ(shared.part("1/2", "parts").status, 0);
+  const ProgramRun missing = run_alltact({"merge", shared.file("parts")});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_THAT(missing.errors, HasSubstr("missing: 2"));
+  ASSERT_EQ(shared.part("2/2", "other", "depth").status, 0);
+  const ProgramRun two = run_alltact({"merge", shared.file("parts"), shared.file("other")});
+  EXPECT_EQ(two.status, 1);
+  EXPECT_THAT(two.errors, HasSubstr("two different runs"));
+  EXPECT_TRUE(fs::exists(shared.folder / "parts" / "results.part-1-of-2.jsonl"));
+  EXPECT_FALSE(fs::exists(shared.folder / "parts" / "results.jsonl"));
+  EXPECT_THAT(run_alltact({"merge", shared.file("pictures")}).errors, HasSubstr("no parts"));
+}
+
+TEST(Merge, NonsenseIsWrongUsage) {
+  for (const char* which : {"3/2", "0/2", "1/0", "1", "a/b", "1/2x", "-1/2", "1/99999"})
+    EXPECT_EQ(run_alltact({"reconstruct", "f", "v.mkv", "-o", "x", "--shard", which}).status, 2)
+        << which;
+}
+
+}  // namespace
+}  // namespace alltact::test
