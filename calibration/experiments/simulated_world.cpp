@@ -8,6 +8,24 @@ namespace alltact {
 namespace {
 
 constexpr const char* kStudyScene = "study_presses";
+constexpr const char* kStudyBars = "experiment_pose";
+constexpr int kFramesOfBar = 4;  // for so many presses one bar is looked at
+
+Status add_bars(const ExperimentBench& bench, int frames, StudyWorld& world) {
+  const auto plan = bench.plan(kStudyBars);
+  if (!plan) return plan.error();
+  const int count = std::clamp(frames / kFramesOfBar, 1, plan->frame_count());
+  for (int i = 0; i < count; ++i) {
+    const int number = i * plan->frame_count() / count;
+    const Truth truth = plan->truth(number);
+    StudyFrame frame;
+    frame.picture = bench.frames(*plan, number, number + 1).front();
+    frame.depth_mm = truth.depth_mm;
+    frame.angle_deg = truth.contacts.front().angle_deg.value();
+    world.bars.push_back(std::move(frame));
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -43,8 +61,11 @@ Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
     frame.picture = pictures[static_cast<std::size_t>(number)];
     frame.depth_mm = std::move(truth.depth_mm);
     frame.zone = *zone;
+    if (truth.contacts.size() == 1)
+      frame.place_mm.emplace(truth.contacts.front().along_mm, truth.contacts.front().across_mm);
     world.frames.push_back(std::move(frame));
   }
+  if (const Status added = add_bars(*bench, options.frames, world); !added) return added.error();
   world.checksum = checksum_of(world.frames);
   return world;
 }

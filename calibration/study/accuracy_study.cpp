@@ -2,8 +2,6 @@
 
 #include "calibration/study/truly_pressed.h"
 #include "core/numerics/median.h"
-#include "core/sensing/contact/contact_regions.h"
-#include "core/sensing/depth/depth_cells.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
@@ -37,12 +35,11 @@ double part_of(std::vector<double> values, double part) {
 /// What is known of a frame beside its picture.
 struct FrameAnswer {
   cv::Mat away;  // CV_8UC1: further than kAwayMm from any contact
-  std::optional<Eigen::Vector2d> place_mm;
 };
 
 std::optional<Eigen::Vector2d> place_of(const std::vector<ContactRegion>& regions) {
   if (regions.empty()) return std::nullopt;
-  return regions.front().place_on_face_mm;  // the largest
+  return regions.front().deepest_on_face_mm;  // of the largest
 }
 
 class Measured {
@@ -73,8 +70,17 @@ class Measured {
       }
     }
     const auto place_mm = place_of(result.regions);
-    if (answer.place_mm && place_mm) places_mm_.push_back((*place_mm - *answer.place_mm).norm());
+    if (frame.place_mm && place_mm) places_mm_.push_back((*place_mm - *frame.place_mm).norm());
     row_.memory_bytes = std::max(row_.memory_bytes, bytes_of(result));
+  }
+  void add_angle(const StudyFrame& frame, const FrameResult& result) {
+    ++row_.bars;
+    if (result.regions.empty() || !result.regions.front().angle_deg) {
+      ++row_.bars_missing;
+      return;
+    }
+    const double off_deg = *result.regions.front().angle_deg - frame.angle_deg.value();
+    angles_deg_.push_back(std::abs(std::remainder(off_deg, 180.0)));  // a bar has no front
   }
   void add_time(double milliseconds, double base_milliseconds) {
     times_ms_.push_back(milliseconds);
@@ -91,6 +97,9 @@ class Measured {
     if (pressed_ > 0) row_.coverage = static_cast<double>(covered_) / static_cast<double>(pressed_);
     if (false_count_ > 0) row_.false_depth_mm = false_sum_ / static_cast<double>(false_count_);
     if (!places_mm_.empty()) row_.place_mm = upper_median(places_mm_);
+    if (!places_mm_.empty()) row_.place_p95_mm = part_of(places_mm_, 0.95);
+    if (!angles_deg_.empty()) row_.angle_deg = upper_median(angles_deg_);
+    if (!angles_deg_.empty()) row_.angle_p95_deg = part_of(angles_deg_, 0.95);
     row_.time_ms = part_of(times_ms_, 0.5);
     row_.time_p95_ms = part_of(times_ms_, 0.95);
     row_.time_ratio = part_of(ratios_, 0.5);
@@ -108,7 +117,7 @@ class Measured {
 
   StudyRow row_;
   std::array<std::vector<float>, kFaceZones> errors_;
-  std::vector<double> places_mm_, times_ms_, ratios_;
+  std::vector<double> places_mm_, angles_deg_, times_ms_, ratios_;
   std::size_t pressed_ = 0, covered_ = 0, false_count_ = 0;
   double false_sum_ = 0;
 };
@@ -136,6 +145,13 @@ class AccuracyStudyRun {
     std::vector<Pipeline> pipelines;
     for (const PipelineSettings& choice : choices) pipelines.push_back(pipeline_of(choice));
     std::vector<Measured> measured(choices.size());
+    for (std::size_t i = 0; i < choices.size(); ++i)
+      for (const StudyFrame& bar : world_.bars) {
+        pipelines[i].forget();
+        const auto seen = pipelines[i](bar.picture);
+        if (!seen) return seen.error();
+        measured[i].add_angle(bar, *seen);
+      }
     const std::size_t frames = world_.frames.size();
     const auto rounds = static_cast<std::size_t>(options_.repeats) * frames;
     for (std::size_t round = 0; round < rounds; ++round) {
@@ -181,14 +197,6 @@ class AccuracyStudyRun {
       for (const FaceColumn& column : seen.shape->columns())
         if (column.valid) z.push_back(column.z_mm);
       if (!z.empty()) away_px = kAwayMm / world_.finger->camera.mm_per_px_at(upper_median(z));
-      DepthMap truth;
-      truth.depth_mm = frame.depth_mm;
-      truth.flags = cv::Mat::zeros(frame.depth_mm.size(), CV_8UC1);
-      truth.cells_mm = depth_cells(truth.depth_mm);
-      RegionOptions region_options;
-      region_options.threshold_mm = options_.base.contact_threshold_mm;
-      answer.place_mm =
-          place_of(contact_regions(truth, *seen.shape, world_.finger->finger.face, region_options));
     }
     answer.away = distance_px > away_px;
     return answer;
@@ -234,7 +242,7 @@ Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
       if (const Status kept = keep(*measured); !kept) return kept.error();
     rows.insert(rows.end(), measured->begin(), measured->end());
   }
-  AccuracyStudy study{world.about, world.simulated, world.checksum, {}};
+  AccuracyStudy study{world.about, world.simulated, world.checksum, {}, world.mapping_p95_mm};
   for (const PipelineSettings& choice : choices) study.rows.push_back(*row_of(choice));
   return study;
 }

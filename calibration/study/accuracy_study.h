@@ -27,6 +27,13 @@ struct ErrorSpread {
   double median_mm = 0, p95_mm = 0;
 };
 
+/// Of presses that were left out of the calibration that measures them.
+struct RealErrors {
+  int presses = 0, presses_missing = 0;  ///< measured; without a ball, or without a mapping
+  ErrorSpread depth;                     ///< against the ball's sphere, where skin and ball touch
+  std::array<std::optional<ErrorSpread>, kFaceZones> depth_by_zone;
+};
+
 /// What one choice of settings does. What no frame tells is absent.
 struct StudyRow {
   PipelineSettings settings;
@@ -38,9 +45,18 @@ struct StudyRow {
   std::optional<double> coverage;        ///< part of these pixels that have a depth at all
   std::optional<double> false_depth_mm;  ///< mean depth further than 1 mm from any contact
   std::optional<double> place_mm;        ///< median error of where the press is, on the face
-  double time_ms = 0, time_p95_ms = 0;   ///< on this computer, then
-  double time_ratio = 1;                 ///< to the base, median
-  std::size_t memory_bytes = 0;          ///< of one frame's pictures and maps, and the reference's
+  std::optional<double> place_p95_mm;    ///< 95 % of these errors are at most so large
+  std::optional<double> angle_deg;       ///< median error of how a bar is turned
+  std::optional<double> angle_p95_deg;
+  int bars = 0;                         ///< looked at
+  int bars_missing = 0;                 ///< without an angle
+  double time_ms = 0, time_p95_ms = 0;  ///< on this computer, then
+  double time_ratio = 1;                ///< to the base, median
+  /// Of one frame's pictures and maps, and the reference's.
+  std::size_t memory_bytes = 0;
+  /// Of the finger's own presses (real_presses.h), which no calibration of them has seen. Never
+  /// mixed with the rest.
+  std::optional<RealErrors> real = std::nullopt;
 };
 
 struct StudyOptions {
@@ -54,6 +70,8 @@ struct AccuracyStudy {
   bool simulated = false;
   std::uint64_t world_checksum = 0;
   std::vector<StudyRow> rows;  ///< the base first, then in the order of study_choices()
+  /// Of StudyWorld: what the errors above do not hold.
+  double mapping_p95_mm = 0;
 };
 
 /// Rows that are known already are not measured again (by key_of()); `keep` is told of new ones as

@@ -1,6 +1,8 @@
 #include "calibration/study/study_front.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace alltact {
@@ -15,10 +17,38 @@ double median_error_mm(const StudyRow& row) {
   return row.depth && row.frames_missing == 0 ? row.depth->median_mm : kNever;
 }
 
+double place_error_mm(const StudyRow& row) {
+  return row.place_mm.value_or(kNever);
+}
+
 bool is_better(const AccuracyStudy& study, const StudyRow& a, const StudyRow& b) {
-  const double time_a = frame_ms(study, a), time_b = frame_ms(study, b);
-  const double error_a = median_error_mm(a), error_b = median_error_mm(b);
-  return time_a <= time_b && error_a <= error_b && (time_a < time_b || error_a < error_b);
+  const std::array<double, 3> of_a{frame_ms(study, a), median_error_mm(a), place_error_mm(a)};
+  const std::array<double, 3> of_b{frame_ms(study, b), median_error_mm(b), place_error_mm(b)};
+  bool is_less = false;
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    if (of_a[i] > of_b[i]) return false;
+    is_less = is_less || of_a[i] < of_b[i];
+  }
+  return is_less;
+}
+
+bool keeps_place(const StudyRow& row, const std::optional<double>& limit_mm) {
+  return !limit_mm || place_error_mm(row) <= *limit_mm;
+}
+
+/// One figure of a row beside the base's.
+struct Compared {
+  Message (*says)(double now, double before);
+  std::optional<double> now, before;
+  double least;  // difference that counts
+};
+
+void weigh(const Compared& figure, StudyBalance& balance) {
+  constexpr double kLeastPart = 0.05;
+  if (!figure.now || !figure.before) return;
+  const double more = *figure.now - *figure.before;
+  if (std::abs(more) <= std::max(figure.least, kLeastPart * *figure.before)) return;
+  (more > 0 ? balance.loses : balance.brings).push_back(figure.says(*figure.now, *figure.before));
 }
 
 }  // namespace
@@ -44,44 +74,129 @@ std::vector<std::size_t> pareto_front(const AccuracyStudy& study) {
   return front;
 }
 
+std::optional<double> usual_place_limit_mm(const AccuracyStudy& study) {
+  constexpr double kPart = 1.25, kLeastMm = 0.01;
+  const auto& base_mm = study.rows.front().place_mm;
+  if (!base_mm) return std::nullopt;
+  return std::max(kPart * *base_mm, *base_mm + kLeastMm);
+}
+
+std::optional<double> kept_error_mm(const AccuracyStudy& study, const StudyRow& row) {
+  if (median_error_mm(row) == kNever) return std::nullopt;
+  return std::hypot(row.depth->p95_mm, study.mapping_p95_mm);
+}
+
 std::optional<std::size_t> dominated_by(const AccuracyStudy& study,
                                         const std::vector<std::size_t>& front,
                                         std::size_t row) {
   if (median_error_mm(study.rows[row]) == kNever) return std::nullopt;
   std::optional<std::size_t> best;
   for (const std::size_t other : front)
-    if (is_better(study, study.rows[other], study.rows[row])) best = other;
-  return best;  // errors fall along the front
-}
-
-std::optional<std::size_t> as_good_as_fits(const AccuracyStudy& study, double budget_ms) {
-  std::optional<std::size_t> best;
-  for (const std::size_t row : pareto_front(study))
-    if (frame_ms(study, study.rows[row]) <= budget_ms) best = row;
+    if (is_better(study, study.rows[other], study.rows[row]) &&
+        (!best || median_error_mm(study.rows[other]) < median_error_mm(study.rows[*best])))
+      best = other;
   return best;
 }
 
-std::optional<std::size_t> as_fast_as_keeps(const AccuracyStudy& study, double error_mm) {
+std::optional<std::size_t> as_good_as_fits(const AccuracyStudy& study,
+                                           double budget_ms,
+                                           std::optional<double> place_mm) {
+  if (!place_mm) place_mm = usual_place_limit_mm(study);
+  std::optional<std::size_t> best;
+  for (const std::size_t i : pareto_front(study)) {
+    const StudyRow& row = study.rows[i];
+    if (frame_ms(study, row) > budget_ms || !keeps_place(row, place_mm)) continue;
+    if (!best || median_error_mm(row) < median_error_mm(study.rows[*best])) best = i;
+  }
+  return best;
+}
+
+std::optional<std::size_t> as_fast_as_keeps(const AccuracyStudy& study,
+                                            double error_mm,
+                                            std::optional<double> place_mm) {
+  if (!place_mm) place_mm = usual_place_limit_mm(study);
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const StudyRow& row = study.rows[i];
-    if (median_error_mm(row) == kNever || row.depth->p95_mm > error_mm) continue;
+    const auto kept_mm = kept_error_mm(study, row);
+    if (!kept_mm || *kept_mm > error_mm || !keeps_place(row, place_mm)) continue;
     if (!best || frame_ms(study, row) < frame_ms(study, study.rows[*best])) best = i;
   }
   return best;
+}
+
+StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row) {
+  constexpr double kLeastMm = 0.001, kLeastDeg = 0.1;
+  const StudyRow& base = study.rows.front();
+  const auto median = [](const StudyRow& of) {
+    return of.depth ? std::optional(of.depth->median_mm) : std::nullopt;
+  };
+  const auto p95 = [](const StudyRow& of) {
+    return of.depth ? std::optional(of.depth->p95_mm) : std::nullopt;
+  };
+  StudyBalance balance;
+  const double ratio = row.time_ratio / base.time_ratio;
+  if (ratio > 1.02) balance.loses.push_back(en::say("takes {:.2f} times as long", ratio));
+  if (ratio < 0.98) balance.brings.push_back(en::say("takes {:.2f} times as long", ratio));
+  for (const Compared& figure :
+       {Compared{[](double now, double before) {
+                   return en::say(
+                       "depth {:.1f} instead of {:.1f} micrometres off", 1000 * now, 1000 * before);
+                 },
+                 median(row),
+                 median(base),
+                 kLeastMm},
+        Compared{[](double now, double before) {
+                   return en::say("95 % of depth within {:.1f} instead of {:.1f} micrometres",
+                                  1000 * now,
+                                  1000 * before);
+                 },
+                 p95(row),
+                 p95(base),
+                 kLeastMm},
+        Compared{[](double now, double before) {
+                   return en::say("places told {:.3f} instead of {:.3f} mm off", now, before);
+                 },
+                 row.place_mm,
+                 base.place_mm,
+                 kLeastMm},
+        Compared{[](double now, double before) {
+                   return en::say("angles told {:.1f} instead of {:.1f} degrees off", now, before);
+                 },
+                 row.angle_deg,
+                 base.angle_deg,
+                 kLeastDeg},
+        Compared{[](double now, double before) {
+                   return en::say("{:.1f} instead of {:.1f} micrometres of false depth",
+                                  1000 * now,
+                                  1000 * before);
+                 },
+                 row.false_depth_mm,
+                 base.false_depth_mm,
+                 kLeastMm}})
+    weigh(figure, balance);
+  const int missing = row.frames_missing - base.frames_missing;
+  if (missing > 0)
+    balance.loses.push_back(
+        en::count("no depth in {} picture", "no depth in {} pictures", missing));
+  return balance;
 }
 
 StudyPresets presets_of(const AccuracyStudy& study) {
   StudyPresets presets;
   const StudyRow& base = study.rows.front();
   const double base_error = median_error_mm(base);
-  const std::vector<std::size_t> front = pareto_front(study);
-  const auto fast = std::find_if(front.begin(), front.end(), [&](std::size_t i) {
-    return median_error_mm(study.rows[i]) <= kFastIsAtMost * base_error;
-  });
-  if (fast != front.end() && study.rows[*fast].time_ratio <= kFastTakesAtMost) presets.fast = *fast;
-  if (!front.empty() && median_error_mm(study.rows[front.back()]) <= kFinestIsAtMost * base_error)
-    presets.finest = front.back();
+  const auto limit_mm = usual_place_limit_mm(study);
+  for (const std::size_t i : pareto_front(study)) {
+    const StudyRow& row = study.rows[i];
+    if (!keeps_place(row, limit_mm)) continue;
+    if (!presets.fast && median_error_mm(row) <= kFastIsAtMost * base_error) presets.fast = i;
+    if (!presets.finest || median_error_mm(row) < median_error_mm(study.rows[*presets.finest]))
+      presets.finest = i;
+  }
+  if (presets.fast && study.rows[*presets.fast].time_ratio > kFastTakesAtMost) presets.fast.reset();
+  if (presets.finest && median_error_mm(study.rows[*presets.finest]) > kFinestIsAtMost * base_error)
+    presets.finest.reset();
   return presets;
 }
 

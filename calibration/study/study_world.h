@@ -40,6 +40,11 @@ struct StudyFrame {
   FramePtr picture;
   cv::Mat depth_mm;                   ///< CV_32FC1 along z; NaN off the face
   FaceZone zone = FaceZone::kMiddle;  ///< of what presses
+  /// Where the skin is pressed deepest, along the face and across it (FaceShape::place_mm); absent:
+  /// nobody knows.
+  std::optional<Eigen::Vector2d> place_mm = std::nullopt;
+  /// Of a bar: how it is turned, as ContactRegion::angle_deg.
+  std::optional<double> angle_deg = std::nullopt;
 };
 
 struct StudyWorld {
@@ -49,7 +54,11 @@ struct StudyWorld {
   /// Of which every pipeline takes its share; a copy costs nothing.
   ReferenceLibrary library;
   std::vector<StudyFrame> frames;
-  std::uint64_t checksum = 0;  ///< of pictures and truth
+  std::uint64_t checksum = 0;         ///< of pictures and truth
+  std::vector<StudyFrame> bars = {};  ///< only the angles are told of them
+  /// 95 % of what the finger's mapping is wrong by, where the pictures do not show it (painted);
+  /// 0 where they do.
+  double mapping_p95_mm = 0;
 };
 
 struct StudyWorldOptions {
