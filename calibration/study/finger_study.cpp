@@ -25,6 +25,7 @@ constexpr double kPaintingPart = 0.25;  // of the time of a quick study
 /// What a study was measured of, and where.
 struct StudyHead {
   std::string of, program_version, computer, date, world;
+  double mapping_p95_mm = 0;
 
   [[nodiscard]] std::string line() const {
     return FileJson{{"format", kStudyFormat},
@@ -32,7 +33,8 @@ struct StudyHead {
                     {"program_version", program_version},
                     {"computer", computer},
                     {"date", date},
-                    {"world", world}}
+                    {"world", world},
+                    {"mapping_p95_mm", mapping_p95_mm}}
                .dump() +
            '\n';
   }
@@ -67,8 +69,14 @@ Result<std::optional<StudyFileContent>> read_study(const std::filesystem::path& 
                : std::string();
   };
   if (word("format") != kStudyFormat) return no_study(file);
-  StudyFileContent content{
-      {word("of"), word("program_version"), word("computer"), word("date"), word("world")}, {}};
+  const bool has_mapping = json.contains("mapping_p95_mm") && json.at("mapping_p95_mm").is_number();
+  StudyFileContent content{{word("of"),
+                            word("program_version"),
+                            word("computer"),
+                            word("date"),
+                            word("world"),
+                            has_mapping ? json.at("mapping_p95_mm").get<double>() : 0.0},
+                           {}};
   auto rows = rows_of_lines(std::string_view(*text).substr(end + 1), file.string());
   if (!rows) return rows.error();
   content.rows = std::move(rows).value();
@@ -106,7 +114,8 @@ FingerStudy finger_study(const FingerSnapshot& finger,
   kept.study = {en::say("balls painted into untouched pictures of {}", finger.finger.name),
                 false,
                 0,
-                content.rows};
+                content.rows,
+                content.head.mapping_p95_mm};
   kept.date = content.head.date;
   kept.computer = content.head.computer;
   kept.is_of_finger_now = content.head.of == of_now;
@@ -148,9 +157,13 @@ Result<FingerStudy> study_finger(const FingerPtr& finger,
   how.base = calibrated_settings(finger->folder);
   how.repeats = kFingerStudyRepeats;
   const auto file = finger->folder / kFingerStudy;
-  StudyFileContent content{
-      {*of, program_version, processor_name(), utc_now(), fmt::format("{:016x}", world->checksum)},
-      {}};
+  StudyFileContent content{{*of,
+                            program_version,
+                            processor_name(),
+                            utc_now(),
+                            fmt::format("{:016x}", world->checksum),
+                            world->mapping_p95_mm},
+                           {}};
   // What cannot be read is measured again.
   const auto before = read_study(file);
   if (before && *before && (*before)->head.is_measured_alike(content.head) &&

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kPlaces[] = {"live", "calibrate", "record", "inspect"};
+const char* const kPlaces[] = {"live", "calibrate", "record", "inspect", "accuracy"};
 
 struct Page {
   std::string place, language;  ///< "en", "de", "zh_CN"

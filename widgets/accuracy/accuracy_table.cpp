@@ -79,7 +79,7 @@ QVariant AccuracyModel::data(const QModelIndex& index, int role) const {
     return column == kSetting ? point.words : standing(point);
   }
   if (role == Qt::TextAlignmentRole && is_number)
-    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
   if (role == Qt::ToolTipRole) return point.hint;
   if (role != Qt::DisplayRole) return {};
   if (column == kSetting) return point.words;

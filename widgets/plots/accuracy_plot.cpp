@@ -290,6 +290,8 @@ void AccuracyPlot::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Enter:
       if (picked_) Q_EMIT point_taken();
       return;
+    case Qt::Key_Escape:
+      return void(Q_EMIT point_dropped());
     default:
       Plot::keyPressEvent(event);
   }

@@ -49,6 +49,8 @@ class AccuracyPlot : public Plot {
   void point_picked(std::size_t point);
   /// The picked one, by Enter.
   void point_taken();
+  /// Escape: none of them.
+  void point_dropped();
 
  protected:
   bool draw() override;
