@@ -63,18 +63,18 @@ Result<std::optional<StudyFileContent>> read_study(const std::filesystem::path& 
   const std::size_t end = text->find('\n');
   if (end == std::string::npos) return no_study(file);
   const FileJson json = FileJson::parse(text->substr(0, end), nullptr, false);
-  const auto word = [&](const char* key) {
+  const auto text_at = [&](const char* key) {
     return json.is_object() && json.contains(key) && json.at(key).is_string()
                ? json.at(key).get<std::string>()
                : std::string();
   };
-  if (word("format") != kStudyFormat) return no_study(file);
+  if (text_at("format") != kStudyFormat) return no_study(file);
   const bool has_mapping = json.contains("mapping_p95_mm") && json.at("mapping_p95_mm").is_number();
-  StudyFileContent content{{word("of"),
-                            word("program_version"),
-                            word("computer"),
-                            word("date"),
-                            word("world"),
+  StudyFileContent content{{text_at("of"),
+                            text_at("program_version"),
+                            text_at("computer"),
+                            text_at("date"),
+                            text_at("world"),
                             has_mapping ? json.at("mapping_p95_mm").get<double>() : 0.0},
                            {}};
   auto rows = rows_of_lines(std::string_view(*text).substr(end + 1), file.string());
@@ -96,6 +96,24 @@ Result<std::string> checksum_of_finger(const FingerSnapshot& finger) {
   const auto yaml = only.to_yaml();
   if (!yaml) return yaml.error();
   return fmt::format("{} {} {:08x}", finger_checksum(finger.finger), *reference, fnv1a(*yaml));
+}
+
+StudyHead head_here_and_now(const std::string& of,
+                            std::uint64_t world,
+                            double mapping_p95_mm,
+                            const std::string& program_version) {
+  return {of,
+          program_version,
+          processor_name(),
+          utc_now(),
+          fmt::format("{:016x}", world),
+          mapping_p95_mm};
+}
+
+Status write_study(const std::filesystem::path& file, const StudyFileContent& content) {
+  std::string text = content.head.line();
+  for (const StudyRow& row : content.rows) text += line_of(row);
+  return write_file_atomically(file, text);
 }
 
 bool has_all(const std::vector<StudyRow>& rows, StudyExtent extent) {
@@ -157,13 +175,8 @@ Result<FingerStudy> study_finger(const FingerPtr& finger,
   how.base = calibrated_settings(finger->folder);
   how.repeats = kFingerStudyRepeats;
   const auto file = finger->folder / kFingerStudy;
-  StudyFileContent content{{*of,
-                            program_version,
-                            processor_name(),
-                            utc_now(),
-                            fmt::format("{:016x}", world->checksum),
-                            world->mapping_p95_mm},
-                           {}};
+  StudyFileContent content{
+      head_here_and_now(*of, world->checksum, world->mapping_p95_mm, program_version), {}};
   // What cannot be read is measured again.
   const auto before = read_study(file);
   if (before && *before && (*before)->head.is_measured_alike(content.head) &&
@@ -171,13 +184,22 @@ Result<FingerStudy> study_finger(const FingerPtr& finger,
     content = **before;
   const auto keep = [&](const std::vector<StudyRow>& more) {
     content.rows.insert(content.rows.end(), more.begin(), more.end());
-    std::string text = content.head.line();
-    for (const StudyRow& row : content.rows) text += line_of(row);
-    return write_file_atomically(file, text);
+    return write_study(file, content);
   };
   const auto done = study_accuracy(*world, how, content.rows, keep, Job(job, kPaintingPart, 1.0));
   if (!done) return done.error();
   return finger_study(*finger, content, *of);
+}
+
+Status keep_study(const FingerPtr& finger,
+                  const AccuracyStudy& study,
+                  const std::string& program_version) {
+  const auto of = checksum_of_finger(*finger);
+  if (!of) return of.error();
+  return write_study(
+      finger->folder / kFingerStudy,
+      {head_here_and_now(*of, study.world_checksum, study.mapping_p95_mm, program_version),
+       study.rows});
 }
 
 }  // namespace alltact

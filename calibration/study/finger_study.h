@@ -35,6 +35,11 @@ struct FingerStudy {
                                                const std::string& program_version,
                                                const Job& job);
 
+/// Keeps a study that was made elsewhere as if it had been measured of this finger, here and now.
+[[nodiscard]] Status keep_study(const FingerPtr& finger,
+                                const AccuracyStudy& study,
+                                const std::string& program_version);
+
 /// What the computer calls its processor.
 [[nodiscard]] std::string processor_name();
 

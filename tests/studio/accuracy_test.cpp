@@ -1,10 +1,13 @@
 // The place Accuracy, as a person uses it: measured once, asked, used, taken back.
 #include "calibration/finger/measuring_presets.h"
 #include "calibration/finger/measuring_settings.h"
+#include "calibration/study/study_front.h"
 #include "tests/studio/calibrate_rig.h"
+#include "tests/studio/measured_finger.h"
 #include "widgets/places/accuracy_place.h"
 
 #include <QClipboard>
+#include <QProgressBar>
 #include <QTableView>
 
 #include <gmock/gmock.h>
@@ -15,20 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A finger of its own, which others may have measured settings on.
+/// A finger of its own, which may keep a study.
 class Accuracy : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    measured_ = new TemporaryFolder;
-    fs::copy(MadeFingers::get().calibrated(), *measured_ / "finger", fs::copy_options::recursive);
-    auto done = study_finger(
-        open_finger(*measured_ / "finger").value(), StudyExtent::kQuick, program_version(), Job());
-    must(done ? Status() : Status(done.error()));
-  }
-  static void TearDownTestSuite() { delete measured_; }
-
   void open(bool is_measured, const fs::path& source = MadeFingers::get().touched()) {
-    fs::copy(is_measured ? *measured_ / "finger" : MadeFingers::get().calibrated(),
+    fs::copy(is_measured ? MeasuredFinger::get().folder() : MadeFingers::get().calibrated(),
              finger(),
              fs::copy_options::recursive);
     open_again(source);
@@ -53,11 +47,9 @@ class Accuracy : public testing::Test {
     ADD_FAILURE() << "no such row";
     return 0;
   }
-  static TemporaryFolder* measured_;
   TemporaryFolder folder_;
   std::unique_ptr<Studio> studio_;
 };
-TemporaryFolder* Accuracy::measured_ = nullptr;
 
 TEST_F(Accuracy, OffersToMeasureWhereNothingIsMeasured) {
   open(false, {});
@@ -162,7 +154,7 @@ TEST_F(Accuracy, UseItChangesWhatTheLivePictureIsMeasuredWithAndUndoTakesItBack)
     const auto& view = studio_->session().view();
     return view && view->result.depth ? roughness_mm(view->result.depth->depth_mm) : 0;
   };
-  ASSERT_TRUE(wait_until([&] { return roughness() > 0; }));
+  ASSERT_TRUE(wait_until([&] { return roughness() > 0; }, 60000));
   const double before_mm = roughness();
   const std::size_t row = row_with([](const PipelineSettings& settings) {
     PipelineSettings usual;
@@ -178,12 +170,13 @@ TEST_F(Accuracy, UseItChangesWhatTheLivePictureIsMeasuredWithAndUndoTakesItBack)
   EXPECT_TRUE(says(*studio_, "No smoothing"));
   studio_->click("Use it");
   EXPECT_EQ(studio_->window().undo_stack().undoText(), "use other settings");
-  ASSERT_TRUE(wait_until([&] { return roughness() > 1.5 * before_mm; })) << "the live picture";
+  ASSERT_TRUE(wait_until([&] { return roughness() > 1.5 * before_mm; }, 60000))
+      << "the live picture";
   EXPECT_EQ(measuring_settings(finger()).smoothing_px, 0);
   EXPECT_EQ(place().run().row_in_use(), row);
   EXPECT_NE(studio_->find<QPushButton>("In use"), nullptr);
   QTest::keyClick(&studio_->window(), Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(wait_until([&] { return roughness() > 0 && roughness() < 1.2 * before_mm; }));
+  ASSERT_TRUE(wait_until([&] { return roughness() > 0 && roughness() < 1.2 * before_mm; }, 60000));
   EXPECT_EQ(measuring_settings(finger()).smoothing_px, PipelineSettings().smoothing_px);
   EXPECT_EQ(place().run().row_in_use(), 0U);
   QTest::keyClick(&studio_->window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);

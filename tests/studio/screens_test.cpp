@@ -1,5 +1,7 @@
 // Pictures of every place, for people to look at: below the build's folder, screens/.
 #include "tests/studio/calibrate_rig.h"
+#include "tests/studio/measured_finger.h"
+#include "widgets/places/accuracy_place.h"
 
 #include <QComboBox>
 #include <QPixmap>

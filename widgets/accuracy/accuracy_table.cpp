@@ -79,7 +79,7 @@ QVariant AccuracyModel::data(const QModelIndex& index, int role) const {
     return column == kSetting ? point.words : standing(point);
   }
   if (role == Qt::TextAlignmentRole && is_number)
-    return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
   if (role == Qt::ToolTipRole) return point.hint;
   if (role != Qt::DisplayRole) return {};
   if (column == kSetting) return point.words;
@@ -105,8 +105,8 @@ AccuracyTable::AccuracyTable(QWidget* parent)
   view_->setWordWrap(false);
   view_->setSortingEnabled(true);
   view_->verticalHeader()->hide();
-  view_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter |
-                                                 Qt::TextWordWrap);
+  view_->horizontalHeader()->setDefaultAlignment(Qt::Alignment(Qt::AlignLeft | Qt::AlignVCenter) |
+                                                 Qt::Alignment(Qt::TextWordWrap));
   auto* column = new QVBoxLayout(this);
   auto* line = new QHBoxLayout;
   sort_label_->setBuddy(sort_);

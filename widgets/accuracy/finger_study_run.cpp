@@ -3,6 +3,7 @@
 #include "widgets/value_change.h"
 
 #include <algorithm>
+#include <array>
 
 namespace alltact {
 namespace {
@@ -11,6 +12,16 @@ namespace {
 std::string name_of_use(const PipelineSettings& settings, const PipelineSettings& calibrated) {
   return key_of(settings) == key_of(calibrated) ? std::string()
                                                 : words_of(settings, calibrated).english();
+}
+
+bool says_the_same(const FingerStudy& a, const FingerStudy& b) {
+  const auto flags = [](const FingerStudy& study) {
+    return std::array{study.is_of_finger_now,
+                      study.is_of_this_computer,
+                      study.has_all_single,
+                      study.has_all_pairs};
+  };
+  return a.date == b.date && a.study.rows.size() == b.study.rows.size() && flags(a) == flags(b);
 }
 
 }  // namespace
@@ -70,7 +81,9 @@ void FingerStudyRun::look() {
 
 void FingerStudyRun::take(const Looked& looked) {
   finger_ = looked.finger;
-  study_ = looked.study;
+  // The same one again is no other one: what was chosen in it stays.
+  const bool is_same = study_ && looked.study && says_the_same(*study_, *looked.study);
+  if (!is_same) study_ = looked.study;
   in_use_ = looked.in_use;
   problem_ = looked.problem;
   Q_EMIT changed();

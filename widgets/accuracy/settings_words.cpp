@@ -8,7 +8,7 @@ namespace {
 
 /// Of one value of one setting.
 class SettingsWords {
-  Q_DECLARE_TR_FUNCTIONS(SettingsWords)
+  Q_DECLARE_TR_FUNCTIONS(alltact::SettingsWords)
  public:
   static QString of(const std::string& name, const std::string& value) {
     if (name == "edge-method")

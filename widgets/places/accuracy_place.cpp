@@ -196,7 +196,7 @@ void AccuracyPlace::name_parts() {
   measure_->setText(tr("&Measure what settings cost on this finger (about 12 s)"));
   rate_label_->setText(tr("How many pictures per &second?"));
   rate_->setAccessibleName(tr("How many pictures per second?"));
-  error_label_->setText(tr("What &error may it have?"));
+  error_label_->setText(tr("What er&ror may it have?"));
   error_->setAccessibleName(tr("What error may it have?"));
   error_->setToolTip(tr("Of depth, where 95 % of all points lie within."));
   error_->setSuffix(tr(" mm"));
