@@ -109,6 +109,7 @@ bool AccuracyPlot::draw() {
   draw_marks();
   draw_budget();
   draw_labels();
+  chart().legend->setIconSize(32, 20);
   show_legend();
   return true;
 }
@@ -141,7 +142,7 @@ void AccuracyPlot::draw_front() {
   stairs->setLineStyle(QCPGraph::lsStepLeft);
   stairs->setPen(QPen(colour, 1.5));
   stairs->removeFromLegend();
-  dots->setName(tr("best for its time; the whisker ends where 95 % lie within"));
+  dots->setName(tr("best for its time; whisker up to 95 %"));
   dots->setLineStyle(QCPGraph::lsNone);
   dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, kDotPx));
   const auto along = front();
@@ -177,7 +178,7 @@ void AccuracyPlot::draw_marks() {
   for (const AccuracyPoint& point : points_)
     if (point.is_in_use)
       mark(tr("in use now"),
-           QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, 19),
+           QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, 17),
            point);
 }
 

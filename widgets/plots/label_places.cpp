@@ -6,8 +6,8 @@
 namespace alltact {
 namespace {
 
-constexpr double kApart = 3;  // px, of two labels
-constexpr std::array kDistances{9.0, 22.0, 38.0, 58.0, 84.0, 116.0, 160.0, 210.0};  // px
+constexpr double kApart = 3;                                          // px, of two labels
+constexpr std::array kDistances{9.0, 22.0, 38.0, 58.0, 84.0, 116.0};  // px
 /// Of the label's middle from the dot: upwards is where whiskers are and nothing else.
 constexpr std::array<std::array<double, 2>, 8> kWays{
     {{1, 0}, {1, -0.7}, {-1, -0.7}, {0.4, -1}, {-0.4, -1}, {-1, 0}, {1, 0.7}, {-1, 0.7}}};
