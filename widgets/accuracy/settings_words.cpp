@@ -11,9 +11,18 @@ class SettingsWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::SettingsWords)
  public:
   static QString of(const std::string& name, const std::string& value) {
+    if (name == "resolution")
+      return value == "whole"  ? tr("every pixel")
+             : value == "half" ? tr("half the pixels a side")
+                               : tr("a quarter of the pixels a side");
+    if (name == "average-frames")
+      return tr("%n picture(s) averaged", nullptr, QString::fromStdString(value).toInt());
+    if (name == "reference-neighbours")
+      return tr("reference from %n picture(s)", nullptr, QString::fromStdString(value).toInt());
     if (name == "edge-method")
       return value == "integer" ? tr("edges at whole pixels") : tr("edges between pixels");
-    if (name == "edge-columns") return tr("edges from %n column(s)", nullptr, std::stoi(value));
+    if (name == "edge-columns")
+      return tr("edges from %n column(s)", nullptr, QString::fromStdString(value).toInt());
     if (name == "profile-degree")
       return tr("edge curve of degree %1").arg(QString::fromStdString(value));
     if (name == "marker-method")
