@@ -13,6 +13,7 @@
 #include "calibration/reference/new_reference.h"
 #include "calibration/reference/settings_record.h"
 #include "core/program.h"
+#include "widgets/places/accuracy_place.h"
 #include "widgets/places/calibrate_place.h"
 #include "widgets/places/inspect_place.h"
 #include "widgets/places/live_place.h"
@@ -90,7 +91,8 @@ MainWindow::~MainWindow() {
 void MainWindow::make_places(const StudioOptions& options) {
   auto* calibrate =
       new CalibratePlace(session_, undo_, {measure, options.session_folder, program_version()});
-  places_ = {live_, calibrate, new RecordPlace(session_, install), inspect_};
+  auto* accuracy = new AccuracyPlace(session_, undo_, program_version());
+  places_ = {live_, calibrate, new RecordPlace(session_, install), inspect_, accuracy};
   guide_ = new TryGuide(session_, work_, *calibrate, options.session_folder);
 }
 

@@ -2,7 +2,9 @@
 // ALLTACT_RENEW_HELP=1 keeps what the window shows now as the pages' pictures in resources/help:
 // look at them before committing.
 #include "tests/studio/calibrate_rig.h"
+#include "tests/studio/measured_finger.h"
 #include "tests/support/same_everywhere.h"
+#include "widgets/places/accuracy_place.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -19,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kPlaces[] = {"live", "calibrate", "record", "inspect"};
+const char* const kPlaces[] = {"live", "calibrate", "record", "inspect", "accuracy"};
 
 struct Page {
   std::string place, language;  ///< "en", "de", "zh_CN"
@@ -257,6 +259,17 @@ TEST(HelpPictures, OfInspectIsLikeTheWindow) {
     place.findChild<QPushButton*>(QLatin1String(button))->click();
   QTest::qWait(300);
   expect_like_kept(studio.window(), "inspect");
+}
+
+TEST(HelpPictures, OfAccuracyIsLikeTheWindow) {
+  const SameEverywhere same;
+  StudioOptions options;
+  options.finger = MeasuredFinger::get().folder();
+  Studio studio(options);
+  studio.window().go_to("accuracy");
+  auto& place = *studio.window().findChild<AccuracyPlace*>();
+  ASSERT_TRUE(wait_until([&] { return place.run().study() != nullptr; }));
+  expect_like_kept(studio.window(), "accuracy");
 }
 
 TEST(HelpPictures, OfTwoPlacesOrLanguagesAreUnlike) {

@@ -1,8 +1,10 @@
-// The places Inspect and Calibrate never hold the event loop, as the whole window does not (see
-// whole_test.cpp).
+// The places Inspect, Calibrate and Accuracy never hold the event loop, as the whole window does
+// not (see whole_test.cpp).
 #include "core/sources/open/open_source.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/loop_watch_rig.h"
+#include "tests/studio/measured_finger.h"
+#include "widgets/places/accuracy_place.h"
 
 #include <QComboBox>
 #include <QPushButton>
@@ -59,6 +61,23 @@ void inspect(LoopWatch& watch) {
       1000);
 }
 
+void accuracy(LoopWatch& watch) {
+  StudioOptions options;
+  options.finger = MeasuredFinger::get().folder();
+  Studio studio(options);
+  MainWindow& window = studio.window();
+  auto& place = *window.findChild<AccuracyPlace*>();
+  ASSERT_TRUE(wait_until([&] { return place.run().study() != nullptr; }, 30000));
+  watch.during(
+      "the place", [&] { window.go_to("accuracy"); }, 300);
+  watch.during(
+      "the next setting", [&] { QTest::keyClick(&place.plot(), Qt::Key_Left); }, 300);
+  watch.during(
+      "using it", [&] { QTest::keyClick(&place.plot(), Qt::Key_Return); }, 1000);
+  watch.during(
+      "undo", [&] { window.undo_stack().undo(); }, 1000);
+}
+
 void calibrate(LoopWatch& watch) {
   CalibrateStudio rig(3);
   rig.open();
@@ -96,6 +115,11 @@ TEST(Places, InspectNeverBlocksForMoreThan30Milliseconds) {
 TEST(Places, CalibrateNeverBlocksForMoreThan30Milliseconds) {
   static_cast<void>(MadeFingers::get());
   LoopWatch::expect_free(calibrate);
+}
+
+TEST(Places, AccuracyNeverBlocksForMoreThan30Milliseconds) {
+  static_cast<void>(MeasuredFinger::get());
+  LoopWatch::expect_free(accuracy);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // Pictures of every place, for people to look at: below the build's folder, screens/.
 #include "tests/studio/calibrate_rig.h"
+#include "tests/studio/measured_finger.h"
+#include "widgets/places/accuracy_place.h"
 
 #include <QComboBox>
 #include <QPixmap>
@@ -88,6 +90,29 @@ TEST_P(Screens, Inspect) {
   save(studio, "inspect_beside");
   QTest::keyClick(comparison, Qt::Key_Down);
   save(studio, "inspect_difference");
+}
+
+TEST_P(Screens, Accuracy) {
+  const MeasuredFinger& measured = MeasuredFinger::get();
+  StudioOptions options;
+  options.finger = measured.folder();
+  options.source = {MadeFingers::get().touched()};
+  Studio studio(options);
+  ASSERT_TRUE(studio.wait_for_picture());
+  studio.window().go_to("accuracy");
+  auto& place = *studio.window().findChild<AccuracyPlace*>();
+  ASSERT_TRUE(wait_until([&] { return place.run().study() != nullptr; }));
+  save(studio, "accuracy");
+  place.findChild<QTabWidget*>()->setCurrentIndex(1);
+  save(studio, "accuracy_table");
+}
+
+TEST_P(Screens, AccuracyFirst) {
+  StudioOptions options;
+  options.finger = MadeFingers::get().calibrated();
+  Studio studio(options);
+  studio.window().go_to("accuracy");
+  save(studio, "accuracy_first");
 }
 
 TEST_P(Screens, CalibrateLens) {

@@ -269,7 +269,7 @@ TEST_F(PseudoLanguage, NothingIsLeftOutAndNothingIsClipped) {
   Studio studio(options);
   ASSERT_TRUE(studio.wait_for_picture());
   speak();
-  for (const char* place : {"live", "record", "inspect"}) {
+  for (const char* place : {"live", "record", "inspect", "accuracy"}) {
     studio.window().go_to(place);
     QTest::qWait(600);
     look_through(studio.window());

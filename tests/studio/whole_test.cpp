@@ -170,7 +170,7 @@ TEST(Window, EveryControlHasANameAndARole) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());
   expect_names(studio.window());
-  for (const char* place : {"calibrate", "record"}) {
+  for (const char* place : {"calibrate", "record", "accuracy"}) {
     studio.window().go_to(place);
     QTest::qWait(50);
     expect_names(studio.window());
@@ -200,7 +200,7 @@ bool is_stop(const QWidget& widget) {
 TEST(Window, EveryControlCanBeReachedByTab) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());
-  for (const char* place : {"live", "calibrate", "record", "inspect"}) {
+  for (const char* place : {"live", "calibrate", "record", "inspect", "accuracy"}) {
     studio.window().go_to(place);
     QTest::qWait(300);
     std::set<QWidget*> wanted;

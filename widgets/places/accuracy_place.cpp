@@ -1,0 +1,260 @@
+#include "widgets/places/accuracy_place.h"
+
+#include "calibration/finger/calibration_inputs.h"
+#include "calibration/study/study_front.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QIntValidator>
+#include <QVBoxLayout>
+
+namespace alltact {
+namespace {
+
+constexpr double kLargerWords = 1.25;
+constexpr int kRates[] = {10, 30, 60, 100};
+constexpr int kLeastRate = 1, kMostRate = 1000;
+constexpr double kErrorStepMm = 0.005;
+
+QLabel* wrapping_words() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  return label;
+}
+
+void enlarge(QWidget& widget, double times) {
+  QFont font = widget.font();
+  font.setPointSizeF(times * font.pointSizeF());
+  widget.setFont(font);
+}
+
+}  // namespace
+
+AccuracyPlace::AccuracyPlace(LiveSession& session,
+                             QUndoStack& undo,
+                             std::string program_version,
+                             QWidget* parent)
+    : Place("accuracy", parent),
+      session_(session),
+      run_(undo, std::move(program_version)),
+      pages_(new QStackedWidget),
+      first_words_(wrapping_words()),
+      first_reason_(wrapping_words()),
+      measure_(new QPushButton),
+      rate_label_(new QLabel),
+      error_label_(new QLabel),
+      rate_(new QComboBox),
+      error_(new QDoubleSpinBox),
+      answer_(wrapping_words()),
+      figures_(wrapping_words()),
+      note_(wrapping_words()),
+      use_(new QPushButton),
+      as_calibrated_(new QPushButton),
+      tabs_(new QTabWidget),
+      plot_(new AccuracyPlot),
+      table_(new AccuracyTable),
+      more_(new QPushButton),
+      copy_(new QPushButton),
+      command_(new QLineEdit),
+      standing_(wrapping_words()),
+      progress_(new QWidget),
+      bar_(new QProgressBar),
+      left_(new QLabel),
+      stop_(new QPushButton) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* running = new QHBoxLayout(progress_);
+  running->setContentsMargins(0, 0, 0, 0);
+  running->addWidget(bar_, 1);
+  running->addWidget(left_);
+  running->addWidget(stop_);
+  column->addWidget(progress_);
+  pages_->addWidget(make_first());
+  pages_->addWidget(make_measured());
+  column->addWidget(pages_, 1);
+  connect_parts();
+  say([this] { name_parts(); });
+  ask();
+}
+
+QWidget* AccuracyPlace::make_first() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(60, 0, 60, 0);
+  column->addStretch();
+  enlarge(*first_words_, kLargerWords);
+  first_words_->setAlignment(Qt::AlignCenter);
+  column->addWidget(first_words_);
+  column->addSpacing(16);
+  enlarge(*measure_, kLargerWords);
+  measure_->setMinimumHeight(64);
+  column->addWidget(measure_);
+  first_reason_->setAlignment(Qt::AlignCenter);
+  column->addWidget(first_reason_);
+  column->addStretch();
+  return page;
+}
+
+QWidget* AccuracyPlace::make_measured() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addLayout(make_questions());
+  column->addLayout(make_answer());
+  tabs_->addTab(plot_, {});
+  tabs_->addTab(table_, {});
+  tabs_->setDocumentMode(true);
+  column->addWidget(tabs_, 1);
+  auto* line = new QHBoxLayout;
+  command_->setReadOnly(true);
+  QFont mono(QStringLiteral("monospace"));
+  mono.setStyleHint(QFont::Monospace);
+  command_->setFont(mono);
+  line->addWidget(command_, 1);
+  line->addWidget(copy_);
+  line->addWidget(more_);
+  column->addLayout(line);
+  return page;
+}
+
+QLayout* AccuracyPlace::make_questions() {
+  auto* line = new QHBoxLayout;
+  rate_->setEditable(true);
+  rate_->setInsertPolicy(QComboBox::NoInsert);
+  rate_->setValidator(new QIntValidator(kLeastRate, kMostRate, rate_));
+  for (const int rate : kRates) rate_->addItem(QString::number(rate));
+  rate_->setCurrentText(QString::number(question_.pictures_per_s));
+  rate_label_->setBuddy(rate_);
+  error_->setRange(0, 10);
+  error_->setDecimals(3);
+  error_->setSingleStep(kErrorStepMm);
+  error_->setKeyboardTracking(false);
+  error_label_->setBuddy(error_);
+  for (QWidget* widget : {static_cast<QWidget*>(rate_label_),
+                          static_cast<QWidget*>(rate_),
+                          static_cast<QWidget*>(error_label_),
+                          static_cast<QWidget*>(error_)}) {
+    line->addWidget(widget);
+    if (widget == rate_) line->addSpacing(20);
+  }
+  line->addStretch();
+  return line;
+}
+
+QLayout* AccuracyPlace::make_answer() {
+  auto* line = new QHBoxLayout;
+  auto* words = new QVBoxLayout;
+  words->setSpacing(1);
+  QFont bold = answer_->font();
+  bold.setBold(true);
+  answer_->setFont(bold);
+  enlarge(*answer_, kLargerWords);
+  for (QLabel* label : {answer_, figures_, note_, standing_}) {
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    words->addWidget(label);
+  }
+  line->addLayout(words, 1);
+  auto* buttons = new QVBoxLayout;
+  use_->setMinimumHeight(36);
+  buttons->addWidget(use_);
+  buttons->addWidget(as_calibrated_);
+  buttons->addStretch();
+  line->addLayout(buttons);
+  return line;
+}
+
+void AccuracyPlace::connect_parts() {
+  connect(&session_, &LiveSession::status_ready, this, &AccuracyPlace::follow);
+  connect(&run_, &FingerStudyRun::changed, this, &AccuracyPlace::show_run);
+  connect(rate_, &QComboBox::currentTextChanged, this, &AccuracyPlace::ask);
+  connect(error_, &QDoubleSpinBox::valueChanged, this, &AccuracyPlace::ask);
+  connect(plot_, &AccuracyPlot::point_picked, this, &AccuracyPlace::pick);
+  connect(table_, &AccuracyTable::point_picked, this, &AccuracyPlace::pick);
+  connect(plot_, &AccuracyPlot::point_taken, this, &AccuracyPlace::use);
+  connect(table_, &AccuracyTable::point_taken, this, &AccuracyPlace::use);
+  connect(plot_, &AccuracyPlot::point_dropped, this, &AccuracyPlace::ask);
+  connect(use_, &QPushButton::clicked, this, &AccuracyPlace::use);
+  connect(as_calibrated_, &QPushButton::clicked, this, [this] { run_.use(0); });
+  connect(measure_, &QPushButton::clicked, this, [this] { run_.start(StudyExtent::kQuick); });
+  connect(more_, &QPushButton::clicked, this, [this] {
+    const auto& study = run_.study();
+    const bool is_good = study && study->is_of_finger_now && study->is_of_this_computer;
+    run_.start(is_good && study->has_all_single ? StudyExtent::kPairs : StudyExtent::kQuick);
+  });
+  connect(stop_, &QPushButton::clicked, this, [this] { run_.stop(); });
+  connect(copy_, &QPushButton::clicked, this, [this] {
+    QGuiApplication::clipboard()->setText(command_line());
+  });
+}
+
+void AccuracyPlace::name_parts() {
+  first_words_->setText(
+      tr("How fast must it be, and what error may it have? What settings cost in time and bring in "
+         "accuracy is measured once on this finger's own pictures; then one answer stands here."));
+  measure_->setText(tr("&Measure what settings cost on this finger (about 12 s)"));
+  rate_label_->setText(tr("How many pictures per &second?"));
+  rate_->setAccessibleName(tr("How many pictures per second?"));
+  error_label_->setText(tr("What er&ror may it have?"));
+  error_->setAccessibleName(tr("What error may it have?"));
+  error_->setToolTip(tr("Of depth, where 95 % of all points lie within."));
+  error_->setSuffix(tr(" mm"));
+  error_->setSpecialValueText(tr("as small as fits"));
+  as_calibrated_->setText(tr("As cali&brated again"));
+  tabs_->setTabText(0, tr("Figure"));
+  tabs_->setTabText(1, tr("Table"));
+  tabs_->tabBar()->setAccessibleName(tr("Figure or table"));
+  copy_->setText(tr("Copy &command"));
+  command_->setAccessibleName(tr("The same as a command line"));
+  bar_->setAccessibleName(tr("Progress of measuring"));
+  stop_->setText(tr("Sto&p"));
+  stop_->setToolTip(tr("What was measured is kept; measuring goes on there another time."));
+  shown_.reset();
+  show_run();
+}
+
+void AccuracyPlace::changeEvent(QEvent* event) {
+  Place::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || !plot_) return;
+  plot_->update();
+}
+
+void AccuracyPlace::follow() {
+  const auto& folder = session_.status().finger.folder;
+  if (folder == folder_) return;
+  folder_ = folder;
+  picked_.reset();
+  run_.open(folder_);
+}
+
+void AccuracyPlace::ask() {
+  bool is_number = false;
+  const int rate = rate_->currentText().toInt(&is_number);
+  if (is_number && rate >= kLeastRate && rate <= kMostRate) question_.pictures_per_s = rate;
+  question_.error_mm = error_->value() > 0 ? std::optional(error_->value()) : std::nullopt;
+  picked_.reset();
+  plot_->set_budget(question_.pictures_per_s);
+  show_answer();
+}
+
+void AccuracyPlace::pick(std::size_t point) {
+  if (point >= rows_.size()) return;
+  picked_ = rows_[point];
+  show_answer();
+}
+
+void AccuracyPlace::use() {
+  if (const auto row = answer_row()) run_.use(*row);
+}
+
+std::optional<std::size_t> AccuracyPlace::answer_row() const {
+  if (picked_) return picked_;
+  return told_ ? std::optional(told_->row) : std::nullopt;
+}
+
+void AccuracyPlace::add_problems(std::vector<Problem>& problems) {
+  if (isVisible() && run_.problem()) problems.push_back(Problem::of(*run_.problem()));
+}
+
+}  // namespace alltact
