@@ -5,7 +5,9 @@
 #include "core/sensing/reference/grey_steps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -80,11 +82,32 @@ std::vector<Block> blocks_of(const cv::Mat& grey,
         const double level = static_cast<double>(reference_sum) / kGreySteps;
         const double sd = noise_sd * std::sqrt(count * (1.0 + noise_gain * noise_gain)) / level;
         const double s = (first + 0.5 * (step - 1) - bounds.x) / half_u - 1.0;
-        blocks.push_back(
-            {basis_at(s, (v - bounds.y) / half_v - 1.0), sum / level, sd, std::hypot(sd, kFloor)});
+        blocks.push_back({basis_at(s, (v - bounds.y) / half_v - 1.0),
+                          sum / level,
+                          sd,
+                          std::sqrt(sd * sd + kFloor * kFloor)});
       }
   }
   return blocks;
+}
+
+/// Sorts numbers most of which lie close together: into narrow bins first, then each of these.
+std::vector<double> ascending(const std::vector<double>& values) {
+  constexpr std::size_t kBins = 4096;
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double low = *least, per_value = (kBins - 1) / std::max(*most - low, 1e-12);
+  const auto bin_of = [&](double value) {
+    return static_cast<std::size_t>((value - low) * per_value);
+  };
+  std::array<std::uint32_t, kBins + 1> end{};  // of each bin's numbers; first where they begin
+  for (const double value : values) ++end[bin_of(value) + 1];
+  for (std::size_t bin = 1; bin <= kBins; ++bin) end[bin] += end[bin - 1];
+  std::vector<double> sorted(values.size());
+  for (const double value : values) sorted[end[bin_of(value)]++] = value;
+  std::uint32_t begin = 0;
+  for (std::size_t bin = 0; bin < kBins; begin = end[bin++])
+    if (end[bin] - begin > 1) std::sort(sorted.begin() + begin, sorted.begin() + end[bin]);
+  return sorted;
 }
 
 /// The middle and half the length of the brightest stretch of ratios that holds a fifth of them and
@@ -92,8 +115,9 @@ std::vector<Block> blocks_of(const cv::Mat& grey,
 /// it, however wide, is darker.
 std::pair<double, double> untouched_ratio(const std::vector<Block>& blocks) {
   std::vector<double> ratios;
+  ratios.reserve(blocks.size());
   for (const Block& block : blocks) ratios.push_back(block.ratio);
-  std::sort(ratios.begin(), ratios.end());
+  ratios = ascending(ratios);
   const std::size_t held = ratios.size() / 5;
   const auto length = [&](std::size_t first) { return ratios[first + held] - ratios[first]; };
   std::size_t shortest = 0, brightest = 0;
@@ -119,13 +143,13 @@ double refit(const std::vector<Block>& blocks,
   normal.setZero();
   double weights = 0;
   for (const Block& block : blocks) {
-    const double sd = std::hypot(block.sd, widening);
+    const double sd = std::sqrt(block.sd * block.sd + widening * widening);
     const double off = 1.0 - block.ratio * (1.0 + block.basis.dot(*terms));
     const double z = off / (kTukey * sd);
     if (std::abs(z) >= 1.0) continue;
     const double share = (1.0 - z * z) * (1.0 - z * z), weight = share / (sd * sd);
     const Terms row = block.ratio * block.basis;
-    normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
+    for (int k = 0; k < LightGain::kTerms; ++k) normal.col(k) += weight * row[k] * row;
     pull += weight * (1.0 - block.ratio) * row;
     weights += share;
   }

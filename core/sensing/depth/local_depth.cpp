@@ -78,23 +78,27 @@ ALLTACT_WIDE void mark_row(std::int16_t darkest,
 /// `light`: what live pixels are to be multiplied with, in powers of u - first_column. `raw`: the
 /// reference before it was smoothed. Amid pixels that could not be measured hardly any
 /// of the kernel is left, and its outer weights are negative: such a pixel takes the reason of
-/// those around it, by whether it is nearer to black or to clipped.
+/// those around it, by whether it is nearer to black or to clipped. What is measured and
+/// beyond x_max is flagged as such.
 ALLTACT_WIDE void divide_row(const std::int16_t* __restrict live,
                              const std::int16_t* __restrict reference,
                              const std::int16_t* __restrict raw,
                              std::uint8_t* __restrict flags,
                              const std::array<float, 3>& light,
                              int first_column,
+                             float x_max,
                              int count,
                              float* __restrict x) {
-  constexpr float measured = kMeasured, clipped = kSaturated, dark = kTooDark;
+  constexpr float measured = kMeasured, clipped = kSaturated, dark = kTooDark,
+                  extrapolated = kExtrapolated;
   constexpr float kLeastPart = 0.2F;  // of the kernel: in a corner of the face 0.3 is left
   constexpr float kMiddle = 0.5F * kCeiling;
   const float constant = light[0], slope = light[1], bow = light[2];
   in_blocks(
       count, [=](int first, auto size) __attribute__((always_inline)) {
         for (int u = first; u < first + size; ++u) {
-          const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+          const auto before = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+          const float flag = before == extrapolated ? measured : before;  // of a place done twice
           const auto column = static_cast<float>(first_column + u);
           const float correction = constant + column * (slope + column * bow);
           const auto here = static_cast<float>(raw[u]), smooth = static_cast<float>(reference[u]);
@@ -102,8 +106,10 @@ ALLTACT_WIDE void divide_row(const std::int16_t* __restrict live,
           const float reason = flag == measured && !(smooth > kLeastPart * here) ? thin : flag;
           const float below = reason == measured ? smooth : 1.0F;
           const float value = (below - correction * static_cast<float>(live[u])) / below;
-          x[u] = reason == measured ? value : kNaN;
-          flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(reason));
+          const float told = reason == measured ? value : kNaN;
+          x[u] = told;
+          const float final = told > x_max ? extrapolated : reason;
+          flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(final));
         }
       });
 }
@@ -131,6 +137,9 @@ ALLTACT_WIDE void bound_row(const float* __restrict most_mm,
   constexpr float beyond = kBeyondLayer;
   in_blocks(
       count, [=](int first, auto size) __attribute__((always_inline)) {
+        int deeper = 0;
+        for (int u = first; u < first + size; ++u) deeper |= depth_mm[u] > most_mm[u] ? 1 : 0;
+        if (deeper == 0) return;  // as nearly everywhere
         for (int u = first; u < first + size; ++u) {
           const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
           const float depth = depth_mm[u], most = most_mm[u];
@@ -179,15 +188,13 @@ class Mapper {
         most_mm_(layer_by_column(mapping.parameters(), shape)),
         cells_(map.depth_mm.size()) {}
 
-  /// Rows in turn; completes the row's flags.
+  /// Rows in turn; what is too deep is flagged.
   void operator()(int row, const float* x) {
-    const auto x_max = static_cast<float>(mapping_.x_max());
     float* depth = map_.depth_mm.ptr<float>(row);
     auto* flags = map_.flags.ptr<std::uint8_t>(row);
     const auto runs = face_.of_row(row);
     for (const FaceRun& run : runs) {
       mapping_.depths_mm(x + run.first, depth + run.first, run.size());
-      flag_row(x + run.first, x_max, run.size(), flags + run.first);
       if (!scale_.is_one()) scale_.scale(row, run.first, run.size(), depth + run.first);
       bound_row(most_mm_.data() + run.first, run.size(), depth + run.first, flags + run.first);
     }
@@ -221,6 +228,7 @@ void compare(const cv::Mat& grey,
              const FaceRuns& face,
              const DifferenceOptions& options,
              const LightGain& light,
+             float x_max,
              cv::Mat& flags,
              RowOfX row_of_x,
              Done done) {
@@ -266,6 +274,7 @@ void compare(const cv::Mat& grey,
                  row_flags + run.first,
                  light_here,
                  run.first,
+                 x_max,
                  run.size(),
                  x + run.first);
     clear_outside(runs, grey.cols, row_flags, fill_off_face);
@@ -315,6 +324,7 @@ Difference difference(const cv::Mat& grey,
       result.face,
       options,
       result.light,
+      std::numeric_limits<float>::infinity(),
       result.flags,
       [&](int row) { return result.x.ptr<float>(row); },
       [&](int row) {
@@ -331,7 +341,13 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
                0.0,
                difference.light};
   Mapper mapper(mapping, shape, difference.face, map);
-  for (int row = 0; row < difference.x.rows; ++row) mapper(row, difference.x.ptr<float>(row));
+  const auto x_max = static_cast<float>(mapping.x_max());
+  for (int row = 0; row < difference.x.rows; ++row) {
+    const float* x = difference.x.ptr<float>(row);
+    for (const FaceRun& run : difference.face.of_row(row))
+      flag_row(x + run.first, x_max, run.size(), map.flags.ptr<std::uint8_t>(row) + run.first);
+    mapper(row, x);
+  }
   mapper.finish();
   return map;
 }
@@ -359,6 +375,7 @@ DepthMap depth_map(const cv::Mat& grey,
       face,
       options,
       map.light,
+      static_cast<float>(mapping.x_max()),
       map.flags,
       [&](int) { return x.data(); },
       [&](int row) { mapper(row, x.data()); });

@@ -7,38 +7,67 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace alltact {
 namespace {
 
-/// out = a middle with the pairs of neighbours at the next two distances from it on both sides; and
-/// two distances more. What is
-/// smoothed is such that a pair's sum fits.
-ALLTACT_WIDE void weigh_first(const std::int16_t* __restrict middle,
-                              const std::int16_t* const* pairs,
-                              const std::int16_t* weights,
-                              int count,
-                              std::int16_t* __restrict out) {
-  const std::int16_t *a = pairs[0], *b = pairs[1], *c = pairs[2], *d = pairs[3];
-  const std::int16_t w0 = weights[0], w1 = weights[1], w2 = weights[2];
+constexpr int kMostPairs = 6;  // at a time: as many vectors as can be held
+
+/// Pixels and their neighbours before and behind them, at some distances.
+struct Neighbours {
+  const std::int16_t* middle;  // nullptr: what has been added up so far
+  std::int16_t own;            // weight of the middle
+  std::array<const std::int16_t*, kMostPairs> before, behind;
+  std::array<std::int16_t, kMostPairs> weights;
+};
+
+/// out = the middle and its neighbours weighed and added in one pass. What is smoothed is such that
+/// a pair's sum fits; all sums may wrap around on the way. Gives the largest, at least 0.
+template <std::size_t... kPair>
+[[gnu::always_inline]] inline std::int16_t weigh_pairs(const Neighbours& given,
+                                                       int count,
+                                                       std::int16_t* __restrict out,
+                                                       std::index_sequence<kPair...>) {
+  const Neighbours near = given;
+  const auto pairs_at = [&](int i) __attribute__((always_inline)) {
+    return (... + times(static_cast<std::int16_t>(near.before[kPair][i] + near.behind[kPair][i]),
+                        near.weights[kPair]));
+  };
+  std::int16_t largest = 0;
+  if (near.middle == nullptr) {
+    for (int i = 0; i < count; ++i) {
+      out[i] = static_cast<std::int16_t>(out[i] + pairs_at(i));
+      largest = out[i] > largest ? out[i] : largest;
+    }
+    return largest;
+  }
   in_blocks(
-      count, [=](int first, auto size) __attribute__((always_inline)) {
-        for (int i = first; i < first + size; ++i)
-          out[i] = static_cast<std::int16_t>(times(middle[i], w0) +
-                                             times(static_cast<std::int16_t>(a[i] + b[i]), w1) +
-                                             times(static_cast<std::int16_t>(c[i] + d[i]), w2));
+      count, [&](int first, auto size) __attribute__((always_inline)) {
+        std::int16_t largest_here = 0;
+        for (int i = first; i < first + size; ++i) {
+          const auto sum = static_cast<std::int16_t>(times(near.middle[i], near.own) + pairs_at(i));
+          out[i] = sum;
+          largest_here = sum > largest_here ? sum : largest_here;
+        }
+        largest = std::max(largest, largest_here);
       });
+  return largest;
 }
-ALLTACT_WIDE void weigh_more(const std::int16_t* const* pairs,
-                             const std::int16_t* weights,
-                             int count,
-                             std::int16_t* __restrict out) {
-  const std::int16_t *a = pairs[0], *b = pairs[1], *c = pairs[2], *d = pairs[3];
-  const std::int16_t w1 = weights[0], w2 = weights[1];
-  for (int i = 0; i < count; ++i)
-    out[i] = static_cast<std::int16_t>(out[i] + times(static_cast<std::int16_t>(a[i] + b[i]), w1) +
-                                       times(static_cast<std::int16_t>(c[i] + d[i]), w2));
+
+ALLTACT_WIDE std::int16_t weigh_some(const Neighbours& near,
+                                     int pairs,
+                                     int count,
+                                     std::int16_t* out) {
+  switch (pairs) {
+    case 2:
+      return weigh_pairs(near, count, out, std::make_index_sequence<2>());
+    case 4:
+      return weigh_pairs(near, count, out, std::make_index_sequence<4>());
+    default:
+      return weigh_pairs(near, count, out, std::make_index_sequence<kMostPairs>());
+  }
 }
 
 /// A kernel's weights, of 2^-15, of the middle and of an even number of distances from it. Outer
@@ -60,13 +89,9 @@ std::vector<std::int16_t> whole_weights(const Smoothing& smoothing) {
 }
 
 /// The outer weights are negative: where those pixels are missing, a column's sum may be more than
-/// the brightest pixel, and that of a pair would not fit. True when all do.
-ALLTACT_WIDE bool pairs_fit(const std::int16_t* sums, int count) {
-  constexpr std::int16_t kMost = INT16_MAX / 2;
-  std::int16_t largest = 0;
-  for (int i = 0; i < count; ++i) largest = sums[i] > largest ? sums[i] : largest;
-  return largest <= kMost;
-}
+/// the brightest pixel, and that of a pair would not fit: above this.
+constexpr std::int16_t kMostOfPair = INT16_MAX / 2;
+
 ALLTACT_WIDE void halve(std::int16_t* sums, int count) {
   for (int i = 0; i < count; ++i) sums[i] = static_cast<std::int16_t>((sums[i] + 1) >> 1);
 }
@@ -74,22 +99,26 @@ ALLTACT_WIDE void twice(std::int16_t* smooth, int count) {
   for (int i = 0; i < count; ++i) smooth[i] = static_cast<std::int16_t>(2 * smooth[i]);
 }
 
-/// neighbours(k): the pixels k before and k behind the first of `middle`.
-template <class Neighbours>
-void weigh(const std::vector<std::int16_t>& weights,
-           const std::int16_t* middle,
-           int count,
-           std::int16_t* out,
-           Neighbours neighbours) {
-  for (int k = 1; k + 1 < static_cast<int>(weights.size()); k += 2) {
-    const auto [a, b] = neighbours(k);
-    const auto [c, d] = neighbours(k + 1);
-    const std::array<const std::int16_t*, 4> pairs{a, b, c, d};
-    if (k == 1)
-      weigh_first(middle, pairs.data(), weights.data(), count, out);
-    else
-      weigh_more(pairs.data(), weights.data() + k, count, out);
+/// neighbours(k): the pixels k before and k behind the first of `middle`. Gives the largest.
+template <class At>
+std::int16_t weigh(const std::vector<std::int16_t>& weights,
+                   const std::int16_t* middle,
+                   int count,
+                   std::int16_t* out,
+                   At neighbours) {
+  const int radius = static_cast<int>(weights.size()) - 1;
+  std::int16_t largest = 0;
+  for (int done = 0; done < radius; done += kMostPairs) {
+    Neighbours near{done == 0 ? middle : nullptr, weights.front(), {}, {}, {}};
+    const int pairs = std::min(kMostPairs, radius - done);
+    for (int k = 0; k < pairs; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      std::tie(near.before[i], near.behind[i]) = neighbours(done + k + 1);
+      near.weights[i] = weights[static_cast<std::size_t>(done + k + 1)];
+    }
+    largest = weigh_some(near, pairs, count, out);
   }
+  return largest;
 }
 
 }  // namespace
@@ -118,10 +147,11 @@ const std::int16_t* RowSmoother::smoothed(int number, const FaceRun& run) {
   // Beyond the picture there is nothing.
   std::fill(sums + run.first - radius_, sums + from, std::int16_t{0});
   std::fill(sums + to, sums + run.end + radius_, std::int16_t{0});
-  weigh(weights_, line(number) + from, to - from, sums + from, [&](int k) {
-    return std::pair(line(number - k) + from, line(number + k) + from);
-  });
-  const bool fits = pairs_fit(sums + from, to - from);
+  const std::int16_t largest =
+      weigh(weights_, line(number) + from, to - from, sums + from, [&](int k) {
+        return std::pair(line(number - k) + from, line(number + k) + from);
+      });
+  const bool fits = largest <= kMostOfPair;
   if (!fits) halve(sums + from, to - from);
   std::int16_t* smooth = smooth_.data() + run.first;
   weigh(weights_, sums + run.first, run.size(), smooth, [&](int k) {

@@ -50,12 +50,12 @@ struct Profile {
     }
   }
 
-  /// The entry nearest to a point.
+  /// The entry nearest to a point: on so smooth a curve it lies beside the nearest of some.
   [[nodiscard]] std::size_t nearest(const Eigen::Vector2d& point_mm) const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < at_mm.size(); ++i)
-      if ((at_mm[i] - point_mm).squaredNorm() < (at_mm[best] - point_mm).squaredNorm()) best = i;
-    return best;
+    constexpr std::size_t kEvery = 16;
+    const std::size_t rough = nearest_of(point_mm, 0, at_mm.size(), kEvery);
+    return nearest_of(
+        point_mm, rough - std::min(rough, kEvery), std::min(at_mm.size(), rough + kEvery + 1), 1);
   }
   /// s of the foot of a point on the profile near entry i; NaN beyond the ends.
   [[nodiscard]] double foot_mm(const Eigen::Vector2d& point_mm, std::size_t i) const {
@@ -63,6 +63,20 @@ struct Profile {
     const Eigen::Vector2d along = at_mm[i + 1] - at_mm[i - 1];
     const double part = along.dot(point_mm - at_mm[i - 1]) / along.squaredNorm();
     return s_mm[i - 1] + part * (s_mm[i + 1] - s_mm[i - 1]);
+  }
+
+ private:
+  [[nodiscard]] std::size_t nearest_of(const Eigen::Vector2d& point_mm,
+                                       std::size_t first,
+                                       std::size_t end,
+                                       std::size_t every) const {
+    std::size_t best = first;
+    double least = (at_mm[first] - point_mm).squaredNorm();
+    for (std::size_t i = first + every; i < end; i += every) {
+      const double square = (at_mm[i] - point_mm).squaredNorm();
+      if (square < least) least = square, best = i;
+    }
+    return best;
   }
 };
 

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kWeightBits = 14;  // weights reach 2
 constexpr double kMostWeight = 3.0;
-constexpr int kBeside = 3;  // columns that a run goes on for
+constexpr int kBeside = 3;   // columns that a run goes on for
+constexpr int kAhead = 512;  // bytes: recorded faces come from afar, several side by side
 
 // (grey 2^7) (weight 2^14) / 2^15 = grey weight 2^6. Sums may wrap around on the way: what comes
 // out in the end fits.
@@ -36,6 +37,7 @@ ALLTACT_WIDE void mix_rows(const std::uint8_t* const* rows,
         for (int k = 0; k < count; ++k) {
           const std::uint8_t* grey = rows[k] + first;
           const std::int16_t weight = weights[k];
+          __builtin_prefetch(grey + kAhead);
           for (int i = 0; i < size; ++i)
             wide[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(grey[i] * kFactor);
           for (int i = 0; i < size; ++i) {
@@ -154,9 +156,18 @@ struct ReferencePicture::MixedColumns {
   void mix_run(const FaceRun& run, std::int16_t* mixed) {
     const int from = std::max(run.first, first), to = std::min(run.end, end);
     if (from >= to) return;
+    // A whole block also where few columns are wanted: what does not fill vectors is slow.
+    std::array<std::int16_t, kBlock> block;
+    const bool is_narrow = to - from < kBlock && run.size() >= kBlock;
+    const int begin = is_narrow ? std::min(from, run.end - kBlock) : from;
     for (std::size_t k = 0; k < rows.size(); ++k)
-      rows[k] = mix.faces[k]->grey.data() + run.before + (from - run.first);
-    mix_rows(rows.data(), weights.data(), static_cast<int>(rows.size()), to - from, mixed + from);
+      rows[k] = mix.faces[k]->grey.data() + run.before + (begin - run.first);
+    mix_rows(rows.data(),
+             weights.data(),
+             static_cast<int>(rows.size()),
+             is_narrow ? kBlock : to - from,
+             is_narrow ? block.data() : mixed + from);
+    if (is_narrow) std::copy_n(block.data() + (from - begin), to - from, mixed + from);
     // Where the face's edge is steep, what is looked up may lie a little beside the run.
     if (from == run.first) std::fill(mixed + from - kBeside, mixed + from, mixed[from]);
     if (to == run.end) std::fill(mixed + to, mixed + to + kBeside, mixed[to - 1]);
