@@ -1,6 +1,7 @@
 #include "core/numerics/robust_polynomial.h"
 
 #include "core/numerics/chebyshev.h"
+#include "core/numerics/dispatch.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
@@ -22,6 +23,17 @@ double spread(const Eigen::VectorXd& residuals, std::vector<double>& sizes) {
   for (Eigen::Index i = 0; i < residuals.size(); ++i)
     sizes[static_cast<std::size_t>(i)] = std::abs(residuals[i]);
   return std::max(kMadToSd * upper_median(sizes), 1e-9);
+}
+
+/// sums += weight * values, for each point in turn: `values` holds `count` of them for each.
+ALLTACT_WIDE void add_weighted(const double* __restrict weights,
+                               std::ptrdiff_t points,
+                               const double* __restrict values,
+                               std::ptrdiff_t stride,
+                               std::ptrdiff_t count,
+                               double* __restrict sums) {
+  for (std::ptrdiff_t i = 0; i < points; ++i)
+    for (std::ptrdiff_t k = 0; k < count; ++k) sums[k] += weights[i] * values[i * stride + k];
 }
 
 /// T_0 .. T_{2n - 2} at each point: products of two of the first n are means of two of these, so
@@ -46,7 +58,12 @@ class ChebyshevTable {
   /// sums over the points of weight T_i T_j.
   [[nodiscard]] Eigen::MatrixXd information(const Eigen::VectorXd& weights) const {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(values_.rows());
-    for (Eigen::Index i = 0; i < weights.size(); ++i) sums += weights[i] * values_.col(i);
+    add_weighted(weights.data(),
+                 weights.size(),
+                 values_.data(),
+                 values_.rows(),
+                 values_.rows(),
+                 sums.data());
     Eigen::MatrixXd all(n_, n_);
     for (Eigen::Index i = 0; i < n_; ++i)
       for (Eigen::Index j = 0; j < n_; ++j) all(i, j) = 0.5 * (sums[i + j] + sums[std::abs(i - j)]);
@@ -55,7 +72,7 @@ class ChebyshevTable {
   /// sums over the points of values T_k.
   [[nodiscard]] Eigen::VectorXd projected(const Eigen::VectorXd& values) const {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(n_);
-    for (Eigen::Index i = 0; i < values.size(); ++i) sums += values[i] * values_.col(i).head(n_);
+    add_weighted(values.data(), values.size(), values_.data(), values_.rows(), n_, sums.data());
     return sums;
   }
 
