@@ -1,30 +1,71 @@
 #include "core/numerics/picture_noise.h"
 
+#include "core/numerics/dispatch.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace alltact {
+
+namespace {
+
+constexpr int kLargest = 64;  // of the second differences that count
+
+/// Second differences along a row, but for its ends; kLargest + 1 where they do not count.
+ALLTACT_WIDE void second_differences(const std::uint8_t* __restrict pixels,
+                                     int count,
+                                     std::uint8_t* __restrict differences) {
+  constexpr int kFloor = 6, kCeiling = 250;
+  for (int i = 0; i < count; ++i) {
+    const int here = pixels[i + 1];
+    const int second = pixels[i] - 2 * here + pixels[i + 2];
+    const int size = second < 0 ? -second : second;
+    const bool counts = (here >= kFloor) & (here <= kCeiling) & (size <= kLargest);
+    differences[i] = static_cast<std::uint8_t>(counts ? size : kLargest + 1);
+  }
+}
+
+/// How often each value occurs. Several counts of the same: neighbours are often alike, and each
+/// would wait for the other's to be written.
+class Histogram {
+ public:
+  void add(const std::vector<std::uint8_t>& values) {
+    std::size_t i = 0;
+    for (; i + kWays <= values.size(); i += kWays)
+      for (std::size_t way = 0; way < kWays; ++way) ++counts_[way][values[i + way]];
+    for (; i < values.size(); ++i) ++counts_[0][values[i]];
+  }
+  [[nodiscard]] std::array<std::int64_t, kLargest + 1> counts() const {
+    std::array<std::int64_t, kLargest + 1> all{};
+    for (const auto& counts : counts_)
+      for (std::size_t k = 0; k < all.size(); ++k) all[k] += counts[k];
+    return all;
+  }
+
+ private:
+  static constexpr std::size_t kWays = 4;
+  std::array<std::array<std::int32_t, kLargest + 2>, kWays> counts_{};
+};
+
+}  // namespace
 
 double picture_noise_sd(const cv::Mat& grey) {
   CV_Assert(grey.type() == CV_8UC1);
   constexpr int kRows = 32;  // are enough
-  constexpr int kLargest = 64;
-  constexpr int kFloor = 6, kCeiling = 250;
   const double quantisation = std::sqrt(1.0 / 12.0);
 
-  std::array<std::int64_t, kLargest + 1> histogram{};
+  if (grey.cols < 3) return quantisation;
+  Histogram histogram;
+  std::vector<std::uint8_t> differences(static_cast<std::size_t>(grey.cols - 2));
   const int step = std::max(1, grey.rows / kRows);
   for (int row = step / 2; row < grey.rows; row += step) {
-    const auto* pixel = grey.ptr<std::uint8_t>(row);
-    for (int u = 1; u + 1 < grey.cols; ++u) {
-      if (pixel[u] < kFloor || pixel[u] > kCeiling) continue;
-      const int second = std::abs(pixel[u - 1] - 2 * pixel[u] + pixel[u + 1]);
-      if (second <= kLargest) ++histogram[static_cast<std::size_t>(second)];
-    }
+    second_differences(grey.ptr<std::uint8_t>(row), grey.cols - 2, differences.data());
+    histogram.add(differences);
   }
-  const auto sd = sd_of_differences(histogram);
+  const auto sd = sd_of_differences(histogram.counts());
   if (!sd) return quantisation;
   return std::max(*sd / std::sqrt(6.0),
                   quantisation);  // 1 + 4 + 1: variance of a second difference

@@ -1,7 +1,7 @@
 #include "core/numerics/robust_polynomial.h"
 
 #include "core/numerics/chebyshev.h"
-#include "core/numerics/least_squares.h"
+#include "core/numerics/dispatch.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
@@ -18,12 +18,68 @@ constexpr int kCauchyRounds = 5;
 constexpr int kTukeyRounds = 4;
 constexpr double kSettled = 1e-4;  // change of a weight that no longer matters
 
-double spread(const Eigen::VectorXd& residuals) {
-  std::vector<double> sizes(static_cast<std::size_t>(residuals.size()));
+double spread(const Eigen::VectorXd& residuals, std::vector<double>& sizes) {
+  sizes.resize(static_cast<std::size_t>(residuals.size()));
   for (Eigen::Index i = 0; i < residuals.size(); ++i)
     sizes[static_cast<std::size_t>(i)] = std::abs(residuals[i]);
   return std::max(kMadToSd * upper_median(sizes), 1e-9);
 }
+
+/// sums += weight * values, for each point in turn: `values` holds `count` of them for each.
+ALLTACT_WIDE void add_weighted(const double* __restrict weights,
+                               std::ptrdiff_t points,
+                               const double* __restrict values,
+                               std::ptrdiff_t stride,
+                               std::ptrdiff_t count,
+                               double* __restrict sums) {
+  for (std::ptrdiff_t i = 0; i < points; ++i)
+    for (std::ptrdiff_t k = 0; k < count; ++k) sums[k] += weights[i] * values[i * stride + k];
+}
+
+/// T_0 .. T_{2n - 2} at each point: products of two of the first n are means of two of these, so
+/// that 2n - 1 weighted sums make all normal equations, T_i T_j = (T_{i + j} + T_{|i - j|}) / 2.
+class ChebyshevTable {
+ public:
+  ChebyshevTable(Eigen::Index n, Eigen::Index points) : n_(n), values_(2 * n - 1, points) {}
+
+  void set(Eigen::Index point, double t) {
+    double* row = values_.col(point).data();
+    row[0] = 1.0;
+    for (Eigen::Index k = 1; k < values_.rows(); ++k)
+      row[k] = k == 1 ? t : 2.0 * t * row[k - 1] - row[k - 2];
+  }
+  /// sum of c_k T_k at a point.
+  [[nodiscard]] double value(const Eigen::VectorXd& c, Eigen::Index point) const {
+    const double* row = values_.col(point).data();
+    double sum = 0;
+    for (Eigen::Index k = 0; k < n_; ++k) sum += c[k] * row[k];
+    return sum;
+  }
+  /// sums over the points of weight T_i T_j.
+  [[nodiscard]] Eigen::MatrixXd information(const Eigen::VectorXd& weights) const {
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(values_.rows());
+    add_weighted(weights.data(),
+                 weights.size(),
+                 values_.data(),
+                 values_.rows(),
+                 values_.rows(),
+                 sums.data());
+    Eigen::MatrixXd all(n_, n_);
+    for (Eigen::Index i = 0; i < n_; ++i)
+      for (Eigen::Index j = 0; j < n_; ++j) all(i, j) = 0.5 * (sums[i + j] + sums[std::abs(i - j)]);
+    return all;
+  }
+  /// sums over the points of values T_k.
+  [[nodiscard]] Eigen::VectorXd projected(const Eigen::VectorXd& values) const {
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(n_);
+    add_weighted(values.data(), values.size(), values_.data(), values_.rows(), n_, sums.data());
+    return sums;
+  }
+
+ private:
+  Eigen::Index n_;
+  Eigen::MatrixXd values_;  // a column for each point
+};
 
 double cauchy_weight(double r) {
   return 1.0 / (1.0 + r * r);
@@ -40,15 +96,22 @@ double RobustPolynomial::value(double x) const {
   return chebyshev_value(coefficients, (x - middle) / half);
 }
 
-std::vector<double> RobustPolynomial::values(int n) const {
+std::vector<double> RobustPolynomial::values(double first_x, double step, int n) const {
   std::vector<double> result(static_cast<std::size_t>(n));
-  chebyshev_values(coefficients, -middle / half, 1.0 / half, n, result.data());
+  chebyshev_values(coefficients, (first_x - middle) / half, step / half, n, result.data());
   return result;
 }
 
 double RobustPolynomial::sd(double x) const {
-  const Eigen::RowVectorXd row = chebyshev_row((x - middle) / half, coefficients.size());
-  return std::sqrt(std::max(0.0, (row * covariance * row.transpose()).value()));
+  const Eigen::Index n = coefficients.size();
+  const Eigen::RowVectorXd row = chebyshev_row((x - middle) / half, n);
+  double variance = 0;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    double sum = 0.5 * row[j] * covariance(j, j);
+    for (Eigen::Index i = 0; i < j; ++i) sum += row[i] * covariance(i, j);
+    variance += 2.0 * row[j] * sum;
+  }
+  return std::sqrt(std::max(0.0, variance));
 }
 
 std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>& x,
@@ -66,26 +129,35 @@ std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>&
   RobustPolynomial fit;
   fit.middle = 0.5 * (x[points.front()] + x[points.back()]);
   fit.half = std::max(0.5 * (x[points.back()] - x[points.front()]), 1e-9);
-  Eigen::MatrixXd design(count, n);  // rows divided by their sd
-  Eigen::VectorXd target(count);
+  ChebyshevTable table(n, count);
+  Eigen::VectorXd target(count), sureness(count);  // sureness: 1 / sd
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::size_t k = points[static_cast<std::size_t>(i)];
-    design.row(i) = chebyshev_row((x[k] - fit.middle) / fit.half, n) / sd[k];
-    target[i] = y[k] / sd[k];
+    table.set(i, (x[k] - fit.middle) / fit.half);
+    target[i] = y[k];
+    sureness[i] = 1.0 / sd[k];
   }
 
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(count);
-  Eigen::VectorXd residuals;
+  fit.coefficients = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(count), residuals = target, precision, before;
+  Eigen::VectorXd standardised(count);
+  std::vector<double> sizes;
   for (int round = 0; round < kCauchyRounds + kTukeyRounds; ++round) {
-    const Eigen::VectorXd root = weights.cwiseSqrt();
-    fit.coefficients = least_squares(root.asDiagonal() * design, root.cwiseProduct(target));
-    residuals = target - design * fit.coefficients;
-    fit.scale = spread(residuals);
-    const Eigen::VectorXd before = weights;
-    const bool cauchy = round < kCauchyRounds;
+    precision = weights.cwiseProduct(sureness.cwiseAbs2());
+    const Eigen::LLT<Eigen::MatrixXd> factor(table.information(precision));
+    if (factor.info() != Eigen::Success) return std::nullopt;
+    fit.coefficients += factor.solve(table.projected(precision.cwiseProduct(residuals)));
     for (Eigen::Index i = 0; i < count; ++i)
-      weights[i] =
-          cauchy ? cauchy_weight(residuals[i] / fit.scale) : tukey_weight(residuals[i] / fit.scale);
+      residuals[i] = target[i] - table.value(fit.coefficients, i);
+    standardised = residuals.cwiseProduct(sureness);
+    if (!standardised.allFinite()) return std::nullopt;
+    fit.scale = spread(standardised, sizes);
+    before = weights;
+    const bool cauchy = round < kCauchyRounds;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double size = standardised[i] / fit.scale;
+      weights[i] = cauchy ? cauchy_weight(size) : tukey_weight(size);
+    }
     if ((weights - before).cwiseAbs().maxCoeff() > kSettled) continue;
     if (!cauchy) break;
     round = kCauchyRounds - 1;  // on to Tukey's
@@ -99,8 +171,8 @@ std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>&
     fit.last = std::max(fit.last, x[points[static_cast<std::size_t>(i)]]);
   }
   if (fit.believed < 2 * n || !fit.coefficients.allFinite()) return std::nullopt;
-  const Eigen::MatrixXd information = design.transpose() * weights.asDiagonal() * design;
-  const Eigen::LLT<Eigen::MatrixXd> factor(information);
+  const Eigen::LLT<Eigen::MatrixXd> factor(
+      table.information(weights.cwiseProduct(sureness.cwiseAbs2())));
   if (factor.info() != Eigen::Success) return std::nullopt;
   // What the points' own sd did not foresee shows in the residuals; never promise less.
   const double inflation = std::max(1.0, fit.scale * fit.scale);

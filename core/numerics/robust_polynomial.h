@@ -18,15 +18,17 @@ struct RobustPolynomial {
   int believed = 0;
 
   [[nodiscard]] double value(double x) const;
-  /// value(0), value(1), .. value(n - 1).
-  [[nodiscard]] std::vector<double> values(int n) const;
+  /// value(x) at x = first_x + i * step for i = 0 .. n - 1.
+  [[nodiscard]] std::vector<double> values(double first_x, double step, int n) const;
   /// Standard deviation of value(x).
   [[nodiscard]] double sd(double x) const;
 };
 
-/// Weighted least squares by Householder QR, made robust by re-weighting: Cauchy weights from a
-/// median start, then Tukey's biweight (c = 4.685), on residuals divided by sd. Points with
-/// valid = 0 do not count. nullopt when fewer than 2 (degree + 1) points are valid or believed.
+/// Weighted least squares made robust by re-weighting: Cauchy weights from a median start, then
+/// Tukey's biweight (c = 4.685), on residuals divided by sd. Each round solves the normal equations
+/// for what the coefficients still lack, with residuals of the points themselves, so that roundings
+/// shrink from round to round. Points with valid = 0 do not count. nullopt when fewer than
+/// 2 (degree + 1) points are valid or believed, or they do not determine the curve.
 [[nodiscard]] std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>& x,
                                                                     const std::vector<double>& y,
                                                                     const std::vector<double>& sd,

@@ -2,11 +2,16 @@
 
 #include "core/sensing/contact/contact_frame.h"
 #include "core/sensing/contact/principal_axis.h"
+#include "core/sensing/contact/untouched_cells.h"
 #include "core/sensing/depth/depth_cells.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -16,12 +21,6 @@ namespace {
 constexpr int kCell = kDepthCellPx;  // regions are connected in cells
 constexpr double kLargestAngleSdDeg = 15.0;
 constexpr double kLeastSds = 4.0;  // from untouched, of what counts
-
-UntouchedSd untouched_at(const RegionOptions& options, const Eigen::Vector2d& pixel) {
-  if (!options.untouched) return {options.noise_mm, 0.0};
-  return options.untouched(static_cast<int>(std::lround(pixel.x())),
-                           static_cast<int>(std::lround(pixel.y())));
-}
 
 double sd_of_mean(const UntouchedSd& sd, double pixels, const RegionOptions& options) {
   const double independent = std::max(1.0, pixels / options.correlated_px2);
@@ -38,21 +37,21 @@ DepthCauses pressed_at(const RegionOptions& options,
       static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())), depth_mm);
 }
 
-/// Cells above the threshold that untouched skin would hardly ever reach.
-cv::Mat touched_cells(const DepthMap& depth, double threshold_mm, const RegionOptions& options) {
-  cv::Mat touched = depth.cells_mm > threshold_mm;
-  if (!options.untouched) return touched;
-  const double last_u = depth.depth_mm.cols - 1.0, last_v = depth.depth_mm.rows - 1.0;
-  for (int y = 0; y < touched.rows; ++y)
-    for (int x = 0; x < touched.cols; ++x) {
+/// Takes cells back that untouched skin might reach. touched: of the box.
+void keep_significant(const cv::Mat& cells_mm,
+                      const cv::Rect& box,
+                      const RegionOptions& options,
+                      UntouchedCells& untouched,
+                      cv::Mat& touched) {
+  if (!options.untouched) return;
+  for (int y = 0; y < box.height; ++y)
+    for (int x = 0; x < box.width; ++x) {
       std::uint8_t& is_touched = touched.at<std::uint8_t>(y, x);
       if (is_touched == 0) continue;
-      const Eigen::Vector2d middle(std::min(last_u, (x + 0.5) * kCell),
-                                   std::min(last_v, (y + 0.5) * kCell));
-      const double sd = sd_of_mean(untouched_at(options, middle), kCell * kCell, options);
-      if (depth.cells_mm.at<float>(y, x) < kLeastSds * sd) is_touched = 0;
+      const cv::Point cell = box.tl() + cv::Point(x, y);
+      const double sd = sd_of_mean(untouched.at(cell), kCell * kCell, options);
+      if (cells_mm.at<float>(cell) < kLeastSds * sd) is_touched = 0;
     }
-  return touched;
 }
 
 /// Pressed pixels of one cell, all taken to lie at their depth-weighted middle.
@@ -102,16 +101,21 @@ class SkinCentre {
 /// own spread of (4^2 - 1) / 12 px^2 is the same in every direction and left out.
 class RegionSums {
  public:
-  RegionSums(const FaceShape& shape, const Face& face, double threshold_mm)
-      : shape_(shape), face_(face), threshold_mm_(threshold_mm) {
+  /// Of pixels of rows [first_row, first_row + rows).
+  RegionSums(const FaceShape& shape, const Face& face, double threshold_mm, int first_row, int rows)
+      : shape_(shape),
+        face_(face),
+        threshold_mm_(threshold_mm),
+        first_row_(first_row),
+        ends_(static_cast<std::size_t>(rows), {std::numeric_limits<int>::max(), -1}) {
     region_.place_mm.setZero();
     region_.place_px.setZero();
   }
 
-  void add(const CellSums& cell, const RegionOptions& options) {
+  /// sd: of the cell's untouched skin
+  void add(const CellSums& cell, const UntouchedSd& sd, const RegionOptions& options) {
     const Eigen::Vector2d middle(cell.depth_u / cell.depth, cell.depth_v / cell.depth);
     depth_ += cell.depth;
-    const UntouchedSd sd = untouched_at(options, middle);
     noise_ += cell.pixels * sd.noise;
     systematic_ += cell.pixels * sd.systematic;
     const auto local = shape_.at(middle.x(), middle.y());
@@ -128,12 +132,12 @@ class RegionSums {
     region_.volume_mm3 += volume;
     region_.place_mm += volume * pressed_mm;
     region_.place_px += volume * middle;
-    region_.place_on_face_mm += volume * shape_.place_mm(middle.x(), middle.y());
+    const Eigen::Vector2d on_face_mm = shape_.place_mm(middle.x(), middle.y());
+    region_.place_on_face_mm += volume * on_face_mm;
     region_.area_mm2 += cell.pixels * area->on_face_mm2;
     const DepthCauses causes = pressed_at(options, middle, cell.depth / cell.pixels);
     errors_.add(causes, volume, cell.pixels);
-    centre_.add(
-        cell, shape_.place_mm(middle.x(), middle.y()), area->flat_mm2, threshold_mm_, causes.noise);
+    centre_.add(cell, on_face_mm, area->flat_mm2, threshold_mm_, causes.noise);
     // The axis is that of the volume between the threshold and the depth: a weight that begins at
     // nothing, so that pixels of the rim which noise takes in or leaves out do not move it.
     const double above = cell.depth - threshold_mm_ * cell.pixels;
@@ -150,9 +154,8 @@ class RegionSums {
 
   /// The first and the last pressed pixel of a row of a cell.
   void widen(int row, int first, int last) {
-    for (const Eigen::Vector2d& end :
-         {Eigen::Vector2d(first - 0.5, row), Eigen::Vector2d(last + 0.5, row)})
-      ends_.push_back(shape_.place_mm(end.x(), end.y()));
+    auto& [row_first, row_last] = ends_[static_cast<std::size_t>(row - first_row_)];
+    row_first = std::min(row_first, first), row_last = std::max(row_last, last);
   }
 
   /// A pixel that may be the deepest.
@@ -188,11 +191,26 @@ class RegionSums {
       region.normal = local->normal;
     find_angle(options, region);
     if (region.angle_deg) region.axis = contact_axis(shape_, region.place_px, *region.angle_deg);
-    region.polygon_mm = convex_polygon(ends_, 0.25 * std::sqrt(region.area_mm2 / region.pixels));
+    region.polygon_mm =
+        convex_polygon(outline_mm(), 0.25 * std::sqrt(region.area_mm2 / region.pixels));
     return region;
   }
 
  private:
+  /// Both ends of each row, mm on the face: what lies between them is within any polygon around
+  /// them.
+  [[nodiscard]] std::vector<Eigen::Vector2d> outline_mm() const {
+    std::vector<Eigen::Vector2d> outline;
+    for (std::size_t k = 0; k < ends_.size(); ++k) {
+      const auto [first, last] = ends_[k];
+      if (last < first) continue;
+      const double row = first_row_ + static_cast<double>(k);
+      outline.push_back(shape_.place_mm(first - 0.5, row));
+      outline.push_back(shape_.place_mm(last + 0.5, row));
+    }
+    return outline;
+  }
+
   /// As contact_regions() says of the weights depth - h: the centre lies
   /// (sum of (d - h)^2 / sum of (d - h) / 2 + h) sin(theta) from the middle.
   void find_deepest_place(const RegionOptions& options, ContactRegion& region) const {
@@ -247,7 +265,8 @@ class RegionSums {
   double threshold_mm_;
   std::vector<ContactColumn> columns_;
   Eigen::Vector2d deepest_px_{0, 0};
-  std::vector<Eigen::Vector2d> ends_;  // of rows of pixels, mm on the face
+  int first_row_;
+  std::vector<std::pair<int, int>> ends_;  // the first and the last pressed pixel of each row
   MeanErrors errors_;
   ContactRegion region_;  // places not yet divided by the volume
   Eigen::Vector3d origin_mm_ = Eigen::Vector3d::Zero();
@@ -293,11 +312,12 @@ RegionSums sums_of(const DepthMap& depth,
                    int label,
                    const cv::Rect& cells,
                    const cv::Point& origin,
+                   UntouchedCells& untouched,
                    const FaceShape& shape,
                    const Face& face,
                    double threshold_mm,
                    const RegionOptions& options) {
-  RegionSums sums(shape, face, threshold_mm);
+  RegionSums sums(shape, face, threshold_mm, (origin.y + cells.y) * kCell, cells.height * kCell);
   const cv::Rect picture({0, 0}, depth.depth_mm.size());
   for (int y = cells.y; y < cells.y + cells.height; ++y) {
     const int* row = labels.ptr<int>(y);
@@ -308,7 +328,7 @@ RegionSums sums_of(const DepthMap& depth,
       const PressedCell pressed =
           pressed_in(depth.depth_mm, cell, static_cast<float>(threshold_mm));
       if (pressed.sums.pixels == 0) continue;
-      sums.add(pressed.sums, options);
+      sums.add(pressed.sums, untouched.at(origin + cv::Point(x, y)), options);
       for (std::size_t k = 0; k < pressed.ends.size(); ++k)
         if (const auto& [first, last] = pressed.ends[k]; last >= 0)
           sums.widen(cell.y + static_cast<int>(k), first, last);
@@ -325,13 +345,15 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                            const Face& face,
                                            const RegionOptions& options) {
   const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
-  const cv::Mat everywhere = touched_cells(depth, threshold, options);
+  cv::Mat everywhere = depth.cells_mm > threshold;
   // Labels are given within the box that holds all that is touched, and a cell around it.
   const cv::Rect tight = cv::boundingRect(everywhere);
   if (tight.empty()) return {};
   const cv::Rect box = cv::Rect(tight.x - 1, tight.y - 1, tight.width + 2, tight.height + 2) &
                        cv::Rect({0, 0}, everywhere.size());
-  const cv::Mat touched = everywhere(box);
+  cv::Mat touched = everywhere(box);
+  UntouchedCells untouched(options, depth.depth_mm.size(), box);
+  keep_significant(depth.cells_mm, box, options, untouched, touched);
   cv::Mat labels, statistics, centres;
   const int count =
       cv::connectedComponentsWithStats(touched, labels, statistics, centres, 8, CV_32S);
@@ -350,7 +372,7 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                     statistics.at<int>(label, cv::CC_STAT_HEIGHT) + 2) &
                            cv::Rect(0, 0, labels.cols, labels.rows);
     const RegionSums sums =
-        sums_of(depth, wide, label, cells, box.tl(), shape, face, threshold, options);
+        sums_of(depth, wide, label, cells, box.tl(), untouched, shape, face, threshold, options);
     if (sums.empty() || !sums.is_significant(options)) continue;
     const ContactRegion region = sums.region(options);
     if (region.area_mm2 >= options.minimum_area_mm2) regions.push_back(region);

@@ -1,5 +1,7 @@
 #include "core/sensing/face/edge_reader.h"
 
+#include "core/numerics/dispatch.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,63 +22,93 @@ constexpr int kBeside =
     kNearBlurred + kFarBlurred + 1;                  // rows that a step found takes in on each side
 constexpr int kReach = EdgeReader::kWide + kBeside;  // rows of the band on each side of its middle
 
-using Profile = std::array<float, 2 * kReach + 1>;
+/// sums += the mean of two neighbouring rows at each of `count` places, weighted by where between
+/// them the edge's own row lies. `column` holds one place more.
+ALLTACT_WIDE void add_column(const std::uint8_t* __restrict column,
+                             float part,
+                             int count,
+                             float* __restrict sums) {
+  for (int i = 0; i < count; ++i) {
+    const auto here = static_cast<float>(column[i]), next = static_cast<float>(column[i + 1]);
+    sums[i] += here + part * (next - here);
+  }
+}
 
-/// The part of a profile that a search within `reach` rows of its middle looks at.
-struct Band {
-  int first, last;
-  explicit Band(int reach) : first(kReach - reach - kBeside), last(kReach + reach + kBeside) {}
-};
+/// Brightness across the edge: the mean of some columns along its slope, bilinear across it. Row
+/// kReach is the middle; rows are read when they are asked for.
+class Profile {
+ public:
+  Profile(const cv::Mat& grey, double u, double v, double slope, int columns)
+      : grey_(grey),
+        u_(u),
+        v_(v),
+        slope_(slope),
+        columns_(columns),
+        first_column_(static_cast<int>(std::lround(u - 0.5 * (columns - 1)))) {}
 
-/// Mean of `columns` columns along the edge's slope, bilinear across it, within the band; false off
-/// the picture.
-bool read_profile(const cv::Mat& grey,
-                  double u,
-                  double v,
-                  double slope,
-                  int columns,
-                  const Band& band,
-                  Profile& profile) {
-  const int first = static_cast<int>(std::lround(u - 0.5 * (columns - 1)));
-  if (first < 0 || first + columns > grey.cols) return false;
-  float* const begin = profile.data() + band.first;
-  const int count = band.last - band.first + 1;
-  std::fill_n(begin, count, 0.0F);
-  for (int k = 0; k < columns; ++k) {
-    const int column = first + k;
-    const double middle = v + slope * (column - u);
-    const int row = static_cast<int>(std::floor(middle)) + band.first - kReach;
-    const auto part = static_cast<float>(middle - std::floor(middle));
-    if (middle < 0 || middle >= grey.rows) return false;
-    if (row >= 0 && row + count < grey.rows) {
-      const std::uint8_t* pixel = grey.ptr<std::uint8_t>(row) + column;
-      auto here = static_cast<float>(*pixel);
-      for (int i = 0; i < count; ++i) {
-        pixel += grey.step[0];
-        const auto next = static_cast<float>(*pixel);
-        begin[i] += here + part * (next - here);
-        here = next;
-      }
-      continue;
+  [[nodiscard]] bool is_in_picture() const {
+    if (first_column_ < 0 || first_column_ + columns_ > grey_.cols) return false;
+    for (int k = 0; k < columns_; ++k)
+      if (const double middle = middle_of(k); middle < 0 || middle >= grey_.rows) return false;
+    return true;
+  }
+  /// Knows rows [first, last] from then on; they may not leave [0, 2 kReach].
+  void know(int first, int last) {
+    if (last_ < first_) {
+      read(first, last);
+      first_ = first, last_ = last;
+      return;
+    }
+    if (first < first_) read(first, first_ - 1);
+    if (last > last_) read(last_ + 1, last);
+    first_ = std::min(first, first_), last_ = std::max(last, last_);
+  }
+  [[nodiscard]] float operator[](std::size_t i) const { return values_[i]; }
+
+ private:
+  /// Where the edge is expected in a column, row of the picture.
+  [[nodiscard]] double middle_of(int k) const { return v_ + slope_ * (first_column_ + k - u_); }
+
+  void read(int first, int last) {
+    float* const begin = values_.data() + first;
+    const int count = last - first + 1;
+    std::fill_n(begin, count, 0.0F);
+    std::array<std::uint8_t, 2 * kReach + 2> column;
+    for (int k = 0; k < columns_; ++k) {
+      const double middle = middle_of(k), floor = std::floor(middle);
+      const int row = static_cast<int>(floor) + first - kReach;
+      copy_column(first_column_ + k, row, count + 1, column.data());
+      add_column(column.data(), static_cast<float>(middle - floor), count, begin);
+    }
+    for (int i = 0; i < count; ++i) begin[i] /= static_cast<float>(columns_);
+  }
+
+  void copy_column(int u, int row, int count, std::uint8_t* column) const {
+    if (row >= 0 && row + count <= grey_.rows) {
+      const std::uint8_t* pixel = grey_.ptr<std::uint8_t>(row) + u;
+      for (int i = 0; i < count; ++i, pixel += grey_.step[0]) column[i] = *pixel;
+      return;
     }
     // Beyond the picture's border its last row goes on: no step is seen there.
-    const auto clamped = [&](int r) {
-      return static_cast<float>(grey.at<std::uint8_t>(std::clamp(r, 0, grey.rows - 1), column));
-    };
     for (int i = 0; i < count; ++i)
-      begin[i] += clamped(row + i) + part * (clamped(row + i + 1) - clamped(row + i));
+      column[i] = grey_.at<std::uint8_t>(std::clamp(row + i, 0, grey_.rows - 1), u);
   }
-  for (int i = 0; i < count; ++i) begin[i] /= static_cast<float>(columns);
-  return true;
-}
+
+  const cv::Mat& grey_;
+  double u_, v_, slope_;
+  int columns_, first_column_;
+  int first_ = 0, last_ = -1;  // known
+  std::array<float, 2 * kReach + 1> values_;
+};
 
 /// Row before the step that is the face's edge: of all steps of the right sign that are steep
 /// enough, the innermost. Beside a narrow side face its outer border and the dots on it are as
 /// steep, but further out; dots on it may be steeper than the edge is expected to be.
 std::optional<std::pair<int, float>> innermost_step(
-    const Profile& profile, float sign, bool face_below, int reach, float expected_rise) {
+    Profile& profile, float sign, bool face_below, int reach, float expected_rise) {
   constexpr float kSteepEnough = 0.4F;  // of the steepest
   const int first = kReach - reach, last = kReach + reach - 1;
+  profile.know(first - 2, last + 3);
   const auto rise = [&](int i) {
     const auto k = static_cast<std::size_t>(i);
     return sign * (profile[k + 2] + profile[k + 1] - profile[k] - profile[k - 1]);
@@ -113,7 +145,7 @@ Level level_of(const Profile& profile, int from, int to) {
 /// sides of that. Brightness changes along both sides of the step, so that the levels are lines,
 /// continued to it: constants would draw the crossing towards the side that changes more. `beside`:
 /// the level beside the face, where a dot hides it.
-std::optional<EdgeCrossing> crossing_between_levels(const Profile& profile,
+std::optional<EdgeCrossing> crossing_between_levels(Profile& profile,
                                                     float sign,
                                                     bool face_below,
                                                     int twice_middle,
@@ -123,6 +155,7 @@ std::optional<EdgeCrossing> crossing_between_levels(const Profile& profile,
   const int near = blurred ? kNearBlurred : kNear, far = blurred ? kFarBlurred : kFar;
   const int inner = (twice_middle + 2 * near) / 2;  // first row of the far side
   const int outer = (twice_middle + 2 * far - 1) / 2;
+  profile.know(twice_middle - outer, outer);
   Level before = level_of(profile, twice_middle - outer, twice_middle - inner);
   Level after = level_of(profile, inner, outer);
   if (beside) (face_below ? before : after) = {*beside, 0.0F, 0.0F};
@@ -154,7 +187,7 @@ std::optional<EdgeCrossing> crossing_between_levels(const Profile& profile,
 }
 
 /// sign: +1 when brightness rises with v; face_below: the face lies at larger v.
-std::optional<EdgeCrossing> half_way_crossing(const Profile& profile,
+std::optional<EdgeCrossing> half_way_crossing(Profile& profile,
                                               float sign,
                                               bool face_below,
                                               int reach,
@@ -201,9 +234,8 @@ std::optional<EdgeCrossing> integer_step(
 std::optional<EdgeCrossing> EdgeReader::at(
     double u, double v, double slope, int reach, const ExpectedEdge& expected) const {
   if (options_.method == EdgeMethod::kInteger) return integer_step(grey_, u, v, sign_, reach);
-  Profile profile;
-  if (!read_profile(grey_, u, v, slope, options_.columns, Band(reach), profile))
-    return std::nullopt;
+  Profile profile(grey_, u, v, slope, options_.columns);
+  if (!profile.is_in_picture()) return std::nullopt;
   return half_way_crossing(
       profile, sign_, face_below_, reach, noise_sd_, options_.columns, expected);
 }

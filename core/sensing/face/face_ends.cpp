@@ -1,10 +1,12 @@
 #include "core/sensing/face/face_ends.h"
 
+#include "core/numerics/dispatch.h"
 #include "core/sensing/face/face_edges.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace alltact {
@@ -97,6 +99,17 @@ EndLevel end_level(const std::vector<float>& values, int centre, int first, int 
   return {(sy - slope * sx) / n, slope};
 }
 
+/// Adds to the sums of those columns whose rows [first, last] hold row v.
+ALLTACT_WIDE void add_between(const std::uint8_t* __restrict row,
+                              int v,
+                              const std::int32_t* __restrict first,
+                              const std::int32_t* __restrict last,
+                              int count,
+                              std::int32_t* __restrict sums) {
+  for (int k = 0; k < count; ++k)
+    sums[k] += row[k] & -static_cast<std::int32_t>((v >= first[k]) & (v <= last[k]));
+}
+
 /// Reads one end.
 class EndReader {
  public:
@@ -126,19 +139,27 @@ class EndReader {
     // Away from the edges: there the blur mixes in what lies beside the face.
     const double centre = (strip + 1.0) / (kStrips + 1.0), half = 0.4 / (kStrips + 1.0);
     const auto n = static_cast<std::size_t>(count_);
+    std::vector<std::int32_t> first(n), last(n), sums(n, 0);
+    const int from = std::min(column(0), column(count_ - 1));
+    int top_row = grey_.rows, bottom_row = -1;
+    for (std::size_t k = 0; k < n; ++k) {
+      const int u = from + static_cast<int>(k);
+      const double top = upper_.at(u), height = lower_.at(u) - top;
+      first[k] = std::clamp(
+          static_cast<int>(std::lround(top + (centre - half) * height)), 0, grey_.rows - 1);
+      last[k] = std::clamp(
+          static_cast<int>(std::lround(top + (centre + half) * height)), first[k], grey_.rows - 1);
+      top_row = std::min(top_row, first[k]), bottom_row = std::max(bottom_row, last[k]);
+    }
+    for (int v = top_row; v <= bottom_row; ++v)
+      add_between(
+          grey_.ptr<std::uint8_t>(v) + from, v, first.data(), last.data(), count_, sums.data());
     std::vector<float> brightness(n);
     double rows = 1;
     for (int i = 0; i < count_; ++i) {
-      const int u = column(i);
-      const double top = upper_.at(u), height = lower_.at(u) - top;
-      const int first = std::clamp(
-          static_cast<int>(std::lround(top + (centre - half) * height)), 0, grey_.rows - 1);
-      const int last = std::clamp(
-          static_cast<int>(std::lround(top + (centre + half) * height)), first, grey_.rows - 1);
-      int sum = 0;
-      for (int v = first; v <= last; ++v) sum += grey_.at<std::uint8_t>(v, u);
-      rows = last - first + 1;
-      brightness[static_cast<std::size_t>(i)] = static_cast<float>(sum / rows);
+      const auto k = static_cast<std::size_t>(column(i) - from);
+      rows = last[k] - first[k] + 1;
+      brightness[static_cast<std::size_t>(i)] = static_cast<float>(sums[k] / rows);
     }
     if (!edges_.bright_inside)
       for (float& value : brightness) value = -value;

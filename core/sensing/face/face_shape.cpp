@@ -1,7 +1,6 @@
 #include "core/sensing/face/face_shape.h"
 
 #include "core/numerics/chebyshev.h"
-#include "core/numerics/least_squares.h"
 #include "core/numerics/robust_polynomial.h"
 #include "core/sensing/face/outline_jump.h"
 
@@ -15,7 +14,6 @@ constexpr double kMinimumWidthPx = 8.0;  // below, 1/width is biased by percents
 constexpr double kWidthBiasPx = 0.03;    // of an edge that is not quite a blurred step
 constexpr int kLensDegrees = 4;
 constexpr double kShortPart = 1.0 / 12;  // of the columns: beyond a jump, such a part is left out
-constexpr int kMostWindowSteps = 60;     // each brings z nearer by a factor of 5 or more
 
 /// The column where an end reaches furthest out: at one of the face's corners, or where it turns.
 double outermost(const FaceEnd& end, double upper_v, double lower_v, int outwards) {
@@ -95,17 +93,22 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   FaceShape shape(camera, face);
   shape.ends_ = edges.ends;
   shape.columns_.resize(static_cast<std::size_t>(width));
+  const double t_step = scale.at(1.0) - scale.at(0.0);
+  const std::vector<double> upper_v = upper->values(scale.at(0.0), t_step, width);
+  const std::vector<double> lower_v = lower->values(scale.at(0.0), t_step, width);
   for (int u = 0; u < width; ++u) {
     FaceColumn& column = shape.columns_[static_cast<std::size_t>(u)];
-    const double t = scale.at(u);
-    column.upper_v = upper->value(t);
-    column.lower_v = lower->value(t);
+    column.upper_v = upper_v[static_cast<std::size_t>(u)];
+    column.lower_v = lower_v[static_cast<std::size_t>(u)];
     column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
   }
   shape.scale_ = scale;
   // Where a dark end is seen but not the edges up to it, these are extrapolated, to anywhere.
-  if (!shape.fit_inverse_depth(std::max(first, seen_first), std::min(last, seen_last), edge_degree))
-    return no_shape(en::say("no smooth shape fits them"));
+  const bool is_fitted =
+      camera.is_linear() ? shape.take_over(*upper, *lower)
+                         : shape.fit_inverse_depth(
+                               std::max(first, seen_first), std::min(last, seen_last), edge_degree);
+  if (!is_fitted) return no_shape(en::say("no smooth shape fits them"));
 
   constexpr int kSdStep = 8;  // the error changes slowly along the face
   std::vector<double> width_sd;
@@ -130,97 +133,6 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   return shape;
 }
 
-bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
-  // The edges are smooth curves now. For a lens without distortion 1/z is a polynomial of the same
-  // degree in u and this is exact.
-  const Eigen::Index n = degree + 1;
-  const int samples = 8 * static_cast<int>(n);
-  std::vector<Ray> uppers, lowers;
-  for (int i = 0; i < samples; ++i) {
-    const double node = -std::cos(M_PI * (i + 0.5) / samples);
-    const double u = 0.5 * (first + last) + 0.5 * (last - first) * node;
-    const auto& left = columns_[static_cast<std::size_t>(u)];
-    const auto& right = columns_[std::min(static_cast<std::size_t>(u) + 1, columns_.size() - 1)];
-    const double part = u - std::floor(u);
-    const auto a = camera_.unproject({u, left.upper_v + part * (right.upper_v - left.upper_v)});
-    const auto b = camera_.unproject({u, left.lower_v + part * (right.lower_v - left.lower_v)});
-    if (!a || !b) continue;
-    uppers.push_back(*a), lowers.push_back(*b);
-  }
-  if (uppers.size() < static_cast<std::size_t>(2 * n)) return false;
-  // Behind a window where a point seems to be depends on how far it is.
-  const int rounds = camera_.is_central() ? 1 : kMostWindowSteps;
-  for (int round = 0; round < rounds; ++round) {
-    const Eigen::VectorXd before = inverse_z_;
-    if (!fit_to_rays(uppers, lowers, n)) return false;
-    if (before.size() > 0 && (inverse_z_ - before).norm() < 1e-15) break;
-  }
-  know_across();
-  return inverse_z_.allFinite();
-}
-
-bool FaceShape::fit_to_rays(const std::vector<Ray>& uppers,
-                            const std::vector<Ray>& lowers,
-                            Eigen::Index n) {
-  const auto used = static_cast<Eigen::Index>(uppers.size());
-  Eigen::VectorXd upper_x(used), upper_y(used), lower_x(used), lower_y(used);
-  for (Eigen::Index i = 0; i < used; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Eigen::Vector2d a = seen_from(uppers[k], inverse_z_of(uppers[k])),
-                          b = seen_from(lowers[k], inverse_z_of(lowers[k]));
-    upper_x[i] = a.x(), upper_y[i] = a.y();
-    lower_x[i] = b.x(), lower_y[i] = b.y();
-  }
-  const auto curve = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& y) -> Eigen::VectorXd {
-    Eigen::MatrixXd design(used, n);
-    for (Eigen::Index i = 0; i < used; ++i)
-      design.row(i) = chebyshev_row(scale_.at(column_of(x[i])), n);
-    return least_squares(design, y);
-  };
-  upper_y_ = curve(upper_x, upper_y);
-  lower_y_ = curve(lower_x, lower_y);
-  inverse_z_ = (lower_y_ - upper_y_) / face_.width_mm;
-  return inverse_z_.allFinite();
-}
-
-// 0 before there is a fit: then the ray is taken where it lies far away.
-double FaceShape::inverse_z_of(const Ray& ray) const {
-  if (inverse_z_.size() == 0) return 0.0;
-  double inverse_z = inverse_z_at(ray.direction.head<2>());
-  if (camera_.is_central()) return inverse_z;
-  for (int step = 0; step < kMostWindowSteps; ++step) {
-    const double before = inverse_z;
-    inverse_z = inverse_z_at(seen_from(ray, inverse_z));
-    if (std::abs(inverse_z - before) <= 1e-15) break;
-  }
-  return inverse_z;
-}
-
-void FaceShape::know_across() {
-  inverse_z_slope_ = chebyshev_derivative(inverse_z_);
-  if (twist_) {
-    inverse_z_by_y_slope_ = chebyshev_derivative(inverse_z_by_y_);
-    inverse_z_by_y2_slope_ = chebyshev_derivative(inverse_z_by_y2_);
-  }
-  across_.clear();
-  by_column_.clear();
-  if (!camera_.is_linear() || !camera_.is_perspective()) return;
-  if (twist_)
-    by_column_.resize(columns_.size());
-  else
-    across_.resize(columns_.size());
-  const CameraParameters& lens = camera_.parameters();
-  for (std::size_t u = 0; u < columns_.size(); ++u) {
-    if (!columns_[u].valid) continue;
-    const double x = (static_cast<double>(u) - lens.cx_px) / lens.fx_px;
-    const InverseDepth inverse = inverse_depth_at(x);
-    if (twist_)
-      by_column_[u] = inverse;
-    else if (const auto here = across_from(x, 0.0, inverse))
-      across_[u] = *here;
-  }
-}
-
 double FaceShape::z_of_column(int u) const {
   const auto k = static_cast<std::size_t>(u);
   if (!across_.empty()) return across_[k].z_mm;  // the same in all of the column
@@ -228,6 +140,11 @@ double FaceShape::z_of_column(int u) const {
   const auto ray = camera_.unproject({static_cast<double>(u), middle});
   const double inverse_z = ray ? inverse_z_of(*ray) : 0.0;
   return inverse_z > 0.0 ? 1.0 / inverse_z : 0.0;
+}
+
+double FaceShape::x_of_column(double u) const {
+  const CameraParameters& lens = camera_.parameters();
+  return (u - lens.cx_px) / lens.fx_px;
 }
 
 double FaceShape::column_of(double x) const {
@@ -283,10 +200,14 @@ void FaceShape::finish() {
   know_lengths();
   along_z_per_normal_.assign(columns_.size(), 1.0F);
   for (int u = 0; u < width_px(); ++u) {
-    const FaceColumn& column = columns_[static_cast<std::size_t>(u)];
-    if (const auto local = at(u, 0.5 * (column.upper_v + column.lower_v)))
-      along_z_per_normal_[static_cast<std::size_t>(u)] =
-          static_cast<float>(1.0 / local->cos_incline);
+    const auto k = static_cast<std::size_t>(u);
+    const FaceColumn& column = columns_[k];
+    if (!across_.empty()) {
+      if (column.valid && across_[k].z_mm > 0.0)
+        along_z_per_normal_[k] = static_cast<float>(1.0 / across_[k].normal.z());
+    } else if (const auto local = at(u, 0.5 * (column.upper_v + column.lower_v))) {
+      along_z_per_normal_[k] = static_cast<float>(1.0 / local->cos_incline);
+    }
   }
 }
 
@@ -336,7 +257,7 @@ std::optional<FaceShape::Across> FaceShape::across_from(double x,
   const double q_x = inverse.a_slope + y * (inverse.b_slope + y * inverse.d_slope);
   const double q_y = inverse.b + 2.0 * y * inverse.d;
   const double along = q - x * q_x - y * q_y;
-  const double length = std::hypot(q_x, q_y, along);
+  const double length = std::sqrt(q_x * q_x + q_y * q_y + along * along);
   if (!(length > 0.0) || !(along > 0.0)) return std::nullopt;
   return Across{1.0 / q, along, length, Eigen::Vector3d(q_x, q_y, along) / length};
 }

@@ -14,6 +14,8 @@
 
 namespace alltact {
 
+struct RobustPolynomial;
+
 /// One pixel column of the face. For a camera with lens distortion these are the values on the
 /// middle of the face; FaceShape::view_point is exact for every pixel.
 struct FaceColumn {
@@ -120,6 +122,7 @@ class FaceShape {
 
  private:
   FaceShape(const Camera& camera, const Face& face) : camera_(camera), face_(face) {}
+  bool take_over(const RobustPolynomial& upper, const RobustPolynomial& lower);  // linear cameras
   bool fit_inverse_depth(double first, double last, int degree);
   bool fit_to_rays(const std::vector<Ray>& uppers, const std::vector<Ray>& lowers, Eigen::Index n);
   double inverse_z_of(const Ray& ray) const;
@@ -133,7 +136,9 @@ class FaceShape {
   void know_lengths();
   double z_of_column(int u) const;  // on the middle of the face; 0 where there is none
   void finish();
-  double column_of(double x) const;  // that a lens without distortion would show x in
+  // A ray's x and the column that a lens without distortion would show it in.
+  double x_of_column(double u) const;
+  double column_of(double x) const;
   /// 1/z = a + b y + d y^2 where the ray's direction is (x, y): b and d are 0 without twist.
   struct InverseDepth {
     double a = 0, b = 0, d = 0;                    // at x

@@ -99,17 +99,24 @@ void FaceShape::know_lengths() {
     double length_mm;
   };
   std::vector<Place> places;  // of the valid columns, from base to tip
-  std::optional<Eigen::Vector3d> before;
+  places.reserve(columns_.size());
+  const bool x_by_column = camera_.is_linear() && camera_.is_perspective();
+  std::optional<Eigen::Vector2d> before;  // x and z
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const std::size_t u = base_at_low_u_ ? i : columns_.size() - 1 - i;
     const FaceColumn& column = columns_[u];
     if (!column.valid) continue;
-    const auto ray =
-        camera_.unproject({static_cast<double>(u), 0.5 * (column.upper_v + column.lower_v)});
-    if (!ray) continue;
-    const Eigen::Vector3d here = ray->point_at(column.z_mm);
-    const double step_mm =
-        before ? std::hypot(here.x() - before->x(), here.z() - before->z()) : 0.0;
+    Eigen::Vector2d here;
+    if (x_by_column) {
+      here = {column.z_mm * x_of_column(static_cast<double>(u)), column.z_mm};
+    } else {
+      const auto ray =
+          camera_.unproject({static_cast<double>(u), 0.5 * (column.upper_v + column.lower_v)});
+      if (!ray) continue;
+      const Eigen::Vector3d point_mm = ray->point_at(column.z_mm);
+      here = {point_mm.x(), point_mm.z()};
+    }
+    const double step_mm = before ? (here - *before).norm() : 0.0;
     places.push_back({u, places.empty() ? 0.0 : places.back().length_mm + step_mm});
     before = here;
   }

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
 
 namespace alltact {
 namespace {
@@ -14,6 +17,50 @@ constexpr int kSmallWidth = 120;  // columns of the small picture, about
 constexpr int kLargestJump = 3;   // rows from one small column to the next
 constexpr float kJumpPenalty = 0.03F;
 
+/// Eight pixels as one number.
+std::uint64_t eight_pixels(const std::uint8_t* pixels) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, pixels, sizeof word);
+  return word;
+}
+
+/// Adds a row to sums of pairs of neighbouring pixels, four of 16 bits in each word.
+ALLTACT_WIDE void add_pairs(const std::uint8_t* __restrict row,
+                            int words,
+                            std::uint64_t* __restrict sums) {
+  constexpr std::uint64_t kEvery2nd = 0x00FF00FF00FF00FF;
+  for (int i = 0; i < words; ++i) {
+    const std::uint64_t word = eight_pixels(row + 8 * static_cast<std::ptrdiff_t>(i));
+    sums[i] += (word & kEvery2nd) + ((word >> 8U) & kEvery2nd);
+  }
+}
+
+/// Sums of `block` columns each, where that is a multiple of eight.
+class SumsOfEights {
+ public:
+  SumsOfEights(int width, int block)
+      : words_of_block_(block / 8), sums_(static_cast<std::size_t>(width * words_of_block_)) {}
+  /// Beyond this block the four sums of a word, taken together, leave 16 bits.
+  static bool can_sum(int block) { return block % 8 == 0 && block <= 32; }
+
+  void clear() { std::fill(sums_.begin(), sums_.end(), 0U); }
+  void add(const std::uint8_t* row) {
+    add_pairs(row, static_cast<int>(sums_.size()), sums_.data());
+  }
+  [[nodiscard]] std::uint32_t of(int column) const {
+    constexpr std::uint64_t kAllFour = 0x0001000100010001;
+    std::uint32_t sum = 0;
+    for (int k = 0; k < words_of_block_; ++k)
+      sum += static_cast<std::uint32_t>(
+          (sums_[static_cast<std::size_t>(column * words_of_block_ + k)] * kAllFour) >> 48U);
+    return sum;
+  }
+
+ private:
+  int words_of_block_;
+  std::vector<std::uint64_t> sums_;
+};
+
 /// sums += the row.
 ALLTACT_WIDE void add_grey_row(const std::uint8_t* __restrict row,
                                int width,
@@ -21,23 +68,43 @@ ALLTACT_WIDE void add_grey_row(const std::uint8_t* __restrict row,
   for (int u = 0; u < width; ++u) sums[u] += row[u];
 }
 
+/// The same of any block.
+class SumsOfAny {
+ public:
+  SumsOfAny(int width, int block) : block_(block), sums_(static_cast<std::size_t>(width * block)) {}
+  void clear() { std::fill(sums_.begin(), sums_.end(), 0U); }
+  void add(const std::uint8_t* row) {
+    add_grey_row(row, static_cast<int>(sums_.size()), sums_.data());
+  }
+  [[nodiscard]] std::uint32_t of(int column) const {
+    const auto first = sums_.begin() + static_cast<std::ptrdiff_t>(column) * block_;
+    return std::accumulate(first, first + block_, 0U);
+  }
+
+ private:
+  int block_;
+  std::vector<std::uint32_t> sums_;
+};
+
+template <class Sums>
+cv::Mat means_of_blocks(const cv::Mat& grey, int block) {
+  const int width = grey.cols / block, height = grey.rows / block;
+  cv::Mat small(width, height, CV_32FC1);
+  Sums sums(width, block);
+  for (int r = 0; r < height; ++r) {
+    sums.clear();
+    for (int k = 0; k < block; ++k) sums.add(grey.ptr<std::uint8_t>(r * block + k));
+    for (int c = 0; c < width; ++c)
+      small.at<float>(c, r) = static_cast<float>(sums.of(c)) / static_cast<float>(block * block);
+  }
+  return small;
+}
+
 /// Means of whole blocks, a row of the result for each column of blocks: what is left over at the
 /// right and below is left out.
 cv::Mat block_columns(const cv::Mat& grey, int block) {
-  const int width = grey.cols / block, height = grey.rows / block;
-  cv::Mat small(width, height, CV_32FC1);
-  std::vector<std::uint32_t> sums(static_cast<std::size_t>(width * block));
-  for (int r = 0; r < height; ++r) {
-    std::fill(sums.begin(), sums.end(), 0U);
-    for (int k = 0; k < block; ++k)
-      add_grey_row(grey.ptr<std::uint8_t>(r * block + k), width * block, sums.data());
-    for (int c = 0; c < width; ++c) {
-      std::uint32_t sum = 0;
-      for (int k = 0; k < block; ++k) sum += sums[static_cast<std::size_t>(c * block + k)];
-      small.at<float>(c, r) = static_cast<float>(sum) / static_cast<float>(block * block);
-    }
-  }
-  return small;
+  return SumsOfEights::can_sum(block) ? means_of_blocks<SumsOfEights>(grey, block)
+                                      : means_of_blocks<SumsOfAny>(grey, block);
 }
 
 /// Change of brightness downwards across the border below each row, in parts of the column's range:
