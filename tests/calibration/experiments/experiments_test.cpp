@@ -140,10 +140,13 @@ TEST_F(ExperimentsOnAFinger, LocalisationHoldsAgainstTheBallsOwnCentres) {
   EXPECT_EQ(*frames, 27);
   EXPECT_LT(greatest_mm, 0.2);
   const ExperimentOutcome told = outcome_of("localisation");
-  ASSERT_EQ(told.figures.size(), 4U);
+  ASSERT_EQ(told.figures.size(), 6U);
   EXPECT_NEAR(told.figures[2].ours, greatest_mm, 0.01);
   EXPECT_LE(told.figures[0].ours, told.figures[2].ours);
   EXPECT_EQ(told.figures[3].ours, 100);
+  for (const ExperimentFigure& figure : told.figures) EXPECT_TRUE(figure.reaches_aim());
+  EXPECT_GT(told.figures[4].ours, 0);  // fingers of its own
+  EXPECT_NE(told.figures[4].ours, told.figures[0].ours);
 }
 
 // What happens to a finger is the scene's; that one reference is worse is what the paper is about.
