@@ -47,6 +47,7 @@ class ExperimentBench {
   [[nodiscard]] Result<const Drawn*> drawn(int number) const;
 
   [[nodiscard]] const FingerSnapshot& finger() const { return *finger_; }
+  [[nodiscard]] const ReferenceLibrary& library() const { return library_.value(); }
   /// Teaches the finger forces by these pushes; what it measures from then on it measures with
   /// them. Errors: those of give_force().
   [[nodiscard]] Result<TrainedForce> learn_force(const ForceTable& table,

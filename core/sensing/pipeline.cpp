@@ -198,8 +198,7 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
   if (!result.reference->known_pose) {
     result.problems.push_back(never_recorded(result.reference->distance_px));
   }
-  constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
-  if (result.reference->known_pose && result.reference->error_factor > kFarBeyond)
+  if (result.reference->known_pose && result.reference->is_sparse())
     result.problems.push_back(
         en::say("few recorded frames are near this pose: its reference is {:.0f} times less "
                 "sure than usual; record the finger bending slowly through it",
