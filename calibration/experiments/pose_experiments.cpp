@@ -209,7 +209,7 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
        "%",
        percent_of(near.combined_or_told, near.frames),
        {},
-       {},
+       99.5,
        true},
   };
   outcome.plots.push_back(

@@ -162,7 +162,7 @@ TEST_F(ExperimentsOnAFinger, OneReferenceIsWorseThanARecording) {
   // What the frames that the reference combines show together is nearer than any of them.
   EXPECT_GT(references.figures[7].ours, 90);
   EXPECT_GT(references.figures[7].ours, references.figures[6].ours + 20);
-  EXPECT_GE(references.figures[8].ours, references.figures[7].ours);
+  EXPECT_TRUE(references.figures[8].reaches_aim()) << references.figures[8].ours;
 }
 
 TEST_F(ExperimentsOnAFinger, AStopIsHeard) {
