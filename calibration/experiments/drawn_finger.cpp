@@ -110,7 +110,6 @@ DrawnFinger DrawnFinger::draw(std::uint64_t seed, int number) {
                philox_uniform(seed, "drawn finger", static_cast<std::uint32_t>(number), drawn++);
   };
   DrawnFinger finger;
-  finger.scale = 0.5;
   finger.width_mm = between(20, 27);
   finger.layer_mm = between(1.3, 1.7);
   finger.x_mm = between(-24.5, -21);

@@ -31,9 +31,10 @@ struct DrawnFinger {
   double scale = 1;                  ///< of the picture: 0.5 is 480 x 270
   std::optional<double> room_level;  ///< of the effect ambient; absent: what the scene says
 
-  /// A finger as somebody else might have cast it, in pictures of half the size each way, which
-  /// cost a quarter of the time. The same for the same seed and
-  /// number.
+  /// A finger as somebody else might have cast it, in pictures of 960 x 540. Half of that each way
+  /// costs a quarter of the time, but shows a ball at the tip on ten pixels: its presses do not
+  /// tell along which thickness of the layer the brightness goes, and the wrong one moves every
+  /// place by layer_mm tan(incline), a millimetre. The same for the same seed and number.
   [[nodiscard]] static DrawnFinger draw(std::uint64_t seed, int number);
 };
 

@@ -143,20 +143,30 @@ Result<ExperimentBench> ExperimentBench::make(const BenchOptions& options, const
   return bench;
 }
 
-Result<const ExperimentBench::Drawn*> ExperimentBench::drawn(int number) const {
-  auto& kept = drawn_[number];
+Result<const ExperimentBench*> ExperimentBench::drawn_untaught(int number) const {
+  auto& kept = untaught_[number];
   if (kept) return kept.get();
   BenchOptions options = options_;
   options.finger = DrawnFinger::draw(options.seed, number);
   options.name = fmt::format("{}_{}", options_.name, number);
   auto bench = make(options, job());
   if (!bench) return bench.error();
-  auto table = table_of_pushes(*bench, kForceScene, kForcePlaces);
+  kept = std::make_shared<const ExperimentBench>(std::move(*bench));
+  return kept.get();
+}
+
+Result<const ExperimentBench::Drawn*> ExperimentBench::drawn(int number) const {
+  auto& kept = drawn_[number];
+  if (kept) return kept.get();
+  const auto untaught = drawn_untaught(number);
+  if (!untaught) return untaught.error();
+  ExperimentBench bench = **untaught;
+  auto table = table_of_pushes(bench, kForceScene, kForcePlaces);
   if (!table) return table.error();
-  auto trained = bench->learn_force(*table, training_of_experiments());
+  auto trained = bench.learn_force(*table, training_of_experiments());
   if (!trained) return trained.error();
   kept = std::make_shared<const Drawn>(
-      Drawn{std::move(*bench), std::move(*table), std::move(*trained)});
+      Drawn{std::move(bench), std::move(*table), std::move(*trained)});
   return kept.get();
 }
 

@@ -38,13 +38,16 @@ class ExperimentBench {
   /// Errors: a scene that is missing or wrong; those of install_reference() and
   /// calibrate_finger(); stopped.
   [[nodiscard]] static Result<ExperimentBench> make(const BenchOptions& options, const Job& job);
-  /// A finger drawn by the seed of this one's options, in a folder beside, that has learnt forces
-  /// by the pushes of experiment_force (push_experiments.h). Made when it is first asked for.
-  struct Drawn;
+  /// A finger drawn by the seed of this one's options, in a folder beside. Made when it is first
+  /// asked for. Errors: those of make().
   ///   number: from 1 on
+  [[nodiscard]] Result<const ExperimentBench*> drawn_untaught(int number) const;
+  /// The same, after it has learnt forces by the pushes of experiment_force (push_experiments.h).
+  struct Drawn;
   [[nodiscard]] Result<const Drawn*> drawn(int number) const;
 
   [[nodiscard]] const FingerSnapshot& finger() const { return *finger_; }
+  [[nodiscard]] const ReferenceLibrary& library() const { return library_.value(); }
   /// Teaches the finger forces by these pushes; what it measures from then on it measures with
   /// them. Errors: those of give_force().
   [[nodiscard]] Result<TrainedForce> learn_force(const ForceTable& table,
@@ -96,7 +99,9 @@ class ExperimentBench {
   FingerPtr finger_;
   std::optional<ReferenceLibrary> library_;  // held, so that every pipeline shares what was read
   Truth truth_at_rest_;
-  mutable std::map<int, std::shared_ptr<const Drawn>> drawn_;  // by number; one thread asks
+  // By number; one thread asks.
+  mutable std::map<int, std::shared_ptr<const ExperimentBench>> untaught_;
+  mutable std::map<int, std::shared_ptr<const Drawn>> drawn_;
 };
 
 }  // namespace alltact

@@ -50,6 +50,18 @@ bool is_surely_worse(const std::vector<double>& a, const std::vector<double>& b)
   return excess.mean > std::max({kTieMm, kPart * mean_mm(b_told), excess.standard_error});
 }
 
+/// How far apart along the face the two ways place what presses, at the presses' middles: their
+/// mean, mm.
+double apart_mm(const ChoiceInput& input) {
+  double sum = 0;
+  for (std::size_t i = 0; i < input.presses.size(); ++i)
+    if (const Sample* sample = nearest_sample(*input.presses[i], input.centres_mm[i])) {
+      const Eigen::Vector3d off = sample->untouched_z - sample->untouched_n;
+      sum += (off - off.dot(sample->normal) * sample->normal).norm();
+    }
+  return sum / static_cast<double>(input.presses.size());
+}
+
 }  // namespace
 
 MappingAlong choose_along(const ChoiceInput& input,
@@ -59,10 +71,14 @@ MappingAlong choose_along(const ChoiceInput& input,
   const auto by_normal = held_out_along(input, family, MappingAlong::kNormal, job);
   MappingAlong chosen = MappingAlong::kNormal;
   std::vector<double> best = by_normal;
+  std::vector<double> rival;  // of another way that is no worse for sure
   for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kProjected}) {
     const auto other = held_out_along(input, family, along, job);
     if (job.stop_requested() || other.size() < input.presses.size()) continue;
-    if (!best.empty() && !is_surely_worse(best, other)) continue;
+    if (!best.empty() && !is_surely_worse(best, other)) {
+      if (!is_surely_worse(other, best)) rival = other;
+      continue;
+    }
     chosen = along;
     best = other;
   }
@@ -75,6 +91,16 @@ MappingAlong choose_along(const ChoiceInput& input,
         way,
         finite_mean_mm(best),
         finite_mean_mm(by_normal));
+  if (chosen == MappingAlong::kNormal && !by_normal.empty() && !rival.empty())
+    *remark = en::say(
+        "the presses do not tell whether brightness follows the layer's thickness along its normal "
+        "({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is taken, and if that "
+        "is wrong, places on the face lie {:.1f} mm off along it; larger pictures tell, and "
+        "presses "
+        "where the face is steep and where it is flat",
+        finite_mean_mm(by_normal),
+        finite_mean_mm(rival),
+        apart_mm(input));
   return chosen;
 }
 

@@ -226,8 +226,7 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
   if (!result.reference->known_pose) {
     result.problems.push_back(never_recorded(result.reference->distance_px));
   }
-  constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
-  if (result.reference->known_pose && result.reference->error_factor > kFarBeyond)
+  if (result.reference->known_pose && result.reference->is_sparse())
     result.problems.push_back(few_frames_near(result.reference->error_factor));
   watch.lap(result.times_ms.reference);
 }

@@ -37,6 +37,13 @@ DepthCauses pressed_at(const RegionOptions& options,
       static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())), depth_mm);
 }
 
+/// Of all pixels around the middle of what presses, the deepest is the one that noise makes
+/// deepest: further off by a part of the noise's sd that balls drawn at random show.
+double sd_of_deepest(const DepthCauses& causes) {
+  constexpr double kChosen = 0.5;
+  return std::hypot(causes.total(), kChosen * causes.noise);
+}
+
 /// Takes cells back that untouched skin might reach. touched: of the box.
 void keep_significant(const cv::Mat& cells_mm,
                       const cv::Rect& box,
@@ -183,7 +190,7 @@ class RegionSums {
     region.place_on_face_mm /= region.volume_mm3;
     find_deepest_place(options, region);
     if (options.pressed)
-      region.deepest_sd_mm = pressed_at(options, deepest_px_, region.deepest_mm).total();
+      region.deepest_sd_mm = sd_of_deepest(pressed_at(options, deepest_px_, region.deepest_mm));
     if (options.pressed)
       region.place_covariance_mm2 = contact_covariance_mm2(
           shape_, region.place_px, errors_.mean_sd_mm(region, options.correlated_px2));

@@ -141,7 +141,9 @@ DepthCauses DepthError::causes(int u, int v, double level, double depth_mm, Read
 DepthCauses DepthError::of_depth(int u, int v, double depth_mm) {
   const double level = level_at(u, v);
   if (!(level > 0)) return {};
-  return causes(u, v, level, depth_mm, &DepthError::single_at);
+  DepthCauses all = causes(u, v, level, depth_mm, &DepthError::single_at);
+  all.lateral = lateral_mm(u, v, all.noise);
+  return all;
 }
 
 UntouchedSd DepthError::untouched(int u, int v) {

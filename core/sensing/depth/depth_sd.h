@@ -48,7 +48,7 @@ class DepthError {
   /// How far off untouched skin may be told at a pixel.
   [[nodiscard]] UntouchedSd untouched(int u, int v);
 
-  /// The same of a depth that is told there, but for `lateral`, which depends on those around it.
+  /// The same of a depth that is told there; `lateral` is that of the depths around it.
   [[nodiscard]] DepthCauses of_depth(int u, int v, double depth_mm);
 
  private:

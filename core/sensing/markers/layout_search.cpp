@@ -140,6 +140,27 @@ LayoutSearch::Found LayoutSearch::nearest(const Markers& markers,
       static_cast<double>(best) / static_cast<double>(std::max<std::size_t>(1, numbers.size()))};
 }
 
+double LayoutSearch::distance_px(const Markers& markers,
+                                 const std::vector<int>& rows,
+                                 const Eigen::VectorXd& weights) const {
+  const auto seen = [](const Marker& m) { return m.seen; };
+  const bool any_seen = std::any_of(markers.begin(), markers.end(), seen);
+  double sum = 0;
+  int used = 0;
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    if (any_seen && !markers[m].seen) continue;
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const float* u = places_.data() + 2 * m * frames_ + static_cast<std::size_t>(rows[i]);
+      place += weights[static_cast<Eigen::Index>(i)] *
+               Eigen::Vector2d(static_cast<double>(u[0]), static_cast<double>(u[frames_]));
+    }
+    sum += std::hypot(markers[m].u - place.x(), markers[m].v - place.y());
+    ++used;
+  }
+  return sum / std::max(1, used);
+}
+
 double LayoutSearch::median_step_px() const {
   std::vector<double> steps;
   std::vector<char> without(frames_, 0);

@@ -29,6 +29,11 @@ class LayoutSearch {
   /// with none left the distance is infinite.
   [[nodiscard]] Found nearest(const Markers& markers, const std::vector<char>& without = {}) const;
 
+  /// Mean distance, over the same markers, to the sum of weights[i] times row rows[i].
+  [[nodiscard]] double distance_px(const Markers& markers,
+                                   const std::vector<int>& rows,
+                                   const Eigen::VectorXd& weights) const;
+
   /// Median over the rows (at most about 200 of them) of the distance to the nearest other row.
   [[nodiscard]] double median_step_px() const;
 

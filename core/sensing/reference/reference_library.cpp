@@ -331,6 +331,16 @@ ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers,
   return {found.row, found.distance_px};
 }
 
+double ReferenceLibrary::combined_distance_px(const Markers& markers,
+                                              const std::vector<char>& without) const {
+  const Content& content = *content_;
+  if (!content.search || static_cast<int>(markers.size()) != content.model->marker_count())
+    return nearest(markers, without).distance_px;
+  const Neighbours near =
+      content.neighbours(content.model->modes(markers).cwiseProduct(content.mode_sd), without);
+  return content.search->distance_px(markers, near.rows, near.weights);
+}
+
 Reference ReferenceLibrary::reference_for(const Markers& markers,
                                           const FaceShape& shape,
                                           ReferenceMethod method,

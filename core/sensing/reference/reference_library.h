@@ -50,6 +50,12 @@ struct Reference {
   /// The same where not all of the nearest frames show the skin, and others have to tell.
   double outer_error_factor = 1;
   std::vector<HiddenColumn> hidden;  ///< of the face, that the frame does not show
+
+  /// Few recorded frames are near this pose.
+  [[nodiscard]] bool is_sparse() const {
+    constexpr double kFarBeyond = 3.0;  // times what is usual for the recording
+    return error_factor > kFarBeyond;
+  }
 };
 
 class ReferenceLibrary {
@@ -106,6 +112,12 @@ class ReferenceLibrary {
   };
   [[nodiscard]] Nearest nearest(const Markers& markers,
                                 const std::vector<char>& without = {}) const;
+
+  /// The same distance to where the markers lie in the frames that kLocal combines, taken together
+  /// with their weights: how near the pose is to what its reference shows. Where all is one frame,
+  /// that of nearest().
+  [[nodiscard]] double combined_distance_px(const Markers& markers,
+                                            const std::vector<char>& without = {}) const;
 
   /// The number in the video of each frame, ascending; by index.
   [[nodiscard]] const std::vector<int>& frame_numbers() const;

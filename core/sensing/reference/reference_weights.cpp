@@ -23,6 +23,27 @@ Eigen::VectorXd weights_with(const Eigen::MatrixXd& offsets,
   return w / w.sum();
 }
 
+/// Of rows by their distance from the pose, those that stand for a side of it each: one that lies
+/// nearer to a row taken before than half its way to the pose tells nearly the same as that.
+std::vector<int> on_all_sides(const Eigen::MatrixXd& modes,
+                              const Eigen::VectorXd& place,
+                              const std::vector<int>& nearest,
+                              int count) {
+  constexpr double kApart = 0.5;
+  const auto most = static_cast<std::size_t>(count);
+  std::vector<int> taken, passed;
+  for (const int row : nearest) {
+    if (taken.size() == most) break;
+    const double least_px = kApart * (modes.row(row) - place.transpose()).norm();
+    const bool is_another = std::all_of(taken.begin(), taken.end(), [&](int other) {
+      return (modes.row(row) - modes.row(other)).norm() >= least_px;
+    });
+    (is_another ? taken : passed).push_back(row);
+  }
+  for (std::size_t i = 0; taken.size() < most && i < passed.size(); ++i) taken.push_back(passed[i]);
+  return taken;
+}
+
 }  // namespace
 
 Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points,
@@ -54,7 +75,9 @@ PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,
   constexpr double kMismatchPx = 0.2;  // of every marker, that is worth no more noise to avoid
   constexpr double kMostWeight = 2.9;  // sum of |w|: noise and model error grow with it
   PoseNeighbours found;
-  found.rows = nearest_rows(modes, place, count, without);
+  constexpr int kLookedAt = 8;  // times as many
+  found.rows =
+      on_all_sides(modes, place, nearest_rows(modes, place, kLookedAt * count, without), count);
   found.points.resize(static_cast<Eigen::Index>(found.rows.size()), place.size());
   for (std::size_t i = 0; i < found.rows.size(); ++i)
     found.points.row(static_cast<Eigen::Index>(i)) = modes.row(found.rows[i]);

@@ -23,12 +23,15 @@ inline constexpr int kPoseNeighbours = 8;  ///< as usual: more gain little and c
 
 /// Recorded frames that tell a pose together, and how much each counts.
 struct PoseNeighbours {
-  std::vector<int> rows;    ///< nearest first
+  std::vector<int> rows;    ///< the first is the nearest
   Eigen::MatrixXd points;   ///< their modes, a row each, px
   Eigen::VectorXd weights;  ///< local_linear_weights()
 };
 
-/// The `count` rows of `modes` (a row a frame, px) nearest to the pose `place`.
+/// Of the rows of `modes` (a row a frame, px) `count` that lie near the pose `place` and on
+/// all sides of it. The nearest alone are often frames of one move, in a line, and a regression
+/// over a line says nothing of what lies beside it: over drawn fingers the markers of the combined
+/// frames lie half as far from those of the pose as with the nearest alone.
 /// marker_count: of the layouts that the modes are of. `without` (by row) marks frames that take no
 /// part, empty: all do.
 [[nodiscard]] PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,

@@ -42,7 +42,8 @@ TEST(DrawnFinger, TheDemonstrationsFingerLeavesASceneAsItIs) {
 }
 
 TEST(DrawnFinger, IsWhatASceneShowsFromThenOn) {
-  const DrawnFinger drawn = DrawnFinger::draw(7, 3);
+  DrawnFinger drawn = DrawnFinger::draw(7, 3);
+  drawn.scale = 0.5;
   const Plan plan = plan_on("experiment_localisation", drawn);
   const Finger& finger = plan.finger();
   EXPECT_EQ(finger.camera.width_px, 480);

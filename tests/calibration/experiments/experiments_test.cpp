@@ -1,5 +1,5 @@
 // The source paper's experiments: what the table says of them, and one from end to end.
-#include "calibration/experiments/experiments.h"
+#include "calibration/experiments/experiment_runs.h"
 
 #include "core/simulation/scene.h"
 #include "tests/support/temporary_folder.h"
@@ -140,21 +140,29 @@ TEST_F(ExperimentsOnAFinger, LocalisationHoldsAgainstTheBallsOwnCentres) {
   EXPECT_EQ(*frames, 27);
   EXPECT_LT(greatest_mm, 0.2);
   const ExperimentOutcome told = outcome_of("localisation");
-  ASSERT_EQ(told.figures.size(), 4U);
+  ASSERT_EQ(told.figures.size(), 6U);
   EXPECT_NEAR(told.figures[2].ours, greatest_mm, 0.01);
   EXPECT_LE(told.figures[0].ours, told.figures[2].ours);
   EXPECT_EQ(told.figures[3].ours, 100);
+  for (const ExperimentFigure& figure : told.figures) EXPECT_TRUE(figure.reaches_aim());
+  EXPECT_GT(told.figures[4].ours, 0);  // fingers of its own
+  EXPECT_NE(told.figures[4].ours, told.figures[0].ours);
 }
 
 // What happens to a finger is the scene's; that one reference is worse is what the paper is about.
 TEST_F(ExperimentsOnAFinger, OneReferenceIsWorseThanARecording) {
   const ExperimentOutcome references = outcome_of("references");
-  EXPECT_EQ(references.frames, 40);
-  ASSERT_EQ(references.figures.size(), 6U);
+  EXPECT_EQ(references.frames, (1 + kDrawnFingers) * 40);
+  ASSERT_EQ(references.figures.size(), 9U);
   EXPECT_GT(references.figures[0].ours, 90);                          // nearest
   EXPECT_LT(references.figures[1].ours, references.figures[0].ours);  // single
   EXPECT_GT(references.figures[3].ours, 1.5 * references.figures[4].ours);
   EXPECT_GT(references.figures[4].ours, references.figures[5].ours);
+  EXPECT_TRUE(references.figures[2].reaches_aim()) << references.figures[2].ours;
+  // What the frames that the reference combines show together is nearer than any of them.
+  EXPECT_GT(references.figures[7].ours, 90);
+  EXPECT_GT(references.figures[7].ours, references.figures[6].ours + 20);
+  EXPECT_TRUE(references.figures[8].reaches_aim()) << references.figures[8].ours;
 }
 
 TEST_F(ExperimentsOnAFinger, AStopIsHeard) {
