@@ -5,6 +5,7 @@
 #include "app/console/flags.h"
 #include "app/console/passing_folder.h"
 #include "app/pictures/pictures.h"
+#include "calibration/experiments/kept_finger.h"
 #include "core/io/atomic_file.h"
 #include "core/program.h"
 #include "core/utc_time.h"
@@ -93,6 +94,21 @@ Console::Json json_of_outcome(const Experiment& experiment,
   return json;
 }
 
+void tell_finger(const ExperimentBench& bench, double seconds, Console& console) {
+  if (bench.finger_was_kept()) {
+    console.say(fmt::format(
+        "The finger they share was kept from an earlier run and read in {:.1f} s (--fresh makes it "
+        "anew).\n",
+        seconds));
+    return;
+  }
+  console.say(fmt::format(
+      "The finger they share was recorded and calibrated in {:.1f} s{}.\n",
+      seconds,
+      bench.options().cache && !bench.not_kept() ? " and is kept for the next time" : ""));
+  if (bench.not_kept()) console.warn(bench.not_kept()->sentence());
+}
+
 Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& chosen,
                                        const BenchOptions& options,
                                        Console& console) {
@@ -100,13 +116,13 @@ Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& cho
   const auto bench = ExperimentBench::make(options, console.job());
   if (!bench) return bench.error();
   console.say(ours_and_theirs().english());
-  console.say(fmt::format("The finger they share was recorded and calibrated in {:.1f} s.\n",
-                          making.seconds()));
+  tell_finger(*bench, making.seconds(), console);
   console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}", "", "ours", "paper's", "aim"));
   Console::Json& answer = console.answer();
   answer["about"] = ours_and_theirs().english();
   answer["seed"] = options.seed;
   answer["finger_seconds"] = making.seconds();
+  answer["finger_was_kept"] = bench->finger_was_kept();
   Console::Json& all = answer["experiments"] = Console::Json::array();
   ExperimentReport report;
   report.seed = options.seed;
@@ -171,6 +187,7 @@ Status run_experiments(const ExperimentsOptions& options, Console& console) {
   BenchOptions bench;
   bench.seed = options.seed;
   bench.threads = options.threads;
+  if (!options.fresh) bench.cache = kept_fingers_folder();
   if (!options.folder) {
     const auto passing =
         PassingFolder::make(en::say("a folder for the simulated fingers cannot be made"));
@@ -211,6 +228,10 @@ void add_experiments(CLI::App& program, Chosen& chosen) {
                        *report,
                        "Also a report with plots, ours beside the paper's: FILE.html and FILE.pdf")
           ->type_name("FILE.html");
+  command->add_flag("--fresh",
+                    options->fresh,
+                    "Make the simulated fingers anew, and keep none for the next time (default: "
+                    "kept in alltact/fingers of $XDG_CACHE_HOME or ~/.cache)");
   command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
   command
       ->add_option("--threads",
