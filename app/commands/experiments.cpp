@@ -11,6 +11,7 @@
 #include "core/utc_time.h"
 
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <opencv2/core/utility.hpp>
@@ -30,8 +31,9 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+/// As it was told, with no digits of ours.
 std::string number_or_dash(const std::optional<double>& number) {
-  return number ? fmt::format("{:.3f}", *number) : "-";
+  return number ? fmt::format("{:g}", *number) : "-";
 }
 
 void tell_outcome(const Experiment& experiment,
@@ -46,7 +48,7 @@ void tell_outcome(const Experiment& experiment,
   for (const ExperimentFigure& figure : outcome.figures)
     console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}  {:<7}{}",
                             figure.what.english(),
-                            number_or_dash(figure.ours),
+                            fmt::format("{:.3f}", figure.ours),
                             number_or_dash(figure.paper),
                             number_or_dash(figure.aim),
                             figure.unit,
@@ -65,6 +67,25 @@ Console::Json json_of_plot(const ExperimentPlot& plot) {
                    {"of_the_paper", series.look == ExperimentSeries::Look::kPaper},
                    {"x", series.x},
                    {"y", series.y}});
+  return json;
+}
+
+/// What the maps of a report show, without their pixels: of each method the error of what the map
+/// shows.
+Console::Json json_of_maps(const std::vector<ExperimentMaps>& all) {
+  Console::Json json = Console::Json::array();
+  for (const ExperimentMaps& maps : all) {
+    Console::Json entry{{"caption", maps.caption.english()}};
+    for (const ExperimentMap& difference : maps.differences) {
+      const cv::Mat told = difference.mm == difference.mm;  // NaN is not
+      entry["differences"].push_back(
+          {{"name", difference.name.english()},
+           {"rms_mm",
+            cv::norm(difference.mm, cv::NORM_L2, told) / std::sqrt(cv::countNonZero(told) + 1e-9)},
+           {"told_percent", 100.0 * cv::countNonZero(told) / static_cast<double>(told.total())}});
+    }
+    json.push_back(std::move(entry));
+  }
   return json;
 }
 
@@ -91,6 +112,7 @@ Console::Json json_of_outcome(const Experiment& experiment,
   json["remarks"] = in_english(outcome.remarks);
   Console::Json& plots = json["plots"] = Console::Json::array();
   for (const ExperimentPlot& plot : outcome.plots) plots.push_back(json_of_plot(plot));
+  if (!outcome.maps.empty()) json["maps"] = json_of_maps(outcome.maps);
   return json;
 }
 
