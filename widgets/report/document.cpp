@@ -79,6 +79,7 @@ class PaperLayout {
 
   /// Of two blocks outside of tables, from the first line of one to the last of the other.
   [[nodiscard]] bool is_on_one_page(const QTextBlock& first, const QTextBlock& last) const {
+    document_.documentLayout()->documentSize();  // lays out all that is not yet, which lines do not
     const QTextLayout &begin = *first.layout(), &end = *last.layout();
     if (begin.lineCount() == 0 || end.lineCount() == 0) return true;
     const QTextLine line = end.lineAt(end.lineCount() - 1);
