@@ -51,7 +51,7 @@ ExperimentReport some_report() {
   report.date = "2026-01-31T12:34:56Z";
   report.program_version = "0.1.0";
   const auto all = experiments_named({"pose", "thread"}).value();
-  ExperimentDone pose{all[0], {}, 1.25};
+  ExperimentDone pose{all[0], {}, 1.5};
   pose.outcome.frames = 12;
   pose.outcome.figures = {{en::say("angle <mean>, within +-20"), "degrees", 0.0204, 12.06, 1.0},
                           {en::say("angle, greatest"), "degrees", 1.5, {}, 1.0},
@@ -81,7 +81,7 @@ TEST(ExperimentPages, PutOursBesideThePapers) {
                             ">missed<",
                             ">100.0<",
                             "What a figure does not say.",
-                            "12 frames of experiment_pose in 1.2 s",
+                            "12 frames of experiment_pose in 1.5 s",
                             "alltact experiments pose --seed 1",
                             "A ramp."})
     EXPECT_TRUE(html.find(words) != std::string::npos) << words;  // nobody reads its pictures
