@@ -69,10 +69,10 @@ void set_time(QByteArray& pdf, const std::string& date) {
 class PaperLayout {
  public:
   PaperLayout(QTextDocument& document, QPdfWriter& writer) : document_(document) {
-    constexpr double kMargin_inch = 2 / 2.54;  // print()'s own
+    constexpr double kMargin_px = 2 / 2.54 * 96;  // print()'s own, at 96 to the inch
     document.documentLayout()->setPaintDevice(&writer);
     QTextFrameFormat format = document.rootFrame()->frameFormat();
-    format.setMargin(static_cast<int>(kMargin_inch * writer.logicalDpiY()));
+    format.setMargin(std::floor(kMargin_px));
     document.rootFrame()->setFrameFormat(format);
     document.setPageSize(QSizeF(writer.width(), writer.height()));
   }
