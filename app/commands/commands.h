@@ -222,6 +222,7 @@ struct ExperimentsOptions {
   std::vector<std::string> names;  ///< none: all
   std::optional<Path> folder;  ///< keeps the fingers and experiments.json; empty: nothing is kept
   std::optional<Path> report;  ///< NAME.html; NAME.pdf goes beside it
+  bool fresh = false;          ///< no finger of an earlier run, and none for a later one
   std::uint64_t seed = 1;
   int threads = 2;
 };

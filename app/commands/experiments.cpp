@@ -5,11 +5,13 @@
 #include "app/console/flags.h"
 #include "app/console/passing_folder.h"
 #include "app/pictures/pictures.h"
+#include "calibration/experiments/kept_finger.h"
 #include "core/io/atomic_file.h"
 #include "core/program.h"
 #include "core/utc_time.h"
 
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <opencv2/core/utility.hpp>
@@ -29,8 +31,9 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+/// As it was told, with no digits of ours.
 std::string number_or_dash(const std::optional<double>& number) {
-  return number ? fmt::format("{:.3f}", *number) : "-";
+  return number ? fmt::format("{:g}", *number) : "-";
 }
 
 void tell_outcome(const Experiment& experiment,
@@ -45,7 +48,7 @@ void tell_outcome(const Experiment& experiment,
   for (const ExperimentFigure& figure : outcome.figures)
     console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}  {:<7}{}",
                             figure.what.english(),
-                            number_or_dash(figure.ours),
+                            fmt::format("{:.3f}", figure.ours),
                             number_or_dash(figure.paper),
                             number_or_dash(figure.aim),
                             figure.unit,
@@ -64,6 +67,25 @@ Console::Json json_of_plot(const ExperimentPlot& plot) {
                    {"of_the_paper", series.look == ExperimentSeries::Look::kPaper},
                    {"x", series.x},
                    {"y", series.y}});
+  return json;
+}
+
+/// What the maps of a report show, without their pixels: of each method the error of what the map
+/// shows.
+Console::Json json_of_maps(const std::vector<ExperimentMaps>& all) {
+  Console::Json json = Console::Json::array();
+  for (const ExperimentMaps& maps : all) {
+    Console::Json entry{{"caption", maps.caption.english()}};
+    for (const ExperimentMap& difference : maps.differences) {
+      const cv::Mat told = difference.mm == difference.mm;  // NaN is not
+      entry["differences"].push_back(
+          {{"name", difference.name.english()},
+           {"rms_mm",
+            cv::norm(difference.mm, cv::NORM_L2, told) / std::sqrt(cv::countNonZero(told) + 1e-9)},
+           {"told_percent", 100.0 * cv::countNonZero(told) / static_cast<double>(told.total())}});
+    }
+    json.push_back(std::move(entry));
+  }
   return json;
 }
 
@@ -90,7 +112,23 @@ Console::Json json_of_outcome(const Experiment& experiment,
   json["remarks"] = in_english(outcome.remarks);
   Console::Json& plots = json["plots"] = Console::Json::array();
   for (const ExperimentPlot& plot : outcome.plots) plots.push_back(json_of_plot(plot));
+  if (!outcome.maps.empty()) json["maps"] = json_of_maps(outcome.maps);
   return json;
+}
+
+void tell_finger(const ExperimentBench& bench, double seconds, Console& console) {
+  if (bench.finger_was_kept()) {
+    console.say(fmt::format(
+        "The finger they share was kept from an earlier run and read in {:.1f} s (--fresh makes it "
+        "anew).\n",
+        seconds));
+    return;
+  }
+  console.say(fmt::format(
+      "The finger they share was recorded and calibrated in {:.1f} s{}.\n",
+      seconds,
+      bench.options().cache && !bench.not_kept() ? " and is kept for the next time" : ""));
+  if (bench.not_kept()) console.warn(bench.not_kept()->sentence());
 }
 
 Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& chosen,
@@ -100,13 +138,13 @@ Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& cho
   const auto bench = ExperimentBench::make(options, console.job());
   if (!bench) return bench.error();
   console.say(ours_and_theirs().english());
-  console.say(fmt::format("The finger they share was recorded and calibrated in {:.1f} s.\n",
-                          making.seconds()));
+  tell_finger(*bench, making.seconds(), console);
   console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}", "", "ours", "paper's", "aim"));
   Console::Json& answer = console.answer();
   answer["about"] = ours_and_theirs().english();
   answer["seed"] = options.seed;
   answer["finger_seconds"] = making.seconds();
+  answer["finger_was_kept"] = bench->finger_was_kept();
   Console::Json& all = answer["experiments"] = Console::Json::array();
   ExperimentReport report;
   report.seed = options.seed;
@@ -171,6 +209,7 @@ Status run_experiments(const ExperimentsOptions& options, Console& console) {
   BenchOptions bench;
   bench.seed = options.seed;
   bench.threads = options.threads;
+  if (!options.fresh) bench.cache = kept_fingers_folder();
   if (!options.folder) {
     const auto passing =
         PassingFolder::make(en::say("a folder for the simulated fingers cannot be made"));
@@ -211,6 +250,10 @@ void add_experiments(CLI::App& program, Chosen& chosen) {
                        *report,
                        "Also a report with plots, ours beside the paper's: FILE.html and FILE.pdf")
           ->type_name("FILE.html");
+  command->add_flag("--fresh",
+                    options->fresh,
+                    "Make the simulated fingers anew, and keep none for the next time (default: "
+                    "kept in alltact/fingers of $XDG_CACHE_HOME or ~/.cache)");
   command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
   command
       ->add_option("--threads",

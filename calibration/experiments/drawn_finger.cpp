@@ -137,9 +137,9 @@ DrawnFinger DrawnFinger::draw(std::uint64_t seed, int number) {
   return finger;
 }
 
-Result<Scene> scene_on_finger(std::string_view yaml,
-                              const std::filesystem::path& origin,
-                              const DrawnFinger& finger) {
+Result<std::string> scene_text_on_finger(std::string_view yaml,
+                                         const std::filesystem::path& origin,
+                                         const DrawnFinger& finger) {
   YamlFile file(origin, YamlFile::Unknown::kKept);
   const Status read = file.read(std::string(yaml), [](YamlSection&) {});
   if (!read) return read.error();
@@ -151,7 +151,15 @@ Result<Scene> scene_on_finger(std::string_view yaml,
   }
   YamlBlock scene("");
   scene.add_unknown(file.unknown());
-  return Scene::parse(scene.on_many_lines(), origin.string());
+  return scene.on_many_lines();
+}
+
+Result<Scene> scene_on_finger(std::string_view yaml,
+                              const std::filesystem::path& origin,
+                              const DrawnFinger& finger) {
+  const auto text = scene_text_on_finger(yaml, origin, finger);
+  if (!text) return text.error();
+  return Scene::parse(*text, origin.string());
 }
 
 }  // namespace alltact

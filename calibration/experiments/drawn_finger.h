@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace alltact {
@@ -46,5 +47,10 @@ struct DrawnFinger {
 [[nodiscard]] Result<Scene> scene_on_finger(std::string_view yaml,
                                             const std::filesystem::path& origin,
                                             const DrawnFinger& finger);
+
+/// The text of that scene.
+[[nodiscard]] Result<std::string> scene_text_on_finger(std::string_view yaml,
+                                                       const std::filesystem::path& origin,
+                                                       const DrawnFinger& finger);
 
 }  // namespace alltact

@@ -1,5 +1,6 @@
 #include "calibration/experiments/experiment_bench.h"
 
+#include "calibration/experiments/kept_finger.h"
 #include "calibration/experiments/push_experiments.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/force/new_force.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -22,20 +24,32 @@ constexpr const char* kBenchRecording = "demo_reference";
 constexpr const char* kBenchPresses = "demo_presses";
 constexpr int kAtATime = 16;  // pictures that are rendered side by side and held in memory
 
+struct SceneText {
+  std::filesystem::path file;
+  std::string text;
+};
+
+Result<SceneText> text_of_scene(const std::string& name) {
+  const auto file = find_resource(fmt::format("scenes/{}.yaml", name));
+  if (!file) return file.error();
+  auto text = read_file(*file);
+  if (!text) return text.error();
+  return SceneText{*file, std::move(text).value()};
+}
+
 /// finger: absent: as the file has it
 Result<Plan> plan_of_scene(const std::string& name,
                            std::uint64_t seed,
                            const std::optional<DrawnFinger>& finger) {
-  const auto file = find_resource(fmt::format("scenes/{}.yaml", name));
-  if (!file) return file.error();
-  const auto text = read_file(*file);
-  if (!text) return text.error();
+  const auto written = text_of_scene(name);
+  if (!written) return written.error();
+  const auto& [file, text] = *written;
   const auto scene =
-      finger ? scene_on_finger(*text, *file, *finger) : Scene::parse(*text, file->string());
+      finger ? scene_on_finger(text, file, *finger) : Scene::parse(text, file.string());
   if (!scene) return scene.error();
   auto plan = Plan::compile(*scene, seed);
   if (!plan) return plan.error();
-  if (const Status grey = plan->check_grey_levels(file->string()); !grey) return grey.error();
+  if (const Status grey = plan->check_grey_levels(file.string()); !grey) return grey.error();
   return plan;
 }
 
@@ -110,36 +124,86 @@ Result<ExperimentBench::Recorded> ExperimentBench::record(const Plan& recording,
   const auto report = install_reference(source, made.folder, made.finger, job);
   if (!report) return report.error();
   if (const Status saved = made.finger.save(made.folder); !saved) return saved.error();
+  made.rest_frame = report->rest_frame;
   made.truth_at_rest = recording.truth(report->rest_frame);
   return made;
+}
+
+Status ExperimentBench::make_finger(const Plan& recording) {
+  auto recorded = record(recording, options_.name, options_, job());
+  if (!recorded) return recorded.error();
+  truth_at_rest_ = std::move(recorded->truth_at_rest);
+  rest_frame_ = recorded->rest_frame;
+  // Read once and held, so that the calibration and every pipeline share it.
+  const auto uncalibrated = open_finger(recorded->folder);
+  if (!uncalibrated) return uncalibrated.error();
+  auto library = ReferenceLibrary::load(**uncalibrated, job());
+  if (!library) return library.error();
+  library_ = std::move(*library);
+
+  const auto presses = plan(kBenchPresses);
+  if (!presses) return presses.error();
+  FingerCalibrationInput input;
+  input.folder = recorded->folder;
+  input.program_version = program_version();
+  input.said.ball_radius_mm = presses->truth(0).ball.value().radius_mm;
+  input.presses.frames = frames(*presses, 0, presses->frame_count());
+  const auto calibrated = calibrate_finger(input, job());
+  if (!calibrated) return calibrated.error();
+  auto finger = open_finger(recorded->folder);
+  if (!finger) return finger.error();
+  finger_ = std::move(*finger);
+  return {};
+}
+
+/// All that the finger is made of: the scenes as they are with it, and what is drawn at random.
+Result<std::string> ExperimentBench::name_to_keep_by() const {
+  std::vector<std::string> made_by{options_.name, std::to_string(options_.seed)};
+  for (const char* scene : {kBenchRecording, kBenchPresses}) {
+    const auto written = text_of_scene(scene);
+    if (!written) return written.error();
+    auto text = scene_text_on_finger(written->text, written->file, options_.finger);
+    if (!text) return text.error();
+    made_by.push_back(std::move(text).value());
+  }
+  return kept_finger_name({made_by.begin(), made_by.end()});
+}
+
+bool ExperimentBench::take_finger(const Plan& recording, const std::string& name) {
+  const std::filesystem::path folder = options_.folder / options_.name;
+  std::error_code failed;  // as in record()
+  std::filesystem::remove_all(folder, failed);
+  const auto note = take_kept_finger(*options_.cache, name, folder);
+  if (!note) return false;
+  const int rest_frame = std::atoi(note->c_str());
+  auto finger = open_finger(folder);
+  if (!finger || rest_frame < 0 || rest_frame >= recording.frame_count()) return false;
+  auto library = ReferenceLibrary::load(**finger, job());
+  if (!library) return false;
+  finger_ = std::move(*finger);
+  library_ = std::move(*library);
+  rest_frame_ = rest_frame;
+  truth_at_rest_ = recording.truth(rest_frame);
+  return true;
 }
 
 Result<ExperimentBench> ExperimentBench::make(const BenchOptions& options, const Job& job) {
   ExperimentBench bench(options, job);
   const auto recording = bench.plan(kBenchRecording);
   if (!recording) return recording.error();
-  auto recorded = record(*recording, options.name, options, job);
-  if (!recorded) return recorded.error();
-  bench.truth_at_rest_ = std::move(recorded->truth_at_rest);
-  // Read once and held, so that the calibration and every pipeline share it.
-  const auto uncalibrated = open_finger(recorded->folder);
-  if (!uncalibrated) return uncalibrated.error();
-  auto library = ReferenceLibrary::load(**uncalibrated, job);
-  if (!library) return library.error();
-  bench.library_ = std::move(*library);
-
-  const auto presses = bench.plan(kBenchPresses);
-  if (!presses) return presses.error();
-  FingerCalibrationInput input;
-  input.folder = recorded->folder;
-  input.program_version = program_version();
-  input.said.ball_radius_mm = presses->truth(0).ball.value().radius_mm;
-  input.presses.frames = bench.frames(*presses, 0, presses->frame_count());
-  const auto calibrated = calibrate_finger(input, job);
-  if (!calibrated) return calibrated.error();
-  auto finger = open_finger(recorded->folder);
-  if (!finger) return finger.error();
-  bench.finger_ = std::move(*finger);
+  if (job.stop_requested()) return stopped_in_experiment();
+  if (!options.cache) {
+    const Status made = bench.make_finger(*recording);
+    return made ? Result<ExperimentBench>(std::move(bench)) : made.error();
+  }
+  const auto name = bench.name_to_keep_by();
+  if (!name) return name.error();
+  bench.finger_was_kept_ = bench.take_finger(*recording, *name);
+  if (bench.finger_was_kept_) return bench;
+  if (const Status made = bench.make_finger(*recording); !made) return made.error();
+  const Status kept =
+      keep_finger(*options.cache, *name, bench.finger_->folder, std::to_string(bench.rest_frame_));
+  if (!kept) bench.not_kept_ = kept.error();
   return bench;
 }
 

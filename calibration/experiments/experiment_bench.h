@@ -30,11 +30,15 @@ struct BenchOptions {
   int threads = 1;                         ///< that render; the figures are the same for any number
   DrawnFinger finger;                      ///< the demonstration's
   std::string name = "experiment_finger";  ///< of the finger's folder below `folder`
+  /// Where fingers are kept for the next run (kept_finger.h); absent: nowhere, and none is taken.
+  std::optional<std::filesystem::path> cache;
 };
 
 class ExperimentBench {
  public:
   /// Makes the finger: recorded with the scene demo_reference and calibrated with demo_presses.
+  /// Or takes the one that an earlier run made of the same and kept: what is measured with it is
+  /// the same, its files are too, but for the date of its calibration.
   /// Errors: a scene that is missing or wrong; those of install_reference() and
   /// calibrate_finger(); stopped.
   [[nodiscard]] static Result<ExperimentBench> make(const BenchOptions& options, const Job& job);
@@ -48,6 +52,10 @@ class ExperimentBench {
 
   [[nodiscard]] const FingerSnapshot& finger() const { return *finger_; }
   [[nodiscard]] const ReferenceLibrary& library() const { return library_.value(); }
+  /// An earlier run had made it.
+  [[nodiscard]] bool finger_was_kept() const { return finger_was_kept_; }
+  /// Why it could not be kept for the next run.
+  [[nodiscard]] const std::optional<Error>& not_kept() const { return not_kept_; }
   /// Teaches the finger forces by these pushes; what it measures from then on it measures with
   /// them. Errors: those of give_force().
   [[nodiscard]] Result<TrainedForce> learn_force(const ForceTable& table,
@@ -84,6 +92,7 @@ class ExperimentBench {
     Finger finger;
     std::filesystem::path folder;
     Truth truth_at_rest;
+    int rest_frame = 0;  ///< of the recording
   };
   [[nodiscard]] static Result<Recorded> record(const Plan& recording,
                                                const std::string& folder,
@@ -93,12 +102,19 @@ class ExperimentBench {
  private:
   ExperimentBench(BenchOptions options, const Job& job)
       : options_(std::move(options)), job_(&job) {}
+  [[nodiscard]] Status make_finger(const Plan& recording);
+  [[nodiscard]] Result<std::string> name_to_keep_by() const;
+  /// True: an earlier run's finger is in its place.
+  [[nodiscard]] bool take_finger(const Plan& recording, const std::string& name);
 
   BenchOptions options_;
   const Job* job_;
   FingerPtr finger_;
   std::optional<ReferenceLibrary> library_;  // held, so that every pipeline shares what was read
   Truth truth_at_rest_;
+  int rest_frame_ = 0;  // of the recording
+  bool finger_was_kept_ = false;
+  std::optional<Error> not_kept_;
   // By number; one thread asks.
   mutable std::map<int, std::shared_ptr<const ExperimentBench>> untaught_;
   mutable std::map<int, std::shared_ptr<const Drawn>> drawn_;

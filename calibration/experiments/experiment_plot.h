@@ -1,5 +1,4 @@
-// What an experiment shows as a plot or a picture, as plain values: drawn in reports, written as
-// JSON.
+// What an experiment shows as a plot or a map, as plain values: drawn in reports, written as JSON.
 #pragma once
 
 #include "core/message.h"
@@ -29,12 +28,23 @@ struct ExperimentPlot {
   Message x_axis, y_axis;  ///< with units
   std::vector<ExperimentSeries> series;
   std::vector<Message> categories;  ///< names of x = 0, 1, ...; empty: x is a number
+  bool logarithmic_y = false;       ///< where ours and the paper's are of different order
 };
 
-/// A picture in colours (CV_8UC3, blue, green, red).
-struct ExperimentPicture {
+/// Depths of a piece of the face as if it were flat: from base to tip along a row, from large y to
+/// small down a column.
+struct ExperimentMap {
+  Message name;
+  cv::Mat_<float> mm;  ///< NaN: not told
+};
+
+/// Maps of one piece of the face. All depths are shown in one scale and all differences in another.
+struct ExperimentMaps {
   Message caption;
-  cv::Mat colours;
+  std::vector<ExperimentMap> depths, differences;  ///< a difference belongs below its depth;
+                                                   ///< that of the first, the truth, has none
+  double mm_per_cell = 0.05;
+  double top_mm = 1, difference_top_mm = 0.1;  ///< where the scales end
 };
 
 /// Bars beside each other. The paper's may be empty.

@@ -39,7 +39,7 @@ struct ExperimentOutcome {
   int frames = 0;                ///< that were measured
   std::vector<Message> remarks;  ///< what a figure does not say of itself
   std::vector<ExperimentPlot> plots;
-  std::vector<ExperimentPicture> pictures;
+  std::vector<ExperimentMaps> maps;
 };
 
 struct Experiment {

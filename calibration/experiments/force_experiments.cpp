@@ -132,26 +132,30 @@ Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench) {
                       en::say("place along the finger (mm)"),
                       en::say("least force felt (N)"),
                       {},
-                      {}};
+                      {},
+                      true};
   for (const auto& [face, by_height] : touches) {
     double most_N = 0;
     ExperimentSeries felt_on{
-        Message::typed(std::string(to_string(face))), ExperimentSeries::Look::kLine, {}, {}};
+        Message::typed(std::string(to_string(face))), ExperimentSeries::Look::kBars, {}, {}};
+    if (plot.categories.empty())
+      for (const auto& [along_mm, felt] : by_height)
+        plot.categories.push_back(Message::typed(std::to_string(along_mm)));
     for (const auto& [along_mm, felt] : by_height) {
       const auto least = least_felt(felt);
       if (!least) return untold(kScene);
       most_N = std::max(most_N, *least);
-      felt_on.x.push_back(along_mm);
+      felt_on.x.push_back(static_cast<double>(felt_on.x.size()));
       felt_on.y.push_back(*least);
     }
     plot.series.push_back(std::move(felt_on));
     outcome.figures.push_back({face_phrase(face), "N", most_N, kPaperLeast_N, kPaperLeast_N});
   }
   plot.series.push_back(level_line(en::say("paper, at most, measured"),
-                                   ExperimentSeries::Look::kPaper,
+                                   ExperimentSeries::Look::kAim,
                                    kPaperLeast_N,
-                                   kBase_mm,
-                                   90));
+                                   -0.6,
+                                   static_cast<double>(plot.categories.size()) - 0.4));
   outcome.plots.push_back(std::move(plot));
   outcome.remarks = {
       en::say("All heights lie beyond {:.0f} mm, where the paper has less than 2 N; the body is "

@@ -79,19 +79,22 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
   ExperimentOutcome outcome;
   ErrorSamples angles;
   int pushed = 0, right = 0;
+  ExperimentSeries by_direction{en::say("ours, simulated"), ExperimentSeries::Look::kDots, {}, {}};
   for (const char* scene : {"experiment_direction", "experiment_references"}) {
-    const auto frames =
-        bench.measure(scene,
-                      {PipelineSettings{}},
-                      [&](std::size_t, const Truth& truth, const FrameResult& result) {
-                        const Eigen::Vector2d truly = true_offset_px(truth, bench.truth_at_rest());
-                        if (truly.norm() <= least_px) return;  // pushed less than can be told
-                        ++pushed;
-                        if (!result.push || !result.push->direction) return;
-                        const Eigen::Vector2d told = result.push->direction->head<2>();
-                        right += region_of(told) == region_of(truly);
-                        angles.add(angle_between_deg(told, truly));
-                      });
+    const auto frames = bench.measure(
+        scene,
+        {PipelineSettings{}},
+        [&](std::size_t, const Truth& truth, const FrameResult& result) {
+          const Eigen::Vector2d truly = true_offset_px(truth, bench.truth_at_rest());
+          if (truly.norm() <= least_px) return;  // pushed less than can be told
+          ++pushed;
+          if (!result.push || !result.push->direction) return;
+          const Eigen::Vector2d told = result.push->direction->head<2>();
+          right += region_of(told) == region_of(truly);
+          angles.add(angle_between_deg(told, truly));
+          by_direction.x.push_back(std::atan2(truly.y(), truly.x()) * 180 / std::numbers::pi);
+          by_direction.y.push_back(angle_between_deg(told, truly));
+        });
     if (!frames) return frames.error();
     outcome.frames += *frames;
   }
@@ -115,6 +118,13 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
                                         {en::say("side of 8")},
                                         {percent_of(right, pushed)},
                                         {98.1}));
+  outcome.plots.push_back(
+      {en::say("error of a push's direction in the picture; sides begin at 22.5 degrees and every "
+               "45 from there, and the paper tells no figure of it"),
+       en::say("true direction (degrees)"),
+       en::say("error of the direction (degrees)"),
+       {by_direction},
+       {}});
   outcome.remarks = {en::say(
       "{} pushes, by how the dots truly moved in the picture; those near a border of two sides are "
       "counted as all others",
@@ -219,8 +229,8 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
        {frames_within(en::say("nearest of a recording, ours"), distances_px[1]),
         frames_within(en::say("one reference, ours"), distances_px[0]),
         frames_within(en::say("as the reference combines them, ours"), near.combined_px),
-        {en::say("nearest, paper, measured"), ExperimentSeries::Look::kDots, {kClose_px}, {91.0}},
-        {en::say("one, paper, measured"), ExperimentSeries::Look::kDots, {kClose_px}, {40.6}}},
+        {en::say("nearest, paper, measured"), ExperimentSeries::Look::kPaper, {kClose_px}, {91.0}},
+        {en::say("one, paper, measured"), ExperimentSeries::Look::kPaper, {kClose_px}, {40.6}}},
        {}});
   outcome.remarks = {
       en::say("How many frames a single reference is near to depends on how far the finger moves, "

@@ -94,7 +94,8 @@ Result<ExperimentOutcome> run_localisation(const ExperimentBench& bench) {
                                        2.93,
                                        kTipRow_mm - 5,
                                        kTipRow_mm + 2)},
-                           {}});
+                           {},
+                           true});
   return outcome;
 }
 
@@ -132,7 +133,8 @@ Result<ExperimentOutcome> run_pose(const ExperimentBench& bench) {
        {turned,
         level_line(en::say("paper, the lesser, measured"), Look::kPaper, 3.22, -75, 90),
         level_line(en::say("paper, the greater, measured"), Look::kPaper, 12.06, -75, 90)},
-       {}});
+       {},
+       true});
   return outcome;
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/theme.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace alltact {
@@ -20,16 +21,18 @@ QString legend_words(const Message& message) {
   return words_of(message) + QStringLiteral("    ");
 }
 
+constexpr std::size_t kPointsToMark = 30;  // of a line; more hide it
+
 bool is_bar(const ExperimentPlot& plot, const ExperimentSeries& series) {
   return !plot.categories.empty() && (series.look == Look::kBars || series.look == Look::kPaper);
 }
 
-QCPScatterStyle mark_of(int which, const QColor& colour) {
+QCPScatterStyle mark_of(int which, const QColor& colour, double size = 6) {
   constexpr QCPScatterStyle::ScatterShape kShapes[] = {QCPScatterStyle::ssDisc,
                                                        QCPScatterStyle::ssSquare,
                                                        QCPScatterStyle::ssTriangle,
                                                        QCPScatterStyle::ssDiamond};
-  return {kShapes[which % 4], colour, 6};
+  return {kShapes[which % 4], QPen(colour, 1.5), QBrush(colour), size};
 }
 
 }  // namespace
@@ -63,6 +66,7 @@ void ExperimentFigurePlot::draw_bars(const ExperimentSeries& series, int which, 
   auto* bars = new QCPBars(chart().xAxis, chart().yAxis);
   const double width = kTogether / of;
   bars->setWidth(0.92 * width);
+  if (plot_.logarithmic_y) bars->setBaseValue(least_shown_);
   for (std::size_t i = 0; i < series.x.size(); ++i)
     bars->addData(series.x[i] + (which - 0.5 * (of - 1)) * width, series.y[i]);
   const QColor colour = series_colour(which, palette());
@@ -73,12 +77,14 @@ void ExperimentFigurePlot::draw_bars(const ExperimentSeries& series, int which, 
 
 void ExperimentFigurePlot::draw_points(const ExperimentSeries& series, int which) {
   auto* curve = new QCPCurve(chart().xAxis, chart().yAxis);
-  for (std::size_t i = 0; i < series.x.size(); ++i) curve->addData(series.x[i], series.y[i]);
+  for (std::size_t i = 0; i < series.x.size(); ++i)
+    curve->addData(series.x[i], std::max(series.y[i], least_shown_));
   const QColor colour = series_colour(which, palette());
   const QColor text = palette().color(QPalette::Text);
   switch (series.look) {
     case Look::kPaper:
       curve->setPen(QPen(colour, 2, Qt::DashLine));
+      if (series.x.size() == 1) curve->setScatterStyle(mark_of(which, colour, 12));
       break;
     case Look::kAim:
       curve->setPen(QPen(text, 1.5, Qt::DotLine));
@@ -88,7 +94,7 @@ void ExperimentFigurePlot::draw_points(const ExperimentSeries& series, int which
       break;
     case Look::kLine:
       curve->setPen(QPen(colour, 2));
-      if (series.x.size() <= 60) curve->setScatterStyle(mark_of(which, colour));
+      if (series.x.size() <= kPointsToMark) curve->setScatterStyle(mark_of(which, colour));
       break;
     case Look::kDots:
     case Look::kBars:
@@ -101,17 +107,37 @@ void ExperimentFigurePlot::draw_points(const ExperimentSeries& series, int which
   curve->setName(legend_words(series.name));
 }
 
-void ExperimentFigurePlot::set_ranges() {
-  double least_x = std::numeric_limits<double>::infinity(), most_x = -least_x;
-  double least_y = least_x, most_y = -least_x;
+void ExperimentFigurePlot::find_extent() {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  least_ = {kInfinite, kInfinite}, most_ = {-kInfinite, -kInfinite};
+  double least_above_0 = kInfinite;
   for (const ExperimentSeries& series : plot_.series) {
-    for (const double x : series.x) least_x = std::min(least_x, x), most_x = std::max(most_x, x);
-    for (const double y : series.y) least_y = std::min(least_y, y), most_y = std::max(most_y, y);
+    for (const double x : series.x)
+      least_.rx() = std::min(least_.x(), x), most_.rx() = std::max(most_.x(), x);
+    for (const double y : series.y) {
+      least_.ry() = std::min(least_.y(), y), most_.ry() = std::max(most_.y(), y);
+      if (y > 0) least_above_0 = std::min(least_above_0, y);
+    }
   }
-  // Errors and shares begin at 0; what has a sign lies around it.
-  const double low = std::min(least_y, 0.0);
-  const double height = std::max(most_y - low, 1e-9);
-  chart().yAxis->setRange(low < 0 ? low - 0.06 * height : 0, most_y + 0.08 * height);
+  least_shown_ = -kInfinite;
+  if (!plot_.logarithmic_y) return;
+  // The power of ten below; an error of exactly 0 stands on the axis.
+  least_shown_ = std::pow(10, std::floor(std::log10(0.9 * std::min(least_above_0, 1e9))));
+}
+
+void ExperimentFigurePlot::set_ranges() {
+  if (plot_.logarithmic_y) {
+    chart().yAxis->setScaleType(QCPAxis::stLogarithmic);
+    chart().yAxis->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    chart().yAxis->setNumberFormat("g");
+    chart().yAxis->setNumberPrecision(3);
+    chart().yAxis->setRange(least_shown_, 1.6 * std::max(most_.y(), 2 * least_shown_));
+  } else {
+    // Errors and shares begin at 0; what has a sign lies around it.
+    const double low = std::min(least_.y(), 0.0);
+    const double height = std::max(most_.y() - low, 1e-9);
+    chart().yAxis->setRange(low < 0 ? low - 0.06 * height : 0, most_.y() + 0.08 * height);
+  }
   if (!plot_.categories.empty()) {
     chart().xAxis->setRange(-0.6, static_cast<double>(plot_.categories.size()) - 0.4);
     auto names = QSharedPointer<QCPAxisTickerText>::create();
@@ -121,8 +147,8 @@ void ExperimentFigurePlot::set_ranges() {
     chart().xAxis->grid()->setVisible(false);
     return;
   }
-  const double margin = 0.04 * std::max(most_x - least_x, 1e-9);
-  chart().xAxis->setRange(least_x - margin, most_x + margin);
+  const double margin = 0.04 * std::max(most_.x() - least_.x(), 1e-9);
+  chart().xAxis->setRange(least_.x() - margin, most_.x() + margin);
 }
 
 bool ExperimentFigurePlot::draw() {
@@ -131,6 +157,7 @@ bool ExperimentFigurePlot::draw() {
       std::count_if(plot_.series.begin(), plot_.series.end(), [&](const auto& one) {
         return is_bar(plot_, one);
       }));
+  find_extent();
   int which = 0;
   for (const ExperimentSeries& series : plot_.series) {
     if (is_bar(plot_, series))

@@ -4,6 +4,7 @@
 #include "calibration/experiments/experiment_plot.h"
 #include "widgets/plots/plot.h"
 
+#include <QPointF>
 #include <vector>
 
 namespace alltact {
@@ -21,8 +22,11 @@ class ExperimentFigurePlot : public Plot {
  private:
   void draw_bars(const ExperimentSeries& series, int which, int of);
   void draw_points(const ExperimentSeries& series, int which);
+  void find_extent();
   void set_ranges();
   ExperimentPlot plot_;
+  QPointF least_, most_;    // of all points
+  double least_shown_ = 0;  // of y, where it is logarithmic
 };
 
 }  // namespace alltact

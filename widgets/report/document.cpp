@@ -2,14 +2,22 @@
 
 #include "widgets/report/pdf_date.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QColor>
 #include <QHashFunctions>
 #include <QPageLayout>
 #include <QPdfWriter>
 #include <QStringList>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
+#include <QTextFrame>
+#include <QTextLayout>
+#include <QTextTable>
 #include <QUrl>
+#include <cmath>
+#include <memory>
 
 namespace alltact {
 namespace {
@@ -17,7 +25,9 @@ namespace {
 constexpr const char* kPaperStyle =
     "body { font-family: 'DejaVu Sans', sans-serif; font-size: 9pt; color: #16191d; }"
     "h1 { font-size: 17pt; } h2 { font-size: 12pt; margin-top: 14px; }"
-    "p.caption { font-size: 8pt; color: #4c5158; } pre { font-family: 'DejaVu Sans Mono'; }"
+    "p.figure { margin-top: 12px; margin-bottom: 2px; }"
+    "p.caption { font-size: 8pt; color: #4c5158; margin-top: 2px; } pre { font-family: 'DejaVu "
+    "Sans Mono'; }"
     "th { text-align: left; background-color: #eef0f2; }";
 constexpr const char* kScreenStyle =
     "body { font-family: 'DejaVu Sans', Verdana, sans-serif; font-size: 15px; line-height: 1.45;"
@@ -38,6 +48,80 @@ QByteArray png_of(const QImage& picture) {
   buffer.open(QIODevice::WriteOnly);
   picture.save(&buffer, "PNG");
   return bytes;
+}
+
+/// A document as QTextDocument::print() lays it out on A4, to see where its pages end.
+class PaperLayout {
+ public:
+  PaperLayout(QTextDocument& document, QPdfWriter& writer) : document_(document) {
+    constexpr double kMargin_px = 2 / 2.54 * 96;  // print()'s own, at 96 to the inch
+    document.documentLayout()->setPaintDevice(&writer);
+    QTextFrameFormat format = document.rootFrame()->frameFormat();
+    format.setMargin(std::floor(kMargin_px));
+    document.rootFrame()->setFrameFormat(format);
+    document.setPageSize(QSizeF(writer.width(), writer.height()));
+  }
+
+  /// Of two blocks outside of tables, from the first line of one to the last of the other.
+  [[nodiscard]] bool is_on_one_page(const QTextBlock& first, const QTextBlock& last) const {
+    document_.documentLayout()->documentSize();  // lays out all that is not yet, which lines do not
+    const QTextLayout &begin = *first.layout(), &end = *last.layout();
+    if (begin.lineCount() == 0 || end.lineCount() == 0) return true;
+    const QTextLine line = end.lineAt(end.lineCount() - 1);
+    const double top = begin.position().y() + begin.lineAt(0).y();
+    const double bottom = end.position().y() + line.y() + line.height();
+    const double page = document_.pageSize().height();
+    return std::floor(top / page) == std::floor(bottom / page);
+  }
+
+  /// The layout follows at once.
+  static void begin_page_with(const QTextBlock& block) {
+    QTextCursor cursor(block);
+    QTextBlockFormat format;
+    format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+    cursor.mergeBlockFormat(format);
+  }
+
+ private:
+  QTextDocument& document_;
+};
+
+bool is_in_table(const QTextBlock& block) {
+  return QTextCursor(block).currentTable() != nullptr;
+}
+
+bool is_section_heading(const QTextBlock& block) {
+  return block.blockFormat().headingLevel() == 2;
+}
+
+QTextBlock last_of_section(const QTextBlock& heading) {
+  QTextBlock last = heading;
+  for (QTextBlock block = heading.next(); block.isValid() && !is_section_heading(block);
+       block = block.next())
+    if (!is_in_table(block)) last = block;
+  return last;
+}
+
+/// Numbers of the blocks that are to begin a page: figures that would be parted from their captions
+/// and, where they are asked for, sections that would be parted.
+std::vector<int> blocks_on_new_pages(const QTextDocument& document,
+                                     QPdfWriter& writer,
+                                     bool keeps_sections_whole) {
+  const std::unique_ptr<QTextDocument> copy(document.clone());
+  const PaperLayout layout(*copy, writer);
+  std::vector<int> found;
+  for (QTextBlock block = copy->begin(); block.isValid(); block = block.next()) {
+    if (is_in_table(block)) continue;
+    QTextBlock last = block;
+    if (is_section_heading(block) && keeps_sections_whole)
+      last = last_of_section(block);
+    else if (block.text() == QString(QChar::ObjectReplacementCharacter) && block.next().isValid())
+      last = block.next();
+    if (layout.is_on_one_page(block, last)) continue;
+    PaperLayout::begin_page_with(block);
+    found.push_back(block.blockNumber());
+  }
+  return found;
 }
 
 }  // namespace
@@ -83,17 +167,22 @@ QString Document::image(const QImage& picture, int width) {
 }
 
 void Document::figure(const QImage& picture, int width, const QString& caption) {
-  body_ +=
-      "<p>" + image(picture, width) + "</p><p class=\"caption\">" + escaped(caption) + "</p>\n";
+  body_ += "<p class=\"figure\">" + image(picture, width) + "</p><p class=\"caption\">" +
+           escaped(caption) + "</p>\n";
 }
 
 void Document::table(const QStringList& head,
                      const std::vector<Row>& rows,
-                     const std::vector<bool>& numbers) {
+                     const std::vector<bool>& numbers,
+                     const std::vector<int>& widths_percent) {
   const auto align = [&](std::size_t column) {
-    return column < numbers.size() && numbers[column] ? QString(" align=\"right\"") : QString();
+    QString of;
+    if (column < numbers.size() && numbers[column]) of += " align=\"right\"";
+    if (column < widths_percent.size()) of += QString(" width=\"%1%\"").arg(widths_percent[column]);
+    return of;
   };
-  body_ += "<table cellspacing=\"0\" cellpadding=\"4\">";
+  body_ += "<table cellspacing=\"0\" cellpadding=\"4\"";
+  body_ += widths_percent.empty() ? ">" : " width=\"100%\">";
   if (!head.isEmpty()) {
     body_ += "<tr>";
     for (qsizetype i = 0; i < head.size(); ++i)
@@ -161,6 +250,8 @@ Result<std::string> Document::pdf(const std::string& date) const {
     writer.setResolution(300);
     writer.setPageLayout(
         QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
+    for (const int number : blocks_on_new_pages(document, writer, keeps_sections_whole_))
+      PaperLayout::begin_page_with(document.findBlockByNumber(number));
     document.print(&writer);
   }
   QHashSeed::resetRandomGlobalSeed();

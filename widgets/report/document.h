@@ -19,6 +19,9 @@ class Document {
   /// The next heading begins a page of paper.
   void new_page() { on_new_page_ = true; }
   void heading(const QString& text);
+  /// From now on what stands between two headings begins a page of paper where it does not fit into
+  /// what is left of one.
+  void keep_sections_whole() { keeps_sections_whole_ = true; }
   void paragraph(const QString& text);
   /// A paragraph in a box that catches the eye; `colour` of its border.
   void box(const QString& first_line, const QString& text, const QColor& colour);
@@ -34,9 +37,11 @@ class Document {
   };
   using Row = std::vector<Cell>;
   /// Empty `head`: none. Numbers are right-aligned where `numbers` says so of a column.
+  /// `widths_percent` of the columns: the table is as wide as the page; empty: as its text.
   void table(const QStringList& head,
              const std::vector<Row>& rows,
-             const std::vector<bool>& numbers);
+             const std::vector<bool>& numbers,
+             const std::vector<int>& widths_percent = {});
 
   /// A table with a picture in every row, cut into one for each page of paper, which breaks such
   /// rows in ugly ways.
@@ -54,7 +59,7 @@ class Document {
   QString image(const QImage& picture, int width);
   [[nodiscard]] QString whole(const QString& style) const;
 
-  bool on_new_page_ = false;
+  bool on_new_page_ = false, keeps_sections_whole_ = false;
   QString title_, body_;
   std::vector<QImage> pictures_;  // "picture:N" in body_
 };

@@ -2,6 +2,7 @@
 
 #include "widgets/plots/experiment_figure.h"
 #include "widgets/report/document.h"
+#include "widgets/report/relief_picture.h"
 #include "widgets/report/report_words.h"
 #include "widgets/theme.h"
 
@@ -11,11 +12,50 @@ namespace alltact {
 namespace {
 
 constexpr int kPlotWidth = 600, kPlotHeight = 300;  // px at 96 to the inch
-constexpr double kPlotSharpness = 2.0;
+constexpr double kPlotSharpness = 3.0;              // 288 to the inch on paper
 
-QString figure_number(const std::optional<double>& number) {
-  if (!number) return QString::fromUtf8("\u2013");
-  return QString::number(*number, 'f', std::abs(*number) >= 10 ? 1 : 3);
+/// What was measured.
+QString measured_number(double number) {
+  return QString::number(number, 'f', std::abs(number) >= 10 ? 1 : 3);
+}
+
+/// With as many digits as were told.
+QString told_number(const std::optional<double>& number) {
+  return number ? QString::number(*number, 'g', 6) : QString::fromUtf8("\u2013");
+}
+
+QString what_of(const ExperimentFigure& figure) {
+  return sentence(figure.what).chopped(1).replace("+-", QString::fromUtf8("\u00b1"));
+}
+
+Document::Row row_of(const ExperimentFigure& figure) {
+  const auto cell = [](const QString& words) { return Document::Cell{words, {}, 0}; };
+  return {cell(what_of(figure)),
+          cell(measured_number(figure.ours)),
+          cell(told_number(figure.paper)),
+          cell(told_number(figure.aim)),
+          cell(as_text(figure.unit)),
+          cell(figure.aim ? (figure.reaches_aim() ? text("reached") : text("missed")) : QString())};
+}
+
+void add_table(Document& document, const std::vector<Document::Row>& rows) {
+  document.table({QString(), text("Ours"), text("Paper"), text("Aim"), text("Unit"), QString()},
+                 rows,
+                 {false, true, true, true, false, false},
+                 {50, 11, 9, 9, 10, 11});
+}
+
+/// All figures that the paper tells or that are to reach something.
+void add_overview(Document& document, const ExperimentReport& report) {
+  std::vector<Document::Row> rows;
+  for (const ExperimentDone& done : report.done)
+    for (const ExperimentFigure& figure : done.outcome.figures) {
+      if (!figure.paper && !figure.aim) continue;
+      rows.push_back(row_of(figure));
+      rows.back()[0].text = as_text(done.experiment->name) + ": " + what_of(figure);
+    }
+  document.heading(text("All figures that the paper tells, or that have an aim"));
+  add_table(document, rows);
 }
 
 void add_summary(Document& document, const ExperimentReport& report) {
@@ -44,24 +84,8 @@ void add_summary(Document& document, const ExperimentReport& report) {
 
 void add_figures(Document& document, const ExperimentOutcome& outcome) {
   std::vector<Document::Row> rows;
-  for (const ExperimentFigure& figure : outcome.figures)
-    rows.push_back(
-        {{sentence(figure.what).chopped(1), {}, 0},
-         {figure_number(figure.ours), {}, 0},
-         {figure_number(figure.paper), {}, 0},
-         {figure_number(figure.aim), {}, 0},
-         {as_text(figure.unit), {}, 0},
-         {figure.aim ? (figure.reaches_aim() ? text("reached") : text("missed")) : QString(),
-          {},
-          0}});
-  document.table({QString(),
-                  text("Ours, simulated"),
-                  text("Paper, measured"),
-                  text("Aim"),
-                  text("Unit"),
-                  QString()},
-                 rows,
-                 {false, true, true, true, false, false});
+  for (const ExperimentFigure& figure : outcome.figures) rows.push_back(row_of(figure));
+  add_table(document, rows);
 }
 
 void add_plots(Document& document, const ExperimentOutcome& outcome) {
@@ -76,15 +100,21 @@ void add_plots(Document& document, const ExperimentOutcome& outcome) {
                     kPlotWidth,
                     sentence(plot.caption));
   }
-  for (const ExperimentPicture& picture : outcome.pictures) {
-    const cv::Mat& colours = picture.colours;
-    const QImage image(colours.data,
-                       colours.cols,
-                       colours.rows,
-                       static_cast<qsizetype>(colours.step),
-                       QImage::Format_BGR888);
-    document.figure(image.copy(), kPlotWidth, sentence(picture.caption));
-  }
+  for (const ExperimentMaps& maps : outcome.maps)
+    document.figure(
+        relief_picture(maps, kPlotWidth, kPlotSharpness), kPlotWidth, sentence(maps.caption));
+}
+
+/// How to make it again.
+void add_origin(Document& document, const ExperimentDone& done, std::uint64_t seed) {
+  QStringList scenes;
+  for (const std::string& scene : done.experiment->scenes) scenes << as_text(scene);
+  document.paragraph(text("%1 frames of %2 in %3 s; alltact experiments %4 --seed %5")
+                         .arg(done.outcome.frames)
+                         .arg(scenes.join(", "))
+                         .arg(done.seconds, 0, 'f', 1)
+                         .arg(as_text(done.experiment->name))
+                         .arg(seed));
 }
 
 }  // namespace
@@ -92,16 +122,15 @@ void add_plots(Document& document, const ExperimentOutcome& outcome) {
 Result<std::vector<ReportFile>> make_experiment_pages(const ExperimentReport& report,
                                                       const std::string& name) {
   Document document(text("The paper's experiments, in simulation"));
+  document.keep_sections_whole();
   add_summary(document, report);
-  bool is_first = true;
+  add_overview(document, report);
   for (const ExperimentDone& done : report.done) {
-    if (!is_first) document.new_page();
-    is_first = false;
-    QString title = as_text(done.experiment->name);
-    document.heading(title + ": " + as_text(done.experiment->measures));
+    document.heading(as_text(done.experiment->name) + ": " + as_text(done.experiment->measures));
     add_figures(document, done.outcome);
     add_plots(document, done.outcome);
     for (const Message& remark : done.outcome.remarks) document.paragraph(sentence(remark));
+    add_origin(document, done, report.seed);
   }
   auto pdf = document.pdf(report.date);
   if (!pdf) return pdf.error();

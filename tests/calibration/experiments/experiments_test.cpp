@@ -165,6 +165,54 @@ TEST_F(ExperimentsOnAFinger, OneReferenceIsWorseThanARecording) {
   EXPECT_TRUE(references.figures[8].reaches_aim()) << references.figures[8].ours;
 }
 
+/// Columns of a row that are higher than their neighbours and than half of what is highest.
+std::vector<int> crests_of(const cv::Mat_<float>& map, int row) {
+  double highest = 0;
+  cv::minMaxLoc(map.row(row), nullptr, &highest);
+  std::vector<int> crests;
+  for (int u = 3; u + 3 < map.cols; ++u) {
+    const float here = map(row, u);
+    if (here > 0.5 * highest && here > map(row, u - 3) && here >= map(row, u + 3) &&
+        (crests.empty() || u - crests.back() > 6))
+      crests.push_back(u);
+  }
+  return crests;
+}
+
+double rms_of(const cv::Mat_<float>& map) {
+  const cv::Mat told = map == map;
+  EXPECT_GT(cv::countNonZero(told), 0.95 * static_cast<double>(map.total()));
+  return cv::norm(map, cv::NORM_L2, told) / std::sqrt(cv::countNonZero(told));
+}
+
+// An M8 thread has a crest every 1.25 mm, wherever the finger is bent to.
+TEST_F(ExperimentsOnAFinger, MapsShowTheThreadInMillimetres) {
+  const ExperimentOutcome thread = outcome_of("thread");
+  ASSERT_EQ(thread.maps.size(), 2U);
+  for (const ExperimentMaps& maps : thread.maps) {
+    ASSERT_EQ(maps.depths.size(), 3U);
+    ASSERT_EQ(maps.differences.size(), 2U);
+    const cv::Mat_<float>& truth = maps.depths[0].mm;
+    const std::vector<int> crests = crests_of(truth, truth.rows / 2);
+    ASSERT_GE(crests.size(), 8U);
+    const double pitch_mm = maps.mm_per_cell * (crests.back() - crests.front()) /
+                            static_cast<double>(crests.size() - 1);
+    EXPECT_NEAR(pitch_mm, 1.25, 0.02);
+    // In the middle along it and across it.
+    EXPECT_NEAR(0.5 * (crests.front() + crests.back()), 0.5 * truth.cols, 20);
+    double deepest_mm = 0;
+    cv::minMaxLoc(truth, nullptr, &deepest_mm);
+    EXPECT_GT(maps.top_mm, 0.95 * deepest_mm);
+    for (std::size_t method = 0; method < 2; ++method) {
+      const cv::Mat_<float> off = maps.depths[method + 1].mm - truth;
+      EXPECT_NEAR(rms_of(off), rms_of(maps.differences[method].mm), 1e-9);
+      EXPECT_EQ(crests_of(maps.depths[method + 1].mm, truth.rows / 2).size(), crests.size());
+    }
+  }
+  const auto& bent = thread.maps[1].differences;
+  EXPECT_GT(rms_of(bent[1].mm), 1.2 * rms_of(bent[0].mm));
+}
+
 TEST_F(ExperimentsOnAFinger, AStopIsHeard) {
   Job stopped;
   stopped.request_stop();

@@ -1,0 +1,188 @@
+#include "calibration/experiments/kept_finger.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/system_error.h"
+#include "core/numerics/checksum.h"
+#include "core/program.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostKept = 8;
+constexpr const char* kListFile = "kept.json";
+constexpr const char* kFingerFolder = "finger";
+constexpr const char* kUnfinished = ".unfinished-";
+
+/// Of a file's bytes; nullopt: it cannot be read.
+std::optional<std::string> file_checksum(const fs::path& file) {
+  const auto bytes = read_file(file);
+  if (!bytes) return std::nullopt;
+  Checksum sum;
+  sum.add(bytes->data(), bytes->size());
+  return sum.text();
+}
+
+/// Of the file that a function was loaded from.
+std::string checksum_of_code(void* function) {
+  Dl_info where{};
+  if (dladdr(function, &where) == 0 || where.dli_fname == nullptr) return "";
+  return file_checksum(where.dli_fname).value_or("");
+}
+
+/// Of what makes fingers: a version alone does not change with every line of code.
+const std::string& program_checksum() {
+  static const std::string checksum = checksum_of_code(reinterpret_cast<void*>(&program_version)) +
+                                      checksum_of_code(reinterpret_cast<void*>(&kept_finger_name));
+  return checksum;
+}
+
+/// Relative, in order of their names.
+std::vector<fs::path> files_below(const fs::path& folder, std::error_code& failed) {
+  std::vector<fs::path> files;
+  for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
+       entry.increment(failed))
+    if (entry->is_regular_file(failed)) files.push_back(entry->path().lexically_relative(folder));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// With the checksum of each file as it was copied. nullopt: a file cannot be read or written.
+std::optional<nlohmann::ordered_json> copy_files(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  auto sums = nlohmann::ordered_json::object();
+  for (const fs::path& file : files_below(from, failed)) {
+    fs::create_directories((to / file).parent_path(), failed);
+    if (failed || !fs::copy_file(from / file, to / file, failed)) return std::nullopt;
+    const auto sum = file_checksum(to / file);
+    if (!sum) return std::nullopt;
+    sums[file.generic_string()] = *sum;
+  }
+  if (failed || sums.empty()) return std::nullopt;
+  return sums;
+}
+
+void remove_quietly(const fs::path& folder) {
+  std::error_code failed;
+  fs::remove_all(folder, failed);
+}
+
+/// What was kept first goes; what a run that ended in the middle left, when it is old.
+void remove_oldest(const fs::path& cache) {
+  std::error_code failed;
+  std::vector<std::pair<fs::file_time_type, fs::path>> kept;
+  for (fs::directory_iterator entry(cache, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    std::error_code gone;  // by another program
+    const auto time = fs::last_write_time(entry->path(), gone);
+    if (gone) continue;
+    if (!entry->path().filename().string().starts_with(kUnfinished))
+      kept.emplace_back(time, entry->path());
+    else if (fs::file_time_type::clock::now() - time > std::chrono::hours(24))
+      remove_quietly(entry->path());
+  }
+  std::sort(kept.begin(), kept.end(), std::greater<>());
+  for (std::size_t i = kMostKept; i < kept.size(); ++i) remove_quietly(kept[i].second);
+}
+
+Error cannot_be_kept(const fs::path& where, int code) {
+  return system_error(
+      en::say("could not keep the simulated finger for the next time"), where, code);
+}
+
+/// A new folder beside those that are kept.
+Result<fs::path> unfinished_folder(const fs::path& cache) {
+  if (const Status made = make_folder(cache); !made) return made.error();
+  std::string path = (cache / (std::string(kUnfinished) + "XXXXXX")).string();
+  if (mkdtemp(path.data()) == nullptr) return cannot_be_kept(cache, errno);
+  return fs::path(path);
+}
+
+}  // namespace
+
+std::optional<fs::path> kept_fingers_folder() {
+  const auto told = [](const char* variable) {
+    const char* text = std::getenv(variable);
+    return text != nullptr ? fs::path(text) : fs::path();
+  };
+  const fs::path cache = told("XDG_CACHE_HOME"), home = told("HOME");
+  if (cache.is_absolute()) return cache / "alltact" / "fingers";
+  if (home.is_absolute()) return home / ".cache" / "alltact" / "fingers";
+  return std::nullopt;
+}
+
+std::string kept_finger_name(const std::vector<std::string_view>& made_by) {
+  Checksum sum;
+  sum.add(program_checksum().data(), program_checksum().size());
+  for (const std::string_view words : made_by) {
+    const std::uint64_t length = words.size();  // so that no border moves unseen
+    sum.add(&length, sizeof length);
+    sum.add(words.data(), words.size());
+  }
+  return fmt::format("{}-{}", program_version(), sum.text());
+}
+
+std::optional<std::string> take_kept_finger(const fs::path& cache,
+                                            const std::string& name,
+                                            const fs::path& to) {
+  const auto text = read_file(cache / name / kListFile);
+  if (!text) return std::nullopt;
+  const auto list = nlohmann::ordered_json::parse(*text, nullptr, false);
+  if (!list.is_object() || !list.contains("files") || !list.contains("note") ||
+      !list["note"].is_string())
+    return std::nullopt;
+  // What was copied is what is looked at: the cache may change meanwhile.
+  const auto copied = copy_files(cache / name / kFingerFolder, to);
+  if (copied && *copied == list["files"]) return list["note"].get<std::string>();
+  remove_quietly(to);
+  return std::nullopt;
+}
+
+Status keep_finger(const fs::path& cache,
+                   const std::string& name,
+                   const fs::path& finger_folder,
+                   const std::string& note) {
+  const auto made = unfinished_folder(cache);
+  if (!made) return made.error();
+  const auto files = copy_files(finger_folder, *made / kFingerFolder);
+  const int code = errno;
+  if (!files) {
+    remove_quietly(*made);
+    return cannot_be_kept(cache, code);
+  }
+  const nlohmann::ordered_json list{{"note", note}, {"files", *files}};
+  const Status listed = write_file_atomically(*made / kListFile, list.dump(1) + "\n");
+  std::error_code failed;
+  if (listed) {
+    fs::rename(*made, cache / name, failed);
+    if (failed) {
+      // Another program was first, or what stands there is damaged; either way ours is whole. The
+      // old one goes out of the way by a name of its own, so that nobody sees half of it.
+      const auto aside = unfinished_folder(cache);
+      if (aside) {
+        std::error_code no_matter;
+        fs::rename(cache / name, *aside / "old", no_matter);
+        fs::rename(*made, cache / name, failed);
+        remove_quietly(*aside);
+      }
+    }
+  }
+  if (!listed || failed) remove_quietly(*made);
+  if (!listed) return listed;
+  // A third program may have been faster again: then there is a finger, which is what was asked.
+  std::error_code no_matter;
+  if (failed && !fs::exists(cache / name, no_matter)) return cannot_be_kept(cache, failed.value());
+  remove_oldest(cache);
+  return {};
+}
+
+}  // namespace alltact
