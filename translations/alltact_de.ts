@@ -33,6 +33,324 @@
     </message>
 </context>
 <context>
+    <name>alltact::AccuracyModel</name>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished">Einstellungen</translation>
+    </message>
+    <message>
+        <source>Time of a picture (ms)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth error, half within (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth error, 95 % within (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place error, half within (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>best for its time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>worse than: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in every picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in use now; %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>alltact::AccuracyPlace</name>
+    <message>
+        <source>How fast must it be, and what error may it have? What settings cost in time and bring in accuracy is measured once on this finger&apos;s own pictures; then one answer stands here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure what settings cost on this finger (about 12 s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many pictures per &amp;second?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many pictures per second?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What er&amp;ror may it have?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What error may it have?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of depth, where 95 % of all points lie within.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"> mm</translation>
+    </message>
+    <message>
+        <source>as small as fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As cali&amp;brated again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure or table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy &amp;command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same as a command line</source>
+        <translation type="unfinished">Dasselbe als Befehlszeile</translation>
+    </message>
+    <message>
+        <source>Progress of measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was measured is kept; measuring goes on there another time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms a picture; depth: half of all points within %2 mm, 95 % within %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; place: half within %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In use now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other than now: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms faster than now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms slower than now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm closer than now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm further off than now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a finger first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finger is being read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate this finger first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record this finger&apos;s reference first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n second(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>measuring what settings cost…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finger has changed since this was measured: measure again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured on another computer (%1): its errors hold, its times do not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring was stopped: some settings are missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chosen by hand. Esc in the figure returns to the answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The most accurate of all that take at most %1 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fastest that keeps 95 % of all points within %1 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No setting keeps %1 mm. This is the most accurate that takes at most %2 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeping %1 mm allows %2 pictures per second. This is the most accurate that is fast enough.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No setting is so fast on this computer. This is the fastest: %1 pictures per second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No setting measures this finger&apos;s pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure again (about 12 s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure what is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure pairs of settings, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>alltact::AccuracyPlot</name>
+    <message>
+        <source>What accuracy costs in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has been measured yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No setting is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of a picture on this computer (ms)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error of depth (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slower or worse than another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n slower or worse, beyond this figure</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>best for its time; whisker up to 95 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in use now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 pictures per second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: at %2 ms, further right →</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>alltact::AccuracyTable</name>
+    <message>
+        <source>S&amp;ort by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sort by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time, as a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>alltact::CalibratePlace</name>
     <message>
         <source>&amp;Next: %1</source>
@@ -725,6 +1043,13 @@
     <message>
         <source>Finger</source>
         <translation>Finger</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerStudyRun</name>
+    <message>
+        <source>use other settings</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3552,6 +3877,99 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::SettingsWords</name>
+    <message>
+        <source>every pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half the pixels a side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a quarter of the pixels a side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s) averaged</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reference from %n picture(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>edges at whole pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edges between pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>edges from %n column(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>edge curve of degree %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>markers as two sorted rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>markers found by a network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>markers followed as spots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compared with the picture at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compared with the nearest picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compared with several pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light taken as recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light corrected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no smoothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smoothing of %1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>settings</comment>
+        <translation type="unfinished">%1 %2: %2 {1,?}</translation>
+    </message>
+</context>
+<context>
     <name>alltact::SourceMenu</name>
     <message>
         <source>&amp;Source</source>
@@ -3724,6 +4142,60 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>%1 %2: %3</source>
         <translation>%1 %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SurfaceBox</name>
+    <message>
+        <source>Between A and B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two points make a box: a ball&apos;s radius, area, volume, roughness; the step and the angle from A to B.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured between the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SurfaceWords</name>
+    <message>
+        <source>Ball&apos;s radius</source>
+        <translation type="unfinished">Radius der Kugel</translation>
+    </message>
+    <message>
+        <source>Pressed area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roughness Sq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step from A to B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of A to B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9525,10 +9997,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dasselbe gebogen, eine Referenz</translation>
     </message>
     <message>
-        <source>The paper shows pictures of reliefs and no figure</source>
-        <translation>Der Aufsatz zeigt Bilder von Reliefs und keine Zahl</translation>
-    </message>
-    <message>
         <source>edges and global shape, median</source>
         <translation>Kanten und Gesamtform, Median</translation>
     </message>
@@ -10065,10 +10533,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Seite von 8</translation>
     </message>
     <message>
-        <source>frames under 10 px, or told to be in a pose never recorded</source>
-        <translation>Bilder unter 10 px oder mit der Meldung, dass die Haltung nie aufgenommen wurde</translation>
-    </message>
-    <message>
         <source>how many frames have a reference closer than so many px, summed over the dots</source>
         <translation>wie viele Bilder eine Referenz haben, die näher ist als so viele px, summiert über die Punkte</translation>
     </message>
@@ -10207,14 +10671,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>bent</source>
         <translation>gebogen</translation>
-    </message>
-    <message>
-        <source>straight, one reference</source>
-        <translation>gerade, eine Referenz</translation>
-    </message>
-    <message>
-        <source>bent, one reference</source>
-        <translation>gebogen, eine Referenz</translation>
     </message>
     <message>
         <source>time of a frame&apos;s steps, ours on this computer and the paper&apos;s on its own</source>
@@ -10407,6 +10863,490 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>opening these two fingers</source>
         <translation>diese beiden Finger öffnen</translation>
+    </message>
+    <message>
+        <source>unexpected: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reporting this as a defect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line of it is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reconstruct this part again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is damaged or cut short</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these are parts of two different runs: {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folders of one run, or reconstruct all its parts again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part {} is there twice: {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no parts of a reconstruction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alltact reconstruct with --shard 1/N to N/N first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of {} parts these are missing: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reconstruct these parts, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part was stopped after {} of {} frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file cannot be moved: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free some space, or ask the folder&apos;s owner for access</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no part of a whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/8 to 8/8 for eight parts, for example</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>could not make sure that the files are on the disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the picture does not say that it holds depth in 16 bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture of alltact reconstruct --format depth16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part of the face that depth is told of, in millimetres along it from its base; all else counts as off the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not &apos;all&apos; or a part of the face in mm such as 20-60</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels that a picture is measured with: all of them, or means of 2 by 2 or 4 by 4 of them; results in pixels are then of that picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;whole&apos; tells small contacts and steep edges, and numbers small dots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;half&apos; is a quarter of the pixels and of the recording&apos;s memory, &apos;quarter&apos; a sixteenth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pictures of one source whose running mean is measured; 1: each by itself. A finger that moves is then seen where it was on average, and blurred</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more quiet the noise of a finger that holds still, by their square root</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more tell of the finger later, by half of them; adding them up takes a little</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;all&apos; misses no contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth takes as much less time as the part is shorter than the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded pictures that reference-method local computes the reference from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more leave less noise in the reference; too many reach too far from the pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each is added up in every frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no plane goes through so few measured pixels, or through one line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a larger piece, or one that is measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} measured pixels where {} are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no ball lies in this piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a piece that is round, seen up to where it is half as deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing here is deeper than {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a piece where something presses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the piece is too narrow to take its form out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wider one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no step along this line stands out of the noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line that crosses the step at a right angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>could not keep the simulated finger for the next time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error of a push&apos;s direction in the picture; sides begin at 22.5 degrees and every 45 from there, and the paper tells no figure of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>true direction (degrees)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error of the direction (degrees)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames under 10 px a dot, or told to be in a pose never recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames under 10 px summed over the dots, nearest of a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same, of the recorded frames as the reference combines them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same, or told that the pose or its surroundings were not recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the reference combines them, ours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper sums the distance over its dots, and under 40 px is told so here; under 10 px is told over this finger and {} drawn at random, for a dot and summed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relief of the straight finger, as the pressed face lies from base (left) to tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relief of the bent finger, as the pressed face lies from base (left) to tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recording of all poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recording of all poses, error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>single reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>single reference, error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper shows pictures of reliefs and no figure; both of ours use the same calibration, so that only the reference differs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no finger was given that measures these pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene shows another finger than {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is not calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leaving out {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ours, on this computer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the worst of {} fingers drawn at random, within +-20 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the worst of {} fingers drawn at random, at the tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is no setting of this version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a new study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>studying the finger again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this finger keeps no presets: it was not studied yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alltact study {} --save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is faster on this finger without being half as wrong again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is more accurate on this finger than how it was calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measuring with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no preset of this finger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond the {} that are to be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>presses that are used at most, spread evenly over those given; 0: all of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more hold the curve at more depths and places; ten well spread are usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each has to be made, and is left out once to see what it predicts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pictures of a press held still (--bursts) that are averaged at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more leave less noise in a press, by their square root</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ball has to be held still for so long, and reading them takes a little</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rounds of the joint fit at most; it ends before when nothing moves any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more settle what presses say against each other; too few leave the curve where it began</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each solves all presses together once, in every trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the presses do not tell whether brightness follows the layer&apos;s thickness along its normal ({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is taken, and if that is wrong, places on the face lie {:.1f} mm off along it; larger pictures tell, and presses where the face is steep and where it is flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method is not studied with a turned camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: depth {:.1f} instead of {:.1f} micrometres off in the median, 95 % within {:.1f} instead of {:.1f}, for {:.1f} minutes more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{} presses</source>
+        <comment>{} press</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{} pictures each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>method {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>family {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{} rounds at the end</source>
+        <comment>{} round at the end</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} presses more</source>
+        <comment>{} press more</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{} pictures of each press</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The best within a minute more ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the finger keeps too few presses to leave one out: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calibrating it with three presses or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calibrating {} anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calibrating with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of {} presses could be held against a mapping made without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more presses of different depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leaving out presses, {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, {:.0f} s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, {:.0f} min left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes {:.2f} times as long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth {:.1f} instead of {:.1f} micrometres off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % of depth within {:.1f} instead of {:.1f} micrometres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>places told {:.3f} instead of {:.3f} mm off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angles told {:.1f} instead of {:.1f} degrees off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.1f} instead of {:.1f} micrometres of false depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>no depth in {} pictures</source>
+        <comment>no depth in {} picture</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the figure cannot be drawn</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

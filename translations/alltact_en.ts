@@ -2,6 +2,26 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>alltact::AccuracyPlace</name>
+    <message numerus="yes">
+        <source>about %n second(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::AccuracyPlot</name>
+    <message numerus="yes">
+        <source>%n slower or worse, beyond this figure</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::ContactWords</name>
     <message numerus="yes">
         <source>%n contact(s) on the face.</source>
@@ -173,6 +193,30 @@
     </message>
 </context>
 <context>
+    <name>alltact::SettingsWords</name>
+    <message numerus="yes">
+        <source>%n picture(s) averaged</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reference from %n picture(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>edges from %n column(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::StatusLine</name>
     <message numerus="yes">
         <source>%n frame(s) lost</source>
@@ -214,6 +258,38 @@
         <translation>
             <numerusform>{1} {2:.3f} mm ({0} press)</numerusform>
             <numerusform>{1} {2:.3f} mm ({0} presses)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} presses</source>
+        <comment>{} press</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} rounds at the end</source>
+        <comment>{} round at the end</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} presses more</source>
+        <comment>{} press more</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>no depth in {} pictures</source>
+        <comment>no depth in {} picture</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

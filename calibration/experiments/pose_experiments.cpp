@@ -63,8 +63,8 @@ struct NearReferences {
     mean += mean_px < kNear_px || !result.reference->known_pose;
     sum += dots * mean_px < kNear_px;
     combined_sum += together_px < kNear_px;
-    combined_or_told += together_px < kNear_px || !result.reference->known_pose ||
-                        result.reference->is_sparse();
+    combined_or_told +=
+        together_px < kNear_px || !result.reference->known_pose || result.reference->is_sparse();
   }
 };
 

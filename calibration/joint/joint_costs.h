@@ -24,7 +24,7 @@ struct Weighted {
   /// By what the robust loss bends less than a square of the same weight, in (0, 1]: its second
   /// derivative over the weight.
   std::vector<double> bend;
-  ContactPlane plane;  ///< the untouched face below the ball
+  PressedPlane plane;  ///< the untouched face below the ball
   std::optional<ToldDepth> told_depth;
   std::vector<double> lifted_sd_mm;  ///< what the form of the lift-off leaves open
   std::vector<const OutlinePoint*> outline;

@@ -4,9 +4,9 @@
 
 namespace alltact {
 
-ContactPlane plane_below(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
+PressedPlane plane_below(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
   const Sample* nearest = nearest_sample(press, centre_mm);
-  return nearest == nullptr ? ContactPlane{} : ContactPlane{nearest->untouched_n, nearest->normal};
+  return nearest == nullptr ? PressedPlane{} : PressedPlane{nearest->untouched_n, nearest->normal};
 }
 
 double contact_radius_mm(double rim2_mm2, double lift_mm) {

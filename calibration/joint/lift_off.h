@@ -17,7 +17,7 @@
 namespace alltact {
 
 /// The untouched face below a ball, as a plane.
-struct ContactPlane {
+struct PressedPlane {
   Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   [[nodiscard]] double height_mm(const Eigen::Vector3d& centre_mm) const {
@@ -25,7 +25,7 @@ struct ContactPlane {
   }
 };
 /// At the sample nearest to the ball's centre.
-[[nodiscard]] ContactPlane plane_below(const PressSamples& press, const Eigen::Vector3d& centre_mm);
+[[nodiscard]] PressedPlane plane_below(const PressSamples& press, const Eigen::Vector3d& centre_mm);
 
 /// Lift-off lengths of silicone skins are believed to lie around this, within a factor of e.
 constexpr double kUsualLiftMm = 0.12;

@@ -70,7 +70,7 @@ std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presse
     const auto& told = presses[i].fine->told_depth;
     if (!told) continue;
     const Eigen::Vector3d& centre = choice->fit.centres_mm[i];
-    const ContactPlane plane = plane_below(plain[i], centre);
+    const PressedPlane plane = plane_below(plain[i], centre);
     const auto first = numbers + 3 * static_cast<Eigen::Index>(i);
     const double seen_mm = plain[i].ball_radius_mm - plane.height_mm(centre);
     const double seen_sd_mm = std::sqrt(

@@ -88,7 +88,7 @@ double skin_depth_mm(const Sample& sample,
                      MappingAlong along,
                      const Eigen::Vector3d& centre_mm,
                      double radius_mm,
-                     const ContactPlane& plane,
+                     const PressedPlane& plane,
                      double lift_mm,
                      Eigen::Vector3d* by_centre,
                      double* by_lift) {
@@ -109,7 +109,7 @@ double blur_mm(const Sample& sample,
                const MappingCurve& curve,
                MappingAlong along,
                const Eigen::Vector3d& centre_mm,
-               const ContactPlane& plane,
+               const PressedPlane& plane,
                double lift_mm) {
   const auto depth_of = [&](const Sample& there) {
     return skin_depth_mm(there, along, centre_mm, press.ball_radius_mm, plane, lift_mm);
@@ -139,7 +139,7 @@ Misfit misfit_of(const Sample& sample,
                  const MappingCurve& curve,
                  MappingAlong along,
                  const Eigen::Vector3d& centre_mm,
-                 const ContactPlane& plane,
+                 const PressedPlane& plane,
                  double lift_mm) {
   const double depth =
       skin_depth_mm(sample, along, centre_mm, press.ball_radius_mm, plane, lift_mm);

@@ -24,7 +24,7 @@ namespace alltact {
                                    MappingAlong along,
                                    const Eigen::Vector3d& centre_mm,
                                    double radius_mm,
-                                   const ContactPlane& plane,
+                                   const PressedPlane& plane,
                                    double lift_mm,
                                    Eigen::Vector3d* by_centre = nullptr,
                                    double* by_lift = nullptr);
@@ -40,7 +40,7 @@ namespace alltact {
                              const MappingCurve& curve,
                              MappingAlong along,
                              const Eigen::Vector3d& centre_mm,
-                             const ContactPlane& plane = {},
+                             const PressedPlane& plane = {},
                              double lift_mm = 0.0);
 
 /// What a sample differs by from the ball: slope (x - g(d)), the noise of x as depth, mm. NaN where
@@ -56,7 +56,7 @@ struct Misfit {
                                const MappingCurve& curve,
                                MappingAlong along,
                                const Eigen::Vector3d& centre_mm,
-                               const ContactPlane& plane = {},
+                               const PressedPlane& plane = {},
                                double lift_mm = 0.0);
 
 /// Where in the contact the samples lie: 0 at its middle, 1 at the rim of the ball's cap, where
@@ -72,7 +72,7 @@ class ContactDisc {
   };
   [[nodiscard]] Place place_of(const Sample& sample) const;
   /// The untouched face below the ball.
-  [[nodiscard]] const ContactPlane& plane() const { return plane_; }
+  [[nodiscard]] const PressedPlane& plane() const { return plane_; }
   static constexpr int kRings = 7;
   static constexpr int kSectors = 8;
   static constexpr int kPatches = kRings * kSectors;
@@ -83,7 +83,7 @@ class ContactDisc {
   MappingAlong along_;
   Eigen::Vector3d centre_mm_;
   double radius_mm_;
-  ContactPlane plane_;
+  PressedPlane plane_;
   double rim2_ = 1;  ///< squared radius of the cap's rim
 };
 

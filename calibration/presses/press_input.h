@@ -14,7 +14,7 @@ namespace alltact {
 
 struct PressInput {
   std::vector<std::filesystem::path> files;  ///< pictures, folders or a video; see open_source
-  bool bursts = false;                  ///< each of them is one press held still; see BurstSource
+  bool bursts = false;  ///< each of them is one press held still; see BurstSource
   /// Pictures that are at hand, instead of files.
   std::vector<FramePtr> frames = {};
   std::size_t pictures_per_press = 64;  ///< of a burst, averaged at most

@@ -1,6 +1,5 @@
 // The source paper's experiments: what the table says of them, and one from end to end.
 #include "calibration/experiments/experiment_runs.h"
-
 #include "core/simulation/scene.h"
 #include "tests/support/temporary_folder.h"
 
