@@ -5,9 +5,9 @@
     <name>alltact::AccuracyPlace</name>
     <message numerus="yes">
         <source>about %n second(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>about %n second left</numerusform>
+            <numerusform>about %n seconds left</numerusform>
         </translation>
     </message>
 </context>
@@ -15,9 +15,9 @@
     <name>alltact::AccuracyPlot</name>
     <message numerus="yes">
         <source>%n slower or worse, beyond this figure</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n slower or worse, beyond this figure</numerusform>
+            <numerusform>%n slower or worse, beyond this figure</numerusform>
         </translation>
     </message>
 </context>
@@ -196,23 +196,23 @@
     <name>alltact::SettingsWords</name>
     <message numerus="yes">
         <source>%n picture(s) averaged</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n picture averaged</numerusform>
+            <numerusform>%n pictures averaged</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>reference from %n picture(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>reference from %n picture</numerusform>
+            <numerusform>reference from %n pictures</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>edges from %n column(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>edges from %n column</numerusform>
+            <numerusform>edges from %n columns</numerusform>
         </translation>
     </message>
 </context>
@@ -263,33 +263,33 @@
     <message numerus="yes">
         <source>{} presses</source>
         <comment>{} press</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{} press</numerusform>
+            <numerusform>{} presses</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>{} rounds at the end</source>
         <comment>{} round at the end</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{} round at the end</numerusform>
+            <numerusform>{} rounds at the end</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>{} presses more</source>
         <comment>{} press more</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{} press more</numerusform>
+            <numerusform>{} presses more</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>no depth in {} pictures</source>
         <comment>no depth in {} picture</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>no depth in {} picture</numerusform>
+            <numerusform>no depth in {} pictures</numerusform>
         </translation>
     </message>
 </context>

@@ -169,7 +169,7 @@ TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
   set("Point B, v", deepest.y + 26);
   const auto readings = surface_readings(frame(), *place().options().a, *place().options().b);
   ASSERT_EQ(static_cast<std::size_t>(table->rowCount()), readings.size());
-  const Measured radius = readings.front().measured.value();
+  const MeasuredValue radius = readings.front().measured.value();
   EXPECT_NEAR(radius.value, 4.0, std::max(3 * radius.sd, 0.1)) << "as the scene says";
   EXPECT_LT(radius.sd, 0.5);
   EXPECT_NEAR(readings[2].measured.value().value,

@@ -32,7 +32,7 @@ SurfaceReading reading(QString name,
                        const char* unit,
                        int decimals,
                        const Result<T>& found,
-                       const Measured T::*member) {
+                       const MeasuredValue T::*member) {
   SurfaceReading reading{std::move(name), QString::fromUtf8(unit), {}, decimals, {}};
   if (found)
     reading.measured = (*found).*member;
@@ -70,12 +70,13 @@ std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
       line_between(frame.result, frame.face, *frame.mapping, frame.smoothing_px, a, b);
   const auto step = step_height(line.patch, line.along_mm);
   using W = SurfaceWords;
-  std::vector<SurfaceReading> all = {reading(W::radius(), "mm", 3, ball, &FittedBall::radius_mm),
-                                     reading(W::area(), "mm²", 2, part, &PressedPart::area_mm2),
-                                     reading(W::volume(), "mm³", 3, part, &PressedPart::volume_mm3),
-                                     reading(W::mean(), "mm", 3, part, &PressedPart::mean_mm),
-                                     reading(W::rough(), "mm", 4, rough, &Roughness::sq_mm),
-                                     reading(W::step(), "mm", 3, step, &StepHeight::height_mm)};
+  std::vector<SurfaceReading> all = {
+      reading(W::radius(), "mm", 3, ball, &FittedBall::radius_mm),
+      reading(W::area(), "mm²", 2, part, &PressedSurface::area_mm2),
+      reading(W::volume(), "mm³", 3, part, &PressedSurface::volume_mm3),
+      reading(W::mean(), "mm", 3, part, &PressedSurface::mean_mm),
+      reading(W::rough(), "mm", 4, rough, &Roughness::sq_mm),
+      reading(W::step(), "mm", 3, step, &StepHeight::height_mm)};
   const auto at_a = fit_plane(patch(around(a))), at_b = fit_plane(patch(around(b)));
   SurfaceReading angle{W::angle(), QStringLiteral("°"), {}, 2, {}};
   if (at_a && at_b)

@@ -15,7 +15,7 @@ namespace alltact {
 /// One line of what is shown. Absent, it has a reason.
 struct SurfaceReading {
   QString name, unit;
-  std::optional<Measured> measured;
+  std::optional<MeasuredValue> measured;
   int decimals = 2;
   Message reason;
 };

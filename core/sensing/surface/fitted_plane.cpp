@@ -63,7 +63,7 @@ Result<FittedPlane> fit_plane(const SurfacePatch& patch) {
   return plane;
 }
 
-Measured angle_deg(const FittedPlane& a, const FittedPlane& b) {
+MeasuredValue angle_deg(const FittedPlane& a, const FittedPlane& b) {
   const auto angle = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
     return std::atan2(p.cross(q).norm(), p.dot(q)) * 180 / std::numbers::pi;
   };

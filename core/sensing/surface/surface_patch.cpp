@@ -159,7 +159,7 @@ Result<FittedBall> fit_ball(const SurfacePatch& patch) {
   return FittedBall{ball->centre_mm, {ball->radius_mm, sd}, ball->residual_mm, cap.size()};
 }
 
-Result<PressedPart> pressed_part(const SurfacePatch& patch, double threshold_mm) {
+Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_mm) {
   double area = 0, volume = 0, flat = 0;
   double noise_of_volume = 0, common_of_volume = 0, least = 0, most = 0;
   for (const SurfacePoint& point : patch.points) {
@@ -177,7 +177,7 @@ Result<PressedPart> pressed_part(const SurfacePatch& patch, double threshold_mm)
     return Error{en::say("nothing here is deeper than {} mm", threshold_mm),
                  "",
                  en::say("a piece where something presses")};
-  PressedPart part;
+  PressedSurface part;
   part.area_mm2 = {area, (most - least) / 2};
   part.volume_mm3 = {volume,
                      std::hypot(std::sqrt(noise_of_volume * patch.noise_pixels), common_of_volume)};

@@ -17,7 +17,7 @@
 namespace alltact {
 
 /// A value with one standard deviation, in the same unit.
-struct Measured {
+struct MeasuredValue {
   double value = 0, sd = 0;
 };
 
@@ -47,7 +47,7 @@ struct SurfacePatch {
 /// points at least half as deep as the deepest (the skin lifts off a ball further out).
 struct FittedBall {
   Eigen::Vector3d centre_mm;  ///< camera frame
-  Measured radius_mm;
+  MeasuredValue radius_mm;
   double residual_mm = 0;  ///< root of the mean square
   std::size_t points = 0;
 };
@@ -56,13 +56,13 @@ struct FittedBall {
 [[nodiscard]] Result<FittedBall> fit_ball(const SurfacePatch& patch);
 
 /// Of what is deeper than `threshold_mm`.
-struct PressedPart {
-  Measured area_mm2;    ///< on the untouched face
-  Measured volume_mm3;  ///< displaced along z
-  Measured mean_mm;     ///< depth, by area
+struct PressedSurface {
+  MeasuredValue area_mm2;    ///< on the untouched face
+  MeasuredValue volume_mm3;  ///< displaced along z
+  MeasuredValue mean_mm;     ///< depth, by area
 };
 /// Error: nothing is.
-[[nodiscard]] Result<PressedPart> pressed_part(const SurfacePatch& patch, double threshold_mm);
+[[nodiscard]] Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_mm);
 
 /// Heights above the second-degree surface through a patch: its form is taken out, as ISO 25178 has
 /// it, so bends of the finger and of what presses do not count.
@@ -84,13 +84,13 @@ struct FittedPlane {
 /// Error: fewer than 10 points, or in one line.
 [[nodiscard]] Result<FittedPlane> fit_plane(const SurfacePatch& patch);
 /// Between two planes, degrees in [0, 180].
-[[nodiscard]] Measured angle_deg(const FittedPlane& a, const FittedPlane& b);
+[[nodiscard]] MeasuredValue angle_deg(const FittedPlane& a, const FittedPlane& b);
 
 /// A step of the depths along a line: two parallel straight lines, one before and one after the
 /// place where they fit best, a tenth of the length around it left out (ISO 5436 leaves a third).
 struct StepHeight {
-  Measured height_mm;  ///< second less first
-  double at_mm = 0;    ///< along the line
+  MeasuredValue height_mm;  ///< second less first
+  double at_mm = 0;         ///< along the line
 };
 /// `along_mm` ascending, one for each point. Errors: fewer than 12 points; no step that stands out
 /// of the noise.

@@ -145,7 +145,7 @@ TEST(SurfacePatchTest, AnglesBetweenPlanesAreThoseTheyWereMadeWith) {
     const auto a = fit_plane(pressed([](double, double) { return 0.5; }, 1e-4, 6));
     const auto b = fit_plane(pressed([&](double x, double) { return 0.5 + slope * x; }, 1e-4, 7));
     ASSERT_TRUE(a && b);
-    const Measured angle = angle_deg(*a, *b);
+    const MeasuredValue angle = angle_deg(*a, *b);
     EXPECT_NEAR(angle.value, std::atan(slope) * 180 / std::numbers::pi, 0.01) << slope;
     EXPECT_LT(angle.sd, 0.01);
   }
@@ -159,7 +159,7 @@ TEST(SurfacePatchTest, AnAngleIsAsSureAsItSays) {
     const auto b =
         fit_plane(pressed([](double x, double) { return 0.5 + 0.3 * x; }, 0.02, 2 * seed + 1));
     ASSERT_TRUE(a && b);
-    const Measured angle = angle_deg(*a, *b);
+    const MeasuredValue angle = angle_deg(*a, *b);
     squares += std::pow((angle.value - std::atan(0.3) * 180 / std::numbers::pi) / angle.sd, 2);
   }
   EXPECT_NEAR(squares / kRuns, 1, 0.3);
