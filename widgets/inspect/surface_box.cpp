@@ -37,7 +37,7 @@ SurfaceBox::SurfaceBox(QWidget* parent)
         tr("Two points make a box: a ball's radius, area, volume, roughness; the step and "
            "the angle from A to B."));
     copy_->setText(tr("Copy as CSV"));
-    table_->setAccessibleName(tr("MeasuredValue between the points"));
+    table_->setAccessibleName(tr("Measured between the points"));
     fill();
   });
 }
