@@ -36,318 +36,318 @@
     <name>alltact::AccuracyModel</name>
     <message>
         <source>Settings</source>
-        <translation type="unfinished">Einstellungen</translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Time of a picture (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit für ein Bild (ms)</translation>
     </message>
     <message>
         <source>Depth error, half within (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der Tiefe, Hälfte innerhalb (mm)</translation>
     </message>
     <message>
         <source>Depth error, 95 % within (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der Tiefe, 95 % innerhalb (mm)</translation>
     </message>
     <message>
         <source>Place error, half within (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler des Ortes, Hälfte innerhalb (mm)</translation>
     </message>
     <message>
         <source>Standing</source>
-        <translation type="unfinished"></translation>
+        <translation>Rang</translation>
     </message>
     <message>
         <source>best for its time</source>
-        <translation type="unfinished"></translation>
+        <translation>das Beste für seine Zeit</translation>
     </message>
     <message>
         <source>worse than: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>schlechter als: %1</translation>
     </message>
     <message>
         <source>not in every picture</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht in jedem Bild</translation>
     </message>
     <message>
         <source>in use now; %1</source>
-        <translation type="unfinished"></translation>
+        <translation>jetzt verwendet; %1</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyPlace</name>
     <message>
         <source>How fast must it be, and what error may it have? What settings cost in time and bring in accuracy is measured once on this finger&apos;s own pictures; then one answer stands here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell muss es sein, und welcher Fehler ist erlaubt? Was Einstellungen an Zeit kosten und an Genauigkeit bringen, wird einmal an den eigenen Bildern dieses Fingers gemessen; dann steht hier eine Antwort.</translation>
     </message>
     <message>
         <source>&amp;Measure what settings cost on this finger (about 12 s)</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Messen, was Einstellungen an diesem Finger kosten (etwa 12 s)</translation>
     </message>
     <message>
         <source>How many pictures per &amp;second?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Bilder pro &amp;Sekunde?</translation>
     </message>
     <message>
         <source>How many pictures per second?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Bilder pro Sekunde?</translation>
     </message>
     <message>
         <source>What er&amp;ror may it have?</source>
-        <translation type="unfinished"></translation>
+        <translation>Welcher Fehle&amp;r ist erlaubt?</translation>
     </message>
     <message>
         <source>What error may it have?</source>
-        <translation type="unfinished"></translation>
+        <translation>Welcher Fehler ist erlaubt?</translation>
     </message>
     <message>
         <source>Of depth, where 95 % of all points lie within.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tiefe, innerhalb dessen 95 % aller Stellen liegen.</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>as small as fits</source>
-        <translation type="unfinished"></translation>
+        <translation>so klein wie möglich</translation>
     </message>
     <message>
         <source>As cali&amp;brated again</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder wie kali&amp;briert</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbildung</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>Figure or table</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbildung oder Tabelle</translation>
     </message>
     <message>
         <source>Copy &amp;command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl &amp;kopieren</translation>
     </message>
     <message>
         <source>The same as a command line</source>
-        <translation type="unfinished">Dasselbe als Befehlszeile</translation>
+        <translation>Dasselbe als Befehlszeile</translation>
     </message>
     <message>
         <source>Progress of measuring</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Messung</translation>
     </message>
     <message>
         <source>Sto&amp;p</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhal&amp;ten</translation>
     </message>
     <message>
         <source>What was measured is kept; measuring goes on there another time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gemessen ist, bleibt; ein andermal geht es dort weiter.</translation>
     </message>
     <message>
         <source>Accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit</translation>
     </message>
     <message>
         <source>&amp;Accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Genauigkeit</translation>
     </message>
     <message>
         <source>as calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>wie kalibriert</translation>
     </message>
     <message>
         <source>%1 ms a picture; depth: half of all points within %2 mm, 95 % within %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms je Bild; Tiefe: Hälfte aller Stellen innerhalb %2 mm, 95 % innerhalb %3 mm</translation>
     </message>
     <message>
         <source>; place: half within %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>; Ort: Hälfte innerhalb %1 mm</translation>
     </message>
     <message>
         <source>In use now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt verwendet.</translation>
     </message>
     <message>
         <source>Other than now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Anders als jetzt: %1</translation>
     </message>
     <message>
         <source>%1 ms faster than now</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms schneller als jetzt</translation>
     </message>
     <message>
         <source>%1 ms slower than now</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms langsamer als jetzt</translation>
     </message>
     <message>
         <source>%1 mm closer than now</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm genauer als jetzt</translation>
     </message>
     <message>
         <source>%1 mm further off than now</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm ungenauer als jetzt</translation>
     </message>
     <message>
         <source>Open a finger first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Finger öffnen.</translation>
     </message>
     <message>
         <source>The finger is being read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Finger wird gelesen.</translation>
     </message>
     <message>
         <source>Calibrate this finger first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst diesen Finger kalibrieren.</translation>
     </message>
     <message>
         <source>Record this finger&apos;s reference first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst die Referenz dieses Fingers aufnehmen.</translation>
     </message>
     <message numerus="yes">
         <source>about %n second(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>noch etwa %n Sekunde</numerusform>
+            <numerusform>noch etwa %n Sekunden</numerusform>
         </translation>
     </message>
     <message>
         <source>measuring what settings cost…</source>
-        <translation type="unfinished"></translation>
+        <translation>es wird gemessen, was Einstellungen kosten …</translation>
     </message>
     <message>
         <source>The finger has changed since this was measured: measure again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Finger hat sich seit dieser Messung geändert: noch einmal messen.</translation>
     </message>
     <message>
         <source>Measured on another computer (%1): its errors hold, its times do not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf einem anderen Rechner gemessen (%1): die Fehler gelten, die Zeiten nicht.</translation>
     </message>
     <message>
         <source>Measuring was stopped: some settings are missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Messung wurde angehalten: einige Einstellungen fehlen.</translation>
     </message>
     <message>
         <source>Chosen by hand. Esc in the figure returns to the answer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand gewählt. Esc in der Abbildung kehrt zur Antwort zurück.</translation>
     </message>
     <message>
         <source>The most accurate of all that take at most %1 ms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die genaueste von allen, die höchstens %1 ms brauchen.</translation>
     </message>
     <message>
         <source>The fastest that keeps 95 % of all points within %1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die schnellste, bei der 95 % aller Stellen innerhalb %1 mm liegen.</translation>
     </message>
     <message>
         <source>No setting keeps %1 mm. This is the most accurate that takes at most %2 ms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Einstellung hält %1 mm ein. Dies ist die genaueste, die höchstens %2 ms braucht.</translation>
     </message>
     <message>
         <source>Keeping %1 mm allows %2 pictures per second. This is the most accurate that is fast enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm einzuhalten erlaubt %2 Bilder pro Sekunde. Dies ist die genaueste, die schnell genug ist.</translation>
     </message>
     <message>
         <source>No setting is so fast on this computer. This is the fastest: %1 pictures per second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Einstellung ist auf diesem Rechner so schnell. Dies ist die schnellste: %1 Bilder pro Sekunde.</translation>
     </message>
     <message>
         <source>No setting measures this finger&apos;s pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Einstellung misst die Bilder dieses Fingers.</translation>
     </message>
     <message>
         <source>In use</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwendet</translation>
     </message>
     <message>
         <source>&amp;Use it</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verwenden</translation>
     </message>
     <message>
         <source>&amp;Measure again (about 12 s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal &amp;messen (etwa 12 s)</translation>
     </message>
     <message>
         <source>&amp;Measure what is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Messen, was fehlt</translation>
     </message>
     <message>
         <source>&amp;Measure pairs of settings, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch Paare von Einstellungen &amp;messen</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyPlot</name>
     <message>
         <source>What accuracy costs in time</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Genauigkeit an Zeit kostet</translation>
     </message>
     <message>
         <source>Nothing has been measured yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts gemessen</translation>
     </message>
     <message>
         <source>No setting is chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Einstellung gewählt</translation>
     </message>
     <message>
         <source>Time of a picture on this computer (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit für ein Bild auf diesem Rechner (ms)</translation>
     </message>
     <message>
         <source>Error of depth (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der Tiefe (mm)</translation>
     </message>
     <message>
         <source>slower or worse than another</source>
-        <translation type="unfinished"></translation>
+        <translation>langsamer oder schlechter als eine andere</translation>
     </message>
     <message numerus="yes">
         <source>%n slower or worse, beyond this figure</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n langsamer oder schlechter, außerhalb der Abbildung</numerusform>
+            <numerusform>%n langsamer oder schlechter, außerhalb der Abbildung</numerusform>
         </translation>
     </message>
     <message>
         <source>best for its time; whisker up to 95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>das Beste für seine Zeit; Strich bis 95 %</translation>
     </message>
     <message>
         <source>chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>gewählt</translation>
     </message>
     <message>
         <source>in use now</source>
-        <translation type="unfinished"></translation>
+        <translation>jetzt verwendet</translation>
     </message>
     <message>
         <source>%1 pictures per second</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Bilder pro Sekunde</translation>
     </message>
     <message>
         <source>%1: at %2 ms, further right →</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: bei %2 ms, weiter rechts →</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyTable</name>
     <message>
         <source>S&amp;ort by</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;ortieren nach</translation>
     </message>
     <message>
         <source>Sort by</source>
-        <translation type="unfinished"></translation>
+        <translation>Sortieren nach</translation>
     </message>
     <message>
         <source>What accuracy costs in time, as a table</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Genauigkeit an Zeit kostet, als Tabelle</translation>
     </message>
 </context>
 <context>
@@ -1049,7 +1049,7 @@
     <name>alltact::FingerStudyRun</name>
     <message>
         <source>use other settings</source>
-        <translation type="unfinished"></translation>
+        <translation>andere Einstellungen verwenden</translation>
     </message>
 </context>
 <context>
@@ -3880,93 +3880,93 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <name>alltact::SettingsWords</name>
     <message>
         <source>every pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>jeder Bildpunkt</translation>
     </message>
     <message>
         <source>half the pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>halb so viele Bildpunkte je Seite</translation>
     </message>
     <message>
         <source>a quarter of the pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Viertel der Bildpunkte je Seite</translation>
     </message>
     <message numerus="yes">
         <source>%n picture(s) averaged</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bild gemittelt</numerusform>
+            <numerusform>%n Bilder gemittelt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>reference from %n picture(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Referenz aus %n Bild</numerusform>
+            <numerusform>Referenz aus %n Bildern</numerusform>
         </translation>
     </message>
     <message>
         <source>edges at whole pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Ränder auf ganze Bildpunkte</translation>
     </message>
     <message>
         <source>edges between pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Ränder zwischen Bildpunkten</translation>
     </message>
     <message numerus="yes">
         <source>edges from %n column(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ränder aus %n Spalte</numerusform>
+            <numerusform>Ränder aus %n Spalten</numerusform>
         </translation>
     </message>
     <message>
         <source>edge curve of degree %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Randkurve vom Grad %1</translation>
     </message>
     <message>
         <source>markers as two sorted rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker als zwei sortierte Reihen</translation>
     </message>
     <message>
         <source>markers found by a network</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker von einem Netz gefunden</translation>
     </message>
     <message>
         <source>markers followed as spots</source>
-        <translation type="unfinished"></translation>
+        <translation>Marker als Flecken verfolgt</translation>
     </message>
     <message>
         <source>compared with the picture at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>verglichen mit dem Bild in Ruhe</translation>
     </message>
     <message>
         <source>compared with the nearest picture</source>
-        <translation type="unfinished"></translation>
+        <translation>verglichen mit dem nächsten Bild</translation>
     </message>
     <message>
         <source>compared with several pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>verglichen mit mehreren Bildern</translation>
     </message>
     <message>
         <source>light taken as recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>Licht wie in der Aufnahme</translation>
     </message>
     <message>
         <source>light corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>Licht korrigiert</translation>
     </message>
     <message>
         <source>no smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Glättung</translation>
     </message>
     <message>
         <source>smoothing of %1 px</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättung von %1 px</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>settings</comment>
-        <translation type="unfinished">%1 %2: %2 {1,?}</translation>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -4148,54 +4148,54 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <name>alltact::SurfaceBox</name>
     <message>
         <source>Between A and B</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen A und B</translation>
     </message>
     <message>
         <source>Two points make a box: a ball&apos;s radius, area, volume, roughness; the step and the angle from A to B.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Punkte bilden einen Kasten: Kugelradius, Fläche, Volumen, Rauheit; die Stufe und der Winkel von A nach B.</translation>
     </message>
     <message>
         <source>Copy as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Als CSV kopieren</translation>
     </message>
     <message>
         <source>Measured between the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen den Punkten gemessen</translation>
     </message>
 </context>
 <context>
     <name>alltact::SurfaceWords</name>
     <message>
         <source>Ball&apos;s radius</source>
-        <translation type="unfinished">Radius der Kugel</translation>
+        <translation>Kugelradius</translation>
     </message>
     <message>
         <source>Pressed area</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingedrückte Fläche</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Mean depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Tiefe</translation>
     </message>
     <message>
         <source>Roughness Sq</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauheit Sq</translation>
     </message>
     <message>
         <source>Step from A to B</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufe von A nach B</translation>
     </message>
     <message>
         <source>Angle of A to B</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel von A nach B</translation>
     </message>
     <message>
         <source>–</source>
-        <translation type="unfinished"></translation>
+        <translation>–</translation>
     </message>
 </context>
 <context>
@@ -10866,487 +10866,487 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>unexpected: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>unerwartet: {}</translation>
     </message>
     <message>
         <source>reporting this as a defect</source>
-        <translation type="unfinished"></translation>
+        <translation>dies als Fehler melden</translation>
     </message>
     <message>
         <source>a line of it is damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zeile darin ist beschädigt</translation>
     </message>
     <message>
         <source>reconstruct this part again</source>
-        <translation type="unfinished"></translation>
+        <translation>diesen Teil noch einmal rekonstruieren</translation>
     </message>
     <message>
         <source>the part is damaged or cut short</source>
-        <translation type="unfinished"></translation>
+        <translation>der Teil ist beschädigt oder abgeschnitten</translation>
     </message>
     <message>
         <source>these are parts of two different runs: {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>dies sind Teile zweier verschiedener Läufe: {} und {}</translation>
     </message>
     <message>
         <source>the folders of one run, or reconstruct all its parts again</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ordner eines einzigen Laufs, oder alle seine Teile noch einmal rekonstruieren</translation>
     </message>
     <message>
         <source>part {} is there twice: {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil {} ist zweimal da: {} und {}</translation>
     </message>
     <message>
         <source>there are no parts of a reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Teile einer Rekonstruktion</translation>
     </message>
     <message>
         <source>alltact reconstruct with --shard 1/N to N/N first</source>
-        <translation type="unfinished"></translation>
+        <translation>zuerst alltact reconstruct mit --shard 1/N bis N/N</translation>
     </message>
     <message>
         <source>of {} parts these are missing: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>von {} Teilen fehlen diese: {}</translation>
     </message>
     <message>
         <source>reconstruct these parts, too</source>
-        <translation type="unfinished"></translation>
+        <translation>auch diese Teile rekonstruieren</translation>
     </message>
     <message>
         <source>the part was stopped after {} of {} frames</source>
-        <translation type="unfinished"></translation>
+        <translation>der Teil wurde nach {} von {} Bildern angehalten</translation>
     </message>
     <message>
         <source>the file cannot be moved: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei lässt sich nicht verschieben: {}</translation>
     </message>
     <message>
         <source>free some space, or ask the folder&apos;s owner for access</source>
-        <translation type="unfinished"></translation>
+        <translation>Platz schaffen, oder den Besitzer des Ordners um Zugriff bitten</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is no part of a whole</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;{}&apos; ist kein Teil eines Ganzen</translation>
     </message>
     <message>
         <source>1/8 to 8/8 for eight parts, for example</source>
-        <translation type="unfinished"></translation>
+        <translation>zum Beispiel 1/8 bis 8/8 für acht Teile</translation>
     </message>
     <message>
         <source>could not make sure that the files are on the disk</source>
-        <translation type="unfinished"></translation>
+        <translation>es ließ sich nicht sicherstellen, dass die Dateien auf dem Datenträger sind</translation>
     </message>
     <message>
         <source>the picture does not say that it holds depth in 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>das Bild sagt nicht, dass es Tiefe in 16 Bit enthält</translation>
     </message>
     <message>
         <source>a picture of alltact reconstruct --format depth16</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Bild von alltact reconstruct --format depth16</translation>
     </message>
     <message>
         <source>the part of the face that depth is told of, in millimetres along it from its base; all else counts as off the face</source>
-        <translation type="unfinished"></translation>
+        <translation>der Teil der Fläche, für den Tiefe angegeben wird, in Millimetern längs der Fläche von ihrem Fuß an; alles andere gilt als außerhalb der Fläche</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is not &apos;all&apos; or a part of the face in mm such as 20-60</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;{}&apos; ist weder &apos;all&apos; noch ein Teil der Fläche in mm wie 20-60</translation>
     </message>
     <message>
         <source>pixels that a picture is measured with: all of them, or means of 2 by 2 or 4 by 4 of them; results in pixels are then of that picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixel, mit denen ein Bild gemessen wird: alle, oder Mittel aus 2 mal 2 oder 4 mal 4 davon; Ergebnisse in Pixeln gelten dann für dieses Bild</translation>
     </message>
     <message>
         <source>&apos;whole&apos; tells small contacts and steep edges, and numbers small dots</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;whole&apos; erkennt kleine Kontakte und steile Kanten und nummeriert kleine Punkte</translation>
     </message>
     <message>
         <source>&apos;half&apos; is a quarter of the pixels and of the recording&apos;s memory, &apos;quarter&apos; a sixteenth</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;half&apos; ist ein Viertel der Pixel und des Speichers der Aufnahme, &apos;quarter&apos; ein Sechzehntel</translation>
     </message>
     <message>
         <source>pictures of one source whose running mean is measured; 1: each by itself. A finger that moves is then seen where it was on average, and blurred</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder einer Quelle, deren gleitendes Mittel gemessen wird; 1: jedes für sich. Ein Finger, der sich bewegt, ist dann dort zu sehen, wo er im Mittel war, und unscharf</translation>
     </message>
     <message>
         <source>more quiet the noise of a finger that holds still, by their square root</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr dämpfen das Rauschen eines stillgehaltenen Fingers, um die Wurzel ihrer Zahl</translation>
     </message>
     <message>
         <source>more tell of the finger later, by half of them; adding them up takes a little</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr zeigen den Finger später, um die Hälfte von ihnen; das Summieren kostet ein wenig</translation>
     </message>
     <message>
         <source>&apos;all&apos; misses no contact</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;all&apos; übersieht keinen Kontakt</translation>
     </message>
     <message>
         <source>depth takes as much less time as the part is shorter than the face</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tiefe braucht um so viel weniger Zeit, wie der Teil kürzer ist als die Fläche</translation>
     </message>
     <message>
         <source>recorded pictures that reference-method local computes the reference from</source>
-        <translation type="unfinished"></translation>
+        <translation>aufgenommene Bilder, aus denen reference-method local die Referenz berechnet</translation>
     </message>
     <message>
         <source>more leave less noise in the reference; too many reach too far from the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr lassen weniger Rauschen in der Referenz; zu viele reichen zu weit von der Haltung weg</translation>
     </message>
     <message>
         <source>each is added up in every frame</source>
-        <translation type="unfinished"></translation>
+        <translation>jedes wird in jedem Bild aufsummiert</translation>
     </message>
     <message>
         <source>no plane goes through so few measured pixels, or through one line</source>
-        <translation type="unfinished"></translation>
+        <translation>durch so wenige gemessene Pixel, oder durch eine einzige Linie, geht keine Ebene</translation>
     </message>
     <message>
         <source>a larger piece, or one that is measured</source>
-        <translation type="unfinished"></translation>
+        <translation>ein größeres Stück, oder eines, das gemessen ist</translation>
     </message>
     <message>
         <source>{} measured pixels where {} are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>{} gemessene Pixel, wo {} nötig sind</translation>
     </message>
     <message>
         <source>no ball lies in this piece</source>
-        <translation type="unfinished"></translation>
+        <translation>in diesem Stück liegt keine Kugel</translation>
     </message>
     <message>
         <source>a piece that is round, seen up to where it is half as deep</source>
-        <translation type="unfinished"></translation>
+        <translation>ein rundes Stück, das bis dorthin zu sehen ist, wo es halb so tief ist</translation>
     </message>
     <message>
         <source>nothing here is deeper than {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist hier tiefer als {} mm</translation>
     </message>
     <message>
         <source>a piece where something presses</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Stück, in dem etwas drückt</translation>
     </message>
     <message>
         <source>the piece is too narrow to take its form out</source>
-        <translation type="unfinished"></translation>
+        <translation>das Stück ist zu schmal, um seine Form herauszurechnen</translation>
     </message>
     <message>
         <source>a wider one</source>
-        <translation type="unfinished"></translation>
+        <translation>ein breiteres</translation>
     </message>
     <message>
         <source>no step along this line stands out of the noise</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Stufe längs dieser Linie hebt sich vom Rauschen ab</translation>
     </message>
     <message>
         <source>a line that crosses the step at a right angle</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Linie, die die Stufe im rechten Winkel kreuzt</translation>
     </message>
     <message>
         <source>could not keep the simulated finger for the next time</source>
-        <translation type="unfinished"></translation>
+        <translation>der simulierte Finger ließ sich nicht für das nächste Mal aufheben</translation>
     </message>
     <message>
         <source>error of a push&apos;s direction in the picture; sides begin at 22.5 degrees and every 45 from there, and the paper tells no figure of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der Richtung eines Stoßes im Bild; Seiten beginnen bei 22,5 Grad und von dort an alle 45, und die Veröffentlichung nennt keine Zahl dafür</translation>
     </message>
     <message>
         <source>true direction (degrees)</source>
-        <translation type="unfinished"></translation>
+        <translation>wahre Richtung (Grad)</translation>
     </message>
     <message>
         <source>error of the direction (degrees)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der Richtung (Grad)</translation>
     </message>
     <message>
         <source>frames under 10 px a dot, or told to be in a pose never recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder unter 10 px je Punkt, oder als nie aufgenommene Haltung gemeldet</translation>
     </message>
     <message>
         <source>frames under 10 px summed over the dots, nearest of a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder unter 10 px, über die Punkte summiert, nächstes einer Aufnahme</translation>
     </message>
     <message>
         <source>the same, of the recorded frames as the reference combines them</source>
-        <translation type="unfinished"></translation>
+        <translation>dasselbe, mit den aufgenommenen Bildern, wie die Referenz sie verbindet</translation>
     </message>
     <message>
         <source>the same, or told that the pose or its surroundings were not recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>dasselbe, oder gemeldet, dass die Haltung oder ihre Umgebung nicht aufgenommen wurde</translation>
     </message>
     <message>
         <source>as the reference combines them, ours</source>
-        <translation type="unfinished"></translation>
+        <translation>wie die Referenz sie verbindet, unseres</translation>
     </message>
     <message>
         <source>The paper sums the distance over its dots, and under 40 px is told so here; under 10 px is told over this finger and {} drawn at random, for a dot and summed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Veröffentlichung summiert den Abstand über ihre Punkte, und unter 40 px wird hier so angegeben; unter 10 px wird über diesen Finger und {} zufällig gezogene angegeben, je Punkt und summiert</translation>
     </message>
     <message>
         <source>truth</source>
-        <translation type="unfinished"></translation>
+        <translation>Wahrheit</translation>
     </message>
     <message>
         <source>relief of the straight finger, as the pressed face lies from base (left) to tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Relief des geraden Fingers, wie die gedrückte Fläche vom Fuß (links) bis zur Spitze liegt</translation>
     </message>
     <message>
         <source>relief of the bent finger, as the pressed face lies from base (left) to tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Relief des gebogenen Fingers, wie die gedrückte Fläche vom Fuß (links) bis zur Spitze liegt</translation>
     </message>
     <message>
         <source>recording of all poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme aller Posen</translation>
     </message>
     <message>
         <source>recording of all poses, error</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme aller Posen, Fehler</translation>
     </message>
     <message>
         <source>single reference</source>
-        <translation type="unfinished"></translation>
+        <translation>einzelne Referenz</translation>
     </message>
     <message>
         <source>single reference, error</source>
-        <translation type="unfinished"></translation>
+        <translation>einzelne Referenz, Fehler</translation>
     </message>
     <message>
         <source>The paper shows pictures of reliefs and no figure; both of ours use the same calibration, so that only the reference differs</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Veröffentlichung zeigt Bilder von Reliefs und keine Zahl; unsere beiden verwenden dieselbe Kalibrierung, sodass sich nur die Referenz unterscheidet</translation>
     </message>
     <message>
         <source>no finger was given that measures these pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>es wurde kein Finger angegeben, der diese Bilder misst</translation>
     </message>
     <message>
         <source>the scene shows another finger than {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Szene zeigt einen anderen Finger als {}</translation>
     </message>
     <message>
         <source>{} is not calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist nicht kalibriert</translation>
     </message>
     <message>
         <source>leaving out {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} wird weggelassen</translation>
     </message>
     <message>
         <source>ours, on this computer</source>
-        <translation type="unfinished"></translation>
+        <translation>unsere, auf diesem Computer</translation>
     </message>
     <message>
         <source>the worst of {} fingers drawn at random, within +-20 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>der schlechteste von {} zufällig gezogenen Fingern, innerhalb von +-20 mm</translation>
     </message>
     <message>
         <source>the worst of {} fingers drawn at random, at the tip</source>
-        <translation type="unfinished"></translation>
+        <translation>der schlechteste von {} zufällig gezogenen Fingern, an der Spitze</translation>
     </message>
     <message>
         <source>is no setting of this version</source>
-        <translation type="unfinished"></translation>
+        <translation>ist keine Einstellung dieser Version</translation>
     </message>
     <message>
         <source>a new study</source>
-        <translation type="unfinished"></translation>
+        <translation>eine neue Studie</translation>
     </message>
     <message>
         <source>studying the finger again</source>
-        <translation type="unfinished"></translation>
+        <translation>den Finger noch einmal untersuchen</translation>
     </message>
     <message>
         <source>this finger keeps no presets: it was not studied yet</source>
-        <translation type="unfinished"></translation>
+        <translation>dieser Finger hat keine Voreinstellungen: Er wurde noch nicht untersucht</translation>
     </message>
     <message>
         <source>alltact study {} --save</source>
-        <translation type="unfinished"></translation>
+        <translation>alltact study {} --save</translation>
     </message>
     <message>
         <source>nothing is faster on this finger without being half as wrong again</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist bei diesem Finger schneller, ohne dass der Fehler um die Hälfte wächst</translation>
     </message>
     <message>
         <source>nothing is more accurate on this finger than how it was calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist bei diesem Finger genauer als so, wie er kalibriert wurde</translation>
     </message>
     <message>
         <source>measuring with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>mit {} messen</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is no preset of this finger</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;{}&apos; ist keine Voreinstellung dieses Fingers</translation>
     </message>
     <message>
         <source>{}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}</translation>
     </message>
     <message>
         <source>beyond the {} that are to be used</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr als die {}, die verwendet werden sollen</translation>
     </message>
     <message>
         <source>presses that are used at most, spread evenly over those given; 0: all of them</source>
-        <translation type="unfinished"></translation>
+        <translation>Eindrücke, die höchstens verwendet werden, gleichmäßig über die gegebenen verteilt; 0: alle</translation>
     </message>
     <message>
         <source>more hold the curve at more depths and places; ten well spread are usual</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr stützen die Kurve bei mehr Tiefen und an mehr Orten; zehn gut verteilte sind üblich</translation>
     </message>
     <message>
         <source>each has to be made, and is left out once to see what it predicts</source>
-        <translation type="unfinished"></translation>
+        <translation>jeder muss gemacht werden und wird einmal ausgelassen, um zu sehen, was er vorhersagt</translation>
     </message>
     <message>
         <source>pictures of a press held still (--bursts) that are averaged at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder eines stillgehaltenen Eindrucks (--bursts), die höchstens gemittelt werden</translation>
     </message>
     <message>
         <source>more leave less noise in a press, by their square root</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr lassen weniger Rauschen in einem Eindruck, nach ihrer Quadratwurzel</translation>
     </message>
     <message>
         <source>the ball has to be held still for so long, and reading them takes a little</source>
-        <translation type="unfinished"></translation>
+        <translation>so lange muss die Kugel stillgehalten werden, und das Einlesen dauert ein wenig</translation>
     </message>
     <message>
         <source>rounds of the joint fit at most; it ends before when nothing moves any more</source>
-        <translation type="unfinished"></translation>
+        <translation>höchste Zahl der Runden der gemeinsamen Anpassung; sie endet früher, wenn sich nichts mehr bewegt</translation>
     </message>
     <message>
         <source>more settle what presses say against each other; too few leave the curve where it began</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr gleichen aus, was Eindrücke gegeneinander sagen; zu wenige lassen die Kurve, wo sie begann</translation>
     </message>
     <message>
         <source>each solves all presses together once, in every trial</source>
-        <translation type="unfinished"></translation>
+        <translation>jede löst alle Eindrücke einmal gemeinsam, in jedem Versuch</translation>
     </message>
     <message>
         <source>the presses do not tell whether brightness follows the layer&apos;s thickness along its normal ({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is taken, and if that is wrong, places on the face lie {:.1f} mm off along it; larger pictures tell, and presses where the face is steep and where it is flat</source>
-        <translation type="unfinished"></translation>
+        <translation>die Eindrücke sagen nicht, ob die Helligkeit der Dicke der Schicht längs ihrer Normalen ({:.4f} mm bei ausgelassenen Eindrücken) oder längs z ({:.4f} mm) folgt: Genommen wird die Normale, und wenn das falsch ist, liegen Orte auf der Fläche längs von ihr um {:.1f} mm daneben; größere Bilder zeigen es, und Eindrücke, wo die Fläche steil und wo sie flach ist</translation>
     </message>
     <message>
         <source>the source paper&apos;s method is not studied with a turned camera</source>
-        <translation type="unfinished"></translation>
+        <translation>das Verfahren der Veröffentlichung wird nicht mit einer gedrehten Kamera untersucht</translation>
     </message>
     <message>
         <source>{}: depth {:.1f} instead of {:.1f} micrometres off in the median, 95 % within {:.1f} instead of {:.1f}, for {:.1f} minutes more</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Tiefe im Median um {:.1f} statt {:.1f} Mikrometer falsch, 95 % innerhalb von {:.1f} statt {:.1f}, für {:.1f} Minuten mehr</translation>
     </message>
     <message numerus="yes">
         <source>{} presses</source>
         <comment>{} press</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{} Eindruck</numerusform>
+            <numerusform>{} Eindrücke</numerusform>
         </translation>
     </message>
     <message>
         <source>{} pictures each</source>
-        <translation type="unfinished"></translation>
+        <translation>je {} Bilder</translation>
     </message>
     <message>
         <source>method {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren {}</translation>
     </message>
     <message>
         <source>family {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Familie {}</translation>
     </message>
     <message numerus="yes">
         <source>{} rounds at the end</source>
         <comment>{} round at the end</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{} Runde am Ende</numerusform>
+            <numerusform>{} Runden am Ende</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>{} presses more</source>
         <comment>{} press more</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{} Eindruck mehr</numerusform>
+            <numerusform>{} Eindrücke mehr</numerusform>
         </translation>
     </message>
     <message>
         <source>{} pictures of each press</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Bilder von jedem Eindruck</translation>
     </message>
     <message>
         <source>The best within a minute more ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Beste in höchstens einer Minute mehr ({})</translation>
     </message>
     <message>
         <source>the finger keeps too few presses to leave one out: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Finger hat zu wenige Eindrücke, um einen auszulassen: {}</translation>
     </message>
     <message>
         <source>calibrating it with three presses or more</source>
-        <translation type="unfinished"></translation>
+        <translation>ihn mit drei oder mehr Eindrücken kalibrieren</translation>
     </message>
     <message>
         <source>calibrating {} anew</source>
-        <translation type="unfinished"></translation>
+        <translation>{} neu kalibrieren</translation>
     </message>
     <message>
         <source>calibrating with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrieren mit: {}</translation>
     </message>
     <message>
         <source>none of {} presses could be held against a mapping made without it</source>
-        <translation type="unfinished"></translation>
+        <translation>keiner von {} Eindrücken ließ sich mit einer Abbildung vergleichen, die ohne ihn entstand</translation>
     </message>
     <message>
         <source>more presses of different depth</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr Eindrücke verschiedener Tiefe</translation>
     </message>
     <message>
         <source>leaving out presses, {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Eindrücke werden ausgelassen, {} von {}</translation>
     </message>
     <message>
         <source>{}, {:.0f} s left</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, noch {:.0f} s</translation>
     </message>
     <message>
         <source>{}, {:.0f} min left</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, noch {:.0f} min</translation>
     </message>
     <message>
         <source>takes {:.2f} times as long</source>
-        <translation type="unfinished"></translation>
+        <translation>dauert {:.2f}-mal so lange</translation>
     </message>
     <message>
         <source>depth {:.1f} instead of {:.1f} micrometres off</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe um {:.1f} statt {:.1f} Mikrometer falsch</translation>
     </message>
     <message>
         <source>95 % of depth within {:.1f} instead of {:.1f} micrometres</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % der Tiefen innerhalb von {:.1f} statt {:.1f} Mikrometern</translation>
     </message>
     <message>
         <source>places told {:.3f} instead of {:.3f} mm off</source>
-        <translation type="unfinished"></translation>
+        <translation>Orte um {:.3f} statt {:.3f} mm falsch</translation>
     </message>
     <message>
         <source>angles told {:.1f} instead of {:.1f} degrees off</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel um {:.1f} statt {:.1f} Grad falsch</translation>
     </message>
     <message>
         <source>{:.1f} instead of {:.1f} micrometres of false depth</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.1f} statt {:.1f} Mikrometer falsche Tiefe</translation>
     </message>
     <message numerus="yes">
         <source>no depth in {} pictures</source>
         <comment>no depth in {} picture</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>keine Tiefe in {} Bild</numerusform>
+            <numerusform>keine Tiefe in {} Bildern</numerusform>
         </translation>
     </message>
     <message>
         <source>the figure cannot be drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>die Abbildung lässt sich nicht zeichnen</translation>
     </message>
 </context>
 </TS>

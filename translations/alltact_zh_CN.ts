@@ -36,316 +36,316 @@
     <name>alltact::AccuracyModel</name>
     <message>
         <source>Settings</source>
-        <translation type="unfinished">设置</translation>
+        <translation>设置</translation>
     </message>
     <message>
         <source>Time of a picture (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>每张图像的时间 (ms)</translation>
     </message>
     <message>
         <source>Depth error, half within (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>深度误差,一半在内 (mm)</translation>
     </message>
     <message>
         <source>Depth error, 95 % within (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>深度误差,95 % 在内 (mm)</translation>
     </message>
     <message>
         <source>Place error, half within (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>位置误差,一半在内 (mm)</translation>
     </message>
     <message>
         <source>Standing</source>
-        <translation type="unfinished"></translation>
+        <translation>评价</translation>
     </message>
     <message>
         <source>best for its time</source>
-        <translation type="unfinished"></translation>
+        <translation>同样时间内最好</translation>
     </message>
     <message>
         <source>worse than: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不如:%1</translation>
     </message>
     <message>
         <source>not in every picture</source>
-        <translation type="unfinished"></translation>
+        <translation>并非每张图像都有</translation>
     </message>
     <message>
         <source>in use now; %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在使用;%1</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyPlace</name>
     <message>
         <source>How fast must it be, and what error may it have? What settings cost in time and bring in accuracy is measured once on this finger&apos;s own pictures; then one answer stands here.</source>
-        <translation type="unfinished"></translation>
+        <translation>要多快,又允许多大误差?用此手指自己的图像测量一次各项设置所花的时间和带来的精度,之后这里会给出一个答案。</translation>
     </message>
     <message>
         <source>&amp;Measure what settings cost on this finger (about 12 s)</source>
-        <translation type="unfinished"></translation>
+        <translation>测量各项设置在此手指上的代价(约 12 秒)(&amp;M)</translation>
     </message>
     <message>
         <source>How many pictures per &amp;second?</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒多少张图像?(&amp;S)</translation>
     </message>
     <message>
         <source>How many pictures per second?</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒多少张图像?</translation>
     </message>
     <message>
         <source>What er&amp;ror may it have?</source>
-        <translation type="unfinished"></translation>
+        <translation>允许多大误差?(&amp;R)</translation>
     </message>
     <message>
         <source>What error may it have?</source>
-        <translation type="unfinished"></translation>
+        <translation>允许多大误差?</translation>
     </message>
     <message>
         <source>Of depth, where 95 % of all points lie within.</source>
-        <translation type="unfinished"></translation>
+        <translation>深度误差,95 % 的位置在此范围内。</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>as small as fits</source>
-        <translation type="unfinished"></translation>
+        <translation>尽可能小</translation>
     </message>
     <message>
         <source>As cali&amp;brated again</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复标定时的设置(&amp;B)</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>图</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>表格</translation>
     </message>
     <message>
         <source>Figure or table</source>
-        <translation type="unfinished"></translation>
+        <translation>图或表格</translation>
     </message>
     <message>
         <source>Copy &amp;command</source>
-        <translation type="unfinished"></translation>
+        <translation>复制命令(&amp;C)</translation>
     </message>
     <message>
         <source>The same as a command line</source>
-        <translation type="unfinished">相同操作的命令行</translation>
+        <translation>相同操作的命令行</translation>
     </message>
     <message>
         <source>Progress of measuring</source>
-        <translation type="unfinished"></translation>
+        <translation>测量进度</translation>
     </message>
     <message>
         <source>Sto&amp;p</source>
-        <translation type="unfinished"></translation>
+        <translation>停止(&amp;P)</translation>
     </message>
     <message>
         <source>What was measured is kept; measuring goes on there another time.</source>
-        <translation type="unfinished"></translation>
+        <translation>已测得的会保留,下次从那里继续。</translation>
     </message>
     <message>
         <source>Accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>精度</translation>
     </message>
     <message>
         <source>&amp;Accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>精度(&amp;A)</translation>
     </message>
     <message>
         <source>as calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>与标定时相同</translation>
     </message>
     <message>
         <source>%1 ms a picture; depth: half of all points within %2 mm, 95 % within %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>每张图像 %1 ms;深度:一半位置在 %2 mm 内,95 % 在 %3 mm 内</translation>
     </message>
     <message>
         <source>; place: half within %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>;位置:一半在 %1 mm 内</translation>
     </message>
     <message>
         <source>In use now.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在使用。</translation>
     </message>
     <message>
         <source>Other than now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>与现在不同:%1</translation>
     </message>
     <message>
         <source>%1 ms faster than now</source>
-        <translation type="unfinished"></translation>
+        <translation>比现在快 %1 ms</translation>
     </message>
     <message>
         <source>%1 ms slower than now</source>
-        <translation type="unfinished"></translation>
+        <translation>比现在慢 %1 ms</translation>
     </message>
     <message>
         <source>%1 mm closer than now</source>
-        <translation type="unfinished"></translation>
+        <translation>比现在准 %1 mm</translation>
     </message>
     <message>
         <source>%1 mm further off than now</source>
-        <translation type="unfinished"></translation>
+        <translation>比现在差 %1 mm</translation>
     </message>
     <message>
         <source>Open a finger first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先打开手指。</translation>
     </message>
     <message>
         <source>The finger is being read.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取手指。</translation>
     </message>
     <message>
         <source>Calibrate this finger first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先标定此手指。</translation>
     </message>
     <message>
         <source>Record this finger&apos;s reference first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先录制此手指的参考。</translation>
     </message>
     <message numerus="yes">
         <source>about %n second(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>大约还需 %n 秒</numerusform>
         </translation>
     </message>
     <message>
         <source>measuring what settings cost…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在测量各项设置的代价…</translation>
     </message>
     <message>
         <source>The finger has changed since this was measured: measure again.</source>
-        <translation type="unfinished"></translation>
+        <translation>此次测量之后手指已改变:请重新测量。</translation>
     </message>
     <message>
         <source>Measured on another computer (%1): its errors hold, its times do not.</source>
-        <translation type="unfinished"></translation>
+        <translation>在另一台计算机 (%1) 上测得:误差有效,时间无效。</translation>
     </message>
     <message>
         <source>Measuring was stopped: some settings are missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量已停止:缺少一些设置。</translation>
     </message>
     <message>
         <source>Chosen by hand. Esc in the figure returns to the answer.</source>
-        <translation type="unfinished"></translation>
+        <translation>手动选择。在图中按 Esc 返回答案。</translation>
     </message>
     <message>
         <source>The most accurate of all that take at most %1 ms.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有不超过 %1 ms 的设置中最准的。</translation>
     </message>
     <message>
         <source>The fastest that keeps 95 % of all points within %1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>使 95 % 的位置保持在 %1 mm 内的最快设置。</translation>
     </message>
     <message>
         <source>No setting keeps %1 mm. This is the most accurate that takes at most %2 ms.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有设置能保持 %1 mm。这是不超过 %2 ms 的设置中最准的。</translation>
     </message>
     <message>
         <source>Keeping %1 mm allows %2 pictures per second. This is the most accurate that is fast enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>保持 %1 mm 时每秒可达 %2 张图像。这是足够快的设置中最准的。</translation>
     </message>
     <message>
         <source>No setting is so fast on this computer. This is the fastest: %1 pictures per second.</source>
-        <translation type="unfinished"></translation>
+        <translation>在这台计算机上没有这么快的设置。这是最快的:每秒 %1 张图像。</translation>
     </message>
     <message>
         <source>No setting measures this finger&apos;s pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有设置能测量此手指的图像。</translation>
     </message>
     <message>
         <source>In use</source>
-        <translation type="unfinished"></translation>
+        <translation>正在使用</translation>
     </message>
     <message>
         <source>&amp;Use it</source>
-        <translation type="unfinished"></translation>
+        <translation>使用(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Measure again (about 12 s)</source>
-        <translation type="unfinished"></translation>
+        <translation>重新测量(约 12 秒)(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Measure what is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>测量缺少的部分(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Measure pairs of settings, too</source>
-        <translation type="unfinished"></translation>
+        <translation>也测量成对的设置(&amp;M)</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyPlot</name>
     <message>
         <source>What accuracy costs in time</source>
-        <translation type="unfinished"></translation>
+        <translation>精度所需的时间</translation>
     </message>
     <message>
         <source>Nothing has been measured yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未测量</translation>
     </message>
     <message>
         <source>No setting is chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>未选择设置</translation>
     </message>
     <message>
         <source>Time of a picture on this computer (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>在这台计算机上每张图像的时间 (ms)</translation>
     </message>
     <message>
         <source>Error of depth (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>深度误差 (mm)</translation>
     </message>
     <message>
         <source>slower or worse than another</source>
-        <translation type="unfinished"></translation>
+        <translation>比别的更慢或更差</translation>
     </message>
     <message numerus="yes">
         <source>%n slower or worse, beyond this figure</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个更慢或更差,在图外</numerusform>
         </translation>
     </message>
     <message>
         <source>best for its time; whisker up to 95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>同样时间内最好;竖线至 95 %</translation>
     </message>
     <message>
         <source>chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>已选</translation>
     </message>
     <message>
         <source>in use now</source>
-        <translation type="unfinished"></translation>
+        <translation>正在使用</translation>
     </message>
     <message>
         <source>%1 pictures per second</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒 %1 张图像</translation>
     </message>
     <message>
         <source>%1: at %2 ms, further right →</source>
-        <translation type="unfinished"></translation>
+        <translation>%1:在 %2 ms 处,更靠右 →</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyTable</name>
     <message>
         <source>S&amp;ort by</source>
-        <translation type="unfinished"></translation>
+        <translation>排序依据(&amp;O)</translation>
     </message>
     <message>
         <source>Sort by</source>
-        <translation type="unfinished"></translation>
+        <translation>排序依据</translation>
     </message>
     <message>
         <source>What accuracy costs in time, as a table</source>
-        <translation type="unfinished"></translation>
+        <translation>精度所需的时间(表格)</translation>
     </message>
 </context>
 <context>
@@ -1045,7 +1045,7 @@
     <name>alltact::FingerStudyRun</name>
     <message>
         <source>use other settings</source>
-        <translation type="unfinished"></translation>
+        <translation>使用其他设置</translation>
     </message>
 </context>
 <context>
@@ -3857,90 +3857,90 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <name>alltact::SettingsWords</name>
     <message>
         <source>every pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>全部像素</translation>
     </message>
     <message>
         <source>half the pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>每边一半像素</translation>
     </message>
     <message>
         <source>a quarter of the pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>每边四分之一像素</translation>
     </message>
     <message numerus="yes">
         <source>%n picture(s) averaged</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 张图像取平均</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>reference from %n picture(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>参考取自 %n 张图像</numerusform>
         </translation>
     </message>
     <message>
         <source>edges at whole pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>边缘取整像素</translation>
     </message>
     <message>
         <source>edges between pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>边缘取亚像素</translation>
     </message>
     <message numerus="yes">
         <source>edges from %n column(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>边缘取自 %n 列</numerusform>
         </translation>
     </message>
     <message>
         <source>edge curve of degree %1</source>
-        <translation type="unfinished"></translation>
+        <translation>边缘曲线为 %1 次</translation>
     </message>
     <message>
         <source>markers as two sorted rows</source>
-        <translation type="unfinished"></translation>
+        <translation>标记点按两行排序</translation>
     </message>
     <message>
         <source>markers found by a network</source>
-        <translation type="unfinished"></translation>
+        <translation>标记点由网络查找</translation>
     </message>
     <message>
         <source>markers followed as spots</source>
-        <translation type="unfinished"></translation>
+        <translation>标记点按斑点跟踪</translation>
     </message>
     <message>
         <source>compared with the picture at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>与静止时的图像比较</translation>
     </message>
     <message>
         <source>compared with the nearest picture</source>
-        <translation type="unfinished"></translation>
+        <translation>与最接近的图像比较</translation>
     </message>
     <message>
         <source>compared with several pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>与多张图像比较</translation>
     </message>
     <message>
         <source>light taken as recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>光照视为与录像相同</translation>
     </message>
     <message>
         <source>light corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>光照已校正</translation>
     </message>
     <message>
         <source>no smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>不平滑</translation>
     </message>
     <message>
         <source>smoothing of %1 px</source>
-        <translation type="unfinished"></translation>
+        <translation>平滑 %1 px</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>settings</comment>
-        <translation type="unfinished">%1 %2:%2 {1,?}</translation>
+        <translation>%1、%2</translation>
     </message>
 </context>
 <context>
@@ -4121,54 +4121,54 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <name>alltact::SurfaceBox</name>
     <message>
         <source>Between A and B</source>
-        <translation type="unfinished"></translation>
+        <translation>A 与 B 之间</translation>
     </message>
     <message>
         <source>Two points make a box: a ball&apos;s radius, area, volume, roughness; the step and the angle from A to B.</source>
-        <translation type="unfinished"></translation>
+        <translation>两点构成一个框：球半径、面积、体积、粗糙度；从 A 到 B 的台阶和角度。</translation>
     </message>
     <message>
         <source>Copy as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>复制为 CSV</translation>
     </message>
     <message>
         <source>Measured between the points</source>
-        <translation type="unfinished"></translation>
+        <translation>两点之间的测量值</translation>
     </message>
 </context>
 <context>
     <name>alltact::SurfaceWords</name>
     <message>
         <source>Ball&apos;s radius</source>
-        <translation type="unfinished">球半径</translation>
+        <translation>球半径</translation>
     </message>
     <message>
         <source>Pressed area</source>
-        <translation type="unfinished"></translation>
+        <translation>压入面积</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>体积</translation>
     </message>
     <message>
         <source>Mean depth</source>
-        <translation type="unfinished"></translation>
+        <translation>平均深度</translation>
     </message>
     <message>
         <source>Roughness Sq</source>
-        <translation type="unfinished"></translation>
+        <translation>粗糙度 Sq</translation>
     </message>
     <message>
         <source>Step from A to B</source>
-        <translation type="unfinished"></translation>
+        <translation>从 A 到 B 的台阶</translation>
     </message>
     <message>
         <source>Angle of A to B</source>
-        <translation type="unfinished"></translation>
+        <translation>从 A 到 B 的角度</translation>
     </message>
     <message>
         <source>–</source>
-        <translation type="unfinished"></translation>
+        <translation>–</translation>
     </message>
 </context>
 <context>
@@ -10835,483 +10835,483 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>unexpected: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>意外错误：{}</translation>
     </message>
     <message>
         <source>reporting this as a defect</source>
-        <translation type="unfinished"></translation>
+        <translation>将此作为缺陷报告</translation>
     </message>
     <message>
         <source>a line of it is damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>其中有一行已损坏</translation>
     </message>
     <message>
         <source>reconstruct this part again</source>
-        <translation type="unfinished"></translation>
+        <translation>再次重建这一部分</translation>
     </message>
     <message>
         <source>the part is damaged or cut short</source>
-        <translation type="unfinished"></translation>
+        <translation>该部分已损坏或不完整</translation>
     </message>
     <message>
         <source>these are parts of two different runs: {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>这些部分来自两次不同的运行：{} 和 {}</translation>
     </message>
     <message>
         <source>the folders of one run, or reconstruct all its parts again</source>
-        <translation type="unfinished"></translation>
+        <translation>使用同一次运行的文件夹，或再次重建其所有部分</translation>
     </message>
     <message>
         <source>part {} is there twice: {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>第 {} 部分有两份：{} 和 {}</translation>
     </message>
     <message>
         <source>there are no parts of a reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>没有重建的任何部分</translation>
     </message>
     <message>
         <source>alltact reconstruct with --shard 1/N to N/N first</source>
-        <translation type="unfinished"></translation>
+        <translation>先用 --shard 1/N 到 N/N 运行 alltact reconstruct</translation>
     </message>
     <message>
         <source>of {} parts these are missing: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>共 {} 个部分，缺少：{}</translation>
     </message>
     <message>
         <source>reconstruct these parts, too</source>
-        <translation type="unfinished"></translation>
+        <translation>把这些部分也重建</translation>
     </message>
     <message>
         <source>the part was stopped after {} of {} frames</source>
-        <translation type="unfinished"></translation>
+        <translation>该部分处理了 {} 帧（共 {} 帧）后被中止</translation>
     </message>
     <message>
         <source>the file cannot be moved: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>无法移动文件：{}</translation>
     </message>
     <message>
         <source>free some space, or ask the folder&apos;s owner for access</source>
-        <translation type="unfinished"></translation>
+        <translation>腾出空间，或向文件夹的所有者申请权限</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is no part of a whole</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;{}&apos; 不表示整体的一部分</translation>
     </message>
     <message>
         <source>1/8 to 8/8 for eight parts, for example</source>
-        <translation type="unfinished"></translation>
+        <translation>例如分成八个部分时用 1/8 到 8/8</translation>
     </message>
     <message>
         <source>could not make sure that the files are on the disk</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确认文件已写到磁盘</translation>
     </message>
     <message>
         <source>the picture does not say that it holds depth in 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>图片没有注明它含有 16 位深度</translation>
     </message>
     <message>
         <source>a picture of alltact reconstruct --format depth16</source>
-        <translation type="unfinished"></translation>
+        <translation>使用 alltact reconstruct --format depth16 的图片</translation>
     </message>
     <message>
         <source>the part of the face that depth is told of, in millimetres along it from its base; all else counts as off the face</source>
-        <translation type="unfinished"></translation>
+        <translation>给出深度的那一部分面，从根部起沿面以毫米计；其余都视为不在面上</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is not &apos;all&apos; or a part of the face in mm such as 20-60</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;{}&apos; 既不是 &apos;all&apos;，也不是以 mm 计的面的一部分，如 20-60</translation>
     </message>
     <message>
         <source>pixels that a picture is measured with: all of them, or means of 2 by 2 or 4 by 4 of them; results in pixels are then of that picture</source>
-        <translation type="unfinished"></translation>
+        <translation>测量图像所用的像素：全部，或每 2×2 或 4×4 个的平均；以像素计的结果则以该图像为准</translation>
     </message>
     <message>
         <source>&apos;whole&apos; tells small contacts and steep edges, and numbers small dots</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;whole&apos; 能识别小的接触和陡的边缘，并能给小的标记点编号</translation>
     </message>
     <message>
         <source>&apos;half&apos; is a quarter of the pixels and of the recording&apos;s memory, &apos;quarter&apos; a sixteenth</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;half&apos; 的像素和录像所占内存为四分之一，&apos;quarter&apos; 为十六分之一</translation>
     </message>
     <message>
         <source>pictures of one source whose running mean is measured; 1: each by itself. A finger that moves is then seen where it was on average, and blurred</source>
-        <translation type="unfinished"></translation>
+        <translation>取滑动平均后再测量的同一来源的图像数；1：逐张测量。运动中的手指则显示在其平均位置上，而且模糊</translation>
     </message>
     <message>
         <source>more quiet the noise of a finger that holds still, by their square root</source>
-        <translation type="unfinished"></translation>
+        <translation>越多，静止手指的噪声越小，按数目的平方根降低</translation>
     </message>
     <message>
         <source>more tell of the finger later, by half of them; adding them up takes a little</source>
-        <translation type="unfinished"></translation>
+        <translation>越多，手指的结果越滞后，滞后为其数目的一半；累加要花少许时间</translation>
     </message>
     <message>
         <source>&apos;all&apos; misses no contact</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;all&apos; 不会漏掉任何接触</translation>
     </message>
     <message>
         <source>depth takes as much less time as the part is shorter than the face</source>
-        <translation type="unfinished"></translation>
+        <translation>该部分比整个面短多少，计算深度就省多少时间</translation>
     </message>
     <message>
         <source>recorded pictures that reference-method local computes the reference from</source>
-        <translation type="unfinished"></translation>
+        <translation>reference-method local 计算参考所用的录制图片数</translation>
     </message>
     <message>
         <source>more leave less noise in the reference; too many reach too far from the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>越多，参考中的噪声越少；过多则离当前姿态太远</translation>
     </message>
     <message>
         <source>each is added up in every frame</source>
-        <translation type="unfinished"></translation>
+        <translation>每一张都要在每一帧中累加</translation>
     </message>
     <message>
         <source>no plane goes through so few measured pixels, or through one line</source>
-        <translation type="unfinished"></translation>
+        <translation>测得的像素太少或都在一条线上，无法确定平面</translation>
     </message>
     <message>
         <source>a larger piece, or one that is measured</source>
-        <translation type="unfinished"></translation>
+        <translation>使用更大的区域，或有测量值的区域</translation>
     </message>
     <message>
         <source>{} measured pixels where {} are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>测得 {} 个像素，需要 {} 个</translation>
     </message>
     <message>
         <source>no ball lies in this piece</source>
-        <translation type="unfinished"></translation>
+        <translation>此区域中没有球</translation>
     </message>
     <message>
         <source>a piece that is round, seen up to where it is half as deep</source>
-        <translation type="unfinished"></translation>
+        <translation>使用圆形的区域，且看得见到深度减半处</translation>
     </message>
     <message>
         <source>nothing here is deeper than {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>此处没有任何地方深于 {} mm</translation>
     </message>
     <message>
         <source>a piece where something presses</source>
-        <translation type="unfinished"></translation>
+        <translation>使用有物体压入的区域</translation>
     </message>
     <message>
         <source>the piece is too narrow to take its form out</source>
-        <translation type="unfinished"></translation>
+        <translation>区域太窄，无法扣除其形状</translation>
     </message>
     <message>
         <source>a wider one</source>
-        <translation type="unfinished"></translation>
+        <translation>使用更宽的区域</translation>
     </message>
     <message>
         <source>no step along this line stands out of the noise</source>
-        <translation type="unfinished"></translation>
+        <translation>沿此线没有高出噪声的台阶</translation>
     </message>
     <message>
         <source>a line that crosses the step at a right angle</source>
-        <translation type="unfinished"></translation>
+        <translation>使用与台阶成直角相交的线</translation>
     </message>
     <message>
         <source>could not keep the simulated finger for the next time</source>
-        <translation type="unfinished"></translation>
+        <translation>无法保存仿真手指供下次使用</translation>
     </message>
     <message>
         <source>error of a push&apos;s direction in the picture; sides begin at 22.5 degrees and every 45 from there, and the paper tells no figure of it</source>
-        <translation type="unfinished"></translation>
+        <translation>图像中推压方向的误差；各方向的分界始于 22.5 度，此后每 45 度一个，论文未给出此项数字</translation>
     </message>
     <message>
         <source>true direction (degrees)</source>
-        <translation type="unfinished"></translation>
+        <translation>真实方向（度）</translation>
     </message>
     <message>
         <source>error of the direction (degrees)</source>
-        <translation type="unfinished"></translation>
+        <translation>方向误差（度）</translation>
     </message>
     <message>
         <source>frames under 10 px a dot, or told to be in a pose never recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>每点低于 10 px 的帧，或被报告为姿态从未录制过的帧</translation>
     </message>
     <message>
         <source>frames under 10 px summed over the dots, nearest of a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>各点之和低于 10 px 的帧，录像中最近的一帧</translation>
     </message>
     <message>
         <source>the same, of the recorded frames as the reference combines them</source>
-        <translation type="unfinished"></translation>
+        <translation>同上，录制的帧按参考的方式组合</translation>
     </message>
     <message>
         <source>the same, or told that the pose or its surroundings were not recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>同上，或被报告为该姿态或其附近未录制过</translation>
     </message>
     <message>
         <source>as the reference combines them, ours</source>
-        <translation type="unfinished"></translation>
+        <translation>按参考的方式组合，本程序</translation>
     </message>
     <message>
         <source>The paper sums the distance over its dots, and under 40 px is told so here; under 10 px is told over this finger and {} drawn at random, for a dot and summed</source>
-        <translation type="unfinished"></translation>
+        <translation>论文把距离对其各点求和，这里的“小于 40 px”也这样给出；“小于 10 px”则按此手指和随机抽取的 {} 个手指给出，分别为每点的值和总和</translation>
     </message>
     <message>
         <source>truth</source>
-        <translation type="unfinished"></translation>
+        <translation>真值</translation>
     </message>
     <message>
         <source>relief of the straight finger, as the pressed face lies from base (left) to tip</source>
-        <translation type="unfinished"></translation>
+        <translation>伸直手指的浮雕，按被压面从根部（左）到指尖的方向</translation>
     </message>
     <message>
         <source>relief of the bent finger, as the pressed face lies from base (left) to tip</source>
-        <translation type="unfinished"></translation>
+        <translation>弯曲手指的浮雕，按被压面从根部（左）到指尖的方向</translation>
     </message>
     <message>
         <source>recording of all poses</source>
-        <translation type="unfinished"></translation>
+        <translation>全部姿态的录像</translation>
     </message>
     <message>
         <source>recording of all poses, error</source>
-        <translation type="unfinished"></translation>
+        <translation>全部姿态的录像，误差</translation>
     </message>
     <message>
         <source>single reference</source>
-        <translation type="unfinished"></translation>
+        <translation>单一参考</translation>
     </message>
     <message>
         <source>single reference, error</source>
-        <translation type="unfinished"></translation>
+        <translation>单一参考，误差</translation>
     </message>
     <message>
         <source>The paper shows pictures of reliefs and no figure; both of ours use the same calibration, so that only the reference differs</source>
-        <translation type="unfinished"></translation>
+        <translation>论文给出浮雕的图片，没有数字；本程序的两个结果使用同一标定，因此只有参考不同</translation>
     </message>
     <message>
         <source>no finger was given that measures these pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>没有给出用来测量这些图片的手指</translation>
     </message>
     <message>
         <source>the scene shows another finger than {}</source>
-        <translation type="unfinished"></translation>
+        <translation>场景中的手指不是 {}</translation>
     </message>
     <message>
         <source>{} is not calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 尚未标定</translation>
     </message>
     <message>
         <source>leaving out {}</source>
-        <translation type="unfinished"></translation>
+        <translation>正在去掉 {}</translation>
     </message>
     <message>
         <source>ours, on this computer</source>
-        <translation type="unfinished"></translation>
+        <translation>本程序，在这台计算机上</translation>
     </message>
     <message>
         <source>the worst of {} fingers drawn at random, within +-20 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>随机抽取的 {} 个手指中最差的，+-20 mm 内</translation>
     </message>
     <message>
         <source>the worst of {} fingers drawn at random, at the tip</source>
-        <translation type="unfinished"></translation>
+        <translation>随机抽取的 {} 个手指中最差的，指尖处</translation>
     </message>
     <message>
         <source>is no setting of this version</source>
-        <translation type="unfinished"></translation>
+        <translation>不是此版本的设置</translation>
     </message>
     <message>
         <source>a new study</source>
-        <translation type="unfinished"></translation>
+        <translation>重新进行一次研究</translation>
     </message>
     <message>
         <source>studying the finger again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新研究此手指</translation>
     </message>
     <message>
         <source>this finger keeps no presets: it was not studied yet</source>
-        <translation type="unfinished"></translation>
+        <translation>此手指没有预设：尚未对它进行研究</translation>
     </message>
     <message>
         <source>alltact study {} --save</source>
-        <translation type="unfinished"></translation>
+        <translation>alltact study {} --save</translation>
     </message>
     <message>
         <source>nothing is faster on this finger without being half as wrong again</source>
-        <translation type="unfinished"></translation>
+        <translation>在此手指上，没有哪种设置更快而误差不增大一半</translation>
     </message>
     <message>
         <source>nothing is more accurate on this finger than how it was calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>在此手指上，没有比标定时所用设置更精确的</translation>
     </message>
     <message>
         <source>measuring with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>用 {} 测量</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is no preset of this finger</source>
-        <translation type="unfinished"></translation>
+        <translation>“{}”不是此手指的预设</translation>
     </message>
     <message>
         <source>{}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}</translation>
     </message>
     <message>
         <source>beyond the {} that are to be used</source>
-        <translation type="unfinished"></translation>
+        <translation>超出要使用的 {} 次</translation>
     </message>
     <message>
         <source>presses that are used at most, spread evenly over those given; 0: all of them</source>
-        <translation type="unfinished"></translation>
+        <translation>最多使用的按压次数，在所给按压中均匀选取；0：全部</translation>
     </message>
     <message>
         <source>more hold the curve at more depths and places; ten well spread are usual</source>
-        <translation type="unfinished"></translation>
+        <translation>越多，曲线就在越多的深度和位置上有依据；通常用十次分布良好的按压</translation>
     </message>
     <message>
         <source>each has to be made, and is left out once to see what it predicts</source>
-        <translation type="unfinished"></translation>
+        <translation>每次都要实际按压，并会被留出一次以检验预测</translation>
     </message>
     <message>
         <source>pictures of a press held still (--bursts) that are averaged at most</source>
-        <translation type="unfinished"></translation>
+        <translation>一次保持静止的按压（--bursts）最多取平均的图片数</translation>
     </message>
     <message>
         <source>more leave less noise in a press, by their square root</source>
-        <translation type="unfinished"></translation>
+        <translation>越多则一次按压中的噪声越小，与张数的平方根成反比</translation>
     </message>
     <message>
         <source>the ball has to be held still for so long, and reading them takes a little</source>
-        <translation type="unfinished"></translation>
+        <translation>球须保持静止相应的时间，读取图片也要花一点时间</translation>
     </message>
     <message>
         <source>rounds of the joint fit at most; it ends before when nothing moves any more</source>
-        <translation type="unfinished"></translation>
+        <translation>联合拟合的最多轮数；不再有变化时会提前结束</translation>
     </message>
     <message>
         <source>more settle what presses say against each other; too few leave the curve where it began</source>
-        <translation type="unfinished"></translation>
+        <translation>越多越能调和各次按压之间的矛盾；太少则曲线停留在起点</translation>
     </message>
     <message>
         <source>each solves all presses together once, in every trial</source>
-        <translation type="unfinished"></translation>
+        <translation>每一轮都在每次试验中把全部按压一起求解一次</translation>
     </message>
     <message>
         <source>the presses do not tell whether brightness follows the layer&apos;s thickness along its normal ({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is taken, and if that is wrong, places on the face lie {:.1f} mm off along it; larger pictures tell, and presses where the face is steep and where it is flat</source>
-        <translation type="unfinished"></translation>
+        <translation>按压无法说明亮度是随层沿法线的厚度变化（留出按压误差 {:.4f} mm），还是随沿 z 的厚度变化（{:.4f} mm）：现取法线，若这不对，面上的位置会沿法线偏 {:.1f} mm；更大的图片以及在面的陡处和平处的按压可以说明</translation>
     </message>
     <message>
         <source>the source paper&apos;s method is not studied with a turned camera</source>
-        <translation type="unfinished"></translation>
+        <translation>不研究相机转动时的原论文方法</translation>
     </message>
     <message>
         <source>{}: depth {:.1f} instead of {:.1f} micrometres off in the median, 95 % within {:.1f} instead of {:.1f}, for {:.1f} minutes more</source>
-        <translation type="unfinished"></translation>
+        <translation>{}：深度误差中位数为 {:.1f} 而不是 {:.1f} 微米，95 % 在 {:.1f} 而不是 {:.1f} 以内，多用 {:.1f} 分钟</translation>
     </message>
     <message numerus="yes">
         <source>{} presses</source>
         <comment>{} press</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{} 次按压</numerusform>
         </translation>
     </message>
     <message>
         <source>{} pictures each</source>
-        <translation type="unfinished"></translation>
+        <translation>每次 {} 张图片</translation>
     </message>
     <message>
         <source>method {}</source>
-        <translation type="unfinished"></translation>
+        <translation>方法 {}</translation>
     </message>
     <message>
         <source>family {}</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线种类 {}</translation>
     </message>
     <message numerus="yes">
         <source>{} rounds at the end</source>
         <comment>{} round at the end</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>最后 {} 轮</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>{} presses more</source>
         <comment>{} press more</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>多 {} 次按压</numerusform>
         </translation>
     </message>
     <message>
         <source>{} pictures of each press</source>
-        <translation type="unfinished"></translation>
+        <translation>每次按压 {} 张图片</translation>
     </message>
     <message>
         <source>The best within a minute more ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>多用不超过一分钟时的最佳选择（{}）</translation>
     </message>
     <message>
         <source>the finger keeps too few presses to leave one out: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>手指保存的按压太少，无法留出一次：{}</translation>
     </message>
     <message>
         <source>calibrating it with three presses or more</source>
-        <translation type="unfinished"></translation>
+        <translation>用三次或更多按压标定它</translation>
     </message>
     <message>
         <source>calibrating {} anew</source>
-        <translation type="unfinished"></translation>
+        <translation>重新标定 {}</translation>
     </message>
     <message>
         <source>calibrating with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>正在标定：{}</translation>
     </message>
     <message>
         <source>none of {} presses could be held against a mapping made without it</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 次按压中，没有一次能与未使用它的映射作比较</translation>
     </message>
     <message>
         <source>more presses of different depth</source>
-        <translation type="unfinished"></translation>
+        <translation>更多不同深度的按压</translation>
     </message>
     <message>
         <source>leaving out presses, {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>正在逐一留出按压，第 {} / {} 次</translation>
     </message>
     <message>
         <source>{}, {:.0f} s left</source>
-        <translation type="unfinished"></translation>
+        <translation>{}，还剩 {:.0f} 秒</translation>
     </message>
     <message>
         <source>{}, {:.0f} min left</source>
-        <translation type="unfinished"></translation>
+        <translation>{}，还剩 {:.0f} 分钟</translation>
     </message>
     <message>
         <source>takes {:.2f} times as long</source>
-        <translation type="unfinished"></translation>
+        <translation>用时为 {:.2f} 倍</translation>
     </message>
     <message>
         <source>depth {:.1f} instead of {:.1f} micrometres off</source>
-        <translation type="unfinished"></translation>
+        <translation>深度误差为 {:.1f} 而不是 {:.1f} 微米</translation>
     </message>
     <message>
         <source>95 % of depth within {:.1f} instead of {:.1f} micrometres</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % 的深度误差在 {:.1f} 而不是 {:.1f} 微米以内</translation>
     </message>
     <message>
         <source>places told {:.3f} instead of {:.3f} mm off</source>
-        <translation type="unfinished"></translation>
+        <translation>位置误差为 {:.3f} 而不是 {:.3f} mm</translation>
     </message>
     <message>
         <source>angles told {:.1f} instead of {:.1f} degrees off</source>
-        <translation type="unfinished"></translation>
+        <translation>角度误差为 {:.1f} 而不是 {:.1f} 度</translation>
     </message>
     <message>
         <source>{:.1f} instead of {:.1f} micrometres of false depth</source>
-        <translation type="unfinished"></translation>
+        <translation>虚假深度为 {:.1f} 而不是 {:.1f} 微米</translation>
     </message>
     <message numerus="yes">
         <source>no depth in {} pictures</source>
         <comment>no depth in {} picture</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{} 张图片中没有深度</numerusform>
         </translation>
     </message>
     <message>
         <source>the figure cannot be drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>无法绘制图表</translation>
     </message>
 </context>
 </TS>

@@ -67,8 +67,9 @@ struct PressedSurface {
 /// Heights above the second-degree surface through a patch: its form is taken out, as ISO 25178 has
 /// it, so bends of the finger and of what presses do not count.
 struct Roughness {
-  MeasuredValue
-      sq_mm;  ///< root of the mean square, what noise adds taken off again; 0: within the noise
+  /// Root of the mean square, what noise adds taken off again; 0: within the noise. Its sd is the
+  /// larger of both sides', which differ near 0.
+  MeasuredValue sq_mm;
   double sz_mm = 0;     ///< from the lowest to the highest, noise included
   double noise_mm = 0;  ///< what a perfectly smooth skin would show
 };
