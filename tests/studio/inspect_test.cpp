@@ -159,14 +159,14 @@ TEST_F(Inspect, AProfileIsTheDepthAlongTheLine) {
 
 TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
   ASSERT_TRUE(open_pictures());
-  auto* table = studio_.find<QTableWidget>("Measured between the points");
-  EXPECT_FALSE(table->isVisible());
   studio_.click("Deepest");
   const cv::Point2d deepest = *place().options().a;
   set("Point A, u", deepest.x - 14);
   set("Point A, v", deepest.y - 26);
   set("Point B, u", deepest.x + 14);
   set("Point B, v", deepest.y + 26);
+  auto* table = studio_.find<QTableWidget>("Measured between the points");
+  ASSERT_NE(table, nullptr);
   const auto readings = surface_readings(frame(), *place().options().a, *place().options().b);
   ASSERT_EQ(static_cast<std::size_t>(table->rowCount()), readings.size());
   const MeasuredValue radius = readings.front().measured.value();

@@ -140,21 +140,29 @@ LayoutSearch::Found LayoutSearch::nearest(const Markers& markers,
       static_cast<double>(best) / static_cast<double>(std::max<std::size_t>(1, numbers.size()))};
 }
 
+LayoutSearch::Stored LayoutSearch::stored(std::size_t row) const {
+  const std::size_t place = place_of_row_[row];
+  const auto group =
+      std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return place < g.end; });
+  return {places_.data() + group->begin * 2 * markers_ + (place - group->begin),
+          group->end - group->begin};
+}
+
 double LayoutSearch::distance_px(const Markers& markers,
                                  const std::vector<int>& rows,
                                  const Eigen::VectorXd& weights) const {
   const auto seen = [](const Marker& m) { return m.seen; };
   const bool any_seen = std::any_of(markers.begin(), markers.end(), seen);
+  std::vector<Stored> layouts;
+  for (const int row : rows) layouts.push_back(stored(static_cast<std::size_t>(row)));
   double sum = 0;
   int used = 0;
   for (std::size_t m = 0; m < markers.size(); ++m) {
     if (any_seen && !markers[m].seen) continue;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const float* u = places_.data() + 2 * m * frames_ + static_cast<std::size_t>(rows[i]);
-      place += weights[static_cast<Eigen::Index>(i)] *
-               Eigen::Vector2d(static_cast<double>(u[0]), static_cast<double>(u[frames_]));
-    }
+    for (std::size_t i = 0; i < layouts.size(); ++i)
+      place +=
+          weights[static_cast<Eigen::Index>(i)] * Eigen::Vector2d(layouts[i].u(m), layouts[i].v(m));
     sum += std::hypot(markers[m].u - place.x(), markers[m].v - place.y());
     ++used;
   }
@@ -166,14 +174,9 @@ double LayoutSearch::median_step_px() const {
   std::vector<char> without(frames_, 0);
   const std::size_t every = std::max<std::size_t>(1, frames_ / 200);
   for (std::size_t row = 0; row < frames_; row += every) {
-    const auto group = std::find_if(
-        groups_.begin(), groups_.end(), [&](const Group& g) { return place_of_row_[row] < g.end; });
-    const std::size_t size = group->end - group->begin;
-    const float* at =
-        places_.data() + group->begin * 2 * markers_ + (place_of_row_[row] - group->begin);
+    const Stored at = stored(row);
     Markers markers(markers_);
-    for (std::size_t m = 0; m < markers_; ++m)
-      markers[m] = {at[2 * m * size], at[(2 * m + 1) * size], true, 0};
+    for (std::size_t m = 0; m < markers_; ++m) markers[m] = {at.u(m), at.v(m), true, 0};
     without[row] = 1;
     steps.push_back(nearest(markers, without).distance_px);
     without[row] = 0;

@@ -50,6 +50,18 @@ class LayoutSearch {
     float least;  // sum over the markers that count
     std::size_t group;
   };
+  /// One layout where it lies among those of its group.
+  struct Stored {
+    const float* first;
+    std::size_t step;
+    [[nodiscard]] double u(std::size_t marker) const {
+      return static_cast<double>(first[2 * marker * step]);
+    }
+    [[nodiscard]] double v(std::size_t marker) const {
+      return static_cast<double>(first[(2 * marker + 1) * step]);
+    }
+  };
+  [[nodiscard]] Stored stored(std::size_t row) const;
   void group_round(const Eigen::MatrixXd& layouts, std::size_t count);
   [[nodiscard]] std::vector<Bound> bounds(const Markers& markers) const;
 

@@ -23,8 +23,9 @@ Eigen::VectorXd weights_with(const Eigen::MatrixXd& offsets,
   return w / w.sum();
 }
 
-/// Of rows by their distance from the pose, those that stand for a side of it each: one that lies
-/// nearer to a row taken before than half its way to the pose tells nearly the same as that.
+/// Of rows by their distance from the pose, the nearest half, and beyond them those that stand for
+/// a side of it each: one that lies nearer to a row taken before than half its way to the pose
+/// tells nearly the same as that.
 std::vector<int> on_all_sides(const Eigen::MatrixXd& modes,
                               const Eigen::VectorXd& place,
                               const std::vector<int>& nearest,
@@ -35,9 +36,10 @@ std::vector<int> on_all_sides(const Eigen::MatrixXd& modes,
   for (const int row : nearest) {
     if (taken.size() == most) break;
     const double least_px = kApart * (modes.row(row) - place.transpose()).norm();
-    const bool is_another = std::all_of(taken.begin(), taken.end(), [&](int other) {
-      return (modes.row(row) - modes.row(other)).norm() >= least_px;
-    });
+    const bool is_another =
+        taken.size() < (most + 1) / 2 || std::all_of(taken.begin(), taken.end(), [&](int other) {
+          return (modes.row(row) - modes.row(other)).norm() >= least_px;
+        });
     (is_another ? taken : passed).push_back(row);
   }
   for (std::size_t i = 0; taken.size() < most && i < passed.size(); ++i) taken.push_back(passed[i]);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -85,6 +86,7 @@ TEST_F(DrawnFingers, PlacesAreTheSameInEveryRoomAndAsNearAsAskedFor) {
 
 // At half the size each way a ball at the tip is ten pixels across.
 TEST_F(DrawnFingers, SmallPicturesSayThatTheyDoNotTellAlongWhichThicknessLightGoes) {
+  if (std::getenv("ALLTACT_SLOW") == nullptr) GTEST_SKIP() << "packaging/test --slow";
   BenchOptions options;
   options.folder = folder_.path();
   options.finger = DrawnFinger::draw(1, 1);
@@ -97,6 +99,7 @@ TEST_F(DrawnFingers, SmallPicturesSayThatTheyDoNotTellAlongWhichThicknessLightGo
 }
 
 TEST_F(DrawnFingers, ForcesAreTheSameInEveryRoom) {
+  if (std::getenv("ALLTACT_SLOW") == nullptr) GTEST_SKIP() << "packaging/test --slow";
   ExperimentBench one = bench(3);
   const auto table = table_of_pushes(one, kForceScene, kForcePlaces);
   ASSERT_TRUE(table) << table.error().sentence();

@@ -16,7 +16,7 @@
 namespace alltact::test {
 namespace {
 
-AccuracyStudy random_study(std::mt19937& random) {
+AccuracyStudy study_to_answer(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   AccuracyStudy study;
   for (int i = 0; i < 12; ++i) {
@@ -38,7 +38,7 @@ TEST(StudyAnswer, IsTheBestOfAllRowsThatDoWhatIsAsked) {
   std::uniform_real_distribution<double> uniform(0, 1);
   std::set<StudyAnswerKind> kinds;
   for (int i = 0; i < 400; ++i) {
-    const AccuracyStudy study = random_study(random);
+    const AccuracyStudy study = study_to_answer(random);
     StudyQuestion question;
     question.pictures_per_s = 1000 / (2 + 24 * uniform(random));
     if (i % 2 == 0) question.error_mm = 0.005 + 0.06 * uniform(random);

@@ -133,5 +133,27 @@ TEST(LayoutSearch, StepsAreThoseBetweenNeighbours) {
   EXPECT_NEAR(LayoutSearch(layouts).median_step_px(), 3.0, 1e-4);
 }
 
+TEST(LayoutSearch, TellsHowFarAMixtureOfLayoutsLies) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> weight(-0.5, 1.0);
+  for (const Eigen::MatrixXd& layouts : {wandering(3000), anywhere(500, 6)}) {
+    const LayoutSearch search(layouts);
+    std::uniform_int_distribution<int> any_row(0, static_cast<int>(layouts.rows()) - 1);
+    for (int query = 0; query < 50; ++query) {
+      std::vector<int> rows;
+      Eigen::VectorXd weights(8);
+      Eigen::MatrixXd mixture = Eigen::MatrixXd::Zero(1, layouts.cols());
+      for (Eigen::Index i = 0; i < 8; ++i) {
+        rows.push_back(any_row(random));
+        weights[i] = weight(random);
+        mixture += weights[i] * layouts.row(rows.back());
+      }
+      const Markers markers = near_row(layouts, rows.front(), 3, random);
+      EXPECT_NEAR(
+          search.distance_px(markers, rows, weights), distance_px(mixture, 0, markers), 1e-3);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace alltact
