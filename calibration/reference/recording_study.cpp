@@ -82,6 +82,9 @@ Patches patches_of(const Difference& difference, const FaceShape& shape, double 
   return patches;
 }
 
+/// More than measure: until they are found, some of them may be dented themselves.
+constexpr int kNeighbours = 16;
+
 class Study {
  public:
   Study(const ReferenceLibrary& library, const std::vector<Markers>& numbered, double frames_per_s)
@@ -119,7 +122,7 @@ class Study {
                                                ReferenceMethod method,
                                                const std::vector<char>& without) const {
     const Reference reference =
-        library_.reference_for(numbered_[index], looked.shape, method, without);
+        library_.reference_for(numbered_[index], looked.shape, method, without, kNeighbours);
     // Beyond the others' poses the reference is a guess, and no frame is to be judged by it.
     if (!reference.known_pose || reference.noise_gain > 1.0) return std::nullopt;
     DifferenceOptions options;
