@@ -83,11 +83,12 @@ class Told {
 };
 
 HardRow exact_width() {
-  // A width is worth no more than what it is the difference of: |v| / width roundings.
+  // A width is worth no more than what it is the difference of: |v| / width roundings. Each edge
+  // adds its own: of its series' first coefficient, of its sum and of its change to directions.
   HardRow row{"distance from the width of the face, no noise",
               "single precision",
               "roundings of the width",
-              4};
+              8};
   const View seen = view(kFaceWidth);
   const auto z_at = [](double u) {
     return 1.0 / (1.0 / 40 + (1.0 / 110 - 1.0 / 40) * u / kColumns);

@@ -52,7 +52,7 @@ class ChebyshevTable {
   [[nodiscard]] double value(const Eigen::VectorXd& c, Eigen::Index point) const {
     const double* row = values_.col(point).data();
     double sum = 0;
-    for (Eigen::Index k = 0; k < n_; ++k) sum += c[k] * row[k];
+    for (Eigen::Index k = n_; k-- > 0;) sum += c[k] * row[k];  // the large ones last
     return sum;
   }
   /// sums over the points of weight T_i T_j.

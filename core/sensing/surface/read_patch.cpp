@@ -8,7 +8,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kMostPoints = 4000;
+constexpr double kMostPoints = 1500;
 
 /// nullopt off the face.
 std::optional<SurfacePoint> point_at(

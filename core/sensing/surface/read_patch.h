@@ -12,7 +12,7 @@
 namespace alltact {
 
 /// The pixels of `box` that have a depth; of a large box every second, third ... one each way, so
-/// that there are at most about 4000. `smoothing_px`: what the frame was measured with. Empty where
+/// that there are at most about 1500. `smoothing_px`: what the frame was measured with. Empty where
 /// the frame has no depth.
 [[nodiscard]] SurfacePatch patch_in(const FrameResult& result,
                                     const Face& face,

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kLeastOfBall = 30, kLeastOfRoughness = 30, kLeastOfPlane = 10,
                       kLeastOfStep = 12;
+constexpr std::size_t kCoarsePlaces = 64;
 constexpr double kLeastNoiseMm = 1e-6;  // weights stay finite where a pixel claims none
 
 Error too_few(std::size_t have, std::size_t need) {
@@ -266,11 +267,17 @@ Result<StepHeight> step_height(const SurfacePatch& line, const std::vector<doubl
   };
   std::optional<Fit> best;
   double best_at = 0;
-  for (std::size_t i = 1; i < n; ++i) {
+  std::size_t best_i = 1;
+  // A coarse search, then every place near the best of it.
+  const std::size_t coarse = std::max<std::size_t>(1, n / kCoarsePlaces);
+  const auto look_at = [&](std::size_t i) {
     const double at = (along_mm[i - 1] + along_mm[i]) / 2;
     const auto fit = fit_at(at, 0, false);
-    if (fit && (!best || fit->misfit < best->misfit)) best = fit, best_at = at;
-  }
+    if (fit && (!best || fit->misfit < best->misfit)) best = fit, best_at = at, best_i = i;
+  };
+  for (std::size_t i = 1; i < n; i += coarse) look_at(i);
+  const std::size_t first = best_i > coarse ? best_i - coarse : 1;
+  for (std::size_t i = first; i < std::min(n, best_i + coarse); ++i) look_at(i);
   const double gap_mm = 0.05 * length;
   if (best) best = fit_at(best_at, gap_mm, false);
   const auto if_moved = best ? fit_at(best_at, gap_mm, true) : std::nullopt;
