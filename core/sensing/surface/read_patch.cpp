@@ -45,14 +45,15 @@ SurfacePatch patch_in(const FrameResult& result,
   patch.noise_pixels = std::max(1.0, noise_pixels_of_area(smoothing_px) / pixels);
   DepthError error(*result.depth, *result.reference, *result.shape, mapping);
   for (int v = inside.y; v < inside.y + inside.height; v += step)
-    error.row(v, [&](int u, const DepthCauses& causes) {
-      if (u < inside.x || u >= inside.x + inside.width || (u - inside.x) % step != 0) return;
-      auto point = point_at(result, face, u, v, causes);
-      if (!point) return;
+    for (int u = inside.x; u < inside.x + inside.width; u += step) {
+      const auto depth_mm = static_cast<double>(result.depth->depth_mm.at<float>(v, u));
+      if (!std::isfinite(depth_mm)) continue;
+      auto point = point_at(result, face, u, v, error.of_depth(u, v, depth_mm));
+      if (!point) continue;
       point->on_face_mm2 *= pixels;
       point->flat_mm2 *= pixels;
       patch.points.push_back(*point);
-    });
+    }
   return patch;
 }
 
