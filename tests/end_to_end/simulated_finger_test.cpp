@@ -194,7 +194,13 @@ TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {
   Day day;
   ASSERT_NO_FATAL_FAILURE(day.prepare(""));
   day.step({"check", day.file("finger")});
-  day.step({"reconstruct", day.file("finger"), day.file("objects"), "-o", day.file("results")});
+  day.step({"reconstruct",
+            day.file("finger"),
+            day.file("objects"),
+            "-o",
+            day.file("results"),
+            "--format",
+            "depth,points"});
   const auto evaluation = evaluate_folder(day.file("objects"), day.file("results"));
   ASSERT_TRUE(evaluation.ok()) << evaluation.error().sentence();
   print(*evaluation);
@@ -277,7 +283,13 @@ TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {
 TEST(SimulatedFinger, ThePaperMethodRunsBesideOurs) {
   Day day;
   ASSERT_NO_FATAL_FAILURE(day.prepare("60"));
-  day.step({"reconstruct", day.file("finger"), day.file("objects"), "-o", day.file("ours")});
+  day.step({"reconstruct",
+            day.file("finger"),
+            day.file("objects"),
+            "-o",
+            day.file("ours"),
+            "--format",
+            "depth,points"});
   day.step({"calibrate",
             day.file("finger"),
             day.file("presses"),
@@ -290,6 +302,8 @@ TEST(SimulatedFinger, ThePaperMethodRunsBesideOurs) {
             day.file("objects"),
             "-o",
             day.file("paper"),
+            "--format",
+            "depth,points",
             "--method",
             "paper"});
   const auto ours = evaluate_folder(day.file("objects"), day.file("ours"));
