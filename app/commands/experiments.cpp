@@ -8,9 +8,9 @@
 #include "calibration/experiments/kept_finger.h"
 #include "core/io/atomic_file.h"
 #include "core/program.h"
+#include "core/sensing/stop_watch.h"
 #include "core/utc_time.h"
 
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -21,17 +21,12 @@ namespace {
 
 constexpr const char* kExperimentsFile = "experiments.json";
 
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
+double seconds_of(const StopWatch& watch) {
+  double milliseconds = 0;
+  watch.total(milliseconds);
+  return milliseconds / 1000;
+}
 
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
-
-/// As it was told, with no digits of ours.
 std::string number_or_dash(const std::optional<double>& number) {
   return number ? fmt::format("{:g}", *number) : "-";
 }
@@ -134,16 +129,16 @@ void tell_finger(const ExperimentBench& bench, double seconds, Console& console)
 Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& chosen,
                                        const BenchOptions& options,
                                        Console& console) {
-  const Stopwatch making;
+  const StopWatch making;
   const auto bench = ExperimentBench::make(options, console.job());
   if (!bench) return bench.error();
   console.say(ours_and_theirs().english());
-  tell_finger(*bench, making.seconds(), console);
+  tell_finger(*bench, seconds_of(making), console);
   console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}", "", "ours", "paper's", "aim"));
   Console::Json& answer = console.answer();
   answer["about"] = ours_and_theirs().english();
   answer["seed"] = options.seed;
-  answer["finger_seconds"] = making.seconds();
+  answer["finger_seconds"] = seconds_of(making);
   answer["finger_was_kept"] = bench->finger_was_kept();
   Console::Json& all = answer["experiments"] = Console::Json::array();
   ExperimentReport report;
@@ -151,10 +146,10 @@ Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& cho
   report.date = utc_now();
   report.program_version = program_version();
   for (const Experiment* experiment : chosen) {
-    const Stopwatch running;
+    const StopWatch running;
     auto outcome = experiment->run(*bench);
     if (!outcome) return outcome.error();
-    const double seconds = running.seconds();
+    const double seconds = seconds_of(running);
     tell_outcome(*experiment, *outcome, seconds, console);
     all.push_back(json_of_outcome(*experiment, *outcome, seconds));
     report.done.push_back({experiment, std::move(*outcome), seconds});

@@ -3,6 +3,7 @@
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/study/study_file.h"
+#include "calibration/study/study_machine.h"
 #include "core/io/atomic_file.h"
 #include "core/numerics/philox.h"
 #include "core/utc_time.h"
@@ -104,7 +105,7 @@ StudyHead head_here_and_now(const std::string& of,
                             const std::string& program_version) {
   return {of,
           program_version,
-          processor_name(),
+          this_machine().processor,
           utc_now(),
           fmt::format("{:016x}", world),
           mapping_p95_mm};
@@ -137,20 +138,13 @@ FingerStudy finger_study(const FingerSnapshot& finger,
   kept.date = content.head.date;
   kept.computer = content.head.computer;
   kept.is_of_finger_now = content.head.of == of_now;
-  kept.is_of_this_computer = content.head.computer == processor_name();
+  kept.is_of_this_computer = content.head.computer == this_machine().processor;
   kept.has_all_single = has_all(content.rows, StudyExtent::kQuick);
   kept.has_all_pairs = has_all(content.rows, StudyExtent::kPairs);
   return kept;
 }
 
 }  // namespace
-
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
 
 Result<std::optional<FingerStudy>> kept_study(const FingerPtr& finger) {
   const auto content = read_study(finger->folder / kFingerStudy);

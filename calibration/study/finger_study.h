@@ -40,7 +40,4 @@ struct FingerStudy {
                                 const AccuracyStudy& study,
                                 const std::string& program_version);
 
-/// What the computer calls its processor.
-[[nodiscard]] std::string processor_name();
-
 }  // namespace alltact

@@ -1,5 +1,7 @@
 #include "calibration/study/study_plot.h"
 
+#include "core/numerics/round_step.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,15 +33,6 @@ std::string escaped(const std::string& text) {
       safe += c;
   }
   return safe;
-}
-
-/// A round number of which about `count` make up `range`.
-double step_for(double range, int count) {
-  const double rough = range / count;
-  const double decade = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (step * decade >= rough) return step * decade;
-  return 10 * decade;
 }
 
 /// Words on lines of at most kLineOfNames characters.
@@ -126,7 +119,7 @@ class DrawnPlot {
   }
 
   void axes() {
-    const double step_x = step_for(most_x_, 8), step_y = step_for(most_y_, 6);
+    const double step_x = round_step(most_x_ / 8), step_y = round_step(most_y_ / 6);
     for (double at = 0; at <= most_x_; at += step_x) {
       line(x(at), kTop, x(at), kBottom, "stroke=\"#e4e4e4\"");
       write(x(at), kBottom + 18, "middle", 13, fmt::format("{:g}", at));

@@ -3,6 +3,7 @@
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"
 #include "core/sources/source.h"
+#include "tests/support/plan_source.h"
 
 #include <algorithm>
 #include <cstring>
@@ -19,29 +20,6 @@ namespace alltact {
 namespace {
 
 constexpr int kReferenceFrames = 60;
-
-/// A simulated recording as a source.
-class PlanSource : public Source {
- public:
-  explicit PlanSource(Plan plan, int count) : plan_(std::move(plan)), count_(count) {}
-  Result<FramePtr> next() override {
-    if (next_ == count_) return FramePtr();
-    auto frame = std::make_shared<Frame>();
-    frame->grey = plan_.render(next_++);
-    frame->name = fmt::format("frame_{:05d}", next_ - 1);
-    frame->origin = frame->name;
-    return FramePtr(frame);
-  }
-  [[nodiscard]] std::optional<std::size_t> count() const override {
-    return static_cast<std::size_t>(count_);
-  }
-  [[nodiscard]] bool is_continuous() const override { return true; }
-
- private:
-  Plan plan_;
-  int count_;
-  int next_ = 0;
-};
 
 void replace(std::string& text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);

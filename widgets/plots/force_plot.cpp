@@ -1,5 +1,6 @@
 #include "widgets/plots/force_plot.h"
 
+#include "core/numerics/round_step.h"
 #include "widgets/plots/custom_plot.h"
 #include "widgets/theme.h"
 
@@ -14,14 +15,6 @@ namespace {
 constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();  // breaks a line
 constexpr double kLeastSpan_N = 1.0;
 constexpr double kBetweenPoints_s = 0.05;  // nearer ones share a pixel, and cost as much each
-
-/// 1, 2 or 5 times a power of ten: a scale that does not jump with every reading.
-double round_step(double span) {
-  const double power = std::pow(10.0, std::floor(std::log10(span)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (span <= step * power) return step * power;
-  return 10.0 * power;
-}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"
 #include "core/sources/source.h"
+#include "tests/support/plan_source.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cmath>
@@ -17,27 +18,6 @@ namespace alltact::test {
 namespace {
 
 constexpr int kRecorded = 40, kPressed = 8;
-
-class RenderedSource : public Source {
- public:
-  RenderedSource(const Plan& plan, int count) : plan_(plan), count_(count) {}
-  Result<FramePtr> next() override {
-    if (next_ == count_) return FramePtr();
-    auto frame = std::make_shared<Frame>();
-    frame->grey = plan_.render(next_++);
-    frame->name = fmt::format("frame_{:05d}", next_ - 1);
-    frame->origin = frame->name;
-    return FramePtr(frame);
-  }
-  [[nodiscard]] std::optional<std::size_t> count() const override {
-    return static_cast<std::size_t>(count_);
-  }
-  [[nodiscard]] bool is_continuous() const override { return true; }
-
- private:
-  const Plan& plan_;
-  int count_, next_ = 0;
-};
 
 /// Recorded once for all tests.
 class RecordedFinger : public testing::Test {
@@ -55,7 +35,7 @@ class RecordedFinger : public testing::Test {
     const Plan touched = Plan::compile(Scene::parse(scene, "demo").value(), 5).value();
     folder_ = std::make_unique<TemporaryFolder>();
     Finger finger = plan.finger();
-    RenderedSource source(plan, kRecorded);
+    PlanSource source(plan, kRecorded);
     const auto installed = install_reference(source, folder_->path(), finger, Job());
     ASSERT_TRUE(installed.ok()) << installed.error().sentence();
     MappingParameters mapping;
@@ -65,7 +45,7 @@ class RecordedFinger : public testing::Test {
     mapping.b = 0.6;
     finger.mapping = mapping;
     finger_ = std::make_unique<FingerSnapshot>(FingerSnapshot::of(folder_->path(), finger).value());
-    RenderedSource live(touched, kPressed);
+    PlanSource live(touched, kPressed);
     for (auto frame = live.next(); *frame; frame = live.next()) frames_.push_back(*frame);
   }
   static void TearDownTestSuite() {
