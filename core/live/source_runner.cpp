@@ -1,5 +1,7 @@
 #include "core/live/source_runner.h"
 
+#include "core/sources/hid/lit_source.h"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -42,6 +44,7 @@ struct SourceRunner::Run {
   std::deque<std::int64_t> arrivals_ns;  // of the last second
   std::shared_ptr<V4l2Camera> camera;
   std::optional<std::uint64_t> last_sequence;
+  std::optional<LightStamp> light;
   // Added to a frame's time it is the monotonic clock; empty before the first frame with a time.
   std::optional<std::int64_t> clock_offset_ns;
 
@@ -151,6 +154,7 @@ struct SourceRunner::Run {
     {
       const std::lock_guard lock(mutex);
       count(*frame, now_ns);
+      if (light) frame = (*light)(frame);
       into = recorder;
     }
     if (into) record(*into, frame, is_live);
@@ -271,6 +275,7 @@ void SourceRunner::open(std::vector<std::filesystem::path> inputs, std::uint64_t
   std::shared_ptr<Run> before;
   {
     const std::lock_guard lock(mutex_);
+    if (light_) run->light.emplace(*light_);
     before = std::exchange(run_, run);
   }
   if (before) {
@@ -287,6 +292,15 @@ void SourceRunner::close() {
   Run::request_stop(run_);
   const std::lock_guard publish_lock(run_->publish_mutex);
   run_->hub = nullptr;
+}
+
+void SourceRunner::set_light(const std::optional<DimmerSetting>& light) {
+  const std::lock_guard lock(mutex_);
+  light_ = light;
+  if (!run_) return;
+  const std::lock_guard run_lock(run_->mutex);
+  run_->light.reset();
+  if (light) run_->light.emplace(*light);
 }
 
 void SourceRunner::start_recording(const std::filesystem::path& file,

@@ -200,6 +200,15 @@ QString CalibrationRun::command_line() const {
   return QString::fromStdString(calibrate_command(input));
 }
 
+CalibrationInputs CalibrationRun::next_inputs() const {
+  const FingerCalibrationInput input = input_for(desk_.said());
+  CalibrationInputs inputs;
+  inputs.said = input.said;
+  inputs.calibration = input.calibration;
+  inputs.pipeline = input.pipeline;
+  return inputs;
+}
+
 void CalibrationRun::take(const Made& made) {
   result_ = made.result;
   from_ = made.from;

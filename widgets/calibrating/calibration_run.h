@@ -50,6 +50,8 @@ class CalibrationRun : public QObject {
   /// Does the same in a terminal: as the stored calibration was made where it is current, else as
   /// the next one will be.
   [[nodiscard]] QString command_line() const;
+  /// Settings, and what is said of the presses, as the next calibration takes them.
+  [[nodiscard]] CalibrationInputs next_inputs() const;
 
   [[nodiscard]] bool is_writing_report() const { return report_.is_running(); }
   /// The page to open; empty while there is none of this calibration.

@@ -15,10 +15,11 @@ CalibratePlace::CalibratePlace(LiveSession& session,
       session_(session),
       desk_(undo),
       run_(desk_, undo, tools.version),
+      forecast_(desk_, run_),
       lens_(new LensPage(session, tools.measure_lens, tools.work_folder)),
       finger_(new FingerPage(session)),
-      presses_(new PressesPage(session, desk_, run_)),
-      mapping_(new MappingPage(desk_, run_)),
+      presses_(new PressesPage(session, desk_, run_, forecast_)),
+      mapping_(new MappingPage(desk_, run_, forecast_)),
       verdict_(new VerdictPage(run_)),
       check_(new CheckPage(session, desk_, run_, undo, tools.version)),
       pages_{lens_, finger_, presses_, mapping_, verdict_, check_},
@@ -36,6 +37,7 @@ CalibratePlace::CalibratePlace(LiveSession& session,
   }
   column->addWidget(stack_, 1);
   auto* foot = new QHBoxLayout;
+  foot->addWidget(new UndoBar(undo, session));
   foot->addWidget(missing_, 1);
   foot->addWidget(next_);
   column->addLayout(foot);

@@ -8,6 +8,7 @@
 #include "widgets/calibrating/lens_page.h"
 #include "widgets/calibrating/mapping_page.h"
 #include "widgets/calibrating/presses_page.h"
+#include "widgets/calibrating/undo_bar.h"
 #include "widgets/calibrating/verdict_page.h"
 #include "widgets/places/place.h"
 
@@ -57,6 +58,7 @@ class CalibratePlace : public Place {
   LiveSession& session_;
   PressDesk desk_;
   CalibrationRun run_;
+  PressForecast forecast_;
   LensPage* lens_;
   FingerPage* finger_;
   PressesPage* presses_;
