@@ -50,11 +50,17 @@ BoardLook BoardCollector::look(const FramePtr& frame) {
 void BoardCollector::keep(BoardLook look) {
   if (!look.view) return;
   auto frame = std::make_shared<Frame>(*look.frame);
-  frame->name = fmt::format("board_{:02}", views_.size() + 1);
+  frame->name = fmt::format("board_{:02}", ++named_);
   frame->jpeg.reset();
   look.view->name = frame->name;
   views_.push_back(std::move(*look.view));
   frames_.push_back(std::move(frame));
+}
+
+void BoardCollector::forget(const std::string& name) {
+  const auto is_it = [&](const auto& one) { return one.name == name; };
+  std::erase_if(views_, is_it);
+  std::erase_if(frames_, [&](const FramePtr& frame) { return is_it(*frame); });
 }
 
 BoardCollector::Cells BoardCollector::cells() const {

@@ -39,6 +39,9 @@ class BoardCollector {
   /// Keeps a look's view, under the name "board_01" and so on, which its frame is given, too.
   void keep(BoardLook look);
 
+  /// Takes a kept view away again; its name is not used anew.
+  void forget(const std::string& name);
+
   [[nodiscard]] const std::vector<BoardView>& views() const { return views_; }
   [[nodiscard]] const std::vector<FramePtr>& frames() const { return frames_; }
   /// Corners of kept views in each cell, rows from the top.
@@ -50,6 +53,7 @@ class BoardCollector {
   std::optional<BoardView> last_;
   std::vector<BoardView> views_;
   std::vector<FramePtr> frames_;
+  int named_ = 0;
 };
 
 }  // namespace alltact

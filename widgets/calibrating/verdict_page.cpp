@@ -139,7 +139,10 @@ void VerdictPage::show_status() {
   QString words;
   if (known) words = window_sentence(known->reason);
   if (run_.state() == CalibrationState::kStale)
-    words += QLatin1Char(' ') + tr("The presses have changed since: calibrate again.");
+    words += QLatin1Char(' ') +
+             (run_.has_other_finger()
+                  ? tr("The finger's sizes or markers have changed since: calibrate again.")
+                  : tr("The presses have changed since: calibrate again."));
   sentence_->setText(words);
   report_->setEnabled(!run_.report().empty());
   print_->setEnabled(run_.result() != nullptr);

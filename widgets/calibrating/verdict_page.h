@@ -22,6 +22,8 @@ class VerdictPage : public StepPage {
   [[nodiscard]] QString missing() const override;
   [[nodiscard]] QWidget* main_control() const override { return print_; }
   void show_status();
+  /// Shows the remarks and the command.
+  void unfold() { fold_->setChecked(true); }
 
  protected:
   void changeEvent(QEvent* event) override;

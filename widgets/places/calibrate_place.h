@@ -42,6 +42,7 @@ class CalibratePlace : public Place {
 
   [[nodiscard]] PressDesk& desk() { return desk_; }
   [[nodiscard]] CalibrationRun& run() { return run_; }
+  [[nodiscard]] const PressForecast& forecast() const { return forecast_; }
   /// The last check found it as it was calibrated.
   [[nodiscard]] bool is_checked() const { return check_->state() == StepState::kDone; }
   /// The step that waits: the first that is not done.
