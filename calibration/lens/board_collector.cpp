@@ -12,7 +12,7 @@ namespace alltact {
 namespace {
 
 /// Median way of the corners that both show, px; infinite where they share too few to tell.
-double way_px(const BoardView& a, const BoardView& b) {
+double corner_way_px(const BoardView& a, const BoardView& b) {
   std::map<std::pair<double, double>, Eigen::Vector2d> places;
   for (std::size_t i = 0; i < a.board_mm.size(); ++i)
     places[{a.board_mm[i].x(), a.board_mm[i].y()}] = a.pixels[i];
@@ -38,9 +38,9 @@ BoardLook BoardCollector::look(const FramePtr& frame) {
   }
   const double least = kNew_part * frame->grey.cols;
   look.is_new = std::all_of(views_.begin(), views_.end(), [&](const BoardView& kept) {
-    return way_px(kept, *found) > least;
+    return corner_way_px(kept, *found) > least;
   });
-  look.is_still = last_ && way_px(*last_, *found) <= kStill_px;
+  look.is_still = last_ && corner_way_px(*last_, *found) <= kStill_px;
   look.is_sharp = found->edge_px <= kSharp_px;
   last_ = *found;
   look.view = std::move(*found);

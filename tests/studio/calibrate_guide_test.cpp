@@ -25,7 +25,7 @@ bool wait_for_forecast(CalibrateStudio& rig) {
   return wait_until([&] { return rig.place().forecast().result() != nullptr; }, 60000);
 }
 
-std::string text_of(Studio& studio, const QString& label) {
+std::string label_text(Studio& studio, const QString& label) {
   const auto* found = studio.find<QLabel>(label);
   return found == nullptr ? std::string() : found->text().toStdString();
 }
@@ -64,13 +64,13 @@ TEST(CalibrateGuide, DraggingShowsAtOnceWhatTheBallsPlaceMeans) {
   ASSERT_TRUE(wait_for_forecast(rig));
   auto* list = rig.studio().find<QListView>("Presses");
   list->setCurrentIndex(list->model()->index(0, 0));
-  const std::string before = text_of(rig.studio(), "Error of this press");
+  const std::string before = label_text(rig.studio(), "Error of this press");
   EXPECT_THAT(before, HasSubstr("This press:"));
   EXPECT_THAT(before, testing::Not(HasSubstr("as the program has it")));
   auto* editor = rig.studio().find<OutlineEditor>("Picture with the ball's outline");
   editor->setFocus();
   for (int i = 0; i < 5; ++i) QTest::keyClick(editor, Qt::Key_Right, Qt::ShiftModifier);
-  const std::string after = text_of(rig.studio(), "Error of this press");
+  const std::string after = label_text(rig.studio(), "Error of this press");
   EXPECT_THAT(after, HasSubstr("as the program has it"));
   EXPECT_NE(before, after);
 }
@@ -82,9 +82,10 @@ TEST(CalibrateGuide, TheLivePictureSaysWhereToPressAndHowDeepItIs) {
   rig.type_radius("4");
   ASSERT_TRUE(rig.wait_for_press());
   ASSERT_TRUE(wait_until([&] {
-    return text_of(rig.studio(), "Where to press next").find(": ") != std::string::npos;
+    return label_text(rig.studio(), "Where to press next").find(": ") != std::string::npos;
   }));
-  EXPECT_THAT(text_of(rig.studio(), "Where to press next"), HasSubstr("Press here, 0.8 mm deep"));
+  EXPECT_THAT(label_text(rig.studio(), "Where to press next"),
+              HasSubstr("Press here, 0.8 mm deep"));
   // A press that was clicked needs no other click: Space is the pedal, whatever was used last.
   QTest::mouseClick(rig.studio().find<QPushButton>("Live picture"), Qt::LeftButton);
   rig.studio().find<QPushButton>("Live picture")->setFocus(Qt::MouseFocusReason);

@@ -9,7 +9,7 @@ namespace alltact {
 namespace {
 
 const QColor kCorner(255, 214, 64), kKept(47, 199, 155), kGrid(86, 180, 233);
-constexpr double kRing = 4;        // logical pixels
+constexpr double kCornerRing = 4;  // logical pixels
 constexpr double kGridStep = 0.1;  // of a tangent
 constexpr int kGridLines = 12;     // to either side
 constexpr int kGridPoints = 96;
@@ -49,7 +49,7 @@ Overlay corners_overlay(const BoardLook& look) {
                                                                 const ImageTransform& transform) {
     QPainterPath path;
     for (const Eigen::Vector2d& pixel : view.pixels)
-      path.addEllipse(transform.to_widget({pixel.x(), pixel.y()}), kRing, kRing);
+      path.addEllipse(transform.to_widget({pixel.x(), pixel.y()}), kCornerRing, kCornerRing);
     if (is_good) painter.fillPath(path, kKept);
     stroke_over(painter, path, is_good ? kKept : kCorner, 1.4);
   };

@@ -16,8 +16,8 @@ namespace {
 const QColor kWanted(255, 255, 255);
 const QColor kHeld(47, 199, 155);    // bluish green, as what is measured of a contact
 const QColor kTooFar(240, 145, 90);  // orange
-constexpr double kRing = 26;         // logical pixels
-constexpr int kOutline = 60;
+constexpr double kHoldRing = 26;     // logical pixels
+constexpr int kCapPoints = 60;
 
 struct GuideWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::GuideWords)
@@ -54,17 +54,17 @@ std::optional<double> depth_now(const FrameResult& result,
 }
 
 /// The rim of a ball pressed in there, as the picture will show it.
-std::vector<Eigen::Vector2d> outline_of(const FaceShape& shape,
-                                        const Eigen::Vector2d& at_px,
-                                        double depth_mm,
-                                        double radius_mm) {
+std::vector<Eigen::Vector2d> cap_outline(const FaceShape& shape,
+                                         const Eigen::Vector2d& at_px,
+                                         double depth_mm,
+                                         double radius_mm) {
   const auto local = shape.at(at_px.x(), at_px.y());
   if (!local || !(radius_mm > depth_mm)) return {};
   const Face& face = shape.face();
   const Eigen::Vector3d top = untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal);
   const auto contact =
       ball_on_face(shape, face, top + (radius_mm - depth_mm) * local->normal, radius_mm);
-  return contact ? contact_rim_px(shape.camera(), *contact, kOutline)
+  return contact ? contact_rim_px(shape.camera(), *contact, kCapPoints)
                  : std::vector<Eigen::Vector2d>();
 }
 
@@ -90,7 +90,7 @@ Overlay target_overlay(const GuidedFrame& frame) {
     const QPointF at = transform.to_widget({frame.at_px->x(), frame.at_px->y()});
     QPainterPath path;
     if (rim.isEmpty())
-      path.addEllipse(at, kRing, kRing);
+      path.addEllipse(at, kHoldRing, kHoldRing);
     else
       path.addPolygon(rim), path.closeSubpath();
     path.moveTo(at - QPointF(8, 0));
@@ -104,7 +104,7 @@ Overlay target_overlay(const GuidedFrame& frame) {
 }
 
 /// A ring around the contact that fills from the top, and how deep it is.
-Overlay contact_overlay(const GuidedFrame& frame) {
+Overlay hold_overlay(const GuidedFrame& frame) {
   std::optional<PressedSoFar> so_far;
   QString words;
   if (frame.depth_mm && frame.target) {
@@ -113,7 +113,7 @@ Overlay contact_overlay(const GuidedFrame& frame) {
   }
   return [frame, so_far, words](QPainter& painter, const ImageTransform& transform) {
     const QPointF at = transform.to_widget({frame.contact->pixel.x(), frame.contact->pixel.y()});
-    const QRectF ring(at - QPointF(kRing, kRing), QSizeF(2 * kRing, 2 * kRing));
+    const QRectF ring(at - QPointF(kHoldRing, kHoldRing), QSizeF(2 * kHoldRing, 2 * kHoldRing));
     QPainterPath whole;
     whole.addEllipse(ring);
     stroke_over(painter, whole, QColor(150, 150, 150), 2);
@@ -125,7 +125,7 @@ Overlay contact_overlay(const GuidedFrame& frame) {
       stroke_over(painter, part, colour, 5);
     }
     if (!words.isEmpty())
-      write_beside(painter, QPointF(at.x() + kRing + 8, at.y() - 10), words, colour);
+      write_beside(painter, QPointF(at.x() + kHoldRing + 8, at.y() - 10), words, colour);
   };
 }
 
@@ -159,7 +159,8 @@ GuidedFrame guided_frame(const FrameResult& result,
   if (frame.target) {
     frame.at_px = pixel_of_place(*result.shape, frame.target->place_mm);
     if (frame.at_px && radius_mm > 0)
-      frame.outline_px = outline_of(*result.shape, *frame.at_px, frame.target->depth_mm, radius_mm);
+      frame.outline_px =
+          cap_outline(*result.shape, *frame.at_px, frame.target->depth_mm, radius_mm);
   }
   frame.contact = dark_patch(result);
   frame.depth_mm = depth_now(result, frame.contact, radius_mm);
@@ -180,7 +181,7 @@ QString guide_words(const GuidedFrame& frame) {
 std::vector<Overlay> guide_overlays(const GuidedFrame& frame) {
   std::vector<Overlay> overlays;
   if (frame.target && frame.at_px) overlays.push_back(target_overlay(frame));
-  if (frame.contact) overlays.push_back(contact_overlay(frame));
+  if (frame.contact) overlays.push_back(hold_overlay(frame));
   return overlays;
 }
 

@@ -16,8 +16,8 @@
 namespace alltact {
 namespace {
 
-constexpr int kFigureWidth = 600;   // px at 96 to the inch: the width of a printed page
-constexpr double kSharpness = 3.0;  // pixels to each of these: 288 to the inch
+constexpr int kSheetWidth = 600;         // px at 96 to the inch: the width of a printed page
+constexpr double kSheetSharpness = 3.0;  // pixels to each of these: 288 to the inch
 constexpr std::size_t kMostPresses = 12;
 
 struct SheetWords {
@@ -89,7 +89,7 @@ class Sheet {
     font.setPixelSize(12);
     plot.setFont(font);
     plot.setPalette(light_);
-    document_.figure(plot.picture({kFigureWidth, height}, kSharpness), kFigureWidth, caption);
+    document_.figure(plot.picture({kSheetWidth, height}, kSheetSharpness), kSheetWidth, caption);
   }
 
   void add_presses() {

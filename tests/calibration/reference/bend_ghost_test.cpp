@@ -12,12 +12,12 @@ namespace {
 using made::finger_scene;
 
 /// A straight face: its middle line lies in the plane y = 0.
-FaceShape drawn_face() {
+FaceShape straight_face() {
   return finger_scene(40.0, 20.0).shape;
 }
 
 TEST(BendGhost, WithoutAMotionItIsTheOutlineThatIsSeen) {
-  const FaceShape shape = drawn_face();
+  const FaceShape shape = straight_face();
   const auto outline = bent_outline(shape, {});
   ASSERT_TRUE(outline);
   ASSERT_EQ(outline->upper.size(), outline->lower.size());
@@ -30,7 +30,7 @@ TEST(BendGhost, WithoutAMotionItIsTheOutlineThatIsSeen) {
 }
 
 TEST(BendGhost, TheTipGoesWhereTheMotionSaysAndTheBaseStays) {
-  const FaceShape shape = drawn_face();
+  const FaceShape shape = straight_face();
   const auto rest = bent_outline(shape, {}).value();
   const auto middle = [](const BentOutline& outline, std::size_t i) {
     return Eigen::Vector2d(0.5 * (outline.upper[i] + outline.lower[i]));

@@ -113,7 +113,7 @@ TEST(LampPanel, ChoosesADeviceAndDimsItByKeys) {
   EXPECT_EQ(sent->levels().back(), 102);
 }
 
-FoundCamera camera(const char* name, const char* bus, const char* node) {
+FoundCamera camera_at(const char* name, const char* bus, const char* node) {
   FoundCamera found;
   found.identity.name = name;
   found.identity.bus = bus;
@@ -122,10 +122,10 @@ FoundCamera camera(const char* name, const char* bus, const char* node) {
 }
 
 TEST(CameraLabel, TellsAlikeOnesByWhereTheyArePluggedIn) {
-  const std::vector cameras{camera("HD Camera", "usb-0000:00:14.0-1.4", "/dev/video0"),
-                            camera("HD Camera", "usb-0000:00:14.0-2", "/dev/video2"),
-                            camera("Other", "usb-0000:00:14.0-3", "/dev/video4"),
-                            camera("HD Camera", "platform:cam", "/dev/video6")};
+  const std::vector cameras{camera_at("HD Camera", "usb-0000:00:14.0-1.4", "/dev/video0"),
+                            camera_at("HD Camera", "usb-0000:00:14.0-2", "/dev/video2"),
+                            camera_at("Other", "usb-0000:00:14.0-3", "/dev/video4"),
+                            camera_at("HD Camera", "platform:cam", "/dev/video6")};
   EXPECT_EQ(camera_label(cameras[0], cameras), "HD Camera (USB port 1.4)");
   EXPECT_EQ(camera_label(cameras[1], cameras), "HD Camera (USB port 2)");
   EXPECT_EQ(camera_label(cameras[2], cameras), "Other");
