@@ -133,6 +133,18 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console);
 /// Brings the parts of a reconstruction together (parts.h).
 Status run_merge(const std::vector<Path>& folders, Console& console);
 
+struct ServeOptions {
+  Path finger;
+  std::vector<Path> inputs;
+  std::optional<Path> socket;  ///< empty: the usual one (stream_socket.h)
+  /// Those to measure with, as the finger's folder has them now.
+  std::function<Result<PipelineSettings>()> settings;
+  bool schema = false;  ///< tells of the format instead
+};
+/// Measures a source as it comes and sends that to other programs, until it ends or is stopped.
+/// Errors: the socket is taken or others could reach it; the finger is not calibrated.
+Status run_serve(const ServeOptions& options, Console& console);
+
 /// The light that a recording is made with.
 struct LightOptions {
   std::string device;  ///< empty: none is set
@@ -265,6 +277,7 @@ void add_reference(CLI::App& program, Chosen& chosen);
 void add_calibrate(CLI::App& program, Chosen& chosen);
 void add_reconstruct(CLI::App& program, Chosen& chosen);
 void add_merge(CLI::App& program, Chosen& chosen);
+void add_serve(CLI::App& program, Chosen& chosen);
 void add_record(CLI::App& program, Chosen& chosen);
 void add_force(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);

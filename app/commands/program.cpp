@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
   add_calibrate(program, chosen);
   add_reconstruct(program, chosen);
   add_merge(program, chosen);
+  add_serve(program, chosen);
   add_record(program, chosen);
   add_force(program, chosen);
   add_check(program, chosen);

@@ -15,15 +15,6 @@ ReferenceMethod reference_method(const ReconstructOptions& options) {
   return options.as_paper ? ReferenceMethod::kNearest : options.pipeline.reference;
 }
 
-std::string name_of(const Error& error, std::size_t index) {
-  const std::string stem = Path(error.where.english()).stem().string();
-  return stem.empty() ? fmt::format("frame_{:05}", index) : stem;
-}
-
-Message as_sentence(const Error& error) {
-  return en::say("{}.", error.message());
-}
-
 namespace {
 
 FrameLine failed(const std::string& name, std::size_t index, const Error& problem) {

@@ -34,10 +34,4 @@ class ResultFiles {
 /// As results.jsonl names it.
 [[nodiscard]] ReferenceMethod reference_method(const ReconstructOptions& options);
 
-/// Name of a picture that could not be read, from the error that says which it was.
-[[nodiscard]] std::string name_of(const Error& error, std::size_t index);
-
-/// As the problems of results.jsonl stand there.
-[[nodiscard]] Message as_sentence(const Error& error);
-
 }  // namespace alltact

@@ -26,6 +26,7 @@ inline constexpr std::array kCommands = {
     CommandName{"reconstruct", "Turns pictures into depth and 3D points"},
     CommandName{"merge",
                 "Brings the parts of a reconstruction that several computers shared together"},
+    CommandName{"serve", "Measures a source live, for other programs on this computer"},
     CommandName{"record", "Records a source without loss, and without losing anything when killed"},
     CommandName{"force", "Learns forces from where the markers are, with a gauge beside"},
     CommandName{"check", "Is this finger fit to use? What is missing, stale or weak"},

@@ -1,6 +1,7 @@
 #include "core/live/source_runner.h"
 
 #include "core/sources/hid/lit_source.h"
+#include "core/sources/pacer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -190,11 +191,7 @@ struct SourceRunner::Run {
       const std::lock_guard lock(mutex);
       if (clock_offset_ns) return;
     }
-    const auto end = Clock::now() + std::chrono::duration<double>(1 / source.frames_per_s());
-    constexpr std::chrono::milliseconds kNap{20};
-    while (Clock::now() < end && !job.stop_requested())
-      std::this_thread::sleep_for(std::min<Clock::duration>(
-          kNap, std::chrono::duration_cast<Clock::duration>(end - Clock::now())));
+    wait_between_pictures(source.frames_per_s(), [&] { return job.stop_requested(); });
   }
 
   void serve_recording(const std::shared_ptr<Run>& self, const Source& source) {
