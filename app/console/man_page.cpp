@@ -129,8 +129,9 @@ std::string man_page(const CLI::App& program, const std::string& version, const 
   if (const std::size_t colon = what.find(": "); command == nullptr && colon != std::string::npos)
     what = what.substr(colon + 2);
   while (what.ends_with('.')) what.pop_back();
-  std::string text = fmt::format(
-      ".TH {} 1 \"\" \"AllTact {}\" \"User Commands\"\n", escaped(upper(page)), escaped(version));
+  std::string text = fmt::format(".TH {} 1 \"\" \"AllTact {}\" \"User Commands\"\n.nh\n.ad l\n",
+                                 escaped(upper(page)),
+                                 escaped(version));
   text +=
       fmt::format(".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n", escaped(page), escaped(lower_first(what)));
   text += has_commands
