@@ -224,10 +224,12 @@ Status run_gripper(const GripperOptions& options, Console& console);
 
 struct DemoOptions {
   Path folder;
+  bool studio = false;  ///< the finger alone, and the Studio in place of this program
   std::uint64_t seed = 1;
   int threads = 1;
 };
-/// A whole day of a simulated finger, and what was measured against the truth.
+/// A whole day of a simulated finger, and what was measured against the truth. With `studio` comes
+/// back only where that cannot be opened.
 Status run_demo(const DemoOptions& options, Console& console);
 
 struct ExperimentsOptions {
@@ -267,6 +269,13 @@ struct DevicesOptions {
 /// Lists cameras and HID devices, with what is wrong with those that cannot be used.
 Status run_devices(const DevicesOptions& options, Console& console);
 
+struct ThumbnailOptions {
+  Path file, output;
+  int size_px = 256;  ///< of the longer side
+};
+/// A small picture of depth or of a mesh, as file managers show it (thumbnail.h).
+Status run_thumbnail(const ThumbnailOptions& options, Console& console);
+
 /// Set by the command that was chosen on the command line.
 using Chosen = std::function<Status(Console&)>;
 
@@ -287,6 +296,7 @@ void add_experiments(CLI::App& program, Chosen& chosen);
 void add_study(CLI::App& program, Chosen& chosen);
 void add_demo(CLI::App& program, Chosen& chosen);
 void add_devices(CLI::App& program, Chosen& chosen);
+void add_thumbnail(CLI::App& program, Chosen& chosen);
 
 /// Warns of what is strange in finger.yaml.
 [[nodiscard]] Result<FingerPtr> open_finger(const Path& folder, Console& console);

@@ -41,6 +41,7 @@ inline constexpr std::array kCommands = {
     CommandName{"demo",
                 "A whole day in a minute: simulated finger, reference, calibration, "
                 "reconstruction, report"},
+    CommandName{"thumbnail", "A small picture of depth or of a mesh, as file managers show it"},
 };
 
 /// Adds one of kCommands, to be given its options.

@@ -37,7 +37,9 @@ class SettingFlags {
                                                         setting.sentence,
                                                         setting.range.text(),
                                                         setting.default_value()))
-          ->type_name("VALUE")
+          ->type_name(setting.range.words.empty()
+                          ? std::string("VALUE")
+                          : fmt::format("{}", fmt::join(setting.range.words, "|")))
           ->group("Settings");
     }
   }
