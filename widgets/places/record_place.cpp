@@ -99,7 +99,6 @@ void RecordPlace::make_recording_group(QVBoxLayout& column) {
   line->addWidget(browse_);
   layout->addLayout(line);
   layout->addWidget(file_);
-  record_->setMinimumHeight(36);
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
   for (QWidget* widget : {static_cast<QWidget*>(record_),
                           static_cast<QWidget*>(reason_),
@@ -301,6 +300,7 @@ void RecordPlace::show_status() {
   show_button(status);
   show_progress(status.recording);
   show_recorded(status);
+  mark_primary();
 }
 
 void RecordPlace::changeEvent(QEvent* event) {

@@ -66,6 +66,8 @@ class RecordPlace : public Place {
   void show_button(const LiveStatus& status);
   void show_progress(const RecordingStatus& recording);
   void show_recorded(const LiveStatus& status);
+  /// What comes next is the largest button: recording, then installing.
+  void mark_primary();
   void show_installing();
   void show_coverage();
   void show_problem_picture();

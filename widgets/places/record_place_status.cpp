@@ -1,6 +1,7 @@
 // What the place Record says while it works: what is needed, how far it is, what came of it.
 #include "widgets/places/record_place.h"
 #include "widgets/shell/icons.h"
+#include "widgets/shell/primary_button.h"
 
 namespace alltact {
 namespace {
@@ -112,6 +113,13 @@ void RecordPlace::show_recorded(const LiveStatus& status) {
   outcome_->setText(outcome_text());
   outcome_->setVisible(!outcome_->text().isEmpty());
   rejected_->setVisible(report_ && report_->ok() && rejected_->count() > 0 && !is_installing);
+}
+
+void RecordPlace::mark_primary() {
+  const bool is_installed = report_ && report_->ok() && installed_ == recorded_;
+  const bool installs = !recorded_.empty() && install_->isEnabled() && !is_installed;
+  set_primary(*install_, installs);
+  set_primary(*record_, !installs);
 }
 
 QString RecordPlace::outcome_text() const {
