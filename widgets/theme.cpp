@@ -66,6 +66,17 @@ const Colours kContrast{"#000000",
 
 }  // namespace
 
+QFont text_font(const QFont& body, TextSize size) {
+  QFont font = body;
+  const double larger = size == TextSize::kSmall     ? 0.9
+                        : size == TextSize::kBody    ? 1.0
+                        : size == TextSize::kHeading ? 1.25
+                                                     : 1.6;
+  font.setPointSizeF(larger * body.pointSizeF());
+  font.setBold(size == TextSize::kHeading || size == TextSize::kTitle);
+  return font;
+}
+
 QPalette theme_palette(Theme theme) {
   switch (theme) {
     case Theme::kLight:

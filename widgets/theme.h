@@ -1,10 +1,21 @@
-// How everything looks: light, dark, high contrast, and the colours that mean something.
+// How everything looks: light, dark, high contrast, the colours that mean something, the sizes of
+// letters and the one spacing.
 #pragma once
 
 #include <QColor>
+#include <QFont>
 #include <QPalette>
 
 namespace alltact {
+
+/// Between two things that stand beside each other, in px at scale 1: half of it within a thing,
+/// twice as much between groups.
+inline constexpr int kSpacing = 8;
+
+/// The typographic scale: 0.9, 1, 1.25 and 1.6 times the size of the body.
+enum class TextSize { kSmall = 1, kBody, kHeading, kTitle };
+/// `body` in that size, headings and titles in bold.
+[[nodiscard]] QFont text_font(const QFont& body, TextSize size);
 
 enum class Theme { kSystem = 1, kLight, kDark, kHighContrast };
 

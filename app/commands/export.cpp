@@ -25,6 +25,13 @@ Status run_export(const ExportOptions& options, Console& console) {
     console.say(file.string());
     console.answer()["files"].push_back(file.string());
   }
+  if (!status || !std::count(options.forms.begin(), options.forms.end(), ExportForm::kZip))
+    return status;
+  for (const Path& take : unused_recordings((*finger)->finger, (*finger)->folder)) {
+    console.say(fmt::format("left out of the zip, since the finger does not use it: {}",
+                            take.filename().string()));
+    console.answer()["left_out"].push_back(take.string());
+  }
   return status;
 }
 

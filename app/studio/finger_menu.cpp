@@ -1,6 +1,7 @@
 #include "app/studio/finger_menu.h"
 
 #include "widgets/shell/export_dialog.h"
+#include "widgets/shell/finger_list_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/one_line.h"
 
@@ -35,6 +36,8 @@ void FingerMenu::add_to(TranslatedMenu& file) {
   file.add(
       {QKeySequence::New}, [] { return tr("&New finger…"); }, [this] { make(); });
   file.addMenu(recent_);
+  file.add(
+      {Qt::CTRL | Qt::Key_L}, [] { return tr("&All fingers…"); }, [this] { list_all(); });
   QAction* exports = file.add(
       {Qt::CTRL | Qt::Key_E}, [] { return tr("E&xport finger…"); }, [this] { export_finger(); });
   const auto follow = [this, exports] { exports->setEnabled(!work_.state().finger.empty()); };
@@ -47,7 +50,7 @@ void FingerMenu::add_to(TranslatedMenu& file) {
 void FingerMenu::fill() {
   clear();
   recent_->clear();
-  const auto& folders = work_.state().recent_fingers;
+  const auto folders = offered();
   for (const std::filesystem::path& folder : folders)
     for (QMenu* menu : {recent_, static_cast<QMenu*>(this)}) {
       const QString path = QString::fromStdString(folder.string());
@@ -58,9 +61,35 @@ void FingerMenu::fill() {
   recent_->setEnabled(!folders.empty());
   if (!folders.empty()) addSeparator();
   connect(addAction(tr("&Open finger…")), &QAction::triggered, this, &FingerMenu::choose);
+  connect(addAction(tr("&All fingers…")), &QAction::triggered, this, &FingerMenu::list_all);
   connect(addAction(tr("&New finger…")), &QAction::triggered, this, [this] { make(); });
   connect(
       addAction(tr("&Close finger")), &QAction::triggered, this, [this] { work_.open_finger({}); });
+}
+
+std::vector<std::filesystem::path> FingerMenu::offered() const {
+  const auto& recent = work_.state().recent_fingers;
+  if (!found_) return recent;
+  std::vector<std::filesystem::path> offered;
+  for (const auto& folder : recent)
+    if (std::find(found_->begin(), found_->end(), folder) != found_->end())
+      offered.push_back(folder);
+  return offered;
+}
+
+void FingerMenu::offer(const std::vector<std::filesystem::path>& found) {
+  if (found_ == found) return;
+  found_ = found;
+  fill();
+}
+
+void FingerMenu::list_all() {
+  auto* dialog = new FingerListDialog(work_.state().recent_fingers, parentWidget());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &FingerListDialog::finger_chosen, this, [this](const QString& folder) {
+    work_.open_finger(folder.toStdString());
+  });
+  dialog->show();
 }
 
 void FingerMenu::choose() {

@@ -19,13 +19,20 @@ class FingerMenu : public TranslatedMenu {
   void choose();
   /// A new one, of which this much is known.
   void make(const NewFinger& known = {});
+  /// All of the lab in one list.
+  void list_all();
+  /// Of the recent ones, those that can be opened: only they are offered.
+  void offer(const std::vector<std::filesystem::path>& found);
 
  private:
   void fill();
   void export_finger();
 
+  [[nodiscard]] std::vector<std::filesystem::path> offered() const;
+
   Workspace& work_;
   QMenu* recent_;
+  std::optional<std::vector<std::filesystem::path>> found_;  // none: nobody has looked yet
 };
 
 }  // namespace alltact

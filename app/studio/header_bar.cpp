@@ -15,11 +15,13 @@ HeaderBar::HeaderBar(const LiveSession& session,
       finger_label_(new QLabel),
       source_label_(new QLabel),
       finger_(new QToolButton),
-      source_(new QToolButton) {
+      source_(new QToolButton),
+      summary_(new FingerSummary(session, work)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   add_button(finger_label_, finger_, finger_menu);
   add_button(source_label_, source_, source_menu);
+  row->addWidget(summary_, 1);
   row->addStretch();
   connect(&session_, &LiveSession::status_ready, this, &HeaderBar::follow);
   say([this] {

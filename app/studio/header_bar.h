@@ -1,7 +1,8 @@
-// The row above every place: which finger and which source are open, with the menus of others.
+// The row above every place: which finger and which source are open, with the menus of others, and
+// what is known of the finger.
 #pragma once
 
-#include "app/studio/workspace.h"
+#include "app/studio/finger_summary.h"
 #include "widgets/translated.h"
 
 #include <QLabel>
@@ -17,6 +18,7 @@ class HeaderBar : public Translated<QWidget> {
             const Workspace& work,
             QMenu& finger_menu,
             QMenu& source_menu);
+  [[nodiscard]] FingerSummary& summary() { return *summary_; }
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -31,6 +33,7 @@ class HeaderBar : public Translated<QWidget> {
   const Workspace& work_;
   QLabel *finger_label_, *source_label_;
   QToolButton *finger_, *source_;
+  FingerSummary* summary_;
 };
 
 }  // namespace alltact

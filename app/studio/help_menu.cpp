@@ -1,66 +1,91 @@
 #include "app/studio/help_menu.h"
 
+#include "app/studio/help_window.h"
+#include "app/studio/quick_guide.h"
+#include "core/io/atomic_file.h"
 #include "core/program.h"
+#include "core/utc_time.h"
 
+#include <QDesktopServices>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QFile>
-#include <QLocale>
+#include <QDir>
+#include <QFileDialog>
 #include <QPushButton>
 #include <QTextBrowser>
+#include <QUrl>
 #include <QVBoxLayout>
 
 namespace alltact {
 
-HelpMenu::HelpMenu(std::function<std::string()> place, QWidget* window)
-    : TranslatedMenu(window), place_(std::move(place)) {
+HelpMenu::HelpMenu(std::function<std::string()> place, std::vector<Place*> places, QWidget* window)
+    : TranslatedMenu(window), place_(std::move(place)), places_(std::move(places)) {
   set_title([] { return tr("&Help"); });
   add(
       {QKeySequence::HelpContents},
       [] { return tr("&Help on this place"); },
       [this] { show_help(); });
   add(
+      {}, [] { return tr("&Glossary"); }, [this] { show_page(QStringLiteral("glossary")); });
+  add(
+      {}, [] { return tr("&Quick guide to print…"); }, [this] { choose_guide_file(); });
+  addSeparator();
+  add(
       {}, [] { return tr("&About AllTact Studio"); }, [this] { show_about(); });
 }
 
 void HelpMenu::show_help() {
-  const QString page = QString::fromStdString(place_());
-  const QString language = QLocale().name().startsWith(QStringLiteral("de")) ? QStringLiteral("_de")
-                           : QLocale().name().startsWith(QStringLiteral("zh"))
-                               ? QStringLiteral("_zh_CN")
-                               : QString();
-  QFile file(QStringLiteral(":/alltact/help/%1%2.md").arg(page, language));
-  if (!file.exists()) file.setFileName(QStringLiteral(":/alltact/help/%1.md").arg(page));
-  if (!file.open(QIODevice::ReadOnly)) return;
-  show_page(tr("Help"), QString::fromUtf8(file.readAll()), {880, 720});
+  show_page(QString::fromStdString(place_()));
+}
+
+void HelpMenu::show_page(const QString& name) {
+  if (!pages_) {
+    pages_ = new HelpWindow(places_, parentWidget());
+    pages_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  pages_->show_page(name);
+}
+
+void HelpMenu::choose_guide_file() {
+  auto* dialog = new QFileDialog(parentWidget(),
+                                 tr("Save the quick guide"),
+                                 QDir::home().filePath(QStringLiteral("alltact-quick-guide.pdf")),
+                                 tr("Pages to print (*.pdf)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("pdf"));
+  connect(dialog, &QFileDialog::fileSelected, this, &HelpMenu::write_guide);
+  dialog->show();
+}
+
+void HelpMenu::write_guide(const QString& file) {
+  const auto pages = quick_guide_pdf(utc_now());
+  if (!pages) return void(Q_EMIT failed(pages.error()));
+  if (const Status written = write_file_atomically(file.toStdString(), *pages); !written)
+    return void(Q_EMIT failed(written.error()));
+  QDesktopServices::openUrl(QUrl::fromLocalFile(file));
 }
 
 void HelpMenu::show_about() {
-  show_page(
-      tr("About AllTact Studio"),
-      tr("## AllTact Studio %1\n\nTurns a clear silicone finger with a camera inside into a "
-         "measuring instrument.\n\nIts own source is under the BSD-3-Clause licence; with the "
-         "libraries it uses, the program as a whole is under the GPL, version 3.")
-          .arg(QString::fromStdString(program_version())),
-      {640, 320});
-}
-
-void HelpMenu::show_page(const QString& title, const QString& markdown, const QSize& size) {
   auto* dialog = new QDialog(parentWidget());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  const QString title = tr("About AllTact Studio");
   dialog->setWindowTitle(title);
   auto* layout = new QVBoxLayout(dialog);
   auto* text = new QTextBrowser;
   text->setOpenExternalLinks(true);
-  text->setSearchPaths({QStringLiteral(":/alltact/help")});  // of the pages' pictures
-  text->setMarkdown(markdown);
+  text->setMarkdown(
+      tr("## AllTact Studio %1\n\nTurns a clear silicone finger with a camera inside into a "
+         "measuring instrument.\n\nIts own source is under the BSD-3-Clause licence; with the "
+         "libraries it uses, the program as a whole is under the GPL, version 3.")
+          .arg(QString::fromStdString(program_version())));
   text->setAccessibleName(title);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
   connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
   layout->addWidget(text);
   layout->addWidget(buttons);
-  dialog->resize(size);
+  dialog->resize(640, 320);
   dialog->show();
 }
 

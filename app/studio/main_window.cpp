@@ -4,6 +4,7 @@
 #include "app/studio/finger_menu.h"
 #include "app/studio/header_bar.h"
 #include "app/studio/help_menu.h"
+#include "app/studio/place_hint.h"
 #include "app/studio/problem_bar.h"
 #include "app/studio/rail.h"
 #include "app/studio/source_menu.h"
@@ -23,6 +24,7 @@
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QSettings>
 #include <QVBoxLayout>
 
@@ -68,6 +70,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
   put_together();
   for (Place* place : places_) connect_place(*place);
   connect_live();
+  connect_start();
   connect_pedal();
   connect(rail_, &Rail::chosen, this, &MainWindow::go_to);
   connect(problems_, &ProblemBar::go_on_wanted, this, &MainWindow::go_on_with_last);
@@ -96,6 +99,7 @@ void MainWindow::make_places(const StudioOptions& options) {
   auto* accuracy = new AccuracyPlace(session_, undo_, program_version());
   places_ = {live_, calibrate, new RecordPlace(session_, install), inspect_, accuracy};
   guide_ = new TryGuide(session_, work_, *calibrate, options.session_folder);
+  hint_ = new PlaceHint(*guide_);
 }
 
 void MainWindow::put_together() {
@@ -103,9 +107,12 @@ void MainWindow::put_together() {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(10, 8, 10, 4);
-  column->addWidget(new HeaderBar(session_, work_, *finger_menu_, *source_menu_));
+  auto* header = new HeaderBar(session_, work_, *finger_menu_, *source_menu_);
+  connect(&header->summary(), &FingerSummary::place_wanted, this, &MainWindow::go_to);
+  column->addWidget(header);
   column->addWidget(problems_);
   column->addWidget(guide_);
+  column->addWidget(hint_);
   column->addWidget(stack_, 1);
   auto* whole = new QWidget;
   auto* row = new QHBoxLayout(whole);
@@ -130,7 +137,11 @@ void MainWindow::connect_live() {
   connect(live_, &LivePlace::lock_set, &work_, &Workspace::keep_lock);
   connect(&work_, &Workspace::source_changed, live_, [this] {
     live_->show_start(work_.state().source.empty());
+    show_hint();
   });
+}
+
+void MainWindow::connect_start() {
   StartPanel* start = &live_->start();
   connect(&finder_, &CameraFinder::cameras_changed, live_, [this] {
     live_->set_cameras(finder_.cameras());
@@ -140,25 +151,28 @@ void MainWindow::connect_live() {
     open_source({name.toStdString()});
   });
   connect(start, &StartPanel::simulated_wanted, source_menu_, &SourceMenu::open_simulated);
-  connect(start, &StartPanel::finger_chosen, this, [this](const QString& folder) {
+  connect(start, &StartPanel::all_fingers_wanted, finger_menu_, &FingerMenu::list_all);
+  connect(start, &StartPanel::try_wanted, this, [this] {
+    if (!work_.state().finger.empty()) work_.open_finger({});
+    source_menu_->open_simulated();
+    guide_->begin();
+  });
+  connect(start, &StartPanel::video_wanted, source_menu_, &SourceMenu::choose_video);
+  connect(start, &StartPanel::folder_wanted, source_menu_, &SourceMenu::choose_folder);
+  connect(guide_, &TryGuide::place_wanted, this, &MainWindow::go_to);
+  connect(guide_, &TryGuide::failed, problems_, &ProblemBar::tell);
+  FingerCards* cards = &start->cards();
+  connect(cards, &FingerCards::found, finger_menu_, &FingerMenu::offer);
+  connect(cards, &FingerCards::finger_chosen, this, [this](const QString& folder) {
     const auto& last = keeper_.last();
     if (last && last->finger == folder.toStdString() && !last->source.empty())
       go_on_with_last();  // its source is known too
     else
       open_finger(folder.toStdString());
   });
-  connect(start, &StartPanel::try_wanted, this, [this] {
-    if (!work_.state().finger.empty()) work_.open_finger({});
-    source_menu_->open_simulated();
-    guide_->begin();
-  });
-  connect(guide_, &TryGuide::place_wanted, this, &MainWindow::go_to);
-  connect(guide_, &TryGuide::failed, problems_, &ProblemBar::tell);
-  const auto show_recent = [this, start] { start->set_recent(work_.state().recent_fingers); };
-  connect(&work_, &Workspace::finger_changed, start, show_recent);
+  const auto show_recent = [this, cards] { cards->set_fingers(work_.state().recent_fingers); };
+  connect(&work_, &Workspace::finger_changed, cards, show_recent);
   show_recent();
-  connect(start, &StartPanel::video_wanted, source_menu_, &SourceMenu::choose_video);
-  connect(start, &StartPanel::folder_wanted, source_menu_, &SourceMenu::choose_folder);
 }
 
 void MainWindow::connect_pedal() {
@@ -177,7 +191,10 @@ void MainWindow::make_menus() {
   make_file_menu();
   menuBar()->addMenu(new EditMenu(undo_, session_, this));
   make_view_menu();
-  menuBar()->addMenu(new HelpMenu([this] { return shown_place().name(); }, this));
+  auto* help = new HelpMenu([this] { return shown_place().name(); }, places_, this);
+  connect(hint_, &PlaceHint::help_wanted, help, &HelpMenu::show_help);
+  connect(help, &HelpMenu::failed, problems_, &ProblemBar::tell);
+  menuBar()->addMenu(help);
 }
 
 void MainWindow::make_file_menu() {
@@ -235,8 +252,15 @@ void MainWindow::go_to(const std::string& name) {
   const auto index = found == places_.end() ? 0 : found - places_.begin();
   stack_->setCurrentIndex(static_cast<int>(index));
   rail_->mark(static_cast<std::size_t>(index));
+  guide_->set_place(shown_place().name());
+  show_hint();
   problems_->follow();
   keep();
+}
+
+void MainWindow::show_hint() {
+  const bool is_first_page = &shown_place() == live_ && work_.state().source.empty();
+  hint_->show_for(is_first_page ? std::string() : shown_place().name());
 }
 
 void MainWindow::keep() {
@@ -275,7 +299,30 @@ void MainWindow::name_last() {
   live_->start().set_last(what.join(QStringLiteral(", ")));
 }
 
+void MainWindow::ask_before_closing() {
+  auto* box = new QMessageBox(QMessageBox::Question,
+                              tr("A recording is under way"),
+                              tr("A recording is under way. Quitting ends it; what was recorded "
+                                 "until then is kept."),
+                              QMessageBox::NoButton,
+                              this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  auto* end = box->addButton(tr("&End it and quit"), QMessageBox::AcceptRole);
+  auto* go_on = box->addButton(tr("&Go on recording"), QMessageBox::RejectRole);
+  box->setDefaultButton(go_on);
+  box->setEscapeButton(go_on);
+  connect(end, &QPushButton::clicked, this, [this] {
+    may_close_ = true;
+    close();
+  });
+  box->open();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (session_.status().recording.state == RecordingState::kRunning && !may_close_) {
+    event->ignore();
+    return ask_before_closing();
+  }
   QSettings().setValue(QStringLiteral("window/geometry"), saveGeometry());
   session_.close_source();
   event->accept();

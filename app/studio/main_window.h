@@ -19,6 +19,7 @@ class FingerMenu;
 class InspectPlace;
 class LivePlace;
 class Place;
+class PlaceHint;
 class ProblemBar;
 class Rail;
 class SourceMenu;
@@ -55,12 +56,17 @@ class MainWindow : public Translated<QMainWindow> {
   void make_places(const StudioOptions& options);
   void connect_place(Place& place);
   void connect_live();
+  void connect_start();
   void connect_pedal();
   void make_menus();
   void make_file_menu();
   void make_view_menu();
   void put_together();
   void show_settings();
+  /// The first page says itself what it is for.
+  void show_hint();
+  /// Recording goes on until somebody has said that it may end.
+  void ask_before_closing();
   [[nodiscard]] Place& shown_place() const;
   void keep();
   void restore(const SessionState& state);
@@ -82,7 +88,9 @@ class MainWindow : public Translated<QMainWindow> {
   Rail* rail_;
   ProblemBar* problems_;
   TryGuide* guide_;
+  PlaceHint* hint_;
   QStackedWidget* stack_;
+  bool may_close_ = false;  // while recording
 };
 
 }  // namespace alltact

@@ -22,6 +22,7 @@ ProblemBar::ProblemBar(const LiveSession& session,
   connect(&session_, &LiveSession::status_ready, this, &ProblemBar::follow);
   connect(&pedal_, &Pedal::changed, this, &ProblemBar::follow);
   connect(&work_, &Workspace::source_changed, this, [this] { told_.reset(); });
+  connect(&work_, &Workspace::finger_changed, this, [this] { told_.reset(); });
   say([this] { follow(); });
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/finger/new_finger.h"
 #include "core/io/atomic_file.h"
+#include "widgets/shell/primary_button.h"
 
 #include <QHBoxLayout>
 
@@ -62,10 +63,7 @@ TryGuide::TryGuide(LiveSession& session,
   row->addWidget(end_);
   hide();
   connect(lead_, &QPushButton::clicked, this, &TryGuide::lead);
-  connect(end_, &QPushButton::clicked, this, [this] {
-    is_on_ = false;
-    hide();
-  });
+  connect(end_, &QPushButton::clicked, this, &TryGuide::end);
   connect(&session_, &LiveSession::status_ready, this, &TryGuide::follow);
   say([this] {
     setAccessibleName(tr("A day with a simulated finger"));
@@ -78,6 +76,13 @@ void TryGuide::begin() {
   is_on_ = true;
   has_finger_ = false;
   follow();
+  Q_EMIT turned();
+}
+
+void TryGuide::end() {
+  is_on_ = false;
+  hide();
+  Q_EMIT turned();
 }
 
 TryGuide::Step TryGuide::step() const {
@@ -99,8 +104,7 @@ void TryGuide::make_finger_once() {
     return std::function<void()>([this, made] {
       has_finger_ = true;
       if (!made) {
-        is_on_ = false;
-        hide();
+        end();
         return void(Q_EMIT failed(made.error()));
       }
       work_.open_finger(*made);
@@ -118,8 +122,20 @@ void TryGuide::follow() {
   lead_->setText(now == Step::kRecord ? tr("Go to &Record")
                  : now == Step::kDone ? tr("Go to &Inspect")
                                       : tr("Go to &Calibrate"));
-  lead_->setVisible(now != Step::kFinger);
+  const bool is_elsewhere = now != Step::kFinger && place_ != place_of_step();
+  lead_->setVisible(is_elsewhere);
+  set_primary(*lead_, is_elsewhere);
   show();
+}
+
+void TryGuide::set_place(const std::string& place) {
+  place_ = place;
+  follow();
+}
+
+std::string TryGuide::place_of_step() const {
+  const Step now = step();
+  return now == Step::kRecord ? "record" : now == Step::kDone ? "inspect" : "calibrate";
 }
 
 QString TryGuide::what_next() const {
@@ -142,11 +158,9 @@ QString TryGuide::what_next() const {
 }
 
 void TryGuide::lead() {
-  const Step now = step();
-  if (now == Step::kRecord) return void(Q_EMIT place_wanted("record"));
-  if (now == Step::kDone) return void(Q_EMIT place_wanted("inspect"));
-  Q_EMIT place_wanted("calibrate");
-  calibrate_.go_to_next_to_do();
+  const std::string place = place_of_step();
+  Q_EMIT place_wanted(place);
+  if (place == "calibrate") calibrate_.go_to_next_to_do();
 }
 
 }  // namespace alltact

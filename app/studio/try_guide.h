@@ -22,17 +22,24 @@ class TryGuide : public Translated<QFrame> {
 
   /// The simulated finger is being opened: begin with it.
   void begin();
+  [[nodiscard]] bool is_on() const { return is_on_; }
+  /// Where one is now, by its name.
+  void set_place(const std::string& place);
 
   enum class Step { kFinger = 1, kRecord, kPresses, kCalibrate, kCheck, kDone };
   [[nodiscard]] Step step() const;
 
  Q_SIGNALS:
+  /// is_on() has changed.
+  void turned();
   /// By its name.
   void place_wanted(const std::string& name);
   void failed(const alltact::Error& why);
 
  private:
+  void end();
   void follow();
+  [[nodiscard]] std::string place_of_step() const;
   void make_finger_once();
   void lead();
   [[nodiscard]] QString what_next() const;
@@ -41,6 +48,7 @@ class TryGuide : public Translated<QFrame> {
   Workspace& work_;
   CalibratePlace& calibrate_;
   std::filesystem::path work_folder_;
+  std::string place_;
   OneLine* text_;
   QPushButton *lead_, *end_;
   bool is_on_ = false, has_finger_ = false;

@@ -5,6 +5,7 @@
 #include "calibration/finger/measuring_settings.h"
 #include "core/io/atomic_file.h"
 #include "core/io/zip_file.h"
+#include "core/recording/journal.h"
 
 #include <fmt/format.h>
 
@@ -70,9 +71,10 @@ bool is_below(const fs::path& inner, const fs::path& outer) {
   return ends.first == b.end() || ends.first->empty();
 }
 
-/// Every file of the finger's folder, in the order of their names. Error: something that a zip
-/// cannot hold; nothing is left out in silence.
-Result<std::vector<ZipEntry>> files_below(const fs::path& finger_folder) {
+/// Every file of the finger's folder but those, in the order of their names. Error: something that
+/// a zip cannot hold; nothing else is left out in silence.
+Result<std::vector<ZipEntry>> files_below(const fs::path& finger_folder,
+                                          const std::vector<fs::path>& left_out) {
   std::vector<ZipEntry> entries;
   std::error_code failed;
   fs::recursive_directory_iterator entry(finger_folder, failed);
@@ -85,6 +87,7 @@ Result<std::vector<ZipEntry>> files_below(const fs::path& finger_folder) {
                              : en::say("is neither a file nor a folder, so a zip cannot hold it"),
                    entry->path().string(),
                    en::say("moving it out of the finger's folder")};
+    if (std::find(left_out.begin(), left_out.end(), entry->path()) != left_out.end()) continue;
     const fs::path name = "finger" / entry->path().lexically_relative(finger_folder);
     entries.push_back({name.generic_string(), entry->path(), {}});
   }
@@ -107,7 +110,10 @@ Result<std::vector<ZipEntry>> zip_entries(const Finger& finger,
                  en::say("another folder")};
   auto json = json_of(finger, finger_folder);
   if (!json) return json.error();
-  auto entries = files_below(finger_folder);
+  std::vector<fs::path> left_out = unused_recordings(finger, finger_folder);
+  for (std::size_t i = 0, count = left_out.size(); i < count; ++i)
+    left_out.push_back(journal_of(left_out[i]));
+  auto entries = files_below(finger_folder, left_out);
   if (!entries) return entries.error();
   entries->insert(entries->begin(), {"calibration.json", {}, std::move(json).value()});
   return entries;
@@ -140,6 +146,21 @@ std::string export_command(const fs::path& finger_folder,
                      shell_quoted(finger_folder.string()),
                      fmt::join(words, ","),
                      shell_quoted(folder.string()));
+}
+
+std::vector<fs::path> unused_recordings(const Finger& finger, const fs::path& finger_folder) {
+  std::vector<fs::path> found;
+  std::error_code failed;
+  for (fs::directory_iterator entry(finger_folder, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    const fs::path& file = entry->path();
+    const bool is_used = finger.reference && file == finger_folder / finger.reference->video;
+    std::error_code ignored;
+    if (file.extension() == ".mkv" && !is_used && fs::exists(journal_of(file), ignored))
+      found.push_back(file);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 Status export_finger(const FingerSnapshot& snapshot,

@@ -30,14 +30,19 @@ struct ExportFormInfo {
                                          const std::vector<ExportForm>& forms,
                                          const std::filesystem::path& folder);
 
+/// Takes that lie in the finger's folder and are not its reference: videos with the journal that
+/// recording them left beside them. In the order of their names.
+[[nodiscard]] std::vector<std::filesystem::path> unused_recordings(
+    const Finger& finger, const std::filesystem::path& finger_folder);
+
 /// Writes these forms to `folder`, which is made if it is not there; files of an earlier export are
 /// replaced, each whole or not at all.
 ///   opencv  camera.opencv.yaml: camera matrix and distortion, for cv::FileStorage
 ///   ros     camera_info.yaml, as camera_calibration_parsers reads it, and parameters.yaml for a
 ///           ROS 2 node: face, markers, mapping, with the units in the names
 ///   json    calibration.json: all that measuring needs but the reference pictures
-///   zip     finger.zip: calibration.json and, below finger/, every file of the finger's folder;
-///           the same finger gives the same bytes
+///   zip     finger.zip: calibration.json and, below finger/, every file of the finger's folder but
+///           unused_recordings(); the same finger gives the same bytes
 /// Pixels are those of the picture turned as the camera's orientation says.
 /// Nothing is written when one of the forms cannot express the finger (an orthographic camera or
 /// one behind a window has no camera matrix), or a zip would lie in the finger's folder. Other

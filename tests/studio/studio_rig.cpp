@@ -1,5 +1,6 @@
 #include "tests/studio/studio_rig.h"
 
+#include "app/studio/place_hint.h"
 #include "calibration/reference/new_reference.h"
 #include "core/finger/finger_store.h"
 #include "core/finger/new_finger.h"
@@ -7,6 +8,8 @@
 #include "core/io/picture.h"
 #include "core/simulation/plan.h"
 #include "core/sources/open/open_source.h"
+
+#include <QSettings>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -141,6 +144,8 @@ Studio::Studio(StudioOptions options) {
   if (options.session_folder.empty()) options.session_folder = folder_ / "session";
   if (!options.lister) options.lister = [] { return std::vector<FoundCamera>{}; };
   dresser_.wear({Theme::kLight, QStringLiteral("en")});
+  for (const char* place : {"live", "calibrate", "record", "inspect", "accuracy"})
+    QSettings().setValue(PlaceHint::key(place), true);  // somebody who was here before
   window_ = std::make_unique<MainWindow>(options, dresser_);
   window_->resize(1280, 800);
   window_->show();

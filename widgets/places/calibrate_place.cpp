@@ -1,11 +1,17 @@
 #include "widgets/places/calibrate_place.h"
 
 #include "calibration/reference/new_reference.h"
+#include "widgets/shell/primary_button.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
 namespace alltact {
+namespace {
+
+constexpr int kGoodPresses = 6;  // with fewer the next one is worth more than going on
+
+}  // namespace
 
 CalibratePlace::CalibratePlace(LiveSession& session,
                                QUndoStack& undo,
@@ -115,10 +121,13 @@ void CalibratePlace::show_steps() {
     step_ = open;
     stack_->setCurrentWidget(pages_[step_]);
   }
+  const bool is_reading = session_.status().finger.state == FingerState::kLoading;
   std::vector<Step> steps;
   for (std::size_t i = 0; i < kSteps; ++i)
     steps.push_back({pages_[i]->title(),
-                     i <= open ? pages_[i]->state() : StepState::kToDo,
+                     i <= open && pages_[i]->state() != StepState::kToDo ? pages_[i]->state()
+                     : is_reading                                        ? StepState::kReading
+                                                                         : StepState::kToDo,
                      i <= open,
                      pages_[open]->missing()});
   steps_->show_steps(steps, step_);
@@ -128,6 +137,12 @@ void CalibratePlace::show_steps() {
   next_->setVisible(!is_last);
   next_->setEnabled(missing.isEmpty());
   if (!is_last) next_->setText(tr("&Next: %1").arg(pages_[step_ + 1]->title()));
+  const bool is_enough = pages_[step_] != presses_ || desk_.usable_count() >= kGoodPresses ||
+                         run_.state() == CalibrationState::kCurrent;
+  const bool is_done = pages_[step_]->state() == StepState::kDone;
+  set_primary(*next_, !is_last && missing.isEmpty() && is_enough && is_done);
+  if (auto* main = qobject_cast<QPushButton*>(pages_[step_]->main_control()))
+    set_primary(*main, !is_primary(*next_));
 }
 
 }  // namespace alltact

@@ -123,10 +123,6 @@ QWidget* RecordPlace::make_side() {
 
 void RecordPlace::make_recording_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(recording_group_);
-  QFont bold = record_->font();
-  bold.setBold(true);
-  record_->setFont(bold);
-  record_->setMinimumHeight(44);
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
   for (QWidget* widget : {static_cast<QWidget*>(record_),
                           static_cast<QWidget*>(reason_),
@@ -358,6 +354,7 @@ void RecordPlace::show_status() {
   show_progress(status.recording);
   show_recorded(status);
   show_rig();
+  mark_primary();
 }
 
 void RecordPlace::changeEvent(QEvent* event) {

@@ -75,6 +75,8 @@ class RecordPlace : public Place {
   [[nodiscard]] static QString time_text(double seconds);  // minutes and seconds
   [[nodiscard]] QString take_words(const RecordingStatus& recording) const;
   [[nodiscard]] QString judged_words() const;
+  /// What comes next is the largest button: recording, then installing.
+  void mark_primary();
   void show_installing();
   void show_coverage();
   void show_problem_picture();

@@ -1,6 +1,7 @@
 // What the place Record says while it works: what is needed, how far it is, what came of it.
 #include "widgets/places/record_place.h"
 #include "widgets/shell/icons.h"
+#include "widgets/shell/primary_button.h"
 
 namespace alltact {
 namespace {
@@ -74,6 +75,13 @@ QString RecordPlace::why_not_install(const LiveStatus& status) const {
     return tr("A flat sensor has one untouched picture instead of a recording.");
   if (is_busy()) return install_work_.is_running() ? QString() : tr("A recording is under way.");
   return {};
+}
+
+void RecordPlace::mark_primary() {
+  const bool is_installed = report_ && report_->ok() && installed_ == recorded_;
+  const bool installs = !recorded_.empty() && install_->isEnabled() && !is_installed;
+  set_primary(*install_, installs);
+  set_primary(*record_, !installs);
 }
 
 QString RecordPlace::outcome_text() const {

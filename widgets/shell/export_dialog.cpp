@@ -205,22 +205,35 @@ void ExportDialog::write() {
   show_running(true);
   progress_->setValue(0);
   work_.start([this, finger_folder = finger_, wanted = forms(), folder](const Job& job) {
-    std::vector<fs::path> written;
+    std::vector<fs::path> written, left_out;
     Status status;
-    if (const auto finger = open_finger(finger_folder))
+    if (const auto finger = open_finger(finger_folder)) {
       status = export_finger(**finger, wanted, folder, job, &written);
-    else
+      if (std::count(wanted.begin(), wanted.end(), ExportForm::kZip) > 0)
+        left_out = unused_recordings((*finger)->finger, finger_folder);
+    } else {
       status = finger.error();
-    return std::function<void()>([this, status, written] {
+    }
+    return std::function<void()>([this, status, written, left_out] {
       show_running(false);
-      tell(status, written);
+      tell(status, written, left_out);
     });
   });
 }
 
-void ExportDialog::tell(const Status& status, const std::vector<fs::path>& written) {
+void ExportDialog::tell(const Status& status,
+                        const std::vector<fs::path>& written,
+                        const std::vector<fs::path>& left_out) {
   std::vector<Problem> rows;
   if (!status) rows.push_back(Problem::of(status.error()));
+  if (!left_out.empty())
+    rows.push_back({Meaning::kDoubtful,
+                    tr("%n recording(s) that this finger does not use are left out of the zip.",
+                       nullptr,
+                       static_cast<int>(left_out.size())),
+                    {},
+                    {},
+                    {}});
   if (!written.empty()) {
     QStringList names;
     for (const fs::path& file : written) names << text_of(file.filename());

@@ -39,7 +39,9 @@ class ExportDialog : public Translated<QDialog> {
   void show_command();
   void show_running(bool is_running);
   void write();
-  void tell(const Status& status, const std::vector<std::filesystem::path>& written);
+  void tell(const Status& status,
+            const std::vector<std::filesystem::path>& written,
+            const std::vector<std::filesystem::path>& left_out);
 
   const std::filesystem::path finger_;
   std::vector<Form> forms_;

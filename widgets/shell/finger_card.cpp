@@ -60,14 +60,19 @@ std::optional<FingerCard> read_finger_card(const fs::path& folder, const std::st
       card.calibrated_on = date->second;
     check = latest_check(folder, card.calibrated_on);
   }
-  if (check) card.checked_on = check->time;
-  if (const auto& record = finger.mapping_record)
-    card.grade = verdict({record->residual_mm,
-                          record->held_out_mm,
-                          record->spread_mm,
-                          static_cast<int>(record->presses.size()),
-                          record->pixel_mm})
-                     .grade;
+  if (check) {
+    card.checked_on = check->time;
+    card.checked_mm = check->error_mm;
+  }
+  if (const auto& record = finger.mapping_record) {
+    const Verdict worth = verdict({record->residual_mm,
+                                   record->held_out_mm,
+                                   record->spread_mm,
+                                   static_cast<int>(record->presses.size()),
+                                   record->pixel_mm});
+    card.grade = worth.grade;
+    card.error_mm = worth.error_mm;
+  }
   card.due = due_of(finger, check, now);
   if (const fs::path file = picture_of(folder, finger); !file.empty())
     if (const QImage whole(QString::fromStdString(file.string())); !whole.isNull())

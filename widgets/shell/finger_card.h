@@ -27,6 +27,8 @@ struct FingerCard {
   std::optional<Grade> grade;  ///< of the calibration
   std::string calibrated_on;   ///< UTC, 2026-01-31T12:00:00Z; empty: never
   std::string checked_on;      ///< likewise; of this calibration
+  double error_mm = 0;         ///< to be expected of the next press; 0: not kept
+  double checked_mm = 0;       ///< what the last check was off by; 0: never checked
   FingerDue due = FingerDue::kNothing;
   QImage picture;  ///< of a press or of the untouched finger; null: none
 

@@ -18,21 +18,27 @@ class FingerCards : public Translated<QWidget> {
   static constexpr std::size_t kMost = 6;
 
   explicit FingerCards(QWidget* parent = nullptr);
-  /// Latest first; read beside the window. Folders that are gone, and all after kMost, are left
-  /// out; hidden where none is left.
+  /// Latest first; read beside the window. Folders that are gone or cannot be read, and all after
+  /// kMost, are left out; hidden where none is left.
   void set_fingers(const std::vector<std::filesystem::path>& folders);
   [[nodiscard]] const std::vector<FingerCard>& cards() const { return cards_; }
 
  Q_SIGNALS:
   void finger_chosen(const QString& folder);
+  /// Those of the folders, also after kMost, that hold a finger that can be opened.
+  void found(const std::vector<std::filesystem::path>& folders);
+  /// cards() are shown.
+  void filled();
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
   void read();
   void rebuild();
+  void fit();
   [[nodiscard]] QToolButton* make_button(const FingerCard& card);
 
   std::vector<std::filesystem::path> folders_;

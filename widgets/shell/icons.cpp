@@ -32,4 +32,16 @@ QIcon icon(const QString& name, const QPalette& palette) {
   return icon;
 }
 
+QString meaning_symbol(Meaning meaning) {
+  switch (meaning) {
+    case Meaning::kGood:
+      return QStringLiteral("good");
+    case Meaning::kDoubtful:
+      return QStringLiteral("doubtful");
+    case Meaning::kBad:
+      break;
+  }
+  return QStringLiteral("bad");
+}
+
 }  // namespace alltact

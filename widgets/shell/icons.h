@@ -1,6 +1,8 @@
 // The project's own symbols, in the palette's colours.
 #pragma once
 
+#include "widgets/theme.h"
+
 #include <QIcon>
 #include <QPalette>
 
@@ -12,5 +14,8 @@ namespace alltact {
 
 /// The same in one colour of its own.
 [[nodiscard]] QPixmap symbol(const QString& name, const QColor& colour, int size, double ratio);
+
+/// What stands for it, told apart by its shape, too.
+[[nodiscard]] QString meaning_symbol(Meaning meaning);
 
 }  // namespace alltact

@@ -30,18 +30,6 @@ bool is_same_problem(const Problem& a, const Problem& b) {
   return a.meaning == b.meaning && without_numbers(a.what) == without_numbers(b.what);
 }
 
-QString symbol_of(Meaning meaning) {
-  switch (meaning) {
-    case Meaning::kGood:
-      return QStringLiteral("good");
-    case Meaning::kDoubtful:
-      return QStringLiteral("doubtful");
-    case Meaning::kBad:
-      break;
-  }
-  return QStringLiteral("bad");
-}
-
 }  // namespace
 
 Problem Problem::of(const Error& error, Meaning meaning) {
@@ -168,7 +156,7 @@ QWidget* ProblemList::make_row(const Noted& noted, bool is_first) {
   layout->setContentsMargins(10, 3, 6, 3);
   auto* picture = new QLabel;
   picture->setPixmap(
-      symbol(symbol_of(problem.meaning), colour, kProblemSymbol, devicePixelRatioF()));
+      symbol(meaning_symbol(problem.meaning), colour, kProblemSymbol, devicePixelRatioF()));
   picture->setAccessibleName(word);
   layout->addWidget(picture, 0, Qt::AlignVCenter);
   const QString head = word + QLatin1Char(':');

@@ -2,6 +2,8 @@
 
 #include "widgets/controls/camera_label.h"
 #include "widgets/language.h"
+#include "widgets/shell/primary_button.h"
+#include "widgets/theme.h"
 
 namespace alltact {
 
@@ -10,6 +12,7 @@ StartPanel::StartPanel(QWidget* parent)
       title_(new QLabel),
       intro_(new QLabel),
       cards_(new FingerCards),
+      drawing_(new FingerDrawing(DrawnThing::kFinger)),
       try_(new QPushButton),
       last_(new QPushButton),
       simulated_(new QPushButton),
@@ -17,42 +20,16 @@ StartPanel::StartPanel(QWidget* parent)
       folder_(new QPushButton),
       finger_(new QPushButton),
       new_finger_(new QPushButton),
+      all_(new QPushButton),
       sources_(new QGroupBox),
       fingers_(new QGroupBox),
       cameras_(new QVBoxLayout) {
-  auto* outer = new QVBoxLayout(this);
-  auto* column = new QVBoxLayout;
-  auto* middle = new QHBoxLayout;
-  outer->addStretch(1);
-  outer->addLayout(middle);
-  outer->addStretch(2);
-  middle->addStretch();
-  middle->addLayout(column);
-  middle->addStretch();
-  column->setSpacing(12);
-  QFont large = title_->font();
-  large.setPointSizeF(1.6 * large.pointSizeF());
-  title_->setFont(large);
-  intro_->setWordWrap(true);
-  intro_->setMinimumWidth(460);
-  column->addWidget(title_);
-  column->addWidget(intro_);
-  column->addWidget(last_);
-  column->addWidget(cards_);
-  auto* sources = new QVBoxLayout(sources_);
-  sources->addLayout(cameras_);
-  for (QPushButton* button : {simulated_, video_, folder_}) sources->addWidget(button);
-  auto* fingers = new QVBoxLayout(fingers_);
-  for (QPushButton* button : {finger_, new_finger_}) fingers->addWidget(button);
-  auto* ways = new QHBoxLayout;
-  ways->addWidget(sources_, 1);
-  ways->addWidget(fingers_, 1);
-  column->addLayout(ways);
-  try_->setMinimumHeight(36);
-  fingers->addWidget(try_);
-  fingers->addStretch();
-  sources->addStretch();
-  connect(cards_, &FingerCards::finger_chosen, this, &StartPanel::finger_chosen);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(kSpacing, kSpacing, kSpacing, kSpacing);
+  row->setSpacing(3 * kSpacing);
+  row->addLayout(make_left(), 1);
+  row->addLayout(make_right());
+  connect(cards_, &FingerCards::filled, this, &StartPanel::mark_primary);
   connect(try_, &QPushButton::clicked, this, &StartPanel::try_wanted);
   connect(last_, &QPushButton::clicked, this, &StartPanel::last_wanted);
   connect(simulated_, &QPushButton::clicked, this, &StartPanel::simulated_wanted);
@@ -60,29 +37,77 @@ StartPanel::StartPanel(QWidget* parent)
   connect(folder_, &QPushButton::clicked, this, &StartPanel::folder_wanted);
   connect(finger_, &QPushButton::clicked, this, &StartPanel::finger_wanted);
   connect(new_finger_, &QPushButton::clicked, this, &StartPanel::new_finger_wanted);
-  say([this] {
-    title_->setText(tr("What shall be shown?"));
-    intro_->setText(tr("Choose where pictures come from. A finger can be opened before or after."));
-    try_->setText(tr("&Try with a simulated finger"));
-    try_->setToolTip(
-        tr("A whole day in five minutes: record, press, calibrate and check a finger that is "
-           "computed"));
-    simulated_->setText(tr("&Simulated finger"));
-    video_->setText(tr("&Video file…"));
-    folder_->setText(tr("Folder of &pictures…"));
-    finger_->setText(tr("&Open a finger…"));
-    new_finger_->setText(tr("&New finger…"));
-    sources_->setTitle(tr("Source"));
-    fingers_->setTitle(tr("Finger"));
-    set_last(last_text_);
-    show_cameras();
-  });
+  connect(all_, &QPushButton::clicked, this, &StartPanel::all_fingers_wanted);
+  say([this] { name_parts(); });
+}
+
+QVBoxLayout* StartPanel::make_left() {
+  auto* column = new QVBoxLayout;
+  column->setSpacing(kSpacing + kSpacing / 2);
+  title_->setFont(text_font(font(), TextSize::kTitle));
+  intro_->setWordWrap(true);
+  for (QWidget* widget : {static_cast<QWidget*>(title_),
+                          static_cast<QWidget*>(intro_),
+                          static_cast<QWidget*>(last_),
+                          static_cast<QWidget*>(cards_)})
+    column->addWidget(widget);
+  column->addWidget(drawing_, 1);
+  return column;
+}
+
+QVBoxLayout* StartPanel::make_right() {
+  constexpr int kWidth = 250;
+  auto* sources = new QVBoxLayout(sources_);
+  sources->addLayout(cameras_);
+  for (QPushButton* button : {simulated_, video_, folder_}) sources->addWidget(button);
+  auto* fingers = new QVBoxLayout(fingers_);
+  for (QPushButton* button : {finger_, all_, new_finger_}) fingers->addWidget(button);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(2 * kSpacing);
+  for (QWidget* widget : {static_cast<QWidget*>(try_),
+                          static_cast<QWidget*>(sources_),
+                          static_cast<QWidget*>(fingers_)}) {
+    widget->setMinimumWidth(kWidth);
+    column->addWidget(widget);
+  }
+  column->addStretch();
+  return column;
+}
+
+void StartPanel::name_parts() {
+  title_->setText(tr("What shall be shown?"));
+  intro_->setText(tr("Choose where pictures come from. A finger can be opened before or after."));
+  try_->setText(tr("&Try with a simulated finger"));
+  try_->setToolTip(
+      tr("A whole day in five minutes: record, press, calibrate and check a finger that is "
+         "computed"));
+  simulated_->setText(tr("&Simulated finger"));
+  video_->setText(tr("&Video file…"));
+  folder_->setText(tr("Folder of &pictures…"));
+  finger_->setText(tr("&Open a finger…"));
+  all_->setText(tr("&All fingers…"));
+  all_->setToolTip(tr("What each is worth, and what is due, in one list"));
+  new_finger_->setText(tr("&New finger…"));
+  sources_->setTitle(tr("Source"));
+  fingers_->setTitle(tr("Finger"));
+  drawing_->setAccessibleName(
+      tr("A finger from its side: camera and lamps at its base, and a ball that presses"));
+  set_last(last_text_);
+  show_cameras();
+}
+
+void StartPanel::mark_primary() {
+  const bool has_worked = !last_text_.isEmpty();
+  set_primary(*last_, has_worked);
+  set_primary(*try_, !has_worked && cards_->cards().empty());
+  all_->setEnabled(!cards_->cards().empty());
 }
 
 void StartPanel::set_last(const QString& what) {
   last_text_ = what;
   last_->setVisible(!what.isEmpty());
   last_->setText(tr("&Go on with %1").arg(what));
+  mark_primary();
 }
 
 void StartPanel::set_cameras(const std::vector<FoundCamera>& cameras) {

@@ -20,6 +20,8 @@ QString state_word(StepState state) {
       return StepList::tr("done");
     case StepState::kLookAgain:
       return StepList::tr("look again");
+    case StepState::kReading:
+      return StepList::tr("is being read");
     case StepState::kToDo:
       break;
   }
@@ -79,8 +81,9 @@ void StepList::dress() {
     const QString text = tr("%1 %2: %3").arg(i + 1).arg(step.title, state_word(step.state));
     button->setAccessibleName(text);
     const bool is_done = step.state == StepState::kDone;
+    const bool is_known = is_done || step.state == StepState::kLookAgain;
     button->setIcon(
-        step.state == StepState::kToDo
+        !is_known
             ? QIcon()
             : QIcon(symbol(is_done ? QStringLiteral("good") : QStringLiteral("doubtful"),
                            meaning_colour(is_done ? Meaning::kGood : Meaning::kDoubtful, palette()),

@@ -14,6 +14,7 @@ enum class StepState {
   kToDo = 1,
   kDone,
   kLookAgain,  ///< done, but something has changed since
+  kReading,    ///< nobody knows yet: the finger is being read
 };
 
 struct Step {

@@ -2,6 +2,7 @@
 
 #include "calibration/export/export_texts.h"
 #include "core/io/atomic_file.h"
+#include "core/recording/journal.h"
 #include "tests/support/cameras.h"
 #include "tests/support/program.h"
 #include "tests/support/python.h"
@@ -177,6 +178,33 @@ TEST(ExportFinger, TheZipHoldsEveryFileOfTheFinger) {
   EXPECT_EQ(test::text_of(folder / "unpacked/calibration.json"),
             test::text_of(folder / "out/calibration.json"));
   EXPECT_TRUE(Finger::load(folder / "unpacked/finger").ok());
+}
+
+TEST(ExportFinger, TheZipLeavesOutTakesThatTheFingerDoesNotUse) {
+  const TemporaryFolder folder;
+  const Finger finger = whole_finger();
+  const fs::path from = saved(folder, finger);
+  ASSERT_TRUE(unused_recordings(finger, from).empty());
+  const auto before = test::contents_of(from);
+  for (const char* take : {"bending_2.mkv", "bending_1.mkv"}) {
+    ASSERT_TRUE(write_file_atomically(from / take, "a take"));
+    ASSERT_TRUE(write_file_atomically(journal_of(from / take), "its journal"));
+  }
+  EXPECT_EQ(unused_recordings(finger, from),
+            (std::vector<fs::path>{from / "bending_1.mkv", from / "bending_2.mkv"}));
+  ASSERT_TRUE(export_finger(FingerSnapshot::of(from, finger).value(),
+                            {ExportForm::kZip},
+                            folder / "out",
+                            Job(),
+                            nullptr));
+  const test::ProgramRun run = test::run_shell(std::string(test::kPython) + " -m zipfile -e '" +
+                                               (folder / "out/finger.zip").string() + "' '" +
+                                               (folder / "unpacked").string() + "'");
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(test::contents_of(folder / "unpacked/finger"), before);
+  // A video that nobody recorded here is none of them.
+  ASSERT_TRUE(write_file_atomically(from / "notes.mkv", "somebody's own"));
+  EXPECT_EQ(unused_recordings(finger, from).size(), 2U);
 }
 
 TEST(ExportFinger, WhatAZipCannotHoldIsRefusedBeforeAnythingIsWritten) {

@@ -1,0 +1,177 @@
+// Somebody who has never seen the window, and reads nothing but it: which button is the largest,
+// what the guide's line says, what a field asks for. Every click, every key and every line typed
+// counts.
+#include "tests/studio/calibrate_rig.h"
+#include "widgets/shell/finger_card_words.h"
+#include "widgets/shell/primary_button.h"
+
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QRegularExpression>
+
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+constexpr int kMostActions = 25;
+
+/// Knows the window only: it is handed no place, no page and no widget by name.
+class Newcomer {
+ public:
+  explicit Newcomer(QWidget& window) : window_(window) {}
+
+  [[nodiscard]] const QStringList& actions() const { return actions_; }
+
+  /// All that can be read now, a text each, from the top.
+  [[nodiscard]] QStringList read() const {
+    QStringList texts;
+    for (const QLabel* label : window_.findChildren<QLabel*>())
+      if (label->isVisible() && !label->text().isEmpty()) texts << label->text();
+    return texts;
+  }
+  [[nodiscard]] bool reads(const QString& words) const {
+    for (const QString& text : read())
+      if (text.contains(words)) return true;
+    return false;
+  }
+  /// What the line says that leads through the day.
+  [[nodiscard]] QString guided_by() const {
+    static const QRegularExpression step(QStringLiteral("^[0-9] of [0-9]: "));
+    for (const QString& text : read())
+      if (text.contains(step)) return text;
+    return {};
+  }
+  /// The one that stands out: largest, and of those the upper one.
+  [[nodiscard]] QPushButton* standing_out() const {
+    QPushButton* best = nullptr;
+    const auto top = [this](const QWidget* widget) {
+      return widget->mapTo(&window_, QPoint()).y();
+    };
+    for (auto* button : window_.findChildren<QPushButton*>()) {
+      if (!button->isVisible() || !button->isEnabled() || !is_primary(*button)) continue;
+      if (best == nullptr || button->height() > best->height() ||
+          (button->height() == best->height() && top(button) < top(best)))
+        best = button;
+    }
+    return best;
+  }
+  void click(QPushButton& button) {
+    actions_ << button.text().remove(QLatin1Char('&'));
+    QTest::mouseClick(&button, Qt::LeftButton);
+  }
+  void press_space() {
+    actions_ << QStringLiteral("Space");
+    QWidget* focused = QApplication::focusWidget();
+    QTest::keyClick(focused != nullptr ? focused : &window_, Qt::Key_Space);
+  }
+  /// A number that the guide tells for a quantity, into the field of that name.
+  bool type_what_is_asked_for(const QString& quantity) {
+    const QRegularExpression told(quantity + QStringLiteral(", ([0-9.]+) mm"),
+                                  QRegularExpression::CaseInsensitiveOption);
+    const auto number = told.match(guided_by());
+    if (!number.hasMatch()) return false;
+    for (auto* field : window_.findChildren<QDoubleSpinBox*>()) {
+      const bool is_it = field->isVisible() && field->isEnabled() &&
+                         field->accessibleName().compare(quantity, Qt::CaseInsensitive) == 0;
+      if (!is_it || field->value() > 0) continue;
+      actions_ << quantity + QLatin1Char(' ') + number.captured(1);
+      QTest::mouseClick(field, Qt::LeftButton);
+      field->selectAll();
+      QTest::keyClicks(field, number.captured(1));
+      QTest::keyClick(field, Qt::Key_Return);
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  QWidget& window_;
+  QStringList actions_;
+};
+
+/// Looks at the picture: the ball is in, elsewhere or deeper than before.
+class Watcher {
+ public:
+  bool sees_another_press(const FrameResult& result) {
+    const auto patch = dark_patch(result);
+    if (!patch || patch->darkness < 0.06) return false;
+    for (const DarkPatch& one : seen_)
+      if ((one.place_mm - patch->place_mm).norm() < 5 &&
+          std::abs(one.darkness - patch->darkness) < 0.2 * patch->darkness)
+        return false;
+    seen_.push_back(*patch);
+    return true;
+  }
+
+ private:
+  std::vector<DarkPatch> seen_;
+};
+
+QString verdict_read_by(const Newcomer& newcomer) {
+  for (const Grade grade : {Grade::kGood, Grade::kUsable, Grade::kUnproven, Grade::kUnfit}) {
+    FingerCard card;
+    card.grade = grade;
+    for (const QString& text : newcomer.read())
+      if (text == grade_word(card)) return text;
+  }
+  return {};
+}
+
+TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
+  Studio studio;
+  Newcomer newcomer(studio.window());
+  Watcher watcher;
+  QElapsedTimer recording;
+  const auto is_busy = [&] {
+    return newcomer.reads("Recording</b>") && recording.elapsed() < 30000 &&
+           !newcomer.reads("Enough: all directions");
+  };
+  for (int turn = 0; turn < 4 * kMostActions && verdict_read_by(newcomer).isEmpty(); ++turn) {
+    if (newcomer.type_what_is_asked_for("Ball's radius")) continue;
+    const bool presses_are_wanted = newcomer.guided_by().contains("press Space") &&
+                                    newcomer.standing_out() != nullptr &&
+                                    newcomer.standing_out()->text().contains("(Space)");
+    if (presses_are_wanted) {
+      ASSERT_TRUE(wait_until(
+          [&] { return watcher.sees_another_press(studio.session().view()->result); }, 60000));
+      newcomer.press_space();
+      QTest::qWait(400);
+      continue;
+    }
+    ASSERT_TRUE(
+        wait_until([&] { return newcomer.standing_out() != nullptr && !is_busy(); }, 240000))
+        << "nothing stands out after: " << newcomer.actions().join("; ").toStdString() << "\n"
+        << studio.problems() << newcomer.guided_by().toStdString();
+    QPushButton& next = *newcomer.standing_out();
+    if (next.text().contains("Start")) recording.start();
+    newcomer.click(next);
+    QTest::qWait(400);  // what a hand takes
+  }
+  std::printf("[ figures  ] %d actions: %s; verdict: %s\n",
+              static_cast<int>(newcomer.actions().size()),
+              newcomer.actions().join("; ").toUtf8().constData(),
+              verdict_read_by(newcomer).toUtf8().constData());
+  EXPECT_FALSE(verdict_read_by(newcomer).isEmpty());
+  EXPECT_LE(newcomer.actions().size(), kMostActions);
+  // And it measures where the scene presses its ball in, by 0.9 mm along the face's normal. Near
+  // the tip, which half a minute of recording does not cover well, it may see what is not there.
+  const auto* calibrated = studio.window().findChild<CalibratePlace*>()->run().result().get();
+  ASSERT_NE(calibrated, nullptr);
+  double deepest_mm = 0;
+  const auto look = [&] {
+    for (const ContactRegion& region : studio.session().view()->result.regions)
+      if (region.place_mm.z() < 75) deepest_mm = std::max(deepest_mm, region.deepest_mm);
+    return deepest_mm > 0.7;
+  };
+  EXPECT_TRUE(wait_until(look, 60000));
+  wait_until([&] { return !look(); }, 1500);  // to the depth at which the ball stays
+  std::printf("[ figures  ] deepest %.3f mm; %s\n",
+              deepest_mm,
+              calibrated->verdict.sentence.english().c_str());
+  // Which moments were caught decides; one calibration of them is a draw, and so is a reading.
+  EXPECT_NEAR(deepest_mm, 0.9, 0.15 + 2 * calibrated->verdict.error_mm);
+}
+
+}  // namespace
+}  // namespace alltact::test
