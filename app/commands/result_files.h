@@ -37,6 +37,11 @@ class ResultFiles {
 /// Name of a picture that could not be read, from the error that says which it was.
 [[nodiscard]] std::string name_of(const Error& error, std::size_t index);
 
+/// Tells in a line, as `name`, where its depth in whole steps (depth_file.h) is, and what they
+/// mean.
+///   where: members of a JSON object
+void tell_depth_steps(std::string& line, const std::string& name, const std::string& where);
+
 /// As the problems of results.jsonl stand there.
 [[nodiscard]] Message as_sentence(const Error& error);
 

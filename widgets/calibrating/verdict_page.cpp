@@ -69,6 +69,7 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
       next_(wrapped_text()),
       face_(new FaceMapPlot),
       remarks_(new QListWidget),
+      more_(new MoreBox),
       report_(new QPushButton),
       copy_(new QPushButton),
       report_state_(wrapped_text()),
@@ -96,7 +97,10 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
   auto* remarks = new QVBoxLayout(remarks_group_);
   remarks_->setWordWrap(true);
   remarks->addWidget(remarks_);
-  middle->addWidget(remarks_group_, 2);
+  auto* beside = new QVBoxLayout;
+  beside->addWidget(remarks_group_, 1);
+  beside->addWidget(more_, 1);
+  middle->addLayout(beside, 2);
   column->addLayout(middle, 1);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(report_);
@@ -149,6 +153,7 @@ void VerdictPage::show_status() {
   if (run_.state() == CalibrationState::kStale)
     words += QLatin1Char(' ') + tr("The presses have changed since: calibrate again.");
   sentence_->setText(words);
+  more_->set_finger(run_.state() == CalibrationState::kCurrent ? run_.finger() : nullptr);
   report_->setEnabled(!run_.report().empty());
   copy_->setEnabled(run_.state() != CalibrationState::kNone);
   command_->setVisible(run_.state() != CalibrationState::kNone);

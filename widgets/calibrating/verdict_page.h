@@ -1,6 +1,7 @@
 // Step 5, the verdict: what the calibration is worth, and what would make it better.
 #pragma once
 
+#include "widgets/accuracy/more_box.h"
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/plots/face_map_plot.h"
@@ -35,6 +36,7 @@ class VerdictPage : public StepPage {
   QLabel* next_;
   FaceMapPlot* face_;
   QListWidget* remarks_;
+  MoreBox* more_;
   QPushButton *report_, *copy_;
   QLabel *report_state_, *command_;
   std::shared_ptr<const FingerCalibration> shown_;
