@@ -113,7 +113,8 @@ struct ReconstructOptions {
   Path finger;
   std::vector<Path> inputs;
   Path folder;
-  bool depth = true, depth16 = false, depth_sd = false, sd_causes = false, flags = true;
+  bool depth = true, depth16 = false, depth_video = false, depth_sd = false, sd_causes = false,
+       flags = true;
   bool points = false;
   std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
   bool picture = false;               ///< of the face in 3D
@@ -251,6 +252,7 @@ struct StudyCommandOptions {
   bool quick = false;          ///< one setting at a time, a few pictures
   bool calibrating = false;    ///< what presses, pictures and methods cost and bring instead
   bool simulating = false;     ///< what each effect of a scene costs and changes instead
+  bool scaling = false;        ///< how time and memory grow with what is measured instead
   std::optional<double> within_ms, keep_mm, place_mm;
   bool save = false;  ///< keeps the presets with the finger
   std::string use;    ///< what the finger measures with from now on (study_use.h); empty: as before

@@ -14,6 +14,17 @@
 
 namespace alltact {
 
+/// "What it does (range; default). What more of it brings; what that costs."
+template <class S>
+std::string help_of(const Setting<S>& setting) {
+  std::string help = fmt::format(
+      "{} ({}; default {})", setting.sentence, setting.range.text(), setting.default_value());
+  if (setting.trade)
+    help +=
+        fmt::format(". In accuracy: {}. In time: {}", setting.trade->gains, setting.trade->costs);
+  return help;
+}
+
 /// Values a person gave for settings of the group S, checked when the command line is read.
 template <class S>
 class SettingFlags {
@@ -30,13 +41,7 @@ class SettingFlags {
           throw CLI::ValidationError("--" + setting.name, status.error().what.english());
         (*given)[setting.name] = {&setting, text};
       };
-      command
-          .add_option_function<std::string>("--" + setting.name,
-                                            take,
-                                            fmt::format("{} ({}; default {})",
-                                                        setting.sentence,
-                                                        setting.range.text(),
-                                                        setting.default_value()))
+      command.add_option_function<std::string>("--" + setting.name, take, help_of(setting))
           ->type_name(setting.range.words.empty()
                           ? std::string("VALUE")
                           : fmt::format("{}", fmt::join(setting.range.words, "|")))

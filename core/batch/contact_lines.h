@@ -19,6 +19,7 @@ struct FrameLine {
   bool is_measured = false;           ///< it has a depth
   double total_ms = 0;                ///< that measuring it took
   std::vector<std::string> warnings;  ///< for whoever watches; not kept
+  std::string depth_packet;           ///< of the run's depth video (depth_video.h); not kept
   struct Contacts {
     ContactState::Seen seen;
     std::array<std::string, 5> texts;  ///< contact_text() of FrameContacts::by_face

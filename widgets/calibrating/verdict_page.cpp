@@ -37,13 +37,17 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
       copy_(new QPushButton),
       fold_(new QToolButton),
       folded_(new QWidget),
+      more_(new MoreBox),
       report_state_(wrapped_text()),
       command_(wrapped_text()) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   make_head(*column);
   column->addWidget(next_);
-  column->addWidget(face_, 1);
+  auto* middle = new QHBoxLayout;
+  middle->addWidget(face_, 3);
+  middle->addWidget(more_, 2);
+  column->addLayout(middle, 1);
   make_foot(*column);
   connect(print_, &QPushButton::clicked, this, &VerdictPage::print);
   connect(report_, &QPushButton::clicked, this, [this] {
@@ -144,6 +148,7 @@ void VerdictPage::show_status() {
                   ? tr("The finger's sizes or markers have changed since: calibrate again.")
                   : tr("The presses have changed since: calibrate again."));
   sentence_->setText(words);
+  more_->set_finger(run_.state() == CalibrationState::kCurrent ? run_.finger() : nullptr);
   report_->setEnabled(!run_.report().empty());
   print_->setEnabled(run_.result() != nullptr);
   copy_->setEnabled(run_.state() != CalibrationState::kNone);

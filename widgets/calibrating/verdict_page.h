@@ -1,6 +1,7 @@
 // Step 5, the verdict: what the calibration is worth, and what would make it better.
 #pragma once
 
+#include "widgets/accuracy/more_box.h"
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/plots/face_map_plot.h"
@@ -44,6 +45,7 @@ class VerdictPage : public StepPage {
   QPushButton *print_, *report_, *copy_;
   QToolButton* fold_;
   QWidget* folded_;  // remarks and command
+  MoreBox* more_;
   QLabel *report_state_, *command_;
   std::shared_ptr<const FingerCalibration> shown_;
 };

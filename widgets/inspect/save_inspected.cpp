@@ -42,8 +42,8 @@ Error no_face(const std::filesystem::path& file) {
 
 Status save_surface(const InspectedFrame& frame, const std::filesystem::path& file) {
   if (!frame.result.depth) return no_face(file);
-  return write_surface(
-      file, contact_face_points_mm(frame.result, frame.face), frame.result.depth->depth_mm);
+  const FaceVertices vertices = contact_face_vertices(frame.result, frame.face);
+  return write_surface(file, vertices.points_mm, vertices.depth_mm);
 }
 
 std::vector<std::filesystem::path> files_of_both(const std::filesystem::path& file) {
@@ -59,12 +59,12 @@ Status save_both(const std::array<PlacedFrame, 2>& frames, const std::filesystem
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const InspectedFrame& frame = *frames[i].frame;
     if (!frame.result.depth) return no_face(files[i]);
-    cv::Mat points = contact_face_points_mm(frame.result, frame.face);
-    points.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int*) {
+    FaceVertices vertices = contact_face_vertices(frame.result, frame.face);
+    vertices.points_mm.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int*) {
       const Eigen::Vector3d at = frames[i].gripper_from_camera.point({p[0], p[1], p[2]});
       p = cv::Vec3d(at.x(), at.y(), at.z());
     });
-    const Status status = write_surface(files[i], points, frame.result.depth->depth_mm);
+    const Status status = write_surface(files[i], vertices.points_mm, vertices.depth_mm);
     if (!status) return status;
   }
   return {};

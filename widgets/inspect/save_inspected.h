@@ -13,8 +13,8 @@
 
 namespace alltact {
 
-/// The contact face, a vertex a pixel, by the ending: see write_surface(). Error: no face; those of
-/// write_surface().
+/// The contact face, its vertices as settings say, by the ending: see write_surface(). Error: no
+/// face; those of write_surface().
 [[nodiscard]] Status save_surface(const InspectedFrame& frame, const std::filesystem::path& file);
 
 /// A frame of one of two fingers, and where its camera sits in the gripper.

@@ -72,7 +72,8 @@ cv::Size grid_for(const FrameResult& result, int vertices) {
   const int middle = usable_column(*result.shape, (columns.first + columns.last) / 2);
   const auto rows = result.shape->rows(middle, 0);
   const int width = std::max(1, rows.last - rows.first);
-  const double step = std::sqrt(static_cast<double>(length) * width / vertices);
+  double step = std::sqrt(static_cast<double>(length) * width / vertices);
+  if (result.mesh_step_px > 1) step = std::max<double>(step, result.mesh_step_px);
   return {std::max(2, static_cast<int>(std::lround(length / step))),
           std::max(2, static_cast<int>(std::lround(width / step)))};
 }

@@ -33,7 +33,8 @@ struct FaceSurface {
                                                       int columns,
                                                       int rows);
 
-/// Columns and rows for about `vertices` vertices that are as square as the face's picture allows.
+/// Columns and rows for about `vertices` vertices that are as square as the face's picture allows,
+/// no nearer to each other than the frame's mesh_step_px, but at the default of 1.
 [[nodiscard]] cv::Size grid_for(const FrameResult& result, int vertices);
 
 }  // namespace alltact
