@@ -27,7 +27,8 @@ const std::vector<std::string> kCommands = {"new",
                                             "gripper",
                                             "study",
                                             "experiments",
-                                            "demo"};
+                                            "demo",
+                                            "thumbnail"};
 
 TEST(Usage, HelpNamesEveryCommand) {
   const ProgramRun run = run_alltact({"--help"});
