@@ -2,6 +2,7 @@
 # include, again and again, in include/alltact/detail. Each includes the others under their installed names, so a program's
 # own core/ is never taken for ours.
 #   alltact_sources: top of the sources; alltact_include: include/alltact, relative to the prefix or absolute
+cmake_policy(VERSION 3.25)
 file(STRINGS ${alltact_sources}/packaging/public-headers public REGEX "^[a-z_0-9]+/[a-z_0-9/]+\\.h$")
 if(IS_ABSOLUTE ${alltact_include})
   set(to $ENV{DESTDIR}${alltact_include})

@@ -28,7 +28,8 @@ const std::vector<std::string> kCommands = {"new",
                                             "gripper",
                                             "study",
                                             "experiments",
-                                            "demo"};
+                                            "demo",
+                                            "thumbnail"};
 
 TEST(Usage, HelpNamesEveryCommand) {
   const ProgramRun run = run_alltact({"--help"});
