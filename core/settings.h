@@ -19,6 +19,8 @@
 
 namespace alltact {
 
+class Finger;
+
 /// What can be set: a number between two others, one of several words, or something else.
 struct SettingRange {
   struct Numbers {
@@ -43,6 +45,8 @@ struct Trade {
   Message costs;                        ///< what that takes
   std::vector<std::string> tried;       ///< what a study looks at, cheapest first, with the default
   std::vector<std::string> alone = {};  ///< of these, what is too slow to be tried beside others
+  /// False: on this finger every value of it does the same. Empty: it matters on all.
+  std::function<bool(const Finger&)> matters = nullptr;
 };
 
 /// One choice within a group S of settings.
@@ -116,6 +120,12 @@ Setting<S> choice_setting(std::string name,
     return Error{en::say("'{}' is not {}", printable(text), range), name, ""};
   };
   return setting;
+}
+
+/// Whether a setting trades anything on this finger.
+template <class S>
+bool trades_on(const Setting<S>& setting, const Finger& finger) {
+  return setting.trade && (!setting.trade->matters || setting.trade->matters(finger));
 }
 
 /// With what is known of its trade.

@@ -126,10 +126,6 @@
         <translation>Tabelle</translation>
     </message>
     <message>
-        <source>Figure or table</source>
-        <translation>Abbildung oder Tabelle</translation>
-    </message>
-    <message>
         <source>Copy &amp;command</source>
         <translation>Befehl &amp;kopieren</translation>
     </message>
@@ -279,6 +275,14 @@
     <message>
         <source>&amp;Measure pairs of settings, too</source>
         <translation>Auch Paare von Einstellungen &amp;messen</translation>
+    </message>
+    <message>
+        <source>Live, side by side</source>
+        <translation>Live, nebeneinander</translation>
+    </message>
+    <message>
+        <source>Figure, table or the live picture with two settings</source>
+        <translation>Abbildung, Tabelle oder das Livebild mit zwei Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -462,6 +466,29 @@
         <source>Check</source>
         <translation>Prüfen</translation>
     </message>
+    <message>
+        <source>Press %1</source>
+        <translation>Eindruck %1</translation>
+    </message>
+    <message>
+        <source>begin the check again</source>
+        <translation>die Prüfung von vorn beginnen</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>The last check, on %1, was of a calibration before this one.</source>
+        <translation>Die letzte Prüfung, am %1, galt einer Kalibrierung vor dieser.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es) taken: enough.</source>
+        <translation>
+            <numerusform>%n Eindruck aufgenommen: genug.</numerusform>
+            <numerusform>%n Eindrücke aufgenommen: genug.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>alltact::ContactWords</name>
@@ -635,6 +662,14 @@
         <source> ms</source>
         <translation> ms</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (USB port %2)</source>
+        <translation>%1 (USB-Anschluss %2)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ConvergencePlot</name>
@@ -738,6 +773,59 @@
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::EventStrip</name>
+    <message>
+        <source>Contacts, problems and depth over time</source>
+        <translation>Kontakte, Probleme und Tiefe über der Zeit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contact(s)</source>
+        <translation>
+            <numerusform>%n Kontakt</numerusform>
+            <numerusform>%n Kontakte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with problems</source>
+        <translation>
+            <numerusform>%n Bild mit Problemen</numerusform>
+            <numerusform>%n Bilder mit Problemen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>deepest %1 mm in frame %2</source>
+        <translation>am tiefsten %1 mm in Bild %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames measured</source>
+        <translation>%1 von %2 Bildern gemessen</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>Area, mm²</source>
+        <translation>Fläche, mm²</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Kraft, N</translation>
+    </message>
+    <message>
+        <source>Depth over time needs a calibration.</source>
+        <translation>Tiefe über der Zeit braucht eine Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>The recording is being looked through.</source>
+        <translation>Die Aufnahme wird durchgesehen.</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Bild %1</translation>
     </message>
 </context>
 <context>
@@ -849,6 +937,13 @@
         <source>Open the folder</source>
         <translation>Ordner öffnen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n recording(s) that this finger does not use are left out of the zip.</source>
+        <translation>
+            <numerusform>%n Aufnahme, die dieser Finger nicht verwendet, bleibt aus der Zip-Datei weg.</numerusform>
+            <numerusform>%n Aufnahmen, die dieser Finger nicht verwendet, bleiben aus der Zip-Datei weg.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>alltact::FaceMapPlot</name>
@@ -942,6 +1037,106 @@
         <source>Open the finger %1</source>
         <translation>Den Finger %1 öffnen</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>heute</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>gestern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n days ago</source>
+        <translation>
+            <numerusform>vor %n Tag</numerusform>
+            <numerusform>vor %n Tagen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>calibrated %1</source>
+        <translation>kalibriert %1</translation>
+    </message>
+    <message>
+        <source>checked %1, %2 off</source>
+        <translation>geprüft %1, %2 Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerListDialog</name>
+    <message>
+        <source>All fingers</source>
+        <translation>Alle Finger</translation>
+    </message>
+    <message>
+        <source>Fingers</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>Worth</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Fehler, mm</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>Kalibriert</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Fällig</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Look into another folder…</source>
+        <translation>In einem anderen &amp;Ordner suchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Looking at the fingers&apos; folders…</source>
+        <translation>Die Ordner der Finger werden angesehen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finger(s), </source>
+        <translation>
+            <numerusform>%n Finger, </numerusform>
+            <numerusform>%n Finger, </numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>something is due with %n</source>
+        <translation>
+            <numerusform>bei %n ist etwas fällig</numerusform>
+            <numerusform>bei %n ist etwas fällig</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with fingers in it</source>
+        <translation>Ordner mit Fingern darin</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerMenu</name>
@@ -968,6 +1163,10 @@
     <message>
         <source>Open a finger&apos;s folder</source>
         <translation>Ordner eines Fingers öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;All fingers…</source>
+        <translation>&amp;Alle Finger…</translation>
     </message>
 </context>
 <context>
@@ -1044,12 +1243,63 @@
         <source>Finger</source>
         <translation>Finger</translation>
     </message>
+    <message>
+        <source>&amp;Width of the face</source>
+        <translation>&amp;Breite der Fläche</translation>
+    </message>
+    <message>
+        <source>Width of the face</source>
+        <translation>Breite der Fläche</translation>
+    </message>
+    <message>
+        <source>&amp;Layer&apos;s thickness</source>
+        <translation>&amp;Dicke der Schicht</translation>
+    </message>
+    <message>
+        <source>Thickness of the layer</source>
+        <translation>Dicke der Schicht</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>Ä&amp;ndern</translation>
+    </message>
+    <message>
+        <source>A calibrated finger has to be calibrated again then.</source>
+        <translation>Ein kalibrierter Finger muss danach neu kalibriert werden.</translation>
+    </message>
+    <message>
+        <source>change the finger&apos;s sizes</source>
+        <translation>die Maße des Fingers ändern</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerStudyRun</name>
     <message>
         <source>use other settings</source>
         <translation>andere Einstellungen verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerSummary</name>
+    <message>
+        <source>What is known of this finger</source>
+        <translation>Was von diesem Finger bekannt ist</translation>
+    </message>
+    <message>
+        <source>Go to Record</source>
+        <translation>Zu Aufnehmen gehen</translation>
+    </message>
+    <message>
+        <source>Go to the check</source>
+        <translation>Zur Prüfung gehen</translation>
+    </message>
+    <message>
+        <source>Go to Calibrate</source>
+        <translation>Zu Kalibrieren gehen</translation>
     </message>
 </context>
 <context>
@@ -1256,6 +1506,29 @@
     </message>
 </context>
 <context>
+    <name>alltact::GuideWords</name>
+    <message>
+        <source>Press here, %1 mm deep</source>
+        <translation>Hier eindrücken, %1 mm tief</translation>
+    </message>
+    <message>
+        <source>Enough presses: another would hardly help.</source>
+        <translation>Genug Eindrücke: ein weiterer hülfe kaum.</translation>
+    </message>
+    <message>
+        <source>now %1 mm: deeper</source>
+        <translation>jetzt %1 mm: tiefer</translation>
+    </message>
+    <message>
+        <source>now %1 mm: enough, hold still</source>
+        <translation>jetzt %1 mm: genug, stillhalten</translation>
+    </message>
+    <message>
+        <source>now %1 mm: too deep</source>
+        <translation>jetzt %1 mm: zu tief</translation>
+    </message>
+</context>
+<context>
     <name>alltact::HeaderBar</name>
     <message>
         <source>Finger:</source>
@@ -1302,10 +1575,6 @@
         <translation>&amp;Über AllTact Studio</translation>
     </message>
     <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
-    </message>
-    <message>
         <source>About AllTact Studio</source>
         <translation>Über AllTact Studio</translation>
     </message>
@@ -1320,6 +1589,45 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 Macht aus einem klaren Silikonfinger mit einer Kamera darin ein Messgerät.
 
 Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bibliotheken steht das Programm als Ganzes unter der GPL, Version 3.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>&amp;Wörterverzeichnis</translation>
+    </message>
+    <message>
+        <source>&amp;Quick guide to print…</source>
+        <translation>Kurzanleitung zum &amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>Save the quick guide</source>
+        <translation>Kurzanleitung speichern</translation>
+    </message>
+    <message>
+        <source>Pages to print (*.pdf)</source>
+        <translation>Seiten zum Drucken (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Glossary</source>
+        <translation>Wörterverzeichnis</translation>
+    </message>
+    <message>
+        <source>Effects of scenes</source>
+        <translation>Effekte von Szenen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -1403,20 +1711,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Depth, mm</source>
         <translation>Tiefe, mm</translation>
     </message>
+    <message>
+        <source>There is nothing to compare with in this frame.</source>
+        <translation>In diesem Bild gibt es nichts zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>It is being measured a second time, to be compared.</source>
+        <translation>Es wird zum Vergleich ein zweites Mal gemessen.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectPlace</name>
     <message>
         <source>&amp;Live finger</source>
         <translation>&amp;Live-Finger</translation>
-    </message>
-    <message>
-        <source>&amp;Video…</source>
-        <translation>&amp;Video …</translation>
-    </message>
-    <message>
-        <source>F&amp;older of pictures…</source>
-        <translation>&amp;Ordner mit Bildern …</translation>
     </message>
     <message>
         <source>What is shown</source>
@@ -1429,18 +1737,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>What was saved</source>
         <translation>Was gespeichert wurde</translation>
-    </message>
-    <message>
-        <source>Ours</source>
-        <translation>Unser Verfahren</translation>
-    </message>
-    <message>
-        <source>Ours less the paper&apos;s method</source>
-        <translation>Unser Verfahren minus das der Veröffentlichung</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s method</source>
-        <translation>Verfahren der Veröffentlichung</translation>
     </message>
     <message>
         <source>put point B</source>
@@ -1579,239 +1875,229 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Was den Finger berührt</translation>
     </message>
     <message>
-        <source>Not calibrated yet: the whole face&apos;s shape, without depth</source>
-        <translation>Noch nicht kalibriert: die Form der ganzen Fläche, ohne Tiefe</translation>
-    </message>
-    <message>
         <source>No picture yet.</source>
         <translation>Noch kein Bild.</translation>
+    </message>
+    <message>
+        <source>Vide&amp;o…</source>
+        <translation>Vide&amp;o…</translation>
+    </message>
+    <message>
+        <source>Folder of p&amp;ictures…</source>
+        <translation>Ordner mit B&amp;ildern…</translation>
+    </message>
+    <message>
+        <source>Under the pointer</source>
+        <translation>Unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Compared with: %1</source>
+        <translation>Verglichen mit: %1</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Shown less: %1</source>
+        <translation>Gezeigt minus: %1</translation>
+    </message>
+    <message>
+        <source>Not calibrated yet: the shape of the whole finger, without depth</source>
+        <translation>Noch nicht kalibriert: die Form des ganzen Fingers, ohne Tiefe</translation>
+    </message>
+    <message>
+        <source>Point at the face: what lies there is told here.</source>
+        <translation>Auf die Fläche zeigen: was dort liegt, steht dann hier.</translation>
     </message>
 </context>
 <context>
     <name>alltact::InspectSide</name>
     <message>
-        <source>show as %1</source>
-        <translation>zeigen: %1</translation>
+        <source>Cross-section</source>
+        <translation>Querschnitt</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::LampPanel</name>
+    <message>
+        <source>Dimmer</source>
+        <translation>Dimmer</translation>
     </message>
     <message>
-        <source>look from: %1</source>
-        <translation>Blick: %1</translation>
+        <source>The lamp&apos;s dimmer</source>
+        <translation>Dimmer der Lampe</translation>
     </message>
     <message>
-        <source>compare: %1</source>
-        <translation>vergleichen: %1</translation>
+        <source>Look</source>
+        <translation>Suchen</translation>
     </message>
     <message>
-        <source>change the depth colours</source>
-        <translation>Tiefenfarben ändern</translation>
+        <source>Look for dimmers</source>
+        <translation>Nach Dimmern suchen</translation>
     </message>
     <message>
-        <source>draw depth larger</source>
-        <translation>Tiefe größer zeichnen</translation>
+        <source>Output</source>
+        <translation>Ausgang</translation>
     </message>
     <message>
-        <source>show %1</source>
-        <translation>%1 zeigen</translation>
+        <source>The dimmer&apos;s output</source>
+        <translation>Ausgang des Dimmers</translation>
     </message>
     <message>
-        <source>hide %1</source>
-        <translation>%1 ausblenden</translation>
+        <source>MCP2221A, pin GP2</source>
+        <translation>MCP2221A, Anschluss GP2</translation>
     </message>
     <message>
-        <source>take the points away</source>
-        <translation>Punkte wegnehmen</translation>
+        <source>MCP2221A, pin GP3</source>
+        <translation>MCP2221A, Anschluss GP3</translation>
     </message>
     <message>
-        <source>move point A</source>
-        <translation>Punkt A verschieben</translation>
+        <source>A report, described</source>
+        <translation>Ein Report, beschrieben</translation>
     </message>
     <message>
-        <source>move point B</source>
-        <translation>Punkt B verschieben</translation>
+        <source>Report that sets the brightness</source>
+        <translation>Report, der die Helligkeit setzt</translation>
     </message>
     <message>
-        <source>cut across</source>
-        <translation>quer schneiden</translation>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
     </message>
     <message>
-        <source>cut along</source>
-        <translation>längs schneiden</translation>
+        <source> %</source>
+        <translation> %</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
+        <source>The lamp&apos;s brightness</source>
+        <translation>Helligkeit der Lampe</translation>
     </message>
     <message>
-        <source>Sho&amp;w</source>
-        <translation>&amp;Zeigen</translation>
-    </message>
-    <message>
-        <source>in 3D</source>
-        <translation>in 3D</translation>
-    </message>
-    <message>
-        <source>as a height map</source>
-        <translation>als Höhenkarte</translation>
-    </message>
-    <message>
-        <source>3D needs OpenGL 3.2, which this screen does not offer.</source>
-        <translation>3D braucht OpenGL 3.2, das dieser Bildschirm nicht bietet.</translation>
-    </message>
-    <message>
-        <source>Look &amp;from</source>
-        <translation>&amp;Blick von</translation>
-    </message>
-    <message>
-        <source>inside, tilted</source>
-        <translation>innen, geneigt</translation>
-    </message>
-    <message>
-        <source>the camera</source>
-        <translation>der Kamera</translation>
-    </message>
-    <message>
-        <source>outside, tilted</source>
-        <translation>außen, geneigt</translation>
-    </message>
-    <message>
-        <source>the side</source>
-        <translation>der Seite</translation>
-    </message>
-    <message>
-        <source>Com&amp;pare</source>
-        <translation>&amp;Vergleich</translation>
-    </message>
-    <message>
-        <source>with nothing</source>
+        <source>none</source>
         <translation>keiner</translation>
     </message>
     <message>
-        <source>side by side</source>
-        <translation>nebeneinander</translation>
+        <source>Set to %1 %. Every picture tells it.</source>
+        <translation>Auf %1 % gesetzt. Jedes Bild trägt den Wert.</translation>
     </message>
     <message>
-        <source>difference</source>
-        <translation>Unterschied</translation>
+        <source>The dimmer is being told.</source>
+        <translation>Der Dimmer wird gesetzt.</translation>
     </message>
     <message>
-        <source>With the source paper&apos;s own formulas, on the same frame and the same finger.</source>
-        <translation>Mit den Formeln der Veröffentlichung, am selben Bild und Finger.</translation>
+        <source>Choose the device that dims the finger&apos;s lamp, where there is one.</source>
+        <translation>Das Gerät wählen, das die Lampe des Fingers dimmt, wenn es eines gibt.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::LensForm</name>
+    <message>
+        <source>&amp;Board</source>
+        <translation>&amp;Tafel</translation>
     </message>
     <message>
-        <source>Colours &amp;end at</source>
-        <translation>&amp;Farben enden bei</translation>
+        <source>Board</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>ChArUco-Tafel</translation>
+    </message>
+    <message>
+        <source>Grid of dots</source>
+        <translation>Punktraster</translation>
+    </message>
+    <message>
+        <source>&amp;Inner corners, or dots</source>
+        <translation>&amp;Innere Ecken oder Punkte</translation>
+    </message>
+    <message>
+        <source>Inner corners in a row</source>
+        <translation>Innere Ecken in einer Zeile</translation>
+    </message>
+    <message>
+        <source>Inner corners in a column</source>
+        <translation>Innere Ecken in einer Spalte</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>mal</translation>
+    </message>
+    <message>
+        <source>&amp;Side of a square</source>
+        <translation>&amp;Seite eines Felds</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Seite eines Felds</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>usual (Brown)</source>
+        <translation>üblich (Brown)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>Finger&apos;s distance</source>
+        <translation>Abstand des Fingers</translation>
+    </message>
+    <message>
+        <source>Distance from the lens to the finger&apos;s middle</source>
+        <translation>Abstand vom Objektiv zur Mitte des Fingers</translation>
+    </message>
+    <message>
+        <source>The finger lies behind a window</source>
+        <translation>Der Finger liegt hinter einem Fenster</translation>
+    </message>
+    <message>
+        <source>Tick it where the finger is seen through a plate into silicone and the board was seen in air</source>
+        <translation>Ankreuzen, wenn der Finger durch eine Platte in Silikon gesehen wird und die Tafel in Luft gesehen wurde</translation>
+    </message>
+    <message>
+        <source>Air before it</source>
+        <translation>Luft davor</translation>
+    </message>
+    <message>
+        <source>Air between lens and window</source>
+        <translation>Luft zwischen Objektiv und Fenster</translation>
+    </message>
+    <message>
+        <source>Its thickness</source>
+        <translation>Seine Dicke</translation>
+    </message>
+    <message>
+        <source>Thickness of the window</source>
+        <translation>Dicke des Fensters</translation>
+    </message>
+    <message>
+        <source>Its index</source>
+        <translation>Sein Brechungsindex</translation>
+    </message>
+    <message>
+        <source>Index of refraction of the window</source>
+        <translation>Brechungsindex des Fensters</translation>
+    </message>
+    <message>
+        <source>Index behind it</source>
+        <translation>Index dahinter</translation>
+    </message>
+    <message>
+        <source>Index of refraction behind the window</source>
+        <translation>Brechungsindex hinter dem Fenster</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
-    </message>
-    <message>
-        <source>Depth at which the colours end</source>
-        <translation>Tiefe, bei der die Farben enden</translation>
-    </message>
-    <message>
-        <source>&amp;Draw depth</source>
-        <translation>&amp;Tiefe zeichnen</translation>
-    </message>
-    <message>
-        <source> times</source>
-        <translation>-fach</translation>
-    </message>
-    <message>
-        <source>Times that depth is drawn larger than it is</source>
-        <translation>Wievielfach die Tiefe größer gezeichnet wird, als sie ist</translation>
-    </message>
-    <message>
-        <source>&amp;Untouched face as lines</source>
-        <translation>&amp;Unberührte Fläche als Linien</translation>
-    </message>
-    <message>
-        <source>C&amp;amera and its axes</source>
-        <translation>&amp;Kamera und ihre Achsen</translation>
-    </message>
-    <message>
-        <source>Cross-section</source>
-        <translation>Querschnitt</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Point &amp;A</source>
-        <translation>Punkt &amp;A</translation>
-    </message>
-    <message>
-        <source>Point &amp;B</source>
-        <translation>Punkt &amp;B</translation>
-    </message>
-    <message>
-        <source>Point A, u</source>
-        <translation>Punkt A, u</translation>
-    </message>
-    <message>
-        <source>Point A, v</source>
-        <translation>Punkt A, v</translation>
-    </message>
-    <message>
-        <source>Point B, u</source>
-        <translation>Punkt B, u</translation>
-    </message>
-    <message>
-        <source>Point B, v</source>
-        <translation>Punkt B, v</translation>
-    </message>
-    <message>
-        <source>u </source>
-        <translation>u </translation>
-    </message>
-    <message>
-        <source>v </source>
-        <translation>v </translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Deepest</source>
-        <translation>Tiefster</translation>
-    </message>
-    <message>
-        <source>Puts A on the deepest point.</source>
-        <translation>Setzt A auf den tiefsten Punkt.</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
-    </message>
-    <message>
-        <source>Takes both points away.</source>
-        <translation>Nimmt beide Punkte weg.</translation>
-    </message>
-    <message>
-        <source>Across</source>
-        <translation>Quer</translation>
-    </message>
-    <message>
-        <source>From edge to edge of the finger, through A or the deepest point.</source>
-        <translation>Von Rand zu Rand des Fingers, durch A oder den tiefsten Punkt.</translation>
-    </message>
-    <message>
-        <source>Along</source>
-        <translation>Längs</translation>
-    </message>
-    <message>
-        <source>From base to tip, through A or the deepest point.</source>
-        <translation>Vom Ansatz zur Spitze, durch A oder den tiefsten Punkt.</translation>
-    </message>
-    <message>
-        <source>Measured at the points</source>
-        <translation>An den Punkten gemessen</translation>
-    </message>
-    <message>
-        <source>Nothing to measure yet.</source>
-        <translation>Noch nichts zu messen.</translation>
     </message>
 </context>
 <context>
@@ -1897,54 +2183,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Ordner der Tafelbilder wählen</translation>
     </message>
     <message>
-        <source>&amp;Board</source>
-        <translation>&amp;Tafel</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>Tafel</translation>
-    </message>
-    <message>
-        <source>Chessboard</source>
-        <translation>Schachbrett</translation>
-    </message>
-    <message>
-        <source>ChArUco board</source>
-        <translation>ChArUco-Tafel</translation>
-    </message>
-    <message>
-        <source>Grid of dots</source>
-        <translation>Punktraster</translation>
-    </message>
-    <message>
-        <source>&amp;Inner corners, or dots</source>
-        <translation>&amp;Innere Ecken oder Punkte</translation>
-    </message>
-    <message>
-        <source>Inner corners in a row</source>
-        <translation>Innere Ecken in einer Zeile</translation>
-    </message>
-    <message>
-        <source>Inner corners in a column</source>
-        <translation>Innere Ecken in einer Spalte</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>mal</translation>
-    </message>
-    <message>
-        <source>&amp;Side of a square</source>
-        <translation>&amp;Seite eines Quadrats</translation>
-    </message>
-    <message>
-        <source>Side of a square</source>
-        <translation>Seite eines Quadrats</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>&amp;Measure the lens</source>
         <translation>Objektiv &amp;messen</translation>
     </message>
@@ -1999,6 +2237,82 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Lens</source>
         <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>With a board before the camera</source>
+        <translation>Mit einer Tafel vor der Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Take this board (Space)</source>
+        <translation>Diese &amp;Tafel aufnehmen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>By &amp;itself where it is new and still</source>
+        <translation>Von &amp;selbst, wo sie neu ist und stillsteht</translation>
+    </message>
+    <message>
+        <source>Takes the board whenever it is held still in a place, or tilted in a way, that was not taken yet</source>
+        <translation>Nimmt die Tafel auf, sobald sie an einer Stelle oder in einer Neigung stillgehalten wird, die noch fehlt</translation>
+    </message>
+    <message>
+        <source>How to hold the board</source>
+        <translation>Wie die Tafel zu halten ist</translation>
+    </message>
+    <message>
+        <source>Views of the board, with their errors</source>
+        <translation>Ansichten der Tafel mit ihren Fehlern</translation>
+    </message>
+    <message>
+        <source>Leave the chosen view out</source>
+        <translation>Gewählte Ansicht auslassen</translation>
+    </message>
+    <message>
+        <source>Blue: straight lines of the world, as this lens shows them.</source>
+        <translation>Blau: gerade Linien der Welt, wie dieses Objektiv sie zeigt.</translation>
+    </message>
+    <message>
+        <source>Still better with: %1.</source>
+        <translation>Noch besser mit: %1.</translation>
+    </message>
+    <message>
+        <source>%1: error %2 px, tilted by %3°</source>
+        <translation>%1: Fehler %2 px, um %3° geneigt</translation>
+    </message>
+    <message>
+        <source>%1: not used, %2</source>
+        <translation>%1: nicht verwendet, %2</translation>
+    </message>
+    <message>
+        <source>Board %1</source>
+        <translation>Tafel %1</translation>
+    </message>
+    <message>
+        <source>Open the camera as source, and boards can be taken live.</source>
+        <translation>Die Kamera als Quelle öffnen, dann können Tafeln live aufgenommen werden.</translation>
+    </message>
+    <message>
+        <source>Looking for the board.</source>
+        <translation>Die Tafel wird gesucht.</translation>
+    </message>
+    <message>
+        <source>The board is blurred: hold it still, or further away.</source>
+        <translation>Die Tafel ist unscharf: stillhalten oder weiter weg halten.</translation>
+    </message>
+    <message>
+        <source>This place is taken: move the board, or tilt it.</source>
+        <translation>Diese Stelle ist schon da: die Tafel verschieben oder neigen.</translation>
+    </message>
+    <message>
+        <source>Hold it still.</source>
+        <translation>Stillhalten.</translation>
+    </message>
+    <message>
+        <source>Good: take it.</source>
+        <translation>Gut: jetzt aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Still missing: %1.</source>
+        <translation>Es fehlt noch: %1.</translation>
     </message>
 </context>
 <context>
@@ -2234,6 +2548,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>close the second finger</source>
         <translation>den zweiten Finger schließen</translation>
     </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>dim the lamp</source>
+        <translation>die Lampe dimmen</translation>
+    </message>
+    <message>
+        <source>choose the lamp&apos;s dimmer</source>
+        <translation>den Dimmer der Lampe wählen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MainWindow</name>
@@ -2276,6 +2602,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>recording %1</source>
         <translation>Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>A recording is under way</source>
+        <translation>Eine Aufnahme läuft</translation>
+    </message>
+    <message>
+        <source>A recording is under way. Quitting ends it; what was recorded until then is kept.</source>
+        <translation>Eine Aufnahme läuft. Beim Beenden endet sie; was bis dahin aufgenommen ist, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;End it and quit</source>
+        <translation>Auf&amp;hören und beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Go on recording</source>
+        <translation>&amp;Weiter aufnehmen</translation>
     </message>
 </context>
 <context>
@@ -2355,6 +2697,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>The presses are read again to show what each pixel says.</source>
         <translation>Die Eindrücke werden neu gelesen, um zu zeigen, was jedes Pixel sagt.</translation>
     </message>
+    <message>
+        <source>The finger&apos;s sizes or markers have changed since this calibration.</source>
+        <translation>Maße oder Marken des Fingers haben sich seit dieser Kalibrierung geändert.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MappingPlot</name>
@@ -2401,6 +2747,33 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>end of the calibrated range</source>
         <translation>Ende des kalibrierten Bereichs</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::MoreBox</name>
+    <message>
+        <source>What more would bring</source>
+        <translation>Was mehr brächte</translation>
+    </message>
+    <message>
+        <source>Progress of working it out</source>
+        <translation>Fortschritt der Berechnung</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>Sto&amp;pp</translation>
+    </message>
+    <message>
+        <source>&amp;Work it out</source>
+        <translation>&amp;Ausrechnen</translation>
+    </message>
+    <message>
+        <source>One more press, more pictures of each, one more minute: told by balls painted into this finger&apos;s own pictures, which calibrate it anew.</source>
+        <translation>Ein Eindruck mehr, mehr Bilder von jedem, eine Minute mehr: ermittelt an Kugeln, die in eigene Bilder dieses Fingers gemalt werden und ihn neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Nothing that was tried brings more.</source>
+        <translation>Nichts, was versucht wurde, bringt mehr.</translation>
     </message>
 </context>
 <context>
@@ -2673,6 +3046,144 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
+    <message>
+        <source>Freeze the picture</source>
+        <translation>Bild anhalten</translation>
+    </message>
+    <message>
+        <source>Freeze: keep looking at this picture; measuring goes on</source>
+        <translation>Anhalten: dieses Bild weiter ansehen; gemessen wird weiter</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Save the picture, with or without what is drawn over it</source>
+        <translation>Das Bild speichern, mit oder ohne das darüber Gezeichnete</translation>
+    </message>
+    <message>
+        <source>Frozen</source>
+        <translation>Angehalten</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PlaceHint</name>
+    <message>
+        <source>What this place is for</source>
+        <translation>Wozu dieser Ort da ist</translation>
+    </message>
+    <message>
+        <source>How it is &amp;done (F1)</source>
+        <translation>Wie es &amp;geht (F1)</translation>
+    </message>
+    <message>
+        <source>&amp;Understood</source>
+        <translation>&amp;Verstanden</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PointsBox</name>
+    <message>
+        <source>move point A</source>
+        <translation>Punkt A verschieben</translation>
+    </message>
+    <message>
+        <source>take the points away</source>
+        <translation>die Punkte entfernen</translation>
+    </message>
+    <message>
+        <source>move point B</source>
+        <translation>Punkt B verschieben</translation>
+    </message>
+    <message>
+        <source>cut across</source>
+        <translation>quer schneiden</translation>
+    </message>
+    <message>
+        <source>cut along</source>
+        <translation>längs schneiden</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Point &amp;A</source>
+        <translation>Punkt &amp;A</translation>
+    </message>
+    <message>
+        <source>Point &amp;B</source>
+        <translation>Punkt &amp;B</translation>
+    </message>
+    <message>
+        <source>Point A, along the finger</source>
+        <translation>Punkt A, längs des Fingers</translation>
+    </message>
+    <message>
+        <source>Point A, across it</source>
+        <translation>Punkt A, quer zum Finger</translation>
+    </message>
+    <message>
+        <source>Point B, along the finger</source>
+        <translation>Punkt B, längs des Fingers</translation>
+    </message>
+    <message>
+        <source>Point B, across it</source>
+        <translation>Punkt B, quer zum Finger</translation>
+    </message>
+    <message>
+        <source>Along the face from its base. A point stays there on the finger while that moves.</source>
+        <translation>Längs der Fläche, von ihrer Basis an. Ein Punkt bleibt dort auf dem Finger, während dieser sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Across the face from its middle.</source>
+        <translation>Quer zur Fläche, von ihrer Mitte an.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Deepest</source>
+        <translation>Tiefster</translation>
+    </message>
+    <message>
+        <source>Puts A on the deepest point.</source>
+        <translation>Setzt A auf den tiefsten Punkt.</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Takes both points away.</source>
+        <translation>Nimmt beide Punkte weg.</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer</translation>
+    </message>
+    <message>
+        <source>From edge to edge of the finger, through A or the deepest point.</source>
+        <translation>Von Kante zu Kante des Fingers, durch A oder den tiefsten Punkt.</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Längs</translation>
+    </message>
+    <message>
+        <source>From base to tip, through A or the deepest point.</source>
+        <translation>Von der Basis zur Spitze, durch A oder den tiefsten Punkt.</translation>
+    </message>
+    <message>
+        <source>Measured at the points</source>
+        <translation>An den Punkten gemessen</translation>
+    </message>
+    <message>
+        <source>Nothing to measure yet.</source>
+        <translation>Noch nichts zu messen.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressDesk</name>
@@ -2770,6 +3281,29 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::PressFitPane</name>
+    <message>
+        <source>%1 mm, %2</source>
+        <translation>%1 mm, %2</translation>
+    </message>
+    <message>
+        <source>Mapping − ball, mm</source>
+        <translation>Abbildung − Kugel, mm</translation>
+    </message>
+    <message>
+        <source>Error of this press</source>
+        <translation>Fehler dieses Eindrucks</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;This press:&lt;/b&gt; error %1</source>
+        <translation>&lt;b&gt;Dieser Eindruck:&lt;/b&gt; Fehler %1</translation>
+    </message>
+    <message>
+        <source>as the program has it: %1</source>
+        <translation>wie das Programm ihn hat: %1</translation>
+    </message>
+</context>
+<context>
     <name>alltact::PressForm</name>
     <message>
         <source> mm</source>
@@ -2862,10 +3396,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>herausgenommen: %1</translation>
     </message>
     <message>
-        <source>%1 mm deep, error %2 mm</source>
-        <translation>%1 mm tief, Fehler %2 mm</translation>
-    </message>
-    <message>
         <source>ball put by hand</source>
         <translation>Kugel von Hand gelegt</translation>
     </message>
@@ -2928,6 +3458,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>not usable</source>
         <translation>nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>%1 mm deep, error %2 mm: %3</source>
+        <translation>%1 mm tief, Fehler %2 mm: %3</translation>
+    </message>
+    <message>
+        <source>not written to the disk</source>
+        <translation>nicht auf die Platte geschrieben</translation>
     </message>
 </context>
 <context>
@@ -3122,6 +3660,84 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>%1 is taken from a single picture; hold ball and finger still for half a second, and its noise falls to a quarter.</source>
         <translation>%1 ist aus einem einzigen Bild; halten Sie Kugel und Finger eine halbe Sekunde still, und das Rauschen sinkt auf ein Viertel.</translation>
     </message>
+    <message>
+        <source>&amp;Error under the ball</source>
+        <translation>&amp;Fehler unter der Kugel</translation>
+    </message>
+    <message>
+        <source>In colours, where the mapping reads deeper (red) or less deep (blue) than the ball is</source>
+        <translation>In Farben, wo die Abbildung tiefer (rot) oder weniger tief (blau) misst, als die Kugel ist</translation>
+    </message>
+    <message>
+        <source>Where to press next</source>
+        <translation>Wo als Nächstes eindrücken</translation>
+    </message>
+    <message>
+        <source>Measured, or another ball</source>
+        <translation>Gemessen, oder eine andere Kugel</translation>
+    </message>
+    <message>
+        <source>Press %1</source>
+        <translation>Eindruck %1</translation>
+    </message>
+    <message>
+        <source>Waiting: it cannot be seen whether the face is touched.</source>
+        <translation>Warten: es ist nicht zu sehen, ob die Fläche berührt wird.</translation>
+    </message>
+    <message>
+        <source>Waiting: nothing presses yet.</source>
+        <translation>Warten: noch drückt nichts.</translation>
+    </message>
+    <message>
+        <source>Waiting: the contact still moves, or is pressed in deeper.</source>
+        <translation>Warten: der Kontakt bewegt sich noch oder wird tiefer.</translation>
+    </message>
+    <message>
+        <source>Taken. Lift the ball, or move it by 2 mm, for the next one.</source>
+        <translation>Aufgenommen. Die Kugel für den nächsten abheben oder um 2 mm versetzen.</translation>
+    </message>
+    <message>
+        <source>Holds still.</source>
+        <translation>Steht still.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressesPlot</name>
+    <message>
+        <source>Error of depth by the number of presses</source>
+        <translation>Fehler der Tiefe über der Zahl der Eindrücke</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es): %1 µm</source>
+        <translation>
+            <numerusform>%n Eindruck: %1 µm</numerusform>
+            <numerusform>%n Eindrücke: %1 µm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is worked out yet</source>
+        <translation>Noch ist nichts ausgerechnet</translation>
+    </message>
+    <message>
+        <source>painted balls, whisker to 95 %</source>
+        <translation>gemalte Kugeln, Strich bis 95 %</translation>
+    </message>
+    <message>
+        <source>presses there are now</source>
+        <translation>Eindrücke, die da sind</translation>
+    </message>
+    <message>
+        <source>real presses left out</source>
+        <translation>echte Eindrücke, ausgelassen</translation>
+    </message>
+    <message>
+        <source>Presses</source>
+        <translation>Eindrücke</translation>
+    </message>
+    <message>
+        <source>Error of depth (µm)</source>
+        <translation>Fehler der Tiefe (µm)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ProblemBar</name>
@@ -3215,6 +3831,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::QuickGuide</name>
+    <message>
+        <source>AllTact Studio: quick guide</source>
+        <translation>AllTact Studio: Kurzanleitung</translation>
+    </message>
+</context>
+<context>
     <name>alltact::Rail</name>
     <message>
         <source>%1 (Ctrl+%2)</source>
@@ -3274,6 +3897,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Click on the face for point A, with the right button for point B.</source>
         <translation>Klicken Sie auf die Fläche für Punkt A, mit der rechten Taste für Punkt B.</translation>
+    </message>
+    <message>
+        <source>not calibrated: no depth</source>
+        <translation>nicht kalibriert: keine Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 mm along, %2 mm across; x %3, y %4, z %5 mm</source>
+        <translation>%1 mm längs, %2 mm quer; x %3, y %4, z %5 mm</translation>
     </message>
 </context>
 <context>
@@ -3449,13 +4080,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>No frame was lost.</source>
         <translation>Kein Bild ging verloren.</translation>
     </message>
-    <message numerus="yes">
-        <source>The contact face was touched in %n frame(s).</source>
-        <translation>
-            <numerusform>Die Kontaktfläche wurde in %n Bild berührt.</numerusform>
-            <numerusform>Die Kontaktfläche wurde in %n Bildern berührt.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Reading the recording…</source>
         <translation>Die Aufnahme wird gelesen…</translation>
@@ -3490,10 +4114,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Versuchen Sie einen anderen Datenträger oder ein kleineres Bild.</translation>
     </message>
     <message>
-        <source>The contact face is touched.</source>
-        <translation>Die Kontaktfläche wird berührt.</translation>
-    </message>
-    <message>
         <source>Keep it free: bend the finger at its tip, its sides or its back.</source>
         <translation>Halten Sie sie frei: Biegen Sie den Finger an Spitze, Seiten oder Rücken.</translation>
     </message>
@@ -3508,10 +4128,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Start &amp;recording</source>
         <translation>Aufnahme &amp;starten</translation>
-    </message>
-    <message>
-        <source>Ctrl+R</source>
-        <translation>Strg+R</translation>
     </message>
     <message>
         <source>What it leaves open: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
@@ -3556,6 +4172,133 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Record it bending, with nothing on its contact face.</source>
         <translation>Nehmen Sie ihn beim Biegen auf, ohne etwas auf der Kontaktfläche.</translation>
     </message>
+    <message>
+        <source>It was not twisted; twist it, too, if it is in use.</source>
+        <translation>Er wurde nicht verdreht; auch das tun, wenn es im Gebrauch vorkommt.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>&amp;Für später behalten</translation>
+    </message>
+    <message>
+        <source>The video stays where it is, and the finger stays as it is.</source>
+        <translation>Das Video bleibt, wo es ist, und der Finger bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Record a&amp;gain</source>
+        <translation>Noch e&amp;inmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>Puts this video into the waste bin and records another one.</source>
+        <translation>Legt dieses Video in den Papierkorb und nimmt ein neues auf.</translation>
+    </message>
+    <message>
+        <source>Install a &amp;video that is there…</source>
+        <translation>Ein vorhandenes &amp;Video installieren…</translation>
+    </message>
+    <message>
+        <source>Follow the outline: %1</source>
+        <translation>Dem Umriss folgen: %1</translation>
+    </message>
+    <message>
+        <source>Video of the bending finger</source>
+        <translation>Video des sich biegenden Fingers</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.avi *.mp4 *.mov)</source>
+        <translation>Videos (*.mkv *.avi *.mp4 *.mov)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Touched in %n frame(s), which are left out.</source>
+        <translation>
+            <numerusform>In %n Bild berührt, das ausgelassen wird.</numerusform>
+            <numerusform>In %n Bildern berührt, die ausgelassen werden.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>What it would bring is being worked out, about %n second(s).</source>
+        <translation>
+            <numerusform>Was sie brächte, wird ausgerechnet, noch etwa %n Sekunde.</numerusform>
+            <numerusform>Was sie brächte, wird ausgerechnet, noch etwa %n Sekunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What it would bring is being worked out.</source>
+        <translation>Was sie brächte, wird ausgerechnet.</translation>
+    </message>
+    <message>
+        <source>It cannot be installed: %1</source>
+        <translation>Sie kann nicht installiert werden: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame(s).</source>
+        <translation>
+            <numerusform>Sie brächte: die Hälfte der Referenzen weniger als %1 mm daneben, 95 % weniger als %2 mm, aus %n Bild.</numerusform>
+            <numerusform>Sie brächte: die Hälfte der Referenzen weniger als %1 mm daneben, 95 % weniger als %2 mm, aus %n Bildern.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kept: %1</source>
+        <translation>Behalten: %1</translation>
+    </message>
+    <message>
+        <source>Ctrl+R, or Space</source>
+        <translation>Strg+R oder Leertaste</translation>
+    </message>
+    <message>
+        <source>The contact face is touched; such frames are left out.</source>
+        <translation>Die Kontaktfläche wird berührt; solche Bilder werden ausgelassen.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RigCheckBox</name>
+    <message>
+        <source>Focus at the base</source>
+        <translation>Schärfe an der Basis</translation>
+    </message>
+    <message>
+        <source>Focus at the tip</source>
+        <translation>Schärfe an der Spitze</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Dots</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Before the first recording</source>
+        <translation>Vor der ersten Aufnahme</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Camera: nothing sets itself.</source>
+        <translation>Kamera: nichts stellt sich von selbst.</translation>
+    </message>
+    <message>
+        <source>Camera: %1 is on and changes the brightness that is measured. Lock brightness in Live, or switch it off there.</source>
+        <translation>Kamera: %1 ist an und ändert die Helligkeit, die gemessen wird. Die Helligkeit in Live sperren oder es dort abschalten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Before the first recording: %n to mend</source>
+        <translation>
+            <numerusform>Vor der ersten Aufnahme: %n zu beheben</numerusform>
+            <numerusform>Vor der ersten Aufnahme: %n zu beheben</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>alltact::SaveBar</name>
@@ -3576,10 +4319,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Netz, glTF</translation>
     </message>
     <message>
-        <source>Picture, PNG</source>
-        <translation>Bild, PNG</translation>
-    </message>
-    <message>
         <source>Video in 3D, MKV</source>
         <translation>Video in 3D, MKV</translation>
     </message>
@@ -3598,6 +4337,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Progress of saving</source>
         <translation>Fortschritt des Speicherns</translation>
+    </message>
+    <message>
+        <source>Picture, PNG (300 dpi)</source>
+        <translation>Bild, PNG (300 dpi)</translation>
+    </message>
+    <message>
+        <source>Cross-section, PDF</source>
+        <translation>Querschnitt, PDF</translation>
+    </message>
+    <message>
+        <source>Cross-section, SVG</source>
+        <translation>Querschnitt, SVG</translation>
+    </message>
+    <message>
+        <source>Cross-section, CSV</source>
+        <translation>Querschnitt, CSV</translation>
     </message>
 </context>
 <context>
@@ -3781,20 +4536,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Zwei Punkte wählen, A und B</translation>
     </message>
     <message>
-        <source>ours</source>
-        <translation>unseres</translation>
-    </message>
-    <message>
-        <source>paper</source>
-        <translation>Veröffentlichung</translation>
-    </message>
-    <message>
         <source>From A over the face (mm)</source>
         <translation>Von A über die Fläche (mm)</translation>
     </message>
     <message>
         <source>Depth (mm)</source>
         <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
     </message>
 </context>
 <context>
@@ -3968,6 +4719,161 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <comment>settings</comment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>lens taken as one that bends nothing</source>
+        <translation>Objektiv als eines genommen, das nichts verzeichnet</translation>
+    </message>
+    <message>
+        <source>lens corrected at every point</source>
+        <translation>Objektiv an jedem Punkt korrigiert</translation>
+    </message>
+    <message>
+        <source>parallel rays through the layer</source>
+        <translation>parallele Strahlen durch die Schicht</translation>
+    </message>
+    <message>
+        <source>exact rays through the layer</source>
+        <translation>genaue Strahlen durch die Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SheetWords</name>
+    <message>
+        <source>Finger %1: what its calibration is worth</source>
+        <translation>Finger %1: was seine Kalibrierung wert ist</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
+        <translation>
+            <numerusform>%1, Kugel mit Radius %2 mm, %n Eindruck, AllTact %3</numerusform>
+            <numerusform>%1, Kugel mit Radius %2 mm, %n Eindrücke, AllTact %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>By zone of the face: %1.</source>
+        <translation>Nach Zonen der Fläche: %1.</translation>
+    </message>
+    <message>
+        <source>The presses show a fault</source>
+        <translation>Die Eindrücke zeigen einen Fehler</translation>
+    </message>
+    <message>
+        <source>From brightness to depth: each point is a block of pixels under a ball.</source>
+        <translation>Von der Helligkeit zur Tiefe: jeder Punkt ist ein Block von Pixeln unter einer Kugel.</translation>
+    </message>
+    <message>
+        <source>Where on the face, and how far the mapping is off there.</source>
+        <translation>Wo auf der Fläche, und wie weit die Abbildung dort daneben liegt.</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Eindruck</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>Fehler (mm)</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n press(es) more, in the report.</source>
+        <translation>
+            <numerusform>Und %n weiterer Eindruck, im Bericht.</numerusform>
+            <numerusform>Und %n weitere Eindrücke, im Bericht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Print the verdict</source>
+        <translation>Das Urteil drucken</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SideBySide</name>
+    <message>
+        <source>Depth with the setting in use now</source>
+        <translation>Tiefe mit der jetzt verwendeten Einstellung</translation>
+    </message>
+    <message>
+        <source>Depth with the chosen setting</source>
+        <translation>Tiefe mit der gewählten Einstellung</translation>
+    </message>
+    <message>
+        <source>Difference of the two depths</source>
+        <translation>Unterschied der beiden Tiefen</translation>
+    </message>
+    <message>
+        <source>Both settings in figures</source>
+        <translation>Beide Einstellungen in Zahlen</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>In use now: %1</source>
+        <translation>Jetzt verwendet: %1</translation>
+    </message>
+    <message>
+        <source>Chosen: %1</source>
+        <translation>Gewählt: %1</translation>
+    </message>
+    <message>
+        <source>Chosen less in use</source>
+        <translation>Gewählt minus verwendet</translation>
+    </message>
+    <message>
+        <source>Choose a setting other than the one in use.</source>
+        <translation>Eine andere Einstellung als die verwendete wählen.</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Es wird gemessen…</translation>
+    </message>
+    <message>
+        <source>Open a camera or a recording first.</source>
+        <translation>Zuerst eine Kamera oder eine Aufnahme öffnen.</translation>
+    </message>
+    <message>
+        <source>One of them tells no depth in this picture.</source>
+        <translation>Eine von beiden ergibt in diesem Bild keine Tiefe.</translation>
+    </message>
+    <message>
+        <source>Difference (mm)</source>
+        <translation>Unterschied (mm)</translation>
+    </message>
+    <message>
+        <source>This picture: %1 ms with the setting in use, %2 ms with the chosen one.</source>
+        <translation>Dieses Bild: %1 ms mit der verwendeten Einstellung, %2 ms mit der gewählten.</translation>
+    </message>
+    <message>
+        <source>Where something presses, half of all points differ by less than %1 µm, 95 % by less than %2 µm.</source>
+        <translation>Wo etwas drückt, weicht die Hälfte aller Punkte um weniger als %1 µm ab, 95 % um weniger als %2 µm.</translation>
+    </message>
+    <message>
+        <source>Nothing presses: touch the finger to see depths differ.</source>
+        <translation>Nichts drückt: den Finger berühren, um Tiefen verschieden zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SnapshotWords</name>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>As it is shown (*.png)</source>
+        <translation>Wie es gezeigt wird (*.png)</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s picture alone (*.png)</source>
+        <translation>Nur das Bild der Kamera (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>%1 konnte nicht geschrieben werden. Einen anderen Ordner wählen oder Platz auf der Platte schaffen.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SourceMenu</name>
@@ -4082,6 +4988,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>A whole day in five minutes: record, press, calibrate and check a finger that is computed</source>
         <translation>Ein ganzer Tag in fünf Minuten: einen Finger aufnehmen, eindrücken, kalibrieren und prüfen, der berechnet wird</translation>
     </message>
+    <message>
+        <source>&amp;All fingers…</source>
+        <translation>&amp;Alle Finger…</translation>
+    </message>
+    <message>
+        <source>What each is worth, and what is due, in one list</source>
+        <translation>Was jeder wert ist und was fällig ist, in einer Liste</translation>
+    </message>
+    <message>
+        <source>A finger from its side: camera and lamps at its base, and a ball that presses</source>
+        <translation>Ein Finger von der Seite: Kamera und Lampen an der Basis, und eine Kugel, die drückt</translation>
+    </message>
 </context>
 <context>
     <name>alltact::StatusLine</name>
@@ -4143,6 +5061,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>%1 %2: %3</source>
         <translation>%1 %2: %3</translation>
     </message>
+    <message>
+        <source>is being read</source>
+        <translation>wird gelesen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SurfaceBox</name>
@@ -4151,16 +5073,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Zwischen A und B</translation>
     </message>
     <message>
-        <source>Two points make a box: a ball&apos;s radius, area, volume, roughness; the step and the angle from A to B.</source>
-        <translation>Zwei Punkte bilden einen Kasten: Kugelradius, Fläche, Volumen, Rauheit; die Stufe und der Winkel von A nach B.</translation>
-    </message>
-    <message>
         <source>Copy as CSV</source>
         <translation>Als CSV kopieren</translation>
     </message>
     <message>
         <source>Measured between the points</source>
         <translation>Zwischen den Punkten gemessen</translation>
+    </message>
+    <message>
+        <source>Two points make a box: a ball&apos;s radius, area, volume, roughness; the distance, the step and the angle from A to B.</source>
+        <translation>Zwei Punkte bilden einen Kasten: Radius, Fläche, Volumen und Rauheit einer Kugel; Abstand, Stufe und Winkel von A nach B.</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Als Text kopieren</translation>
     </message>
 </context>
 <context>
@@ -4197,6 +5123,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>–</source>
         <translation>–</translation>
     </message>
+    <message>
+        <source>Distance A to B</source>
+        <translation>Abstand A nach B</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a measured value</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>alltact::TimeLine</name>
@@ -4223,6 +5158,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Play</source>
         <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Previous contact or problem</source>
+        <translation>Voriger Kontakt oder voriges Problem</translation>
+    </message>
+    <message>
+        <source>Next contact or problem</source>
+        <translation>Nächster Kontakt oder nächstes Problem</translation>
     </message>
 </context>
 <context>
@@ -4281,6 +5224,33 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::UndoBar</name>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederherstellen: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+Z)</source>
+        <translation>%1 (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+Shift+Z)</source>
+        <translation>%1 (Strg+Umschalt+Z)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::VerdictPage</name>
     <message>
         <source>Good</source>
@@ -4297,10 +5267,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Not fit to measure with</source>
         <translation>Zum Messen nicht geeignet</translation>
-    </message>
-    <message>
-        <source>What to press next</source>
-        <translation>Was als Nächstes zu drücken ist</translation>
     </message>
     <message>
         <source>Remarks</source>
@@ -4347,12 +5313,230 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>hier als Nächstes</translation>
     </message>
     <message>
-        <source>None.</source>
-        <translation>Keine.</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>One sheet to keep beside the finger, on paper or as PDF</source>
+        <translation>Ein Blatt, das beim Finger bleibt, auf Papier oder als PDF</translation>
+    </message>
+    <message>
+        <source>Remarks (%1)</source>
+        <translation>Bemerkungen (%1)</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s sizes or markers have changed since: calibrate again.</source>
+        <translation>Maße oder Marken des Fingers haben sich seither geändert: neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <comment>an error</comment>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <comment>an error</comment>
+        <translation>mäßig</translation>
+    </message>
+    <message>
+        <source>poor</source>
+        <comment>an error</comment>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>With the presses as they are now there is no calibration: %1</source>
+        <translation>Mit den Eindrücken, wie sie jetzt sind, gibt es keine Kalibrierung: %1</translation>
+    </message>
+    <message>
+        <source>What the presses come to now is being worked out.</source>
+        <translation>Was die Eindrücke jetzt ergeben, wird ausgerechnet.</translation>
+    </message>
+    <message>
+        <source>With the presses as they are now: %1 mm, %2</source>
+        <translation>Mit den Eindrücken, wie sie jetzt sind: %1 mm, %2</translation>
+    </message>
+    <message>
+        <source>%1 (in use: %2 mm).</source>
+        <translation>%1 (verwendet: %2 mm).</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ViewBox</name>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method</source>
+        <translation>das Verfahren der Quellarbeit</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Look f&amp;rom</source>
+        <translation>Blick v&amp;on</translation>
+    </message>
+    <message>
+        <source>Com&amp;pare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;With</source>
+        <translation>&amp;Mit</translation>
+    </message>
+    <message>
+        <source>Set&amp;ting</source>
+        <translation>Einste&amp;llung</translation>
+    </message>
+    <message>
+        <source>Frame &amp;number</source>
+        <translation>Bild&amp;nummer</translation>
+    </message>
+    <message>
+        <source>&amp;Colours end at</source>
+        <translation>&amp;Farben enden bei</translation>
+    </message>
+    <message>
+        <source>Differe&amp;nce up to</source>
+        <translation>&amp;Unterschied bis</translation>
+    </message>
+    <message>
+        <source>&amp;Draw depth</source>
+        <translation>&amp;Tiefe gezeichnet</translation>
+    </message>
+    <message>
+        <source>Fin&amp;ger&apos;s body</source>
+        <translation>&amp;Körper des Fingers</translation>
+    </message>
+    <message>
+        <source>R&amp;uler</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>Ca&amp;mera</source>
+        <translation>Ka&amp;mera</translation>
+    </message>
+    <message>
+        <source>Untou&amp;ched face</source>
+        <translation>Unbe&amp;rührte Fläche</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>in 3D</source>
+        <translation>in 3D</translation>
+    </message>
+    <message>
+        <source>as a height map</source>
+        <translation>als Höhenkarte</translation>
+    </message>
+    <message>
+        <source>3D needs OpenGL 3.2, which this screen does not offer.</source>
+        <translation>3D braucht OpenGL 3.2, das dieser Bildschirm nicht bietet.</translation>
+    </message>
+    <message>
+        <source>inside, tilted</source>
+        <translation>innen, schräg</translation>
+    </message>
+    <message>
+        <source>the camera</source>
+        <translation>der Kamera</translation>
+    </message>
+    <message>
+        <source>outside, tilted</source>
+        <translation>außen, schräg</translation>
+    </message>
+    <message>
+        <source>the side</source>
+        <translation>der Seite</translation>
+    </message>
+    <message>
+        <source>with nothing</source>
+        <translation>mit nichts</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>nebeneinander</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>another setting</source>
+        <translation>einer anderen Einstellung</translation>
+    </message>
+    <message>
+        <source>another frame</source>
+        <translation>einem anderen Bild</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s own formulas or another setting measure the same frame of the same finger a second time; of another frame the same places of the face are compared.</source>
+        <translation>Die Formeln der Quellarbeit oder eine andere Einstellung messen dasselbe Bild desselben Fingers ein zweites Mal; von einem anderen Bild werden dieselben Stellen der Fläche verglichen.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Depth at which the colours end</source>
+        <translation>Tiefe, bei der die Farben enden</translation>
+    </message>
+    <message>
+        <source>Difference at which its colours end, to both sides</source>
+        <translation>Unterschied, bei dem seine Farben enden, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation>-mal</translation>
+    </message>
+    <message>
+        <source>Times that depth is drawn larger than it is</source>
+        <translation>Wievielmal die Tiefe größer gezeichnet wird, als sie ist</translation>
+    </message>
+    <message>
+        <source>show as %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>look from: %1</source>
+        <translation>Blick: %1</translation>
+    </message>
+    <message>
+        <source>change the depth colours</source>
+        <translation>die Farben der Tiefe ändern</translation>
+    </message>
+    <message>
+        <source>change the difference&apos;s colours</source>
+        <translation>die Farben des Unterschieds ändern</translation>
+    </message>
+    <message>
+        <source>draw depth larger</source>
+        <translation>die Tiefe größer zeichnen</translation>
+    </message>
+    <message>
+        <source>show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>%1 verbergen</translation>
+    </message>
+    <message>
+        <source>compare: %1</source>
+        <translation>vergleichen: %1</translation>
+    </message>
+    <message>
+        <source>compare with %1</source>
+        <translation>vergleichen mit %1</translation>
     </message>
 </context>
 <context>
@@ -8401,10 +9585,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bild {} von {}</translation>
     </message>
     <message>
-        <source>no frame of the recording shows a face</source>
-        <translation>kein Bild der Aufnahme zeigt eine Fläche</translation>
-    </message>
-    <message>
         <source>the finger that belongs to this camera, or this finger&apos;s camera</source>
         <translation>der Finger, der zu dieser Kamera gehört, oder die Kamera dieses Fingers</translation>
     </message>
@@ -11253,14 +12433,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Familie {}</translation>
     </message>
     <message numerus="yes">
-        <source>{} rounds at the end</source>
-        <comment>{} round at the end</comment>
-        <translation>
-            <numerusform>{} Runde am Ende</numerusform>
-            <numerusform>{} Runden am Ende</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>{} presses more</source>
         <comment>{} press more</comment>
         <translation>
@@ -11347,6 +12519,438 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>the figure cannot be drawn</source>
         <translation>die Abbildung lässt sich nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>the part&apos;s video of depth is missing</source>
+        <translation>das Tiefenvideo des Teils fehlt</translation>
+    </message>
+    <message>
+        <source>could not compress the depth</source>
+        <translation>die Tiefe ließ sich nicht komprimieren</translation>
+    </message>
+    <message>
+        <source>the video does not say that it holds depth</source>
+        <translation>das Video sagt nicht, dass es Tiefe enthält</translation>
+    </message>
+    <message>
+        <source>a video of alltact reconstruct --format depth-video</source>
+        <translation>ein Video von alltact reconstruct --format depth-video</translation>
+    </message>
+    <message>
+        <source>the video of depth is damaged or cut short</source>
+        <translation>das Tiefenvideo ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>reconstruct the recording again</source>
+        <translation>die Aufnahme neu rekonstruieren</translation>
+    </message>
+    <message>
+        <source>this system&apos;s libavcodec cannot write FFV1</source>
+        <translation>libavcodec dieses Systems kann FFV1 nicht schreiben</translation>
+    </message>
+    <message>
+        <source>Debian&apos;s libavcodec, or depth as single pictures</source>
+        <translation>libavcodec von Debian, oder die Tiefe als einzelne Bilder</translation>
+    </message>
+    <message>
+        <source>whether what the lens bends is taken out of every point, or the lens is taken as one that bends nothing</source>
+        <translation>ob aus jedem Punkt herausgerechnet wird, was das Objektiv verzeichnet, oder das Objektiv als eines genommen wird, das nichts verzeichnet</translation>
+    </message>
+    <message>
+        <source>&apos;exact&apos; tells shape and places right up to the picture&apos;s corners</source>
+        <translation>&apos;exact&apos; misst Form und Orte bis in die Ecken des Bildes richtig</translation>
+    </message>
+    <message>
+        <source>&apos;exact&apos; looks each ray up by itself</source>
+        <translation>&apos;exact&apos; schlägt jeden Strahl einzeln nach</translation>
+    </message>
+    <message>
+        <source>how a layer pressed in along its normal is told along z: looked up where the normal leads, or at the same pixel as if all rays were parallel</source>
+        <translation>wie eine Schicht, die entlang ihrer Normalen eingedrückt ist, entlang z angegeben wird: nachgeschlagen, wohin die Normale führt, oder am selben Pixel, als wären alle Strahlen parallel</translation>
+    </message>
+    <message>
+        <source>&apos;exact&apos; tells a contact on a sloping face where it is and as deep as it is; &apos;parallel&apos; up to a layer&apos;s thickness beside</source>
+        <translation>&apos;exact&apos; gibt einen Kontakt auf einer schrägen Fläche an, wo er ist und wie tief er ist; &apos;parallel&apos; bis zu einer Schichtdicke daneben</translation>
+    </message>
+    <message>
+        <source>&apos;exact&apos; looks every pixel of a contact up once more</source>
+        <translation>&apos;exact&apos; schlägt jedes Pixel eines Kontakts noch einmal nach</translation>
+    </message>
+    <message>
+        <source>pixels from one vertex to the next in surfaces that are saved or shown in 3D; 1: every pixel</source>
+        <translation>Pixel von einem Eckpunkt zum nächsten in Flächen, die gespeichert oder in 3D gezeigt werden; 1: jedes Pixel</translation>
+    </message>
+    <message>
+        <source>1 keeps every edge that was measured</source>
+        <translation>1 behält jede Kante, die gemessen wurde</translation>
+    </message>
+    <message>
+        <source>time and size fall with its square</source>
+        <translation>Zeit und Größe fallen mit ihrem Quadrat</translation>
+    </message>
+    <message>
+        <source>a point lies off the face</source>
+        <translation>ein Punkt liegt neben der Fläche</translation>
+    </message>
+    <message>
+        <source>points on the face</source>
+        <translation>Punkte auf der Fläche</translation>
+    </message>
+    <message>
+        <source>both points are one</source>
+        <translation>beide Punkte sind einer</translation>
+    </message>
+    <message>
+        <source>two points that are apart</source>
+        <translation>zwei Punkte, die auseinander liegen</translation>
+    </message>
+    <message>
+        <source>the connection&apos;s line was not whole</source>
+        <translation>die Zeile der Verbindung war nicht vollständig</translation>
+    </message>
+    <message>
+        <source>ending it with a line break</source>
+        <translation>sie mit einem Zeilenumbruch beenden</translation>
+    </message>
+    <message>
+        <source>something came after the line</source>
+        <translation>nach der Zeile kam noch etwas</translation>
+    </message>
+    <message>
+        <source>connecting again</source>
+        <translation>neu verbinden</translation>
+    </message>
+    <message>
+        <source>the line is longer than {} bytes</source>
+        <translation>die Zeile ist länger als {} Bytes</translation>
+    </message>
+    <message>
+        <source>one line such as alltact-stream/1 picture depth16</source>
+        <translation>eine Zeile wie alltact-stream/1 picture depth16</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; does not ask for {}</source>
+        <translation>&apos;{}&apos; bittet nicht um {}</translation>
+    </message>
+    <message>
+        <source>there is no part &apos;{}&apos;, but {}</source>
+        <translation>es gibt keinen Teil &apos;{}&apos;, sondern {}</translation>
+    </message>
+    <message>
+        <source>another user&apos;s programs are not let in</source>
+        <translation>Programme eines anderen Benutzers werden nicht eingelassen</translation>
+    </message>
+    <message>
+        <source>{} programs are served already</source>
+        <translation>{} Programme werden schon bedient</translation>
+    </message>
+    <message>
+        <source>ending one of them</source>
+        <translation>eines davon beenden</translation>
+    </message>
+    <message>
+        <source>no line came within {} seconds</source>
+        <translation>binnen {} Sekunden kam keine Zeile</translation>
+    </message>
+    <message>
+        <source>programs could not be let in here</source>
+        <translation>hier konnten keine Programme eingelassen werden</translation>
+    </message>
+    <message>
+        <source>the path is longer than the {} bytes that a socket&apos;s may have</source>
+        <translation>der Pfad ist länger als die {} Bytes, die der eines Sockets haben darf</translation>
+    </message>
+    <message>
+        <source>a shorter one with --socket</source>
+        <translation>ein kürzerer mit --socket</translation>
+    </message>
+    <message>
+        <source>this folder belongs to somebody else, who could read along</source>
+        <translation>dieser Ordner gehört jemand anderem, der mitlesen könnte</translation>
+    </message>
+    <message>
+        <source>a folder of your own with --socket</source>
+        <translation>ein eigener Ordner mit --socket</translation>
+    </message>
+    <message>
+        <source>others may write in this folder, and could put their own socket there</source>
+        <translation>andere dürfen in diesen Ordner schreiben und könnten ihren eigenen Socket hineinlegen</translation>
+    </message>
+    <message>
+        <source>chmod 700, or another folder with --socket</source>
+        <translation>chmod 700, oder ein anderer Ordner mit --socket</translation>
+    </message>
+    <message>
+        <source>there is something here that is no socket, and it is left alone</source>
+        <translation>hier ist etwas, das kein Socket ist, und es bleibt unberührt</translation>
+    </message>
+    <message>
+        <source>another path with --socket</source>
+        <translation>ein anderer Pfad mit --socket</translation>
+    </message>
+    <message>
+        <source>another program serves here already ({})</source>
+        <translation>hier dient schon ein anderes Programm ({})</translation>
+    </message>
+    <message>
+        <source>connecting to that one, ending it, or another path with --socket</source>
+        <translation>sich mit diesem verbinden, es beenden, oder ein anderer Pfad mit --socket</translation>
+    </message>
+    <message>
+        <source>a file that a 3D program shows</source>
+        <translation>eine Datei, die ein 3D-Programm zeigt</translation>
+    </message>
+    <message>
+        <source>a file that ends in .ply, .vtp, .glb, .stl or .obj</source>
+        <translation>eine Datei, die auf .ply, .vtp, .glb, .stl oder .obj endet</translation>
+    </message>
+    <message>
+        <source>these are points, no depth</source>
+        <translation>das sind Punkte, keine Tiefe</translation>
+    </message>
+    <message>
+        <source>NAME.depth.tiff</source>
+        <translation>NAME.depth.tiff</translation>
+    </message>
+    <message>
+        <source>the edges at the {} are not seen</source>
+        <translation>die Kanten an der {} sind nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>bring the whole face into the picture, lit, with dark beside it</source>
+        <translation>die ganze Fläche ins Bild bringen, beleuchtet, mit Dunkel daneben</translation>
+    </message>
+    <message>
+        <source>edges at the {} are {:.1f} px wide</source>
+        <translation>Kanten an der {} sind {:.1f} px breit</translation>
+    </message>
+    <message>
+        <source>turn the lens until the {} is sharp, and let the other end stay so</source>
+        <translation>das Objektiv drehen, bis es an der {} scharf ist, und das andere Ende scharf lassen</translation>
+    </message>
+    <message>
+        <source>no face is seen</source>
+        <translation>keine Fläche ist zu sehen</translation>
+    </message>
+    <message>
+        <source>{:.1f} % of the face are too bright to measure</source>
+        <translation>{:.1f} % der Fläche sind zu hell zum Messen</translation>
+    </message>
+    <message>
+        <source>dim the lamp, or shorten the exposure</source>
+        <translation>die Lampe dimmen oder kürzer belichten</translation>
+    </message>
+    <message>
+        <source>the face is {:.0f} of 255 bright, nothing is too bright</source>
+        <translation>die Fläche ist {:.0f} von 255 hell, nichts ist zu hell</translation>
+    </message>
+    <message>
+        <source>turn the lamp up, or lengthen the exposure</source>
+        <translation>die Lampe heller stellen oder länger belichten</translation>
+    </message>
+    <message>
+        <source>hold the finger still: {:.0f} of {:.0f} s</source>
+        <translation>den Finger stillhalten: {:.0f} von {:.0f} s</translation>
+    </message>
+    <message>
+        <source>brightness changes by {:.1f} % in {:.0f} s</source>
+        <translation>die Helligkeit ändert sich um {:.1f} % in {:.0f} s</translation>
+    </message>
+    <message>
+        <source>let the lamp warm up for ten minutes, shade the finger from the room&apos;s light, and lock the brightness</source>
+        <translation>die Lampe zehn Minuten warm werden lassen, den Finger vor dem Licht des Raums schützen und die Helligkeit sperren</translation>
+    </message>
+    <message>
+        <source>no picture yet</source>
+        <translation>noch kein Bild</translation>
+    </message>
+    <message>
+        <source>{} dots are found</source>
+        <translation>{} Punkte sind gefunden</translation>
+    </message>
+    <message>
+        <source>{} of {} dots are found</source>
+        <translation>{} von {} Punkten sind gefunden</translation>
+    </message>
+    <message>
+        <source>light the dots evenly, keep both rows in the picture, and check how many the finger has</source>
+        <translation>die Punkte gleichmäßig beleuchten, beide Reihen im Bild halten und prüfen, wie viele der Finger hat</translation>
+    </message>
+    <message>
+        <source>&apos;joint&apos; is several times closer, and says how sure it is</source>
+        <translation>&apos;joint&apos; ist mehrmals näher und sagt, wie sicher es ist</translation>
+    </message>
+    <message>
+        <source>&apos;joint&apos; solves all presses together, which takes seconds</source>
+        <translation>&apos;joint&apos; löst alle Eindrücke zusammen, was Sekunden dauert</translation>
+    </message>
+    <message>
+        <source>&apos;moebius&apos; and &apos;kubelka-munk&apos; need few presses where the layer is even; &apos;polynomial&apos; follows any layer, given more of them</source>
+        <translation>&apos;moebius&apos; und &apos;kubelka-munk&apos; brauchen wenige Eindrücke, wo die Schicht gleichmäßig ist; &apos;polynomial&apos; folgt jeder Schicht, wenn mehr davon da sind</translation>
+    </message>
+    <message>
+        <source>&apos;auto&apos; fits all of them and leaves presses out of each</source>
+        <translation>&apos;auto&apos; passt alle an und lässt von jeder Eindrücke aus</translation>
+    </message>
+    <message numerus="yes">
+        <source>{} iterations</source>
+        <comment>{} iteration</comment>
+        <translation>
+            <numerusform>{} Iteration</numerusform>
+            <numerusform>{} Iterationen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the finger has no reference recording, or is not calibrated yet</source>
+        <translation>der Finger hat keine Referenzaufnahme oder ist noch nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>alltact reference, then alltact calibrate</source>
+        <translation>alltact reference, dann alltact calibrate</translation>
+    </message>
+    <message>
+        <source>no picture of the reference recording shows the face</source>
+        <translation>kein Bild der Referenzaufnahme zeigt die Fläche</translation>
+    </message>
+    <message>
+        <source>how time and memory grow, of {}</source>
+        <translation>wie Zeit und Speicher wachsen, von {}</translation>
+    </message>
+    <message>
+        <source>one frame</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>pixels of the picture</source>
+        <translation>Pixel des Bildes</translation>
+    </message>
+    <message>
+        <source>pictures of {} x {}</source>
+        <translation>Bilder von {} x {}</translation>
+    </message>
+    <message>
+        <source>memory: of a reference of {} frames</source>
+        <translation>Speicher: einer Referenz von {} Bildern</translation>
+    </message>
+    <message>
+        <source>finding the nearest pose</source>
+        <translation>die nächste Haltung finden</translation>
+    </message>
+    <message>
+        <source>recorded frames</source>
+        <translation>aufgenommene Bilder</translation>
+    </message>
+    <message>
+        <source>a recording of {} frames</source>
+        <translation>eine Aufnahme von {} Bildern</translation>
+    </message>
+    <message>
+        <source>{} of {} searches found what looking at all frames finds</source>
+        <translation>{} von {} Suchen fanden, was der Blick auf alle Bilder findet</translation>
+    </message>
+    <message>
+        <source>numbering dots seen anew</source>
+        <translation>neu gesehene Punkte nummerieren</translation>
+    </message>
+    <message>
+        <source>markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message numerus="yes">
+        <source>{} markers</source>
+        <comment>{} marker</comment>
+        <translation>
+            <numerusform>{} Marke</numerusform>
+            <numerusform>{} Marken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{} of {} layouts were numbered</source>
+        <translation>{} von {} Anordnungen wurden nummeriert</translation>
+    </message>
+    <message>
+        <source>calibrating</source>
+        <translation>kalibrieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>calibrating with {} presses</source>
+        <comment>calibrating with {} press</comment>
+        <translation>
+            <numerusform>mit {} Eindruck kalibrieren</numerusform>
+            <numerusform>mit {} Eindrücken kalibrieren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} presses are different ones, the others their copies</source>
+        <comment>{} press is a different one, the others its copies</comment>
+        <translation>
+            <numerusform>{} Eindruck ist verschieden, die anderen sind Kopien davon</numerusform>
+            <numerusform>{} Eindrücke sind verschieden, die anderen sind Kopien davon</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>measuring a recording at a quarter of the pixels a side</source>
+        <translation>eine Aufnahme mit einem Viertel der Pixel je Seite messen</translation>
+    </message>
+    <message>
+        <source>seconds of the recording, at 30 frames each</source>
+        <translation>Sekunden der Aufnahme, mit je 30 Bildern</translation>
+    </message>
+    <message>
+        <source>a recording of {:.0f} s</source>
+        <translation>eine Aufnahme von {:.0f} s</translation>
+    </message>
+    <message>
+        <source>{} frames of the longest were measured; memory: the most that was held beside the reference</source>
+        <translation>{} Bilder der längsten wurden gemessen; Speicher: das meiste, was neben der Referenz gehalten wurde</translation>
+    </message>
+    <message>
+        <source>its error is told from the third view on</source>
+        <translation>sein Fehler wird ab der dritten Ansicht genannt</translation>
+    </message>
+    <message>
+        <source>no frame shows a face</source>
+        <translation>kein Bild zeigt eine Fläche</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written</source>
+        <translation>das Bild kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>another folder, or freeing some space</source>
+        <translation>ein anderer Ordner, oder Platz schaffen</translation>
+    </message>
+    <message>
+        <source>there is no cross-section</source>
+        <translation>es gibt keinen Querschnitt</translation>
+    </message>
+    <message>
+        <source>two points, A and B</source>
+        <translation>zwei Punkte, A und B</translation>
+    </message>
+    <message>
+        <source>the figure cannot be written</source>
+        <translation>die Abbildung kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>there is no room to try the recording in</source>
+        <translation>es ist kein Platz, um die Aufnahme auszuprobieren</translation>
+    </message>
+    <message>
+        <source>freeing some space on the disk</source>
+        <translation>Platz auf der Platte schaffen</translation>
+    </message>
+    <message>
+        <source>the finger could not be copied: {}</source>
+        <translation>der Finger konnte nicht kopiert werden: {}</translation>
+    </message>
+    <message>
+        <source>the quick guide&apos;s texts do not fit on {} pages</source>
+        <translation>die Texte der Kurzanleitung passen nicht auf {} Seiten</translation>
+    </message>
+    <message>
+        <source>shorten the numbered lists of the help pages</source>
+        <translation>die nummerierten Listen der Hilfeseiten kürzen</translation>
     </message>
 </context>
 </TS>

@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>alltact::CheckPage</name>
+    <message numerus="yes">
+        <source>%n press(es) taken: enough.</source>
+        <translation>
+            <numerusform>%n press taken: enough.</numerusform>
+            <numerusform>%n presses taken: enough.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::ContactWords</name>
     <message numerus="yes">
         <source>%n contact(s) on the face.</source>
@@ -38,6 +48,60 @@
         <translation>
             <numerusform>After %n round %1 mm are left.</numerusform>
             <numerusform>After %n rounds %1 mm are left.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::EventStrip</name>
+    <message numerus="yes">
+        <source>%n contact(s)</source>
+        <translation>
+            <numerusform>%n contact</numerusform>
+            <numerusform>%n contacts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with problems</source>
+        <translation>
+            <numerusform>%n frame with problems</numerusform>
+            <numerusform>%n frames with problems</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ExportDialog</name>
+    <message numerus="yes">
+        <source>%n recording(s) that this finger does not use are left out of the zip.</source>
+        <translation>
+            <numerusform>%n recording that this finger does not use is left out of the zip.</numerusform>
+            <numerusform>%n recordings that this finger does not use are left out of the zip.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerCards</name>
+    <message numerus="yes">
+        <source>%n days ago</source>
+        <translation>
+            <numerusform>%n day ago</numerusform>
+            <numerusform>%n days ago</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerListDialog</name>
+    <message numerus="yes">
+        <source>%n finger(s), </source>
+        <translation>
+            <numerusform>%n finger, </numerusform>
+            <numerusform>%n fingers, </numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>something is due with %n</source>
+        <translation>
+            <numerusform>something is due with %n</numerusform>
+            <numerusform>something is due with %n</numerusform>
         </translation>
     </message>
 </context>
@@ -92,6 +156,16 @@
         <translation>
             <numerusform>%n usable</numerusform>
             <numerusform>%n usable</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressesPlot</name>
+    <message numerus="yes">
+        <source>%n press(es): %1 µm</source>
+        <translation>
+            <numerusform>%n press: %1 µm</numerusform>
+            <numerusform>%n presses: %1 µm</numerusform>
         </translation>
     </message>
 </context>
@@ -157,13 +231,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The contact face was touched in %n frame(s).</source>
-        <translation>
-            <numerusform>The contact face was touched in %n frame.</numerusform>
-            <numerusform>The contact face was touched in %n frames.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>About %n second(s) left.</source>
         <translation>
             <numerusform>About %n second left.</numerusform>
@@ -191,6 +258,37 @@
             <numerusform>%n frames showed a pose that others show as well.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Touched in %n frame(s), which are left out.</source>
+        <translation>
+            <numerusform>Touched in %n frame, which is left out.</numerusform>
+            <numerusform>Touched in %n frames, which are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>What it would bring is being worked out, about %n second(s).</source>
+        <translation>
+            <numerusform>What it would bring is being worked out, about %n second.</numerusform>
+            <numerusform>What it would bring is being worked out, about %n seconds.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame(s).</source>
+        <translation>
+            <numerusform>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame.</numerusform>
+            <numerusform>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frames.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RigCheckBox</name>
+    <message numerus="yes">
+        <source>Before the first recording: %n to mend</source>
+        <translation>
+            <numerusform>Before the first recording: %n to mend</numerusform>
+            <numerusform>Before the first recording: %n to mend</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>alltact::SettingsWords</name>
@@ -213,6 +311,23 @@
         <translation>
             <numerusform>edges from %n column</numerusform>
             <numerusform>edges from %n columns</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SheetWords</name>
+    <message numerus="yes">
+        <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
+        <translation>
+            <numerusform>%1, ball of radius %2 mm, %n press, AllTact %3</numerusform>
+            <numerusform>%1, ball of radius %2 mm, %n presses, AllTact %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n press(es) more, in the report.</source>
+        <translation>
+            <numerusform>And %n press more, in the report.</numerusform>
+            <numerusform>And %n presses more, in the report.</numerusform>
         </translation>
     </message>
 </context>
@@ -269,14 +384,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>{} rounds at the end</source>
-        <comment>{} round at the end</comment>
-        <translation>
-            <numerusform>{} round at the end</numerusform>
-            <numerusform>{} rounds at the end</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>{} presses more</source>
         <comment>{} press more</comment>
         <translation>
@@ -290,6 +397,38 @@
         <translation>
             <numerusform>no depth in {} picture</numerusform>
             <numerusform>no depth in {} pictures</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} iterations</source>
+        <comment>{} iteration</comment>
+        <translation>
+            <numerusform>{} iteration</numerusform>
+            <numerusform>{} iterations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} markers</source>
+        <comment>{} marker</comment>
+        <translation>
+            <numerusform>{} marker</numerusform>
+            <numerusform>{} markers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>calibrating with {} presses</source>
+        <comment>calibrating with {} press</comment>
+        <translation>
+            <numerusform>calibrating with {} press</numerusform>
+            <numerusform>calibrating with {} presses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} presses are different ones, the others their copies</source>
+        <comment>{} press is a different one, the others its copies</comment>
+        <translation>
+            <numerusform>{} press is a different one, the others its copies</numerusform>
+            <numerusform>{} presses are different ones, the others their copies</numerusform>
         </translation>
     </message>
 </context>

@@ -126,10 +126,6 @@
         <translation>表格</translation>
     </message>
     <message>
-        <source>Figure or table</source>
-        <translation>图或表格</translation>
-    </message>
-    <message>
         <source>Copy &amp;command</source>
         <translation>复制命令(&amp;C)</translation>
     </message>
@@ -278,6 +274,14 @@
     <message>
         <source>&amp;Measure pairs of settings, too</source>
         <translation>也测量成对的设置(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Live, side by side</source>
+        <translation>实时并排</translation>
+    </message>
+    <message>
+        <source>Figure, table or the live picture with two settings</source>
+        <translation>图、表格，或用两种设置的实时图像</translation>
     </message>
 </context>
 <context>
@@ -460,6 +464,28 @@
         <source>Check</source>
         <translation>检查</translation>
     </message>
+    <message>
+        <source>Press %1</source>
+        <translation>按压 %1</translation>
+    </message>
+    <message>
+        <source>begin the check again</source>
+        <translation>重新开始检查</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>已排除：%1</translation>
+    </message>
+    <message>
+        <source>The last check, on %1, was of a calibration before this one.</source>
+        <translation>上次检查（%1）针对的是此前的标定。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es) taken: enough.</source>
+        <translation>
+            <numerusform>已采集 %n 次按压：足够了。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>alltact::ContactWords</name>
@@ -632,6 +658,14 @@
         <source> ms</source>
         <translation> ms</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (USB port %2)</source>
+        <translation>%1（USB 端口 %2）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ConvergencePlot</name>
@@ -734,6 +768,57 @@
     <message>
         <source>&amp;Redo</source>
         <translation>重做(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::EventStrip</name>
+    <message>
+        <source>Contacts, problems and depth over time</source>
+        <translation>接触、问题和深度随时间的变化</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contact(s)</source>
+        <translation>
+            <numerusform>%n 次接触</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with problems</source>
+        <translation>
+            <numerusform>%n 帧有问题</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>deepest %1 mm in frame %2</source>
+        <translation>最深 %1 mm，在第 %2 帧</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames measured</source>
+        <translation>已测量 %1 / %2 帧</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>深度，mm</translation>
+    </message>
+    <message>
+        <source>Area, mm²</source>
+        <translation>面积，mm²</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>力，N</translation>
+    </message>
+    <message>
+        <source>Depth over time needs a calibration.</source>
+        <translation>深度随时间的变化需要先标定。</translation>
+    </message>
+    <message>
+        <source>The recording is being looked through.</source>
+        <translation>正在查看录像。</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>第 %1 帧</translation>
     </message>
 </context>
 <context>
@@ -845,6 +930,12 @@
         <source>Open the folder</source>
         <translation>打开文件夹</translation>
     </message>
+    <message numerus="yes">
+        <source>%n recording(s) that this finger does not use are left out of the zip.</source>
+        <translation>
+            <numerusform>此手指未使用的 %n 段录像不放入 zip。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>alltact::FaceMapPlot</name>
@@ -938,6 +1029,103 @@
         <source>Open the finger %1</source>
         <translation>打开手指 %1</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>今天</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>昨天</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n days ago</source>
+        <translation>
+            <numerusform>%n 天前</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>calibrated %1</source>
+        <translation>标定于 %1</translation>
+    </message>
+    <message>
+        <source>checked %1, %2 off</source>
+        <translation>检查于 %1，偏差 %2</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerListDialog</name>
+    <message>
+        <source>All fingers</source>
+        <translation>全部手指</translation>
+    </message>
+    <message>
+        <source>Fingers</source>
+        <translation>手指</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>手指</translation>
+    </message>
+    <message>
+        <source>Worth</source>
+        <translation>评价</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>误差，mm</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>待办</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Look into another folder…</source>
+        <translation>查看其他文件夹(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Looking at the fingers&apos; folders…</source>
+        <translation>正在查看手指的文件夹…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finger(s), </source>
+        <translation>
+            <numerusform>%n 个手指，</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>something is due with %n</source>
+        <translation>
+            <numerusform>%n 个有待办事项</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with fingers in it</source>
+        <translation>存放手指的文件夹</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerMenu</name>
@@ -964,6 +1152,10 @@
     <message>
         <source>Open a finger&apos;s folder</source>
         <translation>打开手指文件夹</translation>
+    </message>
+    <message>
+        <source>&amp;All fingers…</source>
+        <translation>全部手指(&amp;A)…</translation>
     </message>
 </context>
 <context>
@@ -1040,12 +1232,63 @@
         <source>Finger</source>
         <translation>手指</translation>
     </message>
+    <message>
+        <source>&amp;Width of the face</source>
+        <translation>面的宽度(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Width of the face</source>
+        <translation>面的宽度</translation>
+    </message>
+    <message>
+        <source>&amp;Layer&apos;s thickness</source>
+        <translation>层的厚度(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Thickness of the layer</source>
+        <translation>层的厚度</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>更改(&amp;C)</translation>
+    </message>
+    <message>
+        <source>A calibrated finger has to be calibrated again then.</source>
+        <translation>已标定的手指之后需要重新标定。</translation>
+    </message>
+    <message>
+        <source>change the finger&apos;s sizes</source>
+        <translation>更改手指的尺寸</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerStudyRun</name>
     <message>
         <source>use other settings</source>
         <translation>使用其他设置</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FingerSummary</name>
+    <message>
+        <source>What is known of this finger</source>
+        <translation>对此手指已知的信息</translation>
+    </message>
+    <message>
+        <source>Go to Record</source>
+        <translation>前往“录制”</translation>
+    </message>
+    <message>
+        <source>Go to the check</source>
+        <translation>前往检查</translation>
+    </message>
+    <message>
+        <source>Go to Calibrate</source>
+        <translation>前往“标定”</translation>
     </message>
 </context>
 <context>
@@ -1252,6 +1495,29 @@
     </message>
 </context>
 <context>
+    <name>alltact::GuideWords</name>
+    <message>
+        <source>Press here, %1 mm deep</source>
+        <translation>在此按压，深 %1 mm</translation>
+    </message>
+    <message>
+        <source>Enough presses: another would hardly help.</source>
+        <translation>按压已足够：再多也几乎没有帮助。</translation>
+    </message>
+    <message>
+        <source>now %1 mm: deeper</source>
+        <translation>现在 %1 mm：再深一些</translation>
+    </message>
+    <message>
+        <source>now %1 mm: enough, hold still</source>
+        <translation>现在 %1 mm：够了，保持不动</translation>
+    </message>
+    <message>
+        <source>now %1 mm: too deep</source>
+        <translation>现在 %1 mm：太深</translation>
+    </message>
+</context>
+<context>
     <name>alltact::HeaderBar</name>
     <message>
         <source>Finger:</source>
@@ -1298,10 +1564,6 @@
         <translation>关于 AllTact Studio(&amp;A)</translation>
     </message>
     <message>
-        <source>Help</source>
-        <translation>帮助</translation>
-    </message>
-    <message>
         <source>About AllTact Studio</source>
         <translation>关于 AllTact Studio</translation>
     </message>
@@ -1316,6 +1578,45 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 把内置相机的透明硅胶手指变成测量仪器。
 
 自有源代码采用 BSD-3-Clause 许可;连同所用的库,整个程序采用 GPL 第 3 版许可。</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>术语表(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Quick guide to print…</source>
+        <translation>可打印的快速指南(&amp;Q)…</translation>
+    </message>
+    <message>
+        <source>Save the quick guide</source>
+        <translation>保存快速指南</translation>
+    </message>
+    <message>
+        <source>Pages to print (*.pdf)</source>
+        <translation>可打印的页面 (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>Glossary</source>
+        <translation>术语表</translation>
+    </message>
+    <message>
+        <source>Effects of scenes</source>
+        <translation>场景的效果</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -1399,20 +1700,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Depth, mm</source>
         <translation>深度,mm</translation>
     </message>
+    <message>
+        <source>There is nothing to compare with in this frame.</source>
+        <translation>此帧中没有可比较的内容。</translation>
+    </message>
+    <message>
+        <source>It is being measured a second time, to be compared.</source>
+        <translation>正在再测量一次，以便比较。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectPlace</name>
     <message>
         <source>&amp;Live finger</source>
         <translation>实时手指(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Video…</source>
-        <translation>视频(&amp;V)…</translation>
-    </message>
-    <message>
-        <source>F&amp;older of pictures…</source>
-        <translation>图片文件夹(&amp;O)…</translation>
     </message>
     <message>
         <source>What is shown</source>
@@ -1425,18 +1726,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>What was saved</source>
         <translation>已保存的内容</translation>
-    </message>
-    <message>
-        <source>Ours</source>
-        <translation>本程序的方法</translation>
-    </message>
-    <message>
-        <source>Ours less the paper&apos;s method</source>
-        <translation>本程序的方法减去论文方法</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s method</source>
-        <translation>论文方法</translation>
     </message>
     <message>
         <source>put point B</source>
@@ -1575,239 +1864,229 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>触碰手指的东西</translation>
     </message>
     <message>
-        <source>Not calibrated yet: the whole face&apos;s shape, without depth</source>
-        <translation>尚未标定：整个面的形状，没有深度</translation>
-    </message>
-    <message>
         <source>No picture yet.</source>
         <translation>还没有图像。</translation>
+    </message>
+    <message>
+        <source>Vide&amp;o…</source>
+        <translation>视频(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Folder of p&amp;ictures…</source>
+        <translation>图片文件夹(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Under the pointer</source>
+        <translation>指针下方</translation>
+    </message>
+    <message>
+        <source>Compared with: %1</source>
+        <translation>比较对象：%1</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>当前显示</translation>
+    </message>
+    <message>
+        <source>Shown less: %1</source>
+        <translation>当前显示减去：%1</translation>
+    </message>
+    <message>
+        <source>Not calibrated yet: the shape of the whole finger, without depth</source>
+        <translation>尚未标定：显示整个手指的形状，没有深度</translation>
+    </message>
+    <message>
+        <source>Point at the face: what lies there is told here.</source>
+        <translation>把指针移到面上，这里会显示该处的数值。</translation>
     </message>
 </context>
 <context>
     <name>alltact::InspectSide</name>
     <message>
-        <source>show as %1</source>
-        <translation>显示方式:%1</translation>
+        <source>Cross-section</source>
+        <translation>剖面</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::LampPanel</name>
+    <message>
+        <source>Dimmer</source>
+        <translation>调光器</translation>
     </message>
     <message>
-        <source>look from: %1</source>
-        <translation>视角:%1</translation>
+        <source>The lamp&apos;s dimmer</source>
+        <translation>灯的调光器</translation>
     </message>
     <message>
-        <source>compare: %1</source>
-        <translation>比较:%1</translation>
+        <source>Look</source>
+        <translation>查找</translation>
     </message>
     <message>
-        <source>change the depth colours</source>
-        <translation>更改深度颜色</translation>
+        <source>Look for dimmers</source>
+        <translation>查找调光器</translation>
     </message>
     <message>
-        <source>draw depth larger</source>
-        <translation>放大绘制深度</translation>
+        <source>Output</source>
+        <translation>输出</translation>
     </message>
     <message>
-        <source>show %1</source>
-        <translation>显示%1</translation>
+        <source>The dimmer&apos;s output</source>
+        <translation>调光器的输出</translation>
     </message>
     <message>
-        <source>hide %1</source>
-        <translation>隐藏%1</translation>
+        <source>MCP2221A, pin GP2</source>
+        <translation>MCP2221A，引脚 GP2</translation>
     </message>
     <message>
-        <source>take the points away</source>
-        <translation>移除点</translation>
+        <source>MCP2221A, pin GP3</source>
+        <translation>MCP2221A，引脚 GP3</translation>
     </message>
     <message>
-        <source>move point A</source>
-        <translation>移动 A 点</translation>
+        <source>A report, described</source>
+        <translation>自行描述的报告</translation>
     </message>
     <message>
-        <source>move point B</source>
-        <translation>移动 B 点</translation>
+        <source>Report that sets the brightness</source>
+        <translation>设置亮度的报告</translation>
     </message>
     <message>
-        <source>cut across</source>
-        <translation>横向剖切</translation>
+        <source>Brightness</source>
+        <translation>亮度</translation>
     </message>
     <message>
-        <source>cut along</source>
-        <translation>纵向剖切</translation>
+        <source> %</source>
+        <translation> %</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>视图</translation>
+        <source>The lamp&apos;s brightness</source>
+        <translation>灯的亮度</translation>
     </message>
     <message>
-        <source>Sho&amp;w</source>
-        <translation>显示(&amp;W)</translation>
+        <source>none</source>
+        <translation>无</translation>
     </message>
     <message>
-        <source>in 3D</source>
-        <translation>三维</translation>
+        <source>Set to %1 %. Every picture tells it.</source>
+        <translation>已设为 %1 %。每张图像都会注明。</translation>
     </message>
     <message>
-        <source>as a height map</source>
-        <translation>高度图</translation>
+        <source>The dimmer is being told.</source>
+        <translation>正在设置调光器。</translation>
     </message>
     <message>
-        <source>3D needs OpenGL 3.2, which this screen does not offer.</source>
-        <translation>三维视图需要 OpenGL 3.2,此屏幕不支持。</translation>
+        <source>Choose the device that dims the finger&apos;s lamp, where there is one.</source>
+        <translation>如有给手指的灯调光的设备，请选择它。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::LensForm</name>
+    <message>
+        <source>&amp;Board</source>
+        <translation>标定板(&amp;B)</translation>
     </message>
     <message>
-        <source>Look &amp;from</source>
-        <translation>视角(&amp;F)</translation>
+        <source>Board</source>
+        <translation>标定板</translation>
     </message>
     <message>
-        <source>inside, tilted</source>
-        <translation>内侧,倾斜</translation>
+        <source>Chessboard</source>
+        <translation>棋盘格</translation>
     </message>
     <message>
-        <source>the camera</source>
-        <translation>相机</translation>
+        <source>ChArUco board</source>
+        <translation>ChArUco 板</translation>
     </message>
     <message>
-        <source>outside, tilted</source>
-        <translation>外侧,倾斜</translation>
+        <source>Grid of dots</source>
+        <translation>圆点阵</translation>
     </message>
     <message>
-        <source>the side</source>
-        <translation>侧面</translation>
+        <source>&amp;Inner corners, or dots</source>
+        <translation>内角点或圆点(&amp;I)</translation>
     </message>
     <message>
-        <source>Com&amp;pare</source>
-        <translation>比较(&amp;P)</translation>
+        <source>Inner corners in a row</source>
+        <translation>每行内角点数</translation>
     </message>
     <message>
-        <source>with nothing</source>
-        <translation>不比较</translation>
+        <source>Inner corners in a column</source>
+        <translation>每列内角点数</translation>
     </message>
     <message>
-        <source>side by side</source>
-        <translation>并排</translation>
+        <source>by</source>
+        <translation>×</translation>
     </message>
     <message>
-        <source>difference</source>
-        <translation>差值</translation>
+        <source>&amp;Side of a square</source>
+        <translation>方格边长(&amp;S)</translation>
     </message>
     <message>
-        <source>With the source paper&apos;s own formulas, on the same frame and the same finger.</source>
-        <translation>使用原论文的公式,同一帧、同一手指。</translation>
+        <source>Side of a square</source>
+        <translation>方格边长</translation>
     </message>
     <message>
-        <source>Colours &amp;end at</source>
-        <translation>颜色上限(&amp;E)</translation>
+        <source>Lens</source>
+        <translation>镜头</translation>
+    </message>
+    <message>
+        <source>usual (Brown)</source>
+        <translation>普通 (Brown)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>鱼眼</translation>
+    </message>
+    <message>
+        <source>Finger&apos;s distance</source>
+        <translation>手指的距离</translation>
+    </message>
+    <message>
+        <source>Distance from the lens to the finger&apos;s middle</source>
+        <translation>镜头到手指中部的距离</translation>
+    </message>
+    <message>
+        <source>The finger lies behind a window</source>
+        <translation>手指在窗口后面</translation>
+    </message>
+    <message>
+        <source>Tick it where the finger is seen through a plate into silicone and the board was seen in air</source>
+        <translation>如果透过平板看硅胶中的手指，而标定板是在空气中看的，请勾选</translation>
+    </message>
+    <message>
+        <source>Air before it</source>
+        <translation>前面的空气</translation>
+    </message>
+    <message>
+        <source>Air between lens and window</source>
+        <translation>镜头与窗口之间的空气</translation>
+    </message>
+    <message>
+        <source>Its thickness</source>
+        <translation>其厚度</translation>
+    </message>
+    <message>
+        <source>Thickness of the window</source>
+        <translation>窗口的厚度</translation>
+    </message>
+    <message>
+        <source>Its index</source>
+        <translation>其折射率</translation>
+    </message>
+    <message>
+        <source>Index of refraction of the window</source>
+        <translation>窗口的折射率</translation>
+    </message>
+    <message>
+        <source>Index behind it</source>
+        <translation>后面的折射率</translation>
+    </message>
+    <message>
+        <source>Index of refraction behind the window</source>
+        <translation>窗口后面的折射率</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
-    </message>
-    <message>
-        <source>Depth at which the colours end</source>
-        <translation>颜色上限对应的深度</translation>
-    </message>
-    <message>
-        <source>&amp;Draw depth</source>
-        <translation>绘制深度(&amp;D)</translation>
-    </message>
-    <message>
-        <source> times</source>
-        <translation> 倍</translation>
-    </message>
-    <message>
-        <source>Times that depth is drawn larger than it is</source>
-        <translation>深度绘制的放大倍数</translation>
-    </message>
-    <message>
-        <source>&amp;Untouched face as lines</source>
-        <translation>以线条显示未受压的面(&amp;U)</translation>
-    </message>
-    <message>
-        <source>C&amp;amera and its axes</source>
-        <translation>相机及其坐标轴(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Cross-section</source>
-        <translation>剖面</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>点</translation>
-    </message>
-    <message>
-        <source>Point &amp;A</source>
-        <translation>A 点(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Point &amp;B</source>
-        <translation>B 点(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Point A, u</source>
-        <translation>A 点,u</translation>
-    </message>
-    <message>
-        <source>Point A, v</source>
-        <translation>A 点,v</translation>
-    </message>
-    <message>
-        <source>Point B, u</source>
-        <translation>B 点,u</translation>
-    </message>
-    <message>
-        <source>Point B, v</source>
-        <translation>B 点,v</translation>
-    </message>
-    <message>
-        <source>u </source>
-        <translation>u </translation>
-    </message>
-    <message>
-        <source>v </source>
-        <translation>v </translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Deepest</source>
-        <translation>最深</translation>
-    </message>
-    <message>
-        <source>Puts A on the deepest point.</source>
-        <translation>将 A 放在最深点。</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>清除</translation>
-    </message>
-    <message>
-        <source>Takes both points away.</source>
-        <translation>移除两个点。</translation>
-    </message>
-    <message>
-        <source>Across</source>
-        <translation>横向</translation>
-    </message>
-    <message>
-        <source>From edge to edge of the finger, through A or the deepest point.</source>
-        <translation>从手指一边到另一边,经过 A 或最深点。</translation>
-    </message>
-    <message>
-        <source>Along</source>
-        <translation>纵向</translation>
-    </message>
-    <message>
-        <source>From base to tip, through A or the deepest point.</source>
-        <translation>从根部到指尖,经过 A 或最深点。</translation>
-    </message>
-    <message>
-        <source>Measured at the points</source>
-        <translation>各点的测量值</translation>
-    </message>
-    <message>
-        <source>Nothing to measure yet.</source>
-        <translation>暂无可测量的内容。</translation>
     </message>
 </context>
 <context>
@@ -1893,54 +2172,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>选择标定板图片的文件夹</translation>
     </message>
     <message>
-        <source>&amp;Board</source>
-        <translation>标定板(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>标定板</translation>
-    </message>
-    <message>
-        <source>Chessboard</source>
-        <translation>棋盘格</translation>
-    </message>
-    <message>
-        <source>ChArUco board</source>
-        <translation>ChArUco 板</translation>
-    </message>
-    <message>
-        <source>Grid of dots</source>
-        <translation>圆点阵列</translation>
-    </message>
-    <message>
-        <source>&amp;Inner corners, or dots</source>
-        <translation>内角点或圆点(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Inner corners in a row</source>
-        <translation>每行内角点数</translation>
-    </message>
-    <message>
-        <source>Inner corners in a column</source>
-        <translation>每列内角点数</translation>
-    </message>
-    <message>
-        <source>by</source>
-        <translation>×</translation>
-    </message>
-    <message>
-        <source>&amp;Side of a square</source>
-        <translation>方格边长(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Side of a square</source>
-        <translation>方格边长</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>&amp;Measure the lens</source>
         <translation>测量镜头(&amp;M)</translation>
     </message>
@@ -1995,6 +2226,82 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Lens</source>
         <translation>镜头</translation>
+    </message>
+    <message>
+        <source>With a board before the camera</source>
+        <translation>把标定板放在相机前</translation>
+    </message>
+    <message>
+        <source>&amp;Take this board (Space)</source>
+        <translation>采集这块板(&amp;T)（空格键）</translation>
+    </message>
+    <message>
+        <source>By &amp;itself where it is new and still</source>
+        <translation>位置新且静止时自动采集(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Takes the board whenever it is held still in a place, or tilted in a way, that was not taken yet</source>
+        <translation>每当标定板在尚未采集的位置或倾角上保持不动时就采集</translation>
+    </message>
+    <message>
+        <source>How to hold the board</source>
+        <translation>如何拿标定板</translation>
+    </message>
+    <message>
+        <source>Views of the board, with their errors</source>
+        <translation>标定板的视图及其误差</translation>
+    </message>
+    <message>
+        <source>Leave the chosen view out</source>
+        <translation>排除所选视图</translation>
+    </message>
+    <message>
+        <source>Blue: straight lines of the world, as this lens shows them.</source>
+        <translation>蓝色：此镜头所呈现的现实中的直线。</translation>
+    </message>
+    <message>
+        <source>Still better with: %1.</source>
+        <translation>加上这些会更好：%1。</translation>
+    </message>
+    <message>
+        <source>%1: error %2 px, tilted by %3°</source>
+        <translation>%1：误差 %2 px，倾斜 %3°</translation>
+    </message>
+    <message>
+        <source>%1: not used, %2</source>
+        <translation>%1：未使用，%2</translation>
+    </message>
+    <message>
+        <source>Board %1</source>
+        <translation>标定板 %1</translation>
+    </message>
+    <message>
+        <source>Open the camera as source, and boards can be taken live.</source>
+        <translation>把相机打开为来源，即可实时采集标定板。</translation>
+    </message>
+    <message>
+        <source>Looking for the board.</source>
+        <translation>正在寻找标定板。</translation>
+    </message>
+    <message>
+        <source>The board is blurred: hold it still, or further away.</source>
+        <translation>标定板模糊：请拿稳，或拿远一些。</translation>
+    </message>
+    <message>
+        <source>This place is taken: move the board, or tilt it.</source>
+        <translation>此位置已采集：请移动或倾斜标定板。</translation>
+    </message>
+    <message>
+        <source>Hold it still.</source>
+        <translation>请保持不动。</translation>
+    </message>
+    <message>
+        <source>Good: take it.</source>
+        <translation>很好：请采集。</translation>
+    </message>
+    <message>
+        <source>Still missing: %1.</source>
+        <translation>还缺少：%1。</translation>
     </message>
 </context>
 <context>
@@ -2230,6 +2537,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>close the second finger</source>
         <translation>关闭第二个手指</translation>
     </message>
+    <message>
+        <source>Lamp</source>
+        <translation>灯</translation>
+    </message>
+    <message>
+        <source>dim the lamp</source>
+        <translation>给灯调光</translation>
+    </message>
+    <message>
+        <source>choose the lamp&apos;s dimmer</source>
+        <translation>选择灯的调光器</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MainWindow</name>
@@ -2272,6 +2591,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>recording %1</source>
         <translation>录像 %1</translation>
+    </message>
+    <message>
+        <source>A recording is under way</source>
+        <translation>正在录制</translation>
+    </message>
+    <message>
+        <source>A recording is under way. Quitting ends it; what was recorded until then is kept.</source>
+        <translation>正在录制。退出会结束录制，此前录下的内容会保留。</translation>
+    </message>
+    <message>
+        <source>&amp;End it and quit</source>
+        <translation>结束并退出(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Go on recording</source>
+        <translation>继续录制(&amp;G)</translation>
     </message>
 </context>
 <context>
@@ -2350,6 +2685,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>The presses are read again to show what each pixel says.</source>
         <translation>正在重新读取按压，以显示每个像素的结果。</translation>
     </message>
+    <message>
+        <source>The finger&apos;s sizes or markers have changed since this calibration.</source>
+        <translation>此次标定之后，手指的尺寸或标记点已改变。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MappingPlot</name>
@@ -2396,6 +2735,33 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>end of the calibrated range</source>
         <translation>标定范围的终点</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::MoreBox</name>
+    <message>
+        <source>What more would bring</source>
+        <translation>再多会带来什么</translation>
+    </message>
+    <message>
+        <source>Progress of working it out</source>
+        <translation>计算进度</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>停止(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Work it out</source>
+        <translation>计算(&amp;W)</translation>
+    </message>
+    <message>
+        <source>One more press, more pictures of each, one more minute: told by balls painted into this finger&apos;s own pictures, which calibrate it anew.</source>
+        <translation>多一次按压、每次多几张图像、多一分钟：由画入此手指自己图像中的球得出，并用它们重新标定。</translation>
+    </message>
+    <message>
+        <source>Nothing that was tried brings more.</source>
+        <translation>所尝试的都不会带来更多。</translation>
     </message>
 </context>
 <context>
@@ -2668,6 +3034,144 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>%1 %</source>
         <translation>%1%</translation>
     </message>
+    <message>
+        <source>Freeze the picture</source>
+        <translation>定格图像</translation>
+    </message>
+    <message>
+        <source>Freeze: keep looking at this picture; measuring goes on</source>
+        <translation>定格：继续查看这张图像，测量照常进行</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>保存图像</translation>
+    </message>
+    <message>
+        <source>Save the picture, with or without what is drawn over it</source>
+        <translation>保存图像，可包含或不包含绘制在上面的内容</translation>
+    </message>
+    <message>
+        <source>Frozen</source>
+        <translation>已定格</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PlaceHint</name>
+    <message>
+        <source>What this place is for</source>
+        <translation>这个页面的用途</translation>
+    </message>
+    <message>
+        <source>How it is &amp;done (F1)</source>
+        <translation>操作方法(&amp;D)（F1）</translation>
+    </message>
+    <message>
+        <source>&amp;Understood</source>
+        <translation>明白了(&amp;U)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PointsBox</name>
+    <message>
+        <source>move point A</source>
+        <translation>移动点 A</translation>
+    </message>
+    <message>
+        <source>take the points away</source>
+        <translation>移除这些点</translation>
+    </message>
+    <message>
+        <source>move point B</source>
+        <translation>移动点 B</translation>
+    </message>
+    <message>
+        <source>cut across</source>
+        <translation>横向剖切</translation>
+    </message>
+    <message>
+        <source>cut along</source>
+        <translation>纵向剖切</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Point &amp;A</source>
+        <translation>点 &amp;A</translation>
+    </message>
+    <message>
+        <source>Point &amp;B</source>
+        <translation>点 &amp;B</translation>
+    </message>
+    <message>
+        <source>Point A, along the finger</source>
+        <translation>点 A，沿手指方向</translation>
+    </message>
+    <message>
+        <source>Point A, across it</source>
+        <translation>点 A，横跨手指方向</translation>
+    </message>
+    <message>
+        <source>Point B, along the finger</source>
+        <translation>点 B，沿手指方向</translation>
+    </message>
+    <message>
+        <source>Point B, across it</source>
+        <translation>点 B，横跨手指方向</translation>
+    </message>
+    <message>
+        <source>Along the face from its base. A point stays there on the finger while that moves.</source>
+        <translation>沿面从根部算起。手指运动时，点停留在手指上的该处。</translation>
+    </message>
+    <message>
+        <source>Across the face from its middle.</source>
+        <translation>横跨面，从中线算起。</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Deepest</source>
+        <translation>最深处</translation>
+    </message>
+    <message>
+        <source>Puts A on the deepest point.</source>
+        <translation>把 A 放到最深点。</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Takes both points away.</source>
+        <translation>移除两个点。</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>横向</translation>
+    </message>
+    <message>
+        <source>From edge to edge of the finger, through A or the deepest point.</source>
+        <translation>从手指的一边到另一边，经过 A 或最深点。</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>纵向</translation>
+    </message>
+    <message>
+        <source>From base to tip, through A or the deepest point.</source>
+        <translation>从根部到指尖，经过 A 或最深点。</translation>
+    </message>
+    <message>
+        <source>Measured at the points</source>
+        <translation>在这些点上测得</translation>
+    </message>
+    <message>
+        <source>Nothing to measure yet.</source>
+        <translation>还没有可测量的内容。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressDesk</name>
@@ -2759,6 +3263,29 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Mean depth error inside the contact (mm)</source>
         <translation>接触内的平均深度误差 (mm)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressFitPane</name>
+    <message>
+        <source>%1 mm, %2</source>
+        <translation>%1 mm，%2</translation>
+    </message>
+    <message>
+        <source>Mapping − ball, mm</source>
+        <translation>映射 − 球，mm</translation>
+    </message>
+    <message>
+        <source>Error of this press</source>
+        <translation>此次按压的误差</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;This press:&lt;/b&gt; error %1</source>
+        <translation>&lt;b&gt;此次按压：&lt;/b&gt;误差 %1</translation>
+    </message>
+    <message>
+        <source>as the program has it: %1</source>
+        <translation>程序的结果：%1</translation>
     </message>
 </context>
 <context>
@@ -2854,10 +3381,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>已取出:%1</translation>
     </message>
     <message>
-        <source>%1 mm deep, error %2 mm</source>
-        <translation>深 %1 mm,误差 %2 mm</translation>
-    </message>
-    <message>
         <source>ball put by hand</source>
         <translation>球由手动放置</translation>
     </message>
@@ -2920,6 +3443,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>not usable</source>
         <translation>不可用</translation>
+    </message>
+    <message>
+        <source>%1 mm deep, error %2 mm: %3</source>
+        <translation>深 %1 mm，误差 %2 mm：%3</translation>
+    </message>
+    <message>
+        <source>not written to the disk</source>
+        <translation>未写入磁盘</translation>
     </message>
 </context>
 <context>
@@ -3112,6 +3643,83 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>%1 is taken from a single picture; hold ball and finger still for half a second, and its noise falls to a quarter.</source>
         <translation>%1 取自单张画面;使球和手指保持静止半秒,噪声就会降到四分之一。</translation>
     </message>
+    <message>
+        <source>&amp;Error under the ball</source>
+        <translation>球下的误差(&amp;E)</translation>
+    </message>
+    <message>
+        <source>In colours, where the mapping reads deeper (red) or less deep (blue) than the ball is</source>
+        <translation>用颜色表示映射比球读得更深（红）或更浅（蓝）的位置</translation>
+    </message>
+    <message>
+        <source>Where to press next</source>
+        <translation>接下来按压哪里</translation>
+    </message>
+    <message>
+        <source>Measured, or another ball</source>
+        <translation>已测量，或使用另一个球</translation>
+    </message>
+    <message>
+        <source>Press %1</source>
+        <translation>按压 %1</translation>
+    </message>
+    <message>
+        <source>Waiting: it cannot be seen whether the face is touched.</source>
+        <translation>等待：看不出面是否被触碰。</translation>
+    </message>
+    <message>
+        <source>Waiting: nothing presses yet.</source>
+        <translation>等待：还没有东西按压。</translation>
+    </message>
+    <message>
+        <source>Waiting: the contact still moves, or is pressed in deeper.</source>
+        <translation>等待：接触仍在移动，或正在加深。</translation>
+    </message>
+    <message>
+        <source>Taken. Lift the ball, or move it by 2 mm, for the next one.</source>
+        <translation>已采集。请抬起球，或移动 2 mm，再进行下一次。</translation>
+    </message>
+    <message>
+        <source>Holds still.</source>
+        <translation>保持不动。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::PressesPlot</name>
+    <message>
+        <source>Error of depth by the number of presses</source>
+        <translation>深度误差随按压次数的变化</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n press(es): %1 µm</source>
+        <translation>
+            <numerusform>%n 次按压：%1 µm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is worked out yet</source>
+        <translation>尚未计算</translation>
+    </message>
+    <message>
+        <source>painted balls, whisker to 95 %</source>
+        <translation>画入的球，线段到 95 %</translation>
+    </message>
+    <message>
+        <source>presses there are now</source>
+        <translation>现有的按压</translation>
+    </message>
+    <message>
+        <source>real presses left out</source>
+        <translation>被排除的真实按压</translation>
+    </message>
+    <message>
+        <source>Presses</source>
+        <translation>按压次数</translation>
+    </message>
+    <message>
+        <source>Error of depth (µm)</source>
+        <translation>深度误差 (µm)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ProblemBar</name>
@@ -3202,6 +3810,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::QuickGuide</name>
+    <message>
+        <source>AllTact Studio: quick guide</source>
+        <translation>AllTact Studio：快速指南</translation>
+    </message>
+</context>
+<context>
     <name>alltact::Rail</name>
     <message>
         <source>%1 (Ctrl+%2)</source>
@@ -3261,6 +3876,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Click on the face for point A, with the right button for point B.</source>
         <translation>在面上单击设置 A 点,右键单击设置 B 点。</translation>
+    </message>
+    <message>
+        <source>not calibrated: no depth</source>
+        <translation>未标定：没有深度</translation>
+    </message>
+    <message>
+        <source>%1 mm along, %2 mm across; x %3, y %4, z %5 mm</source>
+        <translation>纵向 %1 mm，横向 %2 mm；x %3，y %4，z %5 mm</translation>
     </message>
 </context>
 <context>
@@ -3431,12 +4054,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>No frame was lost.</source>
         <translation>没有丢帧。</translation>
     </message>
-    <message numerus="yes">
-        <source>The contact face was touched in %n frame(s).</source>
-        <translation>
-            <numerusform>有 %n 帧接触面被触碰。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Reading the recording…</source>
         <translation>正在读取录像…</translation>
@@ -3468,10 +4085,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请换用其他磁盘或更小的图像。</translation>
     </message>
     <message>
-        <source>The contact face is touched.</source>
-        <translation>接触面被触碰。</translation>
-    </message>
-    <message>
         <source>Keep it free: bend the finger at its tip, its sides or its back.</source>
         <translation>请保持其空闲:从指尖、侧面或背面弯曲手指。</translation>
     </message>
@@ -3486,10 +4099,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Start &amp;recording</source>
         <translation>开始录制(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Ctrl+R</source>
-        <translation>Ctrl+R</translation>
     </message>
     <message>
         <source>What it leaves open: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
@@ -3533,6 +4142,129 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Record it bending, with nothing on its contact face.</source>
         <translation>请录制它弯曲的过程,接触面上不要有任何东西。</translation>
     </message>
+    <message>
+        <source>It was not twisted; twist it, too, if it is in use.</source>
+        <translation>没有扭转过；如果使用中会扭转，也请扭转。</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>留待以后(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The video stays where it is, and the finger stays as it is.</source>
+        <translation>视频留在原处，手指保持不变。</translation>
+    </message>
+    <message>
+        <source>Record a&amp;gain</source>
+        <translation>重新录制(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Puts this video into the waste bin and records another one.</source>
+        <translation>把这段视频移到回收站，并重新录制一段。</translation>
+    </message>
+    <message>
+        <source>Install a &amp;video that is there…</source>
+        <translation>安装已有的视频(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Follow the outline: %1</source>
+        <translation>请跟随轮廓：%1</translation>
+    </message>
+    <message>
+        <source>Video of the bending finger</source>
+        <translation>手指弯曲的视频</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.avi *.mp4 *.mov)</source>
+        <translation>视频 (*.mkv *.avi *.mp4 *.mov)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Touched in %n frame(s), which are left out.</source>
+        <translation>
+            <numerusform>有 %n 帧被触碰，已排除。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>What it would bring is being worked out, about %n second(s).</source>
+        <translation>
+            <numerusform>正在计算它会带来什么，大约 %n 秒。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What it would bring is being worked out.</source>
+        <translation>正在计算它会带来什么。</translation>
+    </message>
+    <message>
+        <source>It cannot be installed: %1</source>
+        <translation>无法安装：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame(s).</source>
+        <translation>
+            <numerusform>它会带来：一半的参考偏差小于 %1 mm，95 % 小于 %2 mm，来自 %n 帧。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kept: %1</source>
+        <translation>已保留：%1</translation>
+    </message>
+    <message>
+        <source>Ctrl+R, or Space</source>
+        <translation>Ctrl+R 或空格键</translation>
+    </message>
+    <message>
+        <source>The contact face is touched; such frames are left out.</source>
+        <translation>接触面被触碰；这样的帧会被排除。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RigCheckBox</name>
+    <message>
+        <source>Focus at the base</source>
+        <translation>根部对焦</translation>
+    </message>
+    <message>
+        <source>Focus at the tip</source>
+        <translation>指尖对焦</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>亮度</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>灯</translation>
+    </message>
+    <message>
+        <source>Dots</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Before the first recording</source>
+        <translation>首次录制之前</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1：%2。</translation>
+    </message>
+    <message>
+        <source>Camera: nothing sets itself.</source>
+        <translation>相机：没有自动调节项。</translation>
+    </message>
+    <message>
+        <source>Camera: %1 is on and changes the brightness that is measured. Lock brightness in Live, or switch it off there.</source>
+        <translation>相机：%1 已开启，会改变被测量的亮度。请在“实时”中锁定亮度，或在那里将其关闭。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Before the first recording: %n to mend</source>
+        <translation>
+            <numerusform>首次录制之前：有 %n 项需要处理</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>alltact::SaveBar</name>
@@ -3553,10 +4285,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>网格,glTF</translation>
     </message>
     <message>
-        <source>Picture, PNG</source>
-        <translation>图片,PNG</translation>
-    </message>
-    <message>
         <source>Video in 3D, MKV</source>
         <translation>三维视频,MKV</translation>
     </message>
@@ -3575,6 +4303,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Progress of saving</source>
         <translation>保存进度</translation>
+    </message>
+    <message>
+        <source>Picture, PNG (300 dpi)</source>
+        <translation>图片，PNG（300 dpi）</translation>
+    </message>
+    <message>
+        <source>Cross-section, PDF</source>
+        <translation>剖面，PDF</translation>
+    </message>
+    <message>
+        <source>Cross-section, SVG</source>
+        <translation>剖面，SVG</translation>
+    </message>
+    <message>
+        <source>Cross-section, CSV</source>
+        <translation>剖面，CSV</translation>
     </message>
 </context>
 <context>
@@ -3758,20 +4502,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>选择 A、B 两点</translation>
     </message>
     <message>
-        <source>ours</source>
-        <translation>本程序</translation>
-    </message>
-    <message>
-        <source>paper</source>
-        <translation>论文</translation>
-    </message>
-    <message>
         <source>From A over the face (mm)</source>
         <translation>从 A 沿面的距离 (mm)</translation>
     </message>
     <message>
         <source>Depth (mm)</source>
         <translation>深度 (mm)</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>当前显示</translation>
     </message>
 </context>
 <context>
@@ -3942,6 +4682,159 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <comment>settings</comment>
         <translation>%1、%2</translation>
     </message>
+    <message>
+        <source>lens taken as one that bends nothing</source>
+        <translation>将镜头视为无畸变</translation>
+    </message>
+    <message>
+        <source>lens corrected at every point</source>
+        <translation>逐点校正镜头</translation>
+    </message>
+    <message>
+        <source>parallel rays through the layer</source>
+        <translation>穿过层的平行光线</translation>
+    </message>
+    <message>
+        <source>exact rays through the layer</source>
+        <translation>穿过层的精确光线</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SheetWords</name>
+    <message>
+        <source>Finger %1: what its calibration is worth</source>
+        <translation>手指 %1：其标定的价值</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
+        <translation>
+            <numerusform>%1，球半径 %2 mm，%n 次按压，AllTact %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>By zone of the face: %1.</source>
+        <translation>按面的区域：%1。</translation>
+    </message>
+    <message>
+        <source>The presses show a fault</source>
+        <translation>按压显示有故障</translation>
+    </message>
+    <message>
+        <source>From brightness to depth: each point is a block of pixels under a ball.</source>
+        <translation>从亮度到深度：每个点是球下的一块像素。</translation>
+    </message>
+    <message>
+        <source>Where on the face, and how far the mapping is off there.</source>
+        <translation>面上的位置，以及映射在该处的偏差。</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>按压</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>深度 (mm)</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>误差 (mm)</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n press(es) more, in the report.</source>
+        <translation>
+            <numerusform>另有 %n 次按压，见报告。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Print the verdict</source>
+        <translation>打印结论</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SideBySide</name>
+    <message>
+        <source>Depth with the setting in use now</source>
+        <translation>用当前设置得到的深度</translation>
+    </message>
+    <message>
+        <source>Depth with the chosen setting</source>
+        <translation>用所选设置得到的深度</translation>
+    </message>
+    <message>
+        <source>Difference of the two depths</source>
+        <translation>两个深度的差值</translation>
+    </message>
+    <message>
+        <source>Both settings in figures</source>
+        <translation>两种设置的数值</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>深度 (mm)</translation>
+    </message>
+    <message>
+        <source>In use now: %1</source>
+        <translation>当前使用：%1</translation>
+    </message>
+    <message>
+        <source>Chosen: %1</source>
+        <translation>所选：%1</translation>
+    </message>
+    <message>
+        <source>Chosen less in use</source>
+        <translation>所选减当前</translation>
+    </message>
+    <message>
+        <source>Choose a setting other than the one in use.</source>
+        <translation>请选择与当前不同的设置。</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>正在测量…</translation>
+    </message>
+    <message>
+        <source>Open a camera or a recording first.</source>
+        <translation>请先打开相机或录像。</translation>
+    </message>
+    <message>
+        <source>One of them tells no depth in this picture.</source>
+        <translation>其中一个在这张图像中没有给出深度。</translation>
+    </message>
+    <message>
+        <source>Difference (mm)</source>
+        <translation>差值 (mm)</translation>
+    </message>
+    <message>
+        <source>This picture: %1 ms with the setting in use, %2 ms with the chosen one.</source>
+        <translation>这张图像：当前设置 %1 ms，所选设置 %2 ms。</translation>
+    </message>
+    <message>
+        <source>Where something presses, half of all points differ by less than %1 µm, 95 % by less than %2 µm.</source>
+        <translation>在有按压处，一半的点相差小于 %1 µm，95 % 小于 %2 µm。</translation>
+    </message>
+    <message>
+        <source>Nothing presses: touch the finger to see depths differ.</source>
+        <translation>没有按压：请触碰手指，以查看深度的差别。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SnapshotWords</name>
+    <message>
+        <source>Save the picture</source>
+        <translation>保存图像</translation>
+    </message>
+    <message>
+        <source>As it is shown (*.png)</source>
+        <translation>按显示的样子 (*.png)</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s picture alone (*.png)</source>
+        <translation>仅相机图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another folder, or make room on the disk.</source>
+        <translation>无法写入 %1。请选择其他文件夹，或腾出磁盘空间。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SourceMenu</name>
@@ -4056,6 +4949,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>A whole day in five minutes: record, press, calibrate and check a finger that is computed</source>
         <translation>五分钟体验完整的一天：对一个由计算生成的手指进行录制、按压、标定和检查</translation>
     </message>
+    <message>
+        <source>&amp;All fingers…</source>
+        <translation>全部手指(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>What each is worth, and what is due, in one list</source>
+        <translation>每个手指的评价和待办事项，列在一处</translation>
+    </message>
+    <message>
+        <source>A finger from its side: camera and lamps at its base, and a ball that presses</source>
+        <translation>手指的侧视图：根部有相机和灯，一个球正在按压</translation>
+    </message>
 </context>
 <context>
     <name>alltact::StatusLine</name>
@@ -4116,6 +5021,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>%1 %2: %3</source>
         <translation>%1 %2:%3</translation>
     </message>
+    <message>
+        <source>is being read</source>
+        <translation>正在读取</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SurfaceBox</name>
@@ -4124,16 +5033,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>A 与 B 之间</translation>
     </message>
     <message>
-        <source>Two points make a box: a ball&apos;s radius, area, volume, roughness; the step and the angle from A to B.</source>
-        <translation>两点构成一个框：球半径、面积、体积、粗糙度；从 A 到 B 的台阶和角度。</translation>
-    </message>
-    <message>
         <source>Copy as CSV</source>
         <translation>复制为 CSV</translation>
     </message>
     <message>
         <source>Measured between the points</source>
         <translation>两点之间的测量值</translation>
+    </message>
+    <message>
+        <source>Two points make a box: a ball&apos;s radius, area, volume, roughness; the distance, the step and the angle from A to B.</source>
+        <translation>两个点构成一个方框：球的半径、面积、体积、粗糙度；从 A 到 B 的距离、台阶和角度。</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>复制为文本</translation>
     </message>
 </context>
 <context>
@@ -4170,6 +5083,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>–</source>
         <translation>–</translation>
     </message>
+    <message>
+        <source>Distance A to B</source>
+        <translation>A 到 B 的距离</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a measured value</comment>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>alltact::TimeLine</name>
@@ -4196,6 +5118,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Play</source>
         <translation>播放</translation>
+    </message>
+    <message>
+        <source>Previous contact or problem</source>
+        <translation>上一个接触或问题</translation>
+    </message>
+    <message>
+        <source>Next contact or problem</source>
+        <translation>下一个接触或问题</translation>
     </message>
 </context>
 <context>
@@ -4254,6 +5184,33 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::UndoBar</name>
+    <message>
+        <source>Undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>重做：%1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+Z)</source>
+        <translation>%1 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+Shift+Z)</source>
+        <translation>%1 (Ctrl+Shift+Z)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::VerdictPage</name>
     <message>
         <source>Good</source>
@@ -4270,10 +5227,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Not fit to measure with</source>
         <translation>不适合测量</translation>
-    </message>
-    <message>
-        <source>What to press next</source>
-        <translation>下一次按压何处</translation>
     </message>
     <message>
         <source>Remarks</source>
@@ -4320,12 +5273,230 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>下一次压这里</translation>
     </message>
     <message>
-        <source>None.</source>
-        <translation>无。</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>结论</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>打印(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>One sheet to keep beside the finger, on paper or as PDF</source>
+        <translation>一页纸，与手指放在一起，可打印或存为 PDF</translation>
+    </message>
+    <message>
+        <source>Remarks (%1)</source>
+        <translation>备注（%1）</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s sizes or markers have changed since: calibrate again.</source>
+        <translation>手指的尺寸或标记点已改变：请重新标定。</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <comment>an error</comment>
+        <translation>好</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <comment>an error</comment>
+        <translation>一般</translation>
+    </message>
+    <message>
+        <source>poor</source>
+        <comment>an error</comment>
+        <translation>差</translation>
+    </message>
+    <message>
+        <source>With the presses as they are now there is no calibration: %1</source>
+        <translation>以现在的按压无法标定：%1</translation>
+    </message>
+    <message>
+        <source>What the presses come to now is being worked out.</source>
+        <translation>正在计算现在的按压会得出什么。</translation>
+    </message>
+    <message>
+        <source>With the presses as they are now: %1 mm, %2</source>
+        <translation>以现在的按压：%1 mm，%2</translation>
+    </message>
+    <message>
+        <source>%1 (in use: %2 mm).</source>
+        <translation>%1（正在使用：%2 mm）。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ViewBox</name>
+    <message>
+        <source>frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>the source paper&apos;s method</source>
+        <translation>原论文的方法</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>显示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Look f&amp;rom</source>
+        <translation>视角(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Com&amp;pare</source>
+        <translation>比较(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;With</source>
+        <translation>对象(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Set&amp;ting</source>
+        <translation>设置(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Frame &amp;number</source>
+        <translation>帧号(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Colours end at</source>
+        <translation>颜色上限(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Differe&amp;nce up to</source>
+        <translation>差值上限(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Draw depth</source>
+        <translation>深度放大(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Fin&amp;ger&apos;s body</source>
+        <translation>手指本体(&amp;G)</translation>
+    </message>
+    <message>
+        <source>R&amp;uler</source>
+        <translation>标尺(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Ca&amp;mera</source>
+        <translation>相机(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Untou&amp;ched face</source>
+        <translation>未触碰的面(&amp;C)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>in 3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>as a height map</source>
+        <translation>高度图</translation>
+    </message>
+    <message>
+        <source>3D needs OpenGL 3.2, which this screen does not offer.</source>
+        <translation>3D 需要 OpenGL 3.2，此屏幕不提供。</translation>
+    </message>
+    <message>
+        <source>inside, tilted</source>
+        <translation>内侧，倾斜</translation>
+    </message>
+    <message>
+        <source>the camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>outside, tilted</source>
+        <translation>外侧，倾斜</translation>
+    </message>
+    <message>
+        <source>the side</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>with nothing</source>
+        <translation>不比较</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>并排</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>another setting</source>
+        <translation>另一种设置</translation>
+    </message>
+    <message>
+        <source>another frame</source>
+        <translation>另一帧</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s own formulas or another setting measure the same frame of the same finger a second time; of another frame the same places of the face are compared.</source>
+        <translation>用原论文的公式或另一种设置对同一手指的同一帧再测量一次；与另一帧比较时，比较面上的相同位置。</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Depth at which the colours end</source>
+        <translation>颜色上限对应的深度</translation>
+    </message>
+    <message>
+        <source>Difference at which its colours end, to both sides</source>
+        <translation>差值颜色的上限，正负两侧</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>Times that depth is drawn larger than it is</source>
+        <translation>深度按实际的多少倍绘制</translation>
+    </message>
+    <message>
+        <source>show as %1</source>
+        <translation>显示为%1</translation>
+    </message>
+    <message>
+        <source>look from: %1</source>
+        <translation>视角：%1</translation>
+    </message>
+    <message>
+        <source>change the depth colours</source>
+        <translation>更改深度的颜色</translation>
+    </message>
+    <message>
+        <source>change the difference&apos;s colours</source>
+        <translation>更改差值的颜色</translation>
+    </message>
+    <message>
+        <source>draw depth larger</source>
+        <translation>放大绘制深度</translation>
+    </message>
+    <message>
+        <source>show %1</source>
+        <translation>显示%1</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>隐藏%1</translation>
+    </message>
+    <message>
+        <source>compare: %1</source>
+        <translation>比较：%1</translation>
+    </message>
+    <message>
+        <source>compare with %1</source>
+        <translation>与%1比较</translation>
     </message>
 </context>
 <context>
@@ -8370,10 +9541,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第 {} / {} 帧</translation>
     </message>
     <message>
-        <source>no frame of the recording shows a face</source>
-        <translation>录像中没有一帧显示面</translation>
-    </message>
-    <message>
         <source>the finger that belongs to this camera, or this finger&apos;s camera</source>
         <translation>打开属于此相机的手指,或使用此手指的相机</translation>
     </message>
@@ -11221,13 +12388,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>曲线种类 {}</translation>
     </message>
     <message numerus="yes">
-        <source>{} rounds at the end</source>
-        <comment>{} round at the end</comment>
-        <translation>
-            <numerusform>最后 {} 轮</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>{} presses more</source>
         <comment>{} press more</comment>
         <translation>
@@ -11312,6 +12472,434 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>the figure cannot be drawn</source>
         <translation>无法绘制图表</translation>
+    </message>
+    <message>
+        <source>the part&apos;s video of depth is missing</source>
+        <translation>该部分的深度视频缺失</translation>
+    </message>
+    <message>
+        <source>could not compress the depth</source>
+        <translation>无法压缩深度</translation>
+    </message>
+    <message>
+        <source>the video does not say that it holds depth</source>
+        <translation>视频没有说明它包含深度</translation>
+    </message>
+    <message>
+        <source>a video of alltact reconstruct --format depth-video</source>
+        <translation>使用 alltact reconstruct --format depth-video 写出的视频</translation>
+    </message>
+    <message>
+        <source>the video of depth is damaged or cut short</source>
+        <translation>深度视频已损坏或被截断</translation>
+    </message>
+    <message>
+        <source>reconstruct the recording again</source>
+        <translation>重新重建该录像</translation>
+    </message>
+    <message>
+        <source>this system&apos;s libavcodec cannot write FFV1</source>
+        <translation>此系统的 libavcodec 无法写 FFV1</translation>
+    </message>
+    <message>
+        <source>Debian&apos;s libavcodec, or depth as single pictures</source>
+        <translation>使用 Debian 的 libavcodec，或把深度存为单张图片</translation>
+    </message>
+    <message>
+        <source>whether what the lens bends is taken out of every point, or the lens is taken as one that bends nothing</source>
+        <translation>是否从每个点中消除镜头的畸变，或将镜头视为无畸变</translation>
+    </message>
+    <message>
+        <source>&apos;exact&apos; tells shape and places right up to the picture&apos;s corners</source>
+        <translation>&apos;exact&apos; 直到图像角落都能正确给出形状和位置</translation>
+    </message>
+    <message>
+        <source>&apos;exact&apos; looks each ray up by itself</source>
+        <translation>&apos;exact&apos; 逐条查找每条光线</translation>
+    </message>
+    <message>
+        <source>how a layer pressed in along its normal is told along z: looked up where the normal leads, or at the same pixel as if all rays were parallel</source>
+        <translation>沿法线压入的层如何沿 z 给出：沿法线所指处查找，或视所有光线为平行而取同一像素</translation>
+    </message>
+    <message>
+        <source>&apos;exact&apos; tells a contact on a sloping face where it is and as deep as it is; &apos;parallel&apos; up to a layer&apos;s thickness beside</source>
+        <translation>&apos;exact&apos; 给出斜面上接触的真实位置和深度；&apos;parallel&apos; 的偏差可达一个层厚</translation>
+    </message>
+    <message>
+        <source>&apos;exact&apos; looks every pixel of a contact up once more</source>
+        <translation>&apos;exact&apos; 对接触的每个像素再查找一次</translation>
+    </message>
+    <message>
+        <source>pixels from one vertex to the next in surfaces that are saved or shown in 3D; 1: every pixel</source>
+        <translation>保存或以 3D 显示的曲面中，相邻顶点之间的像素数；1：每个像素</translation>
+    </message>
+    <message>
+        <source>1 keeps every edge that was measured</source>
+        <translation>1 保留测得的每条边缘</translation>
+    </message>
+    <message>
+        <source>time and size fall with its square</source>
+        <translation>时间和大小随其平方减小</translation>
+    </message>
+    <message>
+        <source>a point lies off the face</source>
+        <translation>有一个点不在面上</translation>
+    </message>
+    <message>
+        <source>points on the face</source>
+        <translation>使用面上的点</translation>
+    </message>
+    <message>
+        <source>both points are one</source>
+        <translation>两个点是同一点</translation>
+    </message>
+    <message>
+        <source>two points that are apart</source>
+        <translation>使用两个分开的点</translation>
+    </message>
+    <message>
+        <source>the connection&apos;s line was not whole</source>
+        <translation>连接的请求行不完整</translation>
+    </message>
+    <message>
+        <source>ending it with a line break</source>
+        <translation>以换行结束它</translation>
+    </message>
+    <message>
+        <source>something came after the line</source>
+        <translation>请求行之后还有内容</translation>
+    </message>
+    <message>
+        <source>connecting again</source>
+        <translation>重新连接</translation>
+    </message>
+    <message>
+        <source>the line is longer than {} bytes</source>
+        <translation>请求行超过 {} 字节</translation>
+    </message>
+    <message>
+        <source>one line such as alltact-stream/1 picture depth16</source>
+        <translation>使用如 alltact-stream/1 picture depth16 的一行</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; does not ask for {}</source>
+        <translation>“{}”没有请求 {}</translation>
+    </message>
+    <message>
+        <source>there is no part &apos;{}&apos;, but {}</source>
+        <translation>没有“{}”这一部分，只有 {}</translation>
+    </message>
+    <message>
+        <source>another user&apos;s programs are not let in</source>
+        <translation>不接受其他用户的程序</translation>
+    </message>
+    <message>
+        <source>{} programs are served already</source>
+        <translation>已有 {} 个程序在接收</translation>
+    </message>
+    <message>
+        <source>ending one of them</source>
+        <translation>结束其中一个</translation>
+    </message>
+    <message>
+        <source>no line came within {} seconds</source>
+        <translation>{} 秒内没有收到请求行</translation>
+    </message>
+    <message>
+        <source>programs could not be let in here</source>
+        <translation>无法在此接受程序连接</translation>
+    </message>
+    <message>
+        <source>the path is longer than the {} bytes that a socket&apos;s may have</source>
+        <translation>路径超过套接字允许的 {} 字节</translation>
+    </message>
+    <message>
+        <source>a shorter one with --socket</source>
+        <translation>用 --socket 指定更短的路径</translation>
+    </message>
+    <message>
+        <source>this folder belongs to somebody else, who could read along</source>
+        <translation>此文件夹属于他人，他人可能会读取</translation>
+    </message>
+    <message>
+        <source>a folder of your own with --socket</source>
+        <translation>用 --socket 指定自己的文件夹</translation>
+    </message>
+    <message>
+        <source>others may write in this folder, and could put their own socket there</source>
+        <translation>其他人可以写入此文件夹，可能放入他们自己的套接字</translation>
+    </message>
+    <message>
+        <source>chmod 700, or another folder with --socket</source>
+        <translation>使用 chmod 700，或用 --socket 指定其他文件夹</translation>
+    </message>
+    <message>
+        <source>there is something here that is no socket, and it is left alone</source>
+        <translation>此处有不是套接字的内容，未作改动</translation>
+    </message>
+    <message>
+        <source>another path with --socket</source>
+        <translation>用 --socket 指定其他路径</translation>
+    </message>
+    <message>
+        <source>another program serves here already ({})</source>
+        <translation>已有另一个程序在此提供服务 ({})</translation>
+    </message>
+    <message>
+        <source>connecting to that one, ending it, or another path with --socket</source>
+        <translation>连接到该程序、结束它，或用 --socket 指定其他路径</translation>
+    </message>
+    <message>
+        <source>a file that a 3D program shows</source>
+        <translation>使用 3D 程序能显示的文件</translation>
+    </message>
+    <message>
+        <source>a file that ends in .ply, .vtp, .glb, .stl or .obj</source>
+        <translation>使用以 .ply、.vtp、.glb、.stl 或 .obj 结尾的文件</translation>
+    </message>
+    <message>
+        <source>these are points, no depth</source>
+        <translation>这些是点，不是深度</translation>
+    </message>
+    <message>
+        <source>NAME.depth.tiff</source>
+        <translation>NAME.depth.tiff</translation>
+    </message>
+    <message>
+        <source>the edges at the {} are not seen</source>
+        <translation>看不到{}处的边缘</translation>
+    </message>
+    <message>
+        <source>bring the whole face into the picture, lit, with dark beside it</source>
+        <translation>让整个面进入图像并被照亮，旁边为暗</translation>
+    </message>
+    <message>
+        <source>edges at the {} are {:.1f} px wide</source>
+        <translation>{}处的边缘宽 {:.1f} px</translation>
+    </message>
+    <message>
+        <source>turn the lens until the {} is sharp, and let the other end stay so</source>
+        <translation>转动镜头直到{}清晰，并使另一端保持清晰</translation>
+    </message>
+    <message>
+        <source>no face is seen</source>
+        <translation>看不到面</translation>
+    </message>
+    <message>
+        <source>{:.1f} % of the face are too bright to measure</source>
+        <translation>面的 {:.1f} % 太亮，无法测量</translation>
+    </message>
+    <message>
+        <source>dim the lamp, or shorten the exposure</source>
+        <translation>调暗灯，或缩短曝光</translation>
+    </message>
+    <message>
+        <source>the face is {:.0f} of 255 bright, nothing is too bright</source>
+        <translation>面的亮度为 {:.0f} / 255，没有过亮处</translation>
+    </message>
+    <message>
+        <source>turn the lamp up, or lengthen the exposure</source>
+        <translation>调亮灯，或延长曝光</translation>
+    </message>
+    <message>
+        <source>hold the finger still: {:.0f} of {:.0f} s</source>
+        <translation>请保持手指不动：{:.0f} / {:.0f} s</translation>
+    </message>
+    <message>
+        <source>brightness changes by {:.1f} % in {:.0f} s</source>
+        <translation>亮度变化 {:.1f} %（{:.0f} s 内）</translation>
+    </message>
+    <message>
+        <source>let the lamp warm up for ten minutes, shade the finger from the room&apos;s light, and lock the brightness</source>
+        <translation>让灯预热十分钟，遮住房间的光，并锁定亮度</translation>
+    </message>
+    <message>
+        <source>no picture yet</source>
+        <translation>还没有图像</translation>
+    </message>
+    <message>
+        <source>{} dots are found</source>
+        <translation>找到 {} 个标记点</translation>
+    </message>
+    <message>
+        <source>{} of {} dots are found</source>
+        <translation>找到 {} / {} 个标记点</translation>
+    </message>
+    <message>
+        <source>light the dots evenly, keep both rows in the picture, and check how many the finger has</source>
+        <translation>均匀照亮标记点，使两行都在图像内，并核对手指有多少标记点</translation>
+    </message>
+    <message>
+        <source>&apos;joint&apos; is several times closer, and says how sure it is</source>
+        <translation>&apos;joint&apos; 精确数倍，并给出其可信程度</translation>
+    </message>
+    <message>
+        <source>&apos;joint&apos; solves all presses together, which takes seconds</source>
+        <translation>&apos;joint&apos; 同时求解全部按压，需要几秒</translation>
+    </message>
+    <message>
+        <source>&apos;moebius&apos; and &apos;kubelka-munk&apos; need few presses where the layer is even; &apos;polynomial&apos; follows any layer, given more of them</source>
+        <translation>层均匀时 &apos;moebius&apos; 和 &apos;kubelka-munk&apos; 只需少量按压；&apos;polynomial&apos; 能适应任何层，但需要更多按压</translation>
+    </message>
+    <message>
+        <source>&apos;auto&apos; fits all of them and leaves presses out of each</source>
+        <translation>&apos;auto&apos; 拟合全部类型，并逐一排除按压</translation>
+    </message>
+    <message numerus="yes">
+        <source>{} iterations</source>
+        <comment>{} iteration</comment>
+        <translation>
+            <numerusform>{} 次迭代</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the finger has no reference recording, or is not calibrated yet</source>
+        <translation>手指没有参考录像，或尚未标定</translation>
+    </message>
+    <message>
+        <source>alltact reference, then alltact calibrate</source>
+        <translation>先 alltact reference，再 alltact calibrate</translation>
+    </message>
+    <message>
+        <source>no picture of the reference recording shows the face</source>
+        <translation>参考录像中没有一张图像显示面</translation>
+    </message>
+    <message>
+        <source>how time and memory grow, of {}</source>
+        <translation>时间和内存如何增长：{}</translation>
+    </message>
+    <message>
+        <source>one frame</source>
+        <translation>一帧</translation>
+    </message>
+    <message>
+        <source>pixels of the picture</source>
+        <translation>图像的像素数</translation>
+    </message>
+    <message>
+        <source>pictures of {} x {}</source>
+        <translation>{} x {} 的图像</translation>
+    </message>
+    <message>
+        <source>memory: of a reference of {} frames</source>
+        <translation>内存：{} 帧的参考</translation>
+    </message>
+    <message>
+        <source>finding the nearest pose</source>
+        <translation>查找最近的姿态</translation>
+    </message>
+    <message>
+        <source>recorded frames</source>
+        <translation>已录制的帧</translation>
+    </message>
+    <message>
+        <source>a recording of {} frames</source>
+        <translation>{} 帧的录像</translation>
+    </message>
+    <message>
+        <source>{} of {} searches found what looking at all frames finds</source>
+        <translation>{} / {} 次查找得到与逐帧查找相同的结果</translation>
+    </message>
+    <message>
+        <source>numbering dots seen anew</source>
+        <translation>给新看到的标记点编号</translation>
+    </message>
+    <message>
+        <source>markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message numerus="yes">
+        <source>{} markers</source>
+        <comment>{} marker</comment>
+        <translation>
+            <numerusform>{} 个标记点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{} of {} layouts were numbered</source>
+        <translation>{} / {} 个布局完成编号</translation>
+    </message>
+    <message>
+        <source>calibrating</source>
+        <translation>标定</translation>
+    </message>
+    <message numerus="yes">
+        <source>calibrating with {} presses</source>
+        <comment>calibrating with {} press</comment>
+        <translation>
+            <numerusform>用 {} 次按压标定</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} presses are different ones, the others their copies</source>
+        <comment>{} press is a different one, the others its copies</comment>
+        <translation>
+            <numerusform>{} 次按压各不相同，其余为其副本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>measuring a recording at a quarter of the pixels a side</source>
+        <translation>以每边四分之一的像素测量录像</translation>
+    </message>
+    <message>
+        <source>seconds of the recording, at 30 frames each</source>
+        <translation>录像的秒数，每秒 30 帧</translation>
+    </message>
+    <message>
+        <source>a recording of {:.0f} s</source>
+        <translation>{:.0f} s 的录像</translation>
+    </message>
+    <message>
+        <source>{} frames of the longest were measured; memory: the most that was held beside the reference</source>
+        <translation>测量了最长录像的 {} 帧；内存：参考之外占用的最大值</translation>
+    </message>
+    <message>
+        <source>its error is told from the third view on</source>
+        <translation>其误差从第三个视图起给出</translation>
+    </message>
+    <message>
+        <source>no frame shows a face</source>
+        <translation>没有一帧显示面</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written</source>
+        <translation>无法写入图片</translation>
+    </message>
+    <message>
+        <source>another folder, or freeing some space</source>
+        <translation>选择其他文件夹，或腾出空间</translation>
+    </message>
+    <message>
+        <source>there is no cross-section</source>
+        <translation>没有剖面</translation>
+    </message>
+    <message>
+        <source>two points, A and B</source>
+        <translation>使用两个点 A 和 B</translation>
+    </message>
+    <message>
+        <source>the figure cannot be written</source>
+        <translation>无法写入图</translation>
+    </message>
+    <message>
+        <source>there is no room to try the recording in</source>
+        <translation>没有空间试用此录像</translation>
+    </message>
+    <message>
+        <source>freeing some space on the disk</source>
+        <translation>腾出磁盘空间</translation>
+    </message>
+    <message>
+        <source>the finger could not be copied: {}</source>
+        <translation>无法复制手指：{}</translation>
+    </message>
+    <message>
+        <source>the quick guide&apos;s texts do not fit on {} pages</source>
+        <translation>快速指南的文字放不进 {} 页</translation>
+    </message>
+    <message>
+        <source>shorten the numbered lists of the help pages</source>
+        <translation>缩短帮助页中的编号列表</translation>
     </message>
 </context>
 </TS>

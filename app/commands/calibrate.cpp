@@ -92,13 +92,18 @@ Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console&
   return inputs;
 }
 
-MakeReport report_maker(const CalibrateOptions& options) {
-  return [folder = options.finger](const FingerCalibration& done,
-                                   const Job& job) -> Result<std::vector<ReportFile>> {
-    const auto pictures = load_pictures();
-    if (!pictures) return pictures.error();
-    return (*pictures)->calibration_pages(done, folder, job);
-  };
+/// Without the part that draws a finger is calibrated all the same.
+MakeReport report_maker(const CalibrateOptions& options, Console& console) {
+  const auto pictures = load_pictures();
+  if (!pictures) {
+    console.warn(
+        fmt::format("There will be no pages of the report: {}", pictures.error().sentence()));
+    return {};
+  }
+  return
+      [drawn = *pictures, folder = options.finger](const FingerCalibration& done, const Job& job) {
+        return drawn->calibration_pages(done, folder, job);
+      };
 }
 
 Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Console& console) {
@@ -106,7 +111,7 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
     const auto inputs = inputs_again(options, console);
     if (!inputs) return inputs.error();
     return calibrate_finger_again(
-        options.finger, *inputs, program_version(), report_maker(options), console.job());
+        options.finger, *inputs, program_version(), report_maker(options, console), console.job());
   }
   FingerCalibrationInput input;
   input.folder = options.finger;
@@ -119,7 +124,8 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   if (options.say_of_presses) options.say_of_presses(input.said);
   input.date = options.date;
   input.program_version = program_version();
-  input.make_report = report_maker(options);
+  input.make_report = report_maker(options, console);
+  input.compare_methods = true;
   return calibrate_finger(input, console.job());
 }
 

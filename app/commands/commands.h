@@ -113,7 +113,8 @@ struct ReconstructOptions {
   Path finger;
   std::vector<Path> inputs;
   Path folder;
-  bool depth = true, depth16 = false, depth_sd = false, sd_causes = false, flags = true;
+  bool depth = true, depth16 = false, depth_video = false, depth_sd = false, sd_causes = false,
+       flags = true;
   bool points = false;
   std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
   bool picture = false;               ///< of the face in 3D
@@ -132,6 +133,18 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console);
 
 /// Brings the parts of a reconstruction together (parts.h).
 Status run_merge(const std::vector<Path>& folders, Console& console);
+
+struct ServeOptions {
+  Path finger;
+  std::vector<Path> inputs;
+  std::optional<Path> socket;  ///< empty: the usual one (stream_socket.h)
+  /// Those to measure with, as the finger's folder has them now.
+  std::function<Result<PipelineSettings>()> settings;
+  bool schema = false;  ///< tells of the format instead
+};
+/// Measures a source as it comes and sends that to other programs, until it ends or is stopped.
+/// Errors: the socket is taken or others could reach it; the finger is not calibrated.
+Status run_serve(const ServeOptions& options, Console& console);
 
 /// The light that a recording is made with.
 struct LightOptions {
@@ -212,10 +225,12 @@ Status run_gripper(const GripperOptions& options, Console& console);
 
 struct DemoOptions {
   Path folder;
+  bool studio = false;  ///< the finger alone, and the Studio in place of this program
   std::uint64_t seed = 1;
   int threads = 1;
 };
-/// A whole day of a simulated finger, and what was measured against the truth.
+/// A whole day of a simulated finger, and what was measured against the truth. With `studio` comes
+/// back only where that cannot be opened.
 Status run_demo(const DemoOptions& options, Console& console);
 
 struct ExperimentsOptions {
@@ -237,6 +252,7 @@ struct StudyCommandOptions {
   bool quick = false;          ///< one setting at a time, a few pictures
   bool calibrating = false;    ///< what presses, pictures and methods cost and bring instead
   bool simulating = false;     ///< what each effect of a scene costs and changes instead
+  bool scaling = false;        ///< how time and memory grow with what is measured instead
   std::optional<double> within_ms, keep_mm, place_mm;
   bool save = false;  ///< keeps the presets with the finger
   std::string use;    ///< what the finger measures with from now on (study_use.h); empty: as before
@@ -255,6 +271,13 @@ struct DevicesOptions {
 /// Lists cameras and HID devices, with what is wrong with those that cannot be used.
 Status run_devices(const DevicesOptions& options, Console& console);
 
+struct ThumbnailOptions {
+  Path file, output;
+  int size_px = 256;  ///< of the longer side
+};
+/// A small picture of depth or of a mesh, as file managers show it (thumbnail.h).
+Status run_thumbnail(const ThumbnailOptions& options, Console& console);
+
 /// Set by the command that was chosen on the command line.
 using Chosen = std::function<Status(Console&)>;
 
@@ -265,6 +288,7 @@ void add_reference(CLI::App& program, Chosen& chosen);
 void add_calibrate(CLI::App& program, Chosen& chosen);
 void add_reconstruct(CLI::App& program, Chosen& chosen);
 void add_merge(CLI::App& program, Chosen& chosen);
+void add_serve(CLI::App& program, Chosen& chosen);
 void add_record(CLI::App& program, Chosen& chosen);
 void add_force(CLI::App& program, Chosen& chosen);
 void add_check(CLI::App& program, Chosen& chosen);
@@ -274,6 +298,7 @@ void add_experiments(CLI::App& program, Chosen& chosen);
 void add_study(CLI::App& program, Chosen& chosen);
 void add_demo(CLI::App& program, Chosen& chosen);
 void add_devices(CLI::App& program, Chosen& chosen);
+void add_thumbnail(CLI::App& program, Chosen& chosen);
 
 /// Warns of what is strange in finger.yaml.
 [[nodiscard]] Result<FingerPtr> open_finger(const Path& folder, Console& console);

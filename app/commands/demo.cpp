@@ -8,6 +8,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace alltact {
 namespace {
@@ -35,6 +36,20 @@ class Demo {
                      CalibrationMethod::kPaper,
                      {}}} {}
 
+  /// The finger alone, calibrated; one that is there already is kept.
+  Status make_calibrated_finger() {
+    const auto there = FingerStore::of(folder("finger"))->snapshot();
+    if (there && (*there)->mapping) return {};
+    contenders_.pop_back();
+    scenes_ = {"reference", "presses"};
+    for (const auto step : {&Demo::simulate, &Demo::make_finger, &Demo::calibrate}) {
+      if (console_.job().stop_requested())
+        return Error{en::say("stopped before the finger was calibrated"), "", ""};
+      if (const Status status = (this->*step)(); !status) return status;
+    }
+    return {};
+  }
+
   Status run() {
     for (const auto step : {&Demo::simulate,
                             &Demo::make_finger,
@@ -55,7 +70,7 @@ class Demo {
 
   Status simulate() {
     headline("A simulated finger: bending untouched, pressed by a ball, touched by objects");
-    for (const char* name : {"reference", "presses", "objects"}) {
+    for (const char* name : scenes_) {
       const auto scene = find_resource(fmt::format("scenes/demo_{}.yaml", name));
       if (!scene) return scene.error();
       SimulateOptions simulation;
@@ -87,6 +102,7 @@ class Demo {
     const Status status =
         run_reference({description.finger, {folder("reference/frames.mkv")}, {}}, console_);
     if (!status) return status;
+    if (contenders_.size() == 1) return {};
     if (const Status made = make_folder(folder("paper")); !made) return made;
     fs::copy(description.finger, contenders_.back().finger, fs::copy_options::recursive, failed);
     if (failed)
@@ -213,12 +229,33 @@ class Demo {
   const DemoOptions& options_;
   Console& console_;
   std::vector<Contender> contenders_;
+  std::vector<const char*> scenes_{"reference", "presses", "objects"};
 };
+
+/// Becomes the Studio, on a simulated finger that the calibrated one measures; comes back only with
+/// an error.
+Status become_studio(const Path& finger) {
+  std::error_code failed;
+  const Path programs = fs::read_symlink("/proc/self/exe", failed).parent_path();
+  const auto scene = find_resource("scenes/studio_finger.yaml");
+  if (!scene) return scene.error();
+  // Beside this program, or where the build leaves it.
+  for (const Path& studio : {programs / "alltact-studio", programs / "studio/alltact-studio"}) {
+    if (!fs::is_regular_file(studio, failed)) continue;
+    const std::string name = studio.string(), folder = finger.string(), source = scene->string();
+    execl(name.c_str(), name.c_str(), folder.c_str(), "--source", source.c_str(), nullptr);
+  }
+  return Error{en::say("the Studio is not installed"),
+               (programs / "alltact-studio").string(),
+               en::say("installing alltact-studio")};
+}
 
 }  // namespace
 
 Status run_demo(const DemoOptions& options, Console& console) {
-  return Demo(options, console).run();
+  if (!options.studio) return Demo(options, console).run();
+  const Status made = Demo(options, console).make_calibrated_finger();
+  return made ? become_studio(options.folder / "finger") : made;
 }
 
 void add_demo(CLI::App& program, Chosen& chosen) {
@@ -227,6 +264,10 @@ void add_demo(CLI::App& program, Chosen& chosen) {
   command->add_option("-o,--output", options->folder, "Folder for everything")
       ->type_name("DIR")
       ->required();
+  command->add_flag(
+      "--studio",
+      options->studio,
+      "Only makes and calibrates the finger, unless it is there, and opens the Studio on it");
   command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
   add_threads_flag(*command, options->threads);
   command->callback(

@@ -62,7 +62,8 @@ void add_export(CLI::App& program, Chosen& chosen) {
                                        return std::string(info.word);
                                      }));
           },
-          ""))
+          "{" + words_with(",", [](const ExportFormInfo& info) { return std::string(info.word); }) +
+              "}"))
       ->required();
   command->add_option("-o,--output", options->folder, "Folder for the files")
       ->type_name("DIR")

@@ -1,6 +1,15 @@
 // The command line as a whole, in the library that holds all commands.
+#include "core/program.h"
+
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
+#include "app/console/completions.h"
+#include "app/console/man_page.h"
+#include "app/console/studio_arguments.h"
+
+#include <cstdio>
+#include <cstring>
+#include <optional>
 
 #include <opencv2/core/utils/logger.hpp>
 
@@ -13,12 +22,46 @@ int usage_status(const CLI::App& program, const CLI::ParseError& error) {
   return status == 0 ? 0 : 2;
 }
 
-int run(int argc, char** argv) {
-  // Decoders' own messages would stand beside our sentences and say less.
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  CLI::App program;
+/// A page is named after a program, or alltact-COMMAND.
+Result<std::string> page_named(const CLI::App& alltact,
+                               const CLI::App& studio,
+                               const std::string& page) {
+  if (page == alltact.get_name()) return man_page(alltact, program_version());
+  if (page == studio.get_name()) return man_page(studio, program_version());
+  for (const CLI::App* command : alltact.get_subcommands({}))
+    if (page == alltact.get_name() + "-" + command->get_name())
+      return man_page(alltact, program_version(), command);
+  return Error{en::say("there is no such program or command"), page, ""};
+}
+
+/// What is installed beside the programs and made from what they say of themselves:
+/// `--completions bash|zsh|fish PROGRAM` and `--man PAGE`; nullopt where neither is asked for.
+std::optional<Result<std::string>> tell_of_programs(const CLI::App& alltact,
+                                                    int argc,
+                                                    char** argv) {
+  const bool wants_page = argc == 3 && std::strcmp(argv[1], "--man") == 0;
+  const bool wants_completions = argc == 4 && std::strcmp(argv[1], "--completions") == 0;
+  if (!wants_page && !wants_completions) return std::nullopt;
+  CLI::App studio;
+  StudioArguments arguments;
+  describe_studio(studio, arguments, program_version());
+  if (wants_page) return page_named(alltact, studio, argv[2]);
+  const std::string program = argv[3];
+  if (program != alltact.get_name() && program != studio.get_name())
+    return Error{en::say("there is no such program"), program, ""};
+  return completions(program == studio.get_name() ? studio : alltact, argv[2]);
+}
+
+int print(const Result<std::string>& text) {
+  if (!text)
+    std::fprintf(stderr, "%s\n", text.error().sentence().c_str());
+  else
+    std::fputs(text->c_str(), stdout);
+  return text && std::fflush(stdout) == 0 ? 0 : 2;
+}
+
+void add_commands(CLI::App& program, Chosen& chosen, bool& json) {
   describe(program);
-  Chosen chosen;
   add_new(program, chosen);
   add_simulate(program, chosen);
   add_lens(program, chosen);
@@ -26,6 +69,7 @@ int run(int argc, char** argv) {
   add_calibrate(program, chosen);
   add_reconstruct(program, chosen);
   add_merge(program, chosen);
+  add_serve(program, chosen);
   add_record(program, chosen);
   add_force(program, chosen);
   add_check(program, chosen);
@@ -35,10 +79,19 @@ int run(int argc, char** argv) {
   add_study(program, chosen);
   add_experiments(program, chosen);
   add_demo(program, chosen);
-  bool json = false;
+  add_thumbnail(program, chosen);
   for (CLI::App* command : program.get_subcommands({}))
     command->add_flag("--json", json, "One JSON object on standard output instead of text");
+}
 
+int run(int argc, char** argv) {
+  // Decoders' own messages would stand beside our sentences and say less.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  CLI::App program;
+  Chosen chosen;
+  bool json = false;
+  add_commands(program, chosen, json);
+  if (const auto text = tell_of_programs(program, argc, argv)) return print(*text);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,6 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/kept_settings.h"
 #include "app/commands/reconstruct_part.h"
+#include "app/commands/recorded_depth.h"
 #include "app/commands/result_files.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
@@ -137,6 +138,13 @@ Status reconstruct_all(Source& source,
                        Console& console) {
   const auto files = ResultFiles::create(options);
   if (!files) return files.error();
+  std::unique_ptr<RecordedDepth> video;
+  if (options.depth_video) {
+    auto made =
+        RecordedDepth::create(options, pipelines.front().camera().size(), source.frames_per_s());
+    if (!made) return made.error();
+    video = std::move(*made);
+  }
   std::set<std::string> names;
   ContactLines contacts(source.is_continuous());
   const double count =
@@ -148,11 +156,16 @@ Status reconstruct_all(Source& source,
                             frame.frame->origin,
                             en::say("giving the pictures different names")};
   };
-  work.write = [&](BatchFrame& frame, const Pipeline& pipeline) {
-    return files->write(frame, pipeline);
+  work.write = [&](BatchFrame& frame, const Pipeline& pipeline) -> Result<FrameLine> {
+    auto line = files->write(frame, pipeline);
+    if (line && video)
+      if (const Status made = video->compress(frame, *line); !made) return made.error();
+    return line;
   };
   work.take = [&](std::size_t index, FrameLine&& line) -> Status {
     for (const std::string& warning : line.warnings) console.warn(warning);
+    if (video)
+      if (Status written = video->take(line); !written) return written;
     if (options.part)
       progress.parts.push_back(line.to_json());
     else
@@ -165,7 +178,8 @@ Status reconstruct_all(Source& source,
                            en::say("{} of {:.0f}: {}", progress.index, count, line.frame));
     return {};
   };
-  return measure_batch(source, pipelines, frames, work, console.job());
+  const Status measured = measure_batch(source, pipelines, frames, work, console.job());
+  return measured && video ? video->finish() : measured;
 }
 
 }  // namespace
@@ -244,7 +258,9 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
           "--format",
           *formats,
           "Files per frame, with commas: depth (float TIFF, mm), depth16 (16-bit PNG of whole "
-          "micrometres: depth_mm = 0.001 (value - 10000), 0: none), depth_sd (how sure each pixel "
+          "micrometres: depth_mm = 0.001 (value - 10000), 0: none), depth-video (the same of all "
+          "frames "
+          "in one file, depth.mkv, without loss: FFV1), depth_sd (how sure each pixel "
           "is, "
           "one standard deviation in mm), sd_causes (the same by cause: NAME.sd_noise.tiff, "
           "sd_mapping, "
@@ -262,6 +278,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->expected(1)
       ->check(CLI::IsMember({"depth",
                              "depth16",
+                             "depth-video",
                              "depth_sd",
                              "sd_causes",
                              "flags",
@@ -333,6 +350,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     };
     options->depth = wants("depth");
     options->depth16 = wants("depth16");
+    options->depth_video = wants("depth-video");
     options->depth_sd = wants("depth_sd");
     options->sd_causes = wants("sd_causes");
     options->flags = wants("flags");

@@ -11,6 +11,7 @@ std::string name_of_run(const ReconstructOptions& options, std::size_t frame_cou
   for (const Path& input : options.inputs) all += " " + input.filename().string();
   for (const bool wanted : {options.depth,
                             options.depth16,
+                            options.depth_video,
                             options.depth_sd,
                             options.sd_causes,
                             options.flags,

@@ -15,15 +15,6 @@ ReferenceMethod reference_method(const ReconstructOptions& options) {
   return options.as_paper ? ReferenceMethod::kNearest : options.pipeline.reference;
 }
 
-std::string name_of(const Error& error, std::size_t index) {
-  const std::string stem = Path(error.where.english()).stem().string();
-  return stem.empty() ? fmt::format("frame_{:05}", index) : stem;
-}
-
-Message as_sentence(const Error& error) {
-  return en::say("{}.", error.message());
-}
-
 namespace {
 
 FrameLine failed(const std::string& name, std::size_t index, const Error& problem) {
@@ -34,18 +25,18 @@ FrameLine failed(const std::string& name, std::size_t index, const Error& proble
   return line;
 }
 
-/// Where the depth in 16 bits is, and what its values mean.
-void tell_depth16(std::string& line, const std::string& where) {
+}  // namespace
+
+void tell_depth_steps(std::string& line, const std::string& name, const std::string& where) {
   const std::size_t at = line.rfind(",\"times_ms\":");
   assert(at != std::string::npos);
   line.insert(at,
-              fmt::format(",\"depth16\":{{{},\"mm_per_step\":{},\"zero_at\":{},\"none\":0}}",
+              fmt::format(",\"{}\":{{{},\"mm_per_step\":{},\"zero_at\":{},\"none\":0}}",
+                          name,
                           where,
                           kDepthStep_mm,
                           kDepthZero));
 }
-
-}  // namespace
 
 Result<ResultFiles> ResultFiles::create(const ReconstructOptions& options) {
   ResultFiles files(options);
@@ -80,7 +71,7 @@ Result<FrameLine> ResultFiles::write(BatchFrame& frame, const Pipeline& pipeline
       line.warnings.push_back(fmt::format("{}: {}", result.frame->name, problem));
     return line;
   }
-  if (options_->depth16) tell_depth16(line.line, "\"in\":\"png\"");
+  if (options_->depth16) tell_depth_steps(line.line, "depth16", "\"in\":\"png\"");
   if (const Status status = write_maps(result, pipeline); !status) return status.error();
   if (const Status status = write_sd(result, pipeline.finger()); !status) return status.error();
   if (const Status status = write_surfaces(result, pipeline.finger()); !status)
@@ -128,12 +119,16 @@ Status ResultFiles::write_sd(const FrameResult& result, const Finger& finger) co
 }
 
 Status ResultFiles::write_surfaces(const FrameResult& result, const Finger& finger) const {
-  if (!options_->points && options_->surfaces.empty()) return {};
-  const cv::Mat points = contact_face_points_mm(result, finger.face);
   if (options_->points)
-    if (Status status = write_picture(file(result, ".points.tiff"), points); !status) return status;
+    if (Status status = write_picture(file(result, ".points.tiff"),
+                                      contact_face_points_mm(result, finger.face));
+        !status)
+      return status;
+  if (options_->surfaces.empty()) return {};
+  const FaceVertices vertices = contact_face_vertices(result, finger.face);
   for (const std::string& kind : options_->surfaces)
-    if (Status status = write_surface(file(result, "." + kind), points, result.depth->depth_mm);
+    if (Status status =
+            write_surface(file(result, "." + kind), vertices.points_mm, vertices.depth_mm);
         !status)
       return status;
   return {};

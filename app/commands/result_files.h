@@ -34,10 +34,10 @@ class ResultFiles {
 /// As results.jsonl names it.
 [[nodiscard]] ReferenceMethod reference_method(const ReconstructOptions& options);
 
-/// Name of a picture that could not be read, from the error that says which it was.
-[[nodiscard]] std::string name_of(const Error& error, std::size_t index);
 
-/// As the problems of results.jsonl stand there.
-[[nodiscard]] Message as_sentence(const Error& error);
+/// Tells in a line, as `name`, where its depth in whole steps (depth_file.h) is, and what they
+/// mean.
+///   where: members of a JSON object
+void tell_depth_steps(std::string& line, const std::string& name, const std::string& where);
 
 }  // namespace alltact

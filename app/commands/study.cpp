@@ -244,6 +244,7 @@ Status run_study(const StudyCommandOptions& options, Console& console) {
   cv::setNumThreads(options.threads);
   if (options.calibrating) return run_calibrating_study(options, console);
   if (options.simulating) return run_simulating_study(options, console);
+  if (options.scaling) return run_scaling_study(options, console);
   if (options.folder) {
     if (const Status made = make_folder(*options.folder); !made) return made;
     return StudyCommand(options, *options.folder, console).run();
@@ -271,16 +272,25 @@ void add_study(CLI::App& program, Chosen& chosen) {
                        "(default: kept nowhere)")
           ->type_name("DIR");
   command->add_flag("--quick", options->quick, "One setting at a time, on few pictures");
-  CLI::Option* calibrating = command->add_flag(
-      "--calibrating",
-      options->calibrating,
-      "What presses, pictures of each, methods and rounds bring to a calibration, against minutes");
+  CLI::Option* calibrating =
+      command->add_flag("--calibrating",
+                        options->calibrating,
+                        "What presses, pictures of each, methods, families and iterations bring to "
+                        "a calibration, against minutes");
+  CLI::Option* simulating =
+      command
+          ->add_flag("--simulating",
+                     options->simulating,
+                     "What each effect of a scene costs and changes; a scene takes the finger's "
+                     "place (default: demo_presses)")
+          ->excludes(calibrating);
   command
-      ->add_flag("--simulating",
-                 options->simulating,
-                 "What each effect of a scene costs and changes; a scene takes the finger's place "
-                 "(default: demo_presses)")
-      ->excludes(calibrating);
+      ->add_flag("--scaling",
+                 options->scaling,
+                 "How time and memory grow with pixels, recorded frames (to 100000), markers and "
+                 "presses (to 200) and the length of recordings (to an hour), with exponents")
+      ->excludes(calibrating)
+      ->excludes(simulating);
   CLI::Option* within =
       command
           ->add_option(

@@ -6,6 +6,7 @@
 #include "calibration/experiments/experiment_bench.h"
 #include "calibration/experiments/simulating_study.h"
 #include "calibration/study/calibrating_study.h"
+#include "calibration/study/scaling_study.h"
 #include "calibration/study/study_figure.h"
 #include "calibration/study/study_machine.h"
 #include "core/io/atomic_file.h"
@@ -30,9 +31,27 @@ Result<Path> scene_file(const std::vector<Path>& named) {
   return find_resource("scenes/" + named.front().string() + ".yaml");
 }
 
+/// The figure, and as PNG and PDF where this computer has what draws them.
+Status add_figures(const std::string& svg,
+                   const Console::Json& provenance,
+                   std::vector<ReportFile>& all,
+                   Console& console) {
+  all.push_back({"study.svg", svg});
+  const auto pictures = load_pictures();
+  if (!pictures) {
+    console.warn(pictures.error().sentence());
+    return {};
+  }
+  auto drawn = (*pictures)->figure_files(svg, "study", provenance.value("date", std::string()));
+  if (!drawn) return drawn.error();
+  all.insert(all.end(), drawn->begin(), drawn->end());
+  return {};
+}
+
 /// Tells a study and keeps it; `name` is of its folder below the one that was asked for.
 template <class Study>
 Status tell_study(const Study& study,
+                  const std::string& svg,
                   const std::string& name,
                   const StudyCommandOptions& options,
                   Console& console) {
@@ -42,7 +61,20 @@ Status tell_study(const Study& study,
   const Path folder = *options.folder / name;
   if (const Status made = make_folder(folder); !made) return made;
   return write_study(
-      {json_of(study), csv_of(study), svg_of(study)}, study_provenance(options), folder, console);
+      {json_of(study), csv_of(study), svg}, study_provenance(options), folder, console);
+}
+
+/// The demonstration's finger, which measures what it can.
+Result<FingerPtr> simulated_finger(const StudyCommandOptions& options,
+                                   const Path& folder,
+                                   Console& console) {
+  BenchOptions bench_options;
+  bench_options.folder = folder;
+  bench_options.seed = options.seed;
+  bench_options.threads = options.threads;
+  const auto bench = ExperimentBench::make(bench_options, console.job());
+  if (!bench) return bench.error();
+  return open_finger(bench->finger().folder);
 }
 
 }  // namespace
@@ -61,16 +93,9 @@ Status write_study(const StudyFiles& files,
                    Console& console) {
   Console::Json json = provenance;
   json["study"] = Console::Json::parse(files.json.dump());
-  std::vector<ReportFile> all{
-      {"study.json", json.dump(2) + "\n"}, {"study.csv", files.csv}, {"study.svg", files.svg}};
-  if (const auto pictures = load_pictures(); !pictures) {
-    console.warn(pictures.error().sentence());
-  } else {
-    auto drawn =
-        (*pictures)->figure_files(files.svg, "study", provenance.value("date", std::string()));
-    if (!drawn) return drawn.error();
-    all.insert(all.end(), drawn->begin(), drawn->end());
-  }
+  std::vector<ReportFile> all{{"study.json", json.dump(2) + "\n"}, {"study.csv", files.csv}};
+  if (!files.svg.empty())
+    if (const Status drawn = add_figures(files.svg, provenance, all, console); !drawn) return drawn;
   std::string names;
   for (const ReportFile& file : all) {
     if (const Status written = write_file_atomically(folder / file.name, file.content); !written)
@@ -97,8 +122,8 @@ Status run_calibrating_study(const StudyCommandOptions& options, Console& consol
     const auto study = study_calibrating(*finger, how, console.job());
     if (!study) return study.error();
     console.say(study->about.english());
-    if (const Status told =
-            tell_study(*study, folder.filename().string() + "_calibrating", options, console);
+    if (const Status told = tell_study(
+            *study, svg_of(*study), folder.filename().string() + "_calibrating", options, console);
         !told)
       return told;
   }
@@ -112,16 +137,9 @@ Status run_simulating_study(const StudyCommandOptions& options, Console& console
   console.answer()["studies"] = Console::Json::array();
   const auto scene = scene_file(options.fingers);
   if (!scene) return scene.error();
-  // The demonstration's finger measures what it can.
   const auto passing = PassingFolder::make(en::say("a folder for the study cannot be made"));
   if (!passing) return passing.error();
-  BenchOptions bench_options;
-  bench_options.folder = passing->path();
-  bench_options.seed = options.seed;
-  bench_options.threads = options.threads;
-  const auto bench = ExperimentBench::make(bench_options, console.job());
-  if (!bench) return bench.error();
-  const auto finger = open_finger(bench->finger().folder);
+  const auto finger = simulated_finger(options, passing->path(), console);
   if (!finger) return finger.error();
   SimulatingOptions how;
   how.seed = options.seed;
@@ -129,7 +147,33 @@ Status run_simulating_study(const StudyCommandOptions& options, Console& console
   const auto study = study_simulating(*scene, *finger, how, console.job());
   if (!study) return study.error();
   console.say(fmt::format("{}, {} pictures (simulated)", study->scene, study->rows.front().frames));
-  return tell_study(*study, study->scene + "_simulating", options, console);
+  return tell_study(*study, svg_of(*study), study->scene + "_simulating", options, console);
+}
+
+Status run_scaling_study(const StudyCommandOptions& options, Console& console) {
+  console.answer() = study_provenance(options);
+  console.answer()["studies"] = Console::Json::array();
+  ScalingOptions how;
+  how.seed = options.seed;
+  how.quick = options.quick;
+  how.threads = options.threads;
+  const auto study_one = [&](const FingerPtr& finger, const std::string& name) -> Status {
+    const auto study = study_scaling(finger, how, console.job());
+    if (!study) return study.error();
+    return tell_study(*study, {}, name + "_scaling", options, console);
+  };
+  if (options.fingers.empty()) {
+    const auto passing = PassingFolder::make(en::say("a folder for the study cannot be made"));
+    if (!passing) return passing.error();
+    const auto finger = simulated_finger(options, passing->path(), console);
+    return finger ? study_one(*finger, "simulated") : Status(finger.error());
+  }
+  for (const Path& folder : options.fingers) {
+    const auto finger = open_finger(folder, console);
+    if (!finger) return finger.error();
+    if (Status told = study_one(*finger, folder.filename().string()); !told) return told;
+  }
+  return {};
 }
 
 }  // namespace alltact

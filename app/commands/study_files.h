@@ -15,8 +15,8 @@ namespace alltact {
 [[nodiscard]] Console::Json study_provenance(const StudyCommandOptions& options);
 
 struct StudyFiles {
-  nlohmann::json json;  ///< of the study itself
-  std::string csv, svg;
+  nlohmann::json json;   ///< of the study itself
+  std::string csv, svg;  ///< svg: empty where there is no figure
 };
 
 /// Writes study.json (with `provenance`), study.csv, study.svg, and study.png and study.pdf where
@@ -27,8 +27,9 @@ struct StudyFiles {
                                  const Path& folder,
                                  Console& console);
 
-/// `alltact study --calibrating` and `--simulating`.
+/// `alltact study --calibrating`, `--simulating` and `--scaling`.
 [[nodiscard]] Status run_calibrating_study(const StudyCommandOptions& options, Console& console);
 [[nodiscard]] Status run_simulating_study(const StudyCommandOptions& options, Console& console);
+[[nodiscard]] Status run_scaling_study(const StudyCommandOptions& options, Console& console);
 
 }  // namespace alltact

@@ -68,7 +68,8 @@ void add_use_flags(CLI::App& command, StudyCommandOptions& options) {
 void check_use_flags(const StudyCommandOptions& options) {
   if ((options.save || !options.use.empty()) && options.fingers.empty())
     throw CLI::ValidationError(options.save ? "--save" : "--use", "there is no finger to keep it");
-  if ((options.save || !options.use.empty()) && (options.calibrating || options.simulating))
+  if ((options.save || !options.use.empty()) &&
+      (options.calibrating || options.simulating || options.scaling))
     throw CLI::ValidationError(options.save ? "--save" : "--use",
                                "that study tells nothing of what frames are measured with");
   if (options.use == kWithin && !options.within_ms) throw CLI::RequiredError("--within-ms");

@@ -26,6 +26,7 @@ inline constexpr std::array kCommands = {
     CommandName{"reconstruct", "Turns pictures into depth and 3D points"},
     CommandName{"merge",
                 "Brings the parts of a reconstruction that several computers shared together"},
+    CommandName{"serve", "Measures a source live, for other programs on this computer"},
     CommandName{"record", "Records a source without loss, and without losing anything when killed"},
     CommandName{"force", "Learns forces from where the markers are, with a gauge beside"},
     CommandName{"check", "Is this finger fit to use? What is missing, stale or weak"},
@@ -40,6 +41,7 @@ inline constexpr std::array kCommands = {
     CommandName{"demo",
                 "A whole day in a minute: simulated finger, reference, calibration, "
                 "reconstruction, report"},
+    CommandName{"thumbnail", "A small picture of depth or of a mesh, as file managers show it"},
 };
 
 /// Adds one of kCommands, to be given its options.

@@ -37,7 +37,7 @@ class Console {
   [[nodiscard]] Json& answer() { return answer_; }
 
   /// The work's listener: draws progress when standard error is a terminal. The first Ctrl-C asks
-  /// the work to stop, the second ends the program.
+  /// the work to stop, the second ends the program; so does SIGTERM.
   [[nodiscard]] Job& job() { return job_; }
 
   /// Prints what is left to say and gives the exit status: 0, or 1 with the error's sentence.

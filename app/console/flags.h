@@ -11,8 +11,20 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace alltact {
+
+/// "What it does (range; default). What more of it brings; what that costs."
+template <class S>
+std::string help_of(const Setting<S>& setting) {
+  std::string help = fmt::format(
+      "{} ({}; default {})", setting.sentence, setting.range.text(), setting.default_value());
+  if (setting.trade)
+    help +=
+        fmt::format(". In accuracy: {}. In time: {}", setting.trade->gains, setting.trade->costs);
+  return help;
+}
 
 /// Values a person gave for settings of the group S, checked when the command line is read.
 template <class S>
@@ -30,14 +42,10 @@ class SettingFlags {
           throw CLI::ValidationError("--" + setting.name, status.error().what.english());
         (*given)[setting.name] = {&setting, text};
       };
-      command
-          .add_option_function<std::string>("--" + setting.name,
-                                            take,
-                                            fmt::format("{} ({}; default {})",
-                                                        setting.sentence,
-                                                        setting.range.text(),
-                                                        setting.default_value()))
-          ->type_name("VALUE")
+      command.add_option_function<std::string>("--" + setting.name, take, help_of(setting))
+          ->type_name(setting.range.words.empty()
+                          ? std::string("VALUE")
+                          : fmt::format("{}", fmt::join(setting.range.words, "|")))
           ->group("Settings");
     }
   }

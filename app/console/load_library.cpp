@@ -12,7 +12,7 @@ Loaded load_function(const std::string& name, const char* function) {
   const fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
   const std::string file = "liballtact-" + name + ".so";
   std::string problem;
-  for (const fs::path& library : {folder / file, folder / ".." / "lib" / "alltact" / file}) {
+  for (const fs::path& library : {folder / file, folder / ALLTACT_PARTS / file}) {
     if (!fs::exists(library, failed)) {
       if (problem.empty()) problem = file + " is not there";
       continue;

@@ -11,8 +11,8 @@ struct Loaded {
   std::string problem;  ///< the loader's words; empty where there is a function
 };
 
-/// Loads liballtact-NAME.so, beside the program while developing, in ../lib/alltact once installed,
-/// and looks up `function` in it. A library stays loaded.
+/// Loads liballtact-NAME.so, beside the program while developing, where cmake installed it once it
+/// is, and looks up `function` in it. A library stays loaded.
 [[nodiscard]] Loaded load_function(const std::string& name, const char* function);
 
 }  // namespace alltact

@@ -9,7 +9,7 @@ Result<const Pictures*> load_pictures() {
     return Error{
         en::say("the part of this program that draws cannot be loaded ({})", loaded.problem),
         "",
-        en::say("installing the program again")};
+        en::say("installing AllTact Studio, which brings it")};
   return reinterpret_cast<const Pictures* (*)()>(loaded.function)();
 }
 

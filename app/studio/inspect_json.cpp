@@ -14,6 +14,7 @@ using Numbers = std::vector<double>;
 const std::vector<std::string> kShownAs{"3d", "height_map"};
 const std::vector<std::string> kComparisons{"none", "side_by_side", "difference"};
 const std::vector<std::string> kStandpoints{"tilted", "camera", "outside", "side"};
+const std::vector<std::string> kComparands{"none", "paper", "setting", "frame"};
 
 template <class E>
 std::string word_of(const std::vector<std::string>& words, E value) {
@@ -36,9 +37,21 @@ std::optional<Numbers> numbers_of(const Json& json, const char* key, std::size_t
   return is_whole ? std::optional(numbers) : std::nullopt;
 }
 
-std::optional<cv::Point2d> point_of(const Json& json, const char* key) {
+std::optional<FacePlace> place_of(const Json& json, const char* key) {
   const auto at = numbers_of(json, key, 2);
-  return at ? std::optional(cv::Point2d((*at)[0], (*at)[1])) : std::nullopt;
+  return at ? std::optional(FacePlace((*at)[0], (*at)[1])) : std::nullopt;
+}
+
+Comparand comparand_of(const Json& json) {
+  Comparand with{OtherMethod::kPaper};
+  if (!json.is_object()) return with;
+  with.method = enum_of(json, "method", kComparands, with.method);
+  if (with.method == OtherMethod::kNone) with.method = OtherMethod::kPaper;
+  with.setting = value_or(json, "setting", std::string());
+  with.value = value_or(json, "value", std::string());
+  with.frame = value_or(json, "frame", std::size_t{0});
+  const bool is_whole = with.method != OtherMethod::kSetting || !with.setting.empty();
+  return is_whole ? with : Comparand{OtherMethod::kPaper};
 }
 
 std::optional<Look> look_of(const Json& json) {
@@ -53,12 +66,16 @@ std::optional<Look> look_of(const Json& json) {
 
 SceneOptions scene_of(const Json& json) {
   SceneOptions scene;
+  scene.body = value_or(json, "body", scene.body);
+  scene.ruler = value_or(json, "ruler", scene.ruler);
   scene.untouched = value_or(json, "untouched", scene.untouched);
   scene.camera = value_or(json, "camera", scene.camera);
   const double top_mm = value_or(json, "depth_top_mm", scene.top_mm);
-  if (top_mm >= 0.1 && top_mm <= 10) scene.top_mm = top_mm;
+  if (top_mm >= 0.05 && top_mm <= 10) scene.top_mm = top_mm;
+  const double difference_mm = value_or(json, "difference_top_mm", scene.difference_top_mm);
+  if (difference_mm >= 0.01 && difference_mm <= 2) scene.difference_top_mm = difference_mm;
   const double times = value_or(json, "depth_times", scene.times);
-  if (times >= 1 && times <= 20) scene.times = times;
+  if (times >= 1 && times <= 50) scene.times = times;
   return scene;
 }
 
@@ -81,12 +98,19 @@ Json inspect_to_json(const InspectState& state) {
       numbers.insert(numbers.end(), part.begin(), part.end());
     json["look"] = numbers;
   }
+  json["with"] = {{"method", word_of(kComparands, options.with.method)},
+                  {"setting", options.with.setting},
+                  {"value", options.with.value},
+                  {"frame", options.with.frame}};
+  json["body"] = options.scene.body;
+  json["ruler"] = options.scene.ruler;
   json["untouched"] = options.scene.untouched;
   json["camera"] = options.scene.camera;
   json["depth_top_mm"] = options.scene.top_mm;
+  json["difference_top_mm"] = options.scene.difference_top_mm;
   json["depth_times"] = options.scene.times;
-  if (options.a) json["a"] = {options.a->x, options.a->y};
-  if (options.b) json["b"] = {options.b->x, options.b->y};
+  if (options.a) json["a_mm"] = {options.a->x(), options.a->y()};
+  if (options.b) json["b_mm"] = {options.b->x(), options.b->y()};
   return json;
 }
 
@@ -107,8 +131,9 @@ InspectState inspect_from_json(const Json& json) {
   options.standpoint = enum_of(json, "standpoint", kStandpoints, options.standpoint);
   options.look = look_of(json);
   options.scene = scene_of(json);
-  options.a = point_of(json, "a");
-  options.b = point_of(json, "b");
+  options.with = comparand_of(value_or(json, "with", Json()));
+  options.a = place_of(json, "a_mm");
+  options.b = place_of(json, "b_mm");
   return state;
 }
 

@@ -1,5 +1,7 @@
 // `alltact-studio`: the desktop program.
+#include "app/console/studio_arguments.h"
 #include "app/studio/main_window.h"
+#include "core/finger/finger.h"
 #include "core/program.h"
 #include "widgets/scene3d/vtk_view.h"
 #include "widgets/shell/studio_style.h"
@@ -9,38 +11,36 @@
 #include <QStandardPaths>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <thread>
 
-#include <CLI/CLI.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
 namespace {
 
-struct Wanted {
-  std::string finger, source;
-};
-
 /// Exit status when there is nothing more to do; wrong usage is told in one line.
-std::optional<int> read_arguments(int argc, char** argv, Wanted& wanted) {
-  CLI::App program{"AllTact Studio: a clear silicone finger as a measuring instrument.",
-                   "alltact-studio"};
-  program.set_version_flag("--version",
-                           std::string("alltact-studio ") + alltact::program_version());
-  program.add_option("FINGER", wanted.finger, "The finger's folder to open");
-  program
-      .add_option("--source",
-                  wanted.source,
-                  "Where pictures come from: a camera (by a name that 'alltact devices' tells), a "
-                  "video, a folder of pictures, or a scene (a simulated finger)")
-      ->type_name("SOURCE");
-  program.footer("Exit status: 0 closed by hand, 1 there is no display, 2 wrong usage.");
+std::optional<int> read_arguments(int argc, char** argv, alltact::StudioArguments& wanted) {
+  CLI::App program;
+  alltact::describe_studio(program, wanted, alltact::program_version());
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error, std::cout, std::cerr) == 0 ? 0 : 2;
   }
   return std::nullopt;
+}
+
+/// A file that a file manager opens: finger.yaml stands for its folder, anything else for where
+/// pictures come from.
+void sort_files(alltact::StudioArguments& wanted) {
+  const std::filesystem::path named = wanted.finger;
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(named, failed)) return;
+  const bool is_finger = named.filename() == alltact::Finger::kFileName;
+  const auto folder = named.has_parent_path() ? named.parent_path() : std::filesystem::path(".");
+  if (!is_finger && wanted.source.empty()) wanted.source = wanted.finger;
+  wanted.finger = is_finger ? folder.string() : std::string();
 }
 
 bool has_display() {
@@ -52,8 +52,9 @@ bool has_display() {
 
 int main(int argc, char** argv) {
   using namespace alltact;
-  Wanted wanted;
+  StudioArguments wanted;
   if (const auto status = read_arguments(argc, argv, wanted)) return *status;
+  sort_files(wanted);
   if (!has_display()) {
     std::cerr
         << "There is no display to open a window on. Try: the command line, alltact --help.\n";
@@ -67,6 +68,7 @@ int main(int argc, char** argv) {
   QApplication application(only_name, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("alltact"));
   QCoreApplication::setApplicationName(QStringLiteral("alltact-studio"));
+  QGuiApplication::setDesktopFileName(QStringLiteral("alltact-studio"));
   QApplication::setStyle(new StudioStyle);
   Dresser dresser;
   {

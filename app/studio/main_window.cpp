@@ -38,12 +38,14 @@ Result<ReferenceReport> install(const std::filesystem::path& folder,
   return give_reference(folder, {video}, job, choices);
 }
 
-Result<Message> measure(const LensWanted& wanted, const Job& job) {
+Result<LensMeasured> measure(const LensWanted& wanted, const Job& job) {
   const auto done = measure_lens({wanted.pictures}, wanted.board, wanted.settings, job);
   if (!done) return done.error();
-  const Status saved = save_camera(wanted.camera, done->fit.lens, lens_record(wanted.board, *done));
+  CameraParameters camera = done->fit.lens;
+  camera.port = wanted.port;
+  const Status saved = save_camera(wanted.camera, camera, lens_record(wanted.board, *done));
   if (!saved) return saved.error();
-  return done->verdict.sentence;
+  return LensMeasured{done->verdict.sentence, done->views, done->coverage.advice};
 }
 
 }  // namespace

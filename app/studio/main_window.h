@@ -31,7 +31,7 @@ struct StudioOptions {
   std::filesystem::path session_folder;       ///< where the session is kept
   SourceOpener opener = &alltact::open_source;
   CameraFinder::Lister lister;  ///< empty: the system's cameras
-  PedalPorts pedal;
+  HidPorts pedal;
 };
 
 class MainWindow : public Translated<QMainWindow> {

@@ -51,8 +51,8 @@ Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
                    std::move(library).value(),
                    {},
                    0};
-  world.reduced_library = [whole = world.finger](int by, const Job& doing) {
-    return ReferenceLibrary::load(reduced_finger(*whole, by), doing);
+  world.library_for = [whole = world.finger](const PipelineSettings& settings, const Job& doing) {
+    return ReferenceLibrary::load(finger_as_measured(*whole, settings), doing);
   };
   const int count = std::min(options.frames, plan->frame_count());
   const std::vector<FramePtr> pictures = bench->frames(*plan, 0, count);

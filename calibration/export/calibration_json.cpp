@@ -1,3 +1,4 @@
+#include "calibration/export/description_json.h"
 #include "calibration/export/export_texts.h"
 #include "core/sensing/depth/smoothing.h"
 
@@ -7,28 +8,6 @@ namespace alltact {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json camera_json(const CameraParameters& camera) {
-  Json json;
-  json["model"] = to_string(camera.model);
-  json["size_px"] = {camera.width_px, camera.height_px};
-  if (camera.model == CameraModel::kOrthographic) {
-    json["mm_per_px"] = camera.mm_per_px;
-  } else {
-    json["fx_px"] = camera.fx_px;
-    json["fy_px"] = camera.fy_px;
-  }
-  json["cx_px"] = camera.cx_px;
-  json["cy_px"] = camera.cy_px;
-  json["distortion"] = camera.distortion;
-  json["orientation"] = to_string(camera.orientation);
-  if (camera.port)
-    json["port"] = {{"gap_mm", camera.port->gap_mm},
-                    {"plate_mm", camera.port->plate_mm},
-                    {"plate_index", camera.port->plate_index},
-                    {"medium_index", camera.port->medium_index}};
-  return json;
-}
 
 Json covariance_json(const Eigen::MatrixXd& covariance) {
   Json rows = Json::array();
@@ -104,15 +83,7 @@ Result<std::string> calibration_json(const Finger& finger, const PipelineSetting
   json["name"] = finger.name;
   json["camera"] = camera_json(finger.camera);
   const bool flat = finger.face.kind == FaceKind::kFlat;
-  Json face;
-  face["kind"] = flat ? "flat" : "fin_ray";
-  if (flat) {
-    face["plane_z_mm"] = finger.face.plane_z_mm;
-  } else {
-    face["width_mm"] = finger.face.width_mm;
-  }
-  face["layer_mm"] = finger.face.layer_mm;
-  json["face"] = std::move(face);
+  json["face"] = face_json(finger.face);
   if (!flat) json["markers"]["per_row"] = finger.markers.per_row;
   if (!finger.markers.missing.empty()) json["markers"]["missing"] = finger.markers.missing;
   if (finger.mapping) {

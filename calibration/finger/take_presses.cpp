@@ -64,29 +64,6 @@ Status check_kept(const CalibrationWork& work, const Frame& frame, std::size_t i
                en::say("calibrating anew with the pictures that are there")};
 }
 
-TakenPress press_of(const Frame& frame, FrameResult& result, const PressSet& said) {
-  const PressNote& note = said.of(frame.name);
-  TakenPress press{frame.name, result.grey, std::nullopt, "", {}};
-  if (result.difference) press.sign.light_change = result.difference->light.change();
-  if (result.reference) press.sign.known_pose = result.reference->known_pose;
-  // A press tells the mapping: one whose markers are hidden is not worth its less sure reference.
-  if (result.difference && result.shape && !result.reference->by_shape) {
-    press.press = Press{frame.name,
-                        std::move(*result.difference),
-                        std::move(*result.shape),
-                        said.radius_of(frame.name),
-                        note.ball_mm,
-                        note.depth,
-                        note.step_mm};
-  } else {
-    press.left_out =
-        result.problems.empty() ? en::say("no face was found") : result.problems.front();
-  }
-  if (note.excluded)
-    press.left_out = en::list({en::say("excluded"), Message::typed(*note.excluded)});
-  return press;
-}
-
 Status measure_presses(CalibrationWork& work,
                        Pipeline& pipeline,
                        FingerCalibration& done,
@@ -116,7 +93,8 @@ Status measure_presses(CalibrationWork& work,
     if (!done.inputs.is_continuous) pipeline.forget();
     auto result = pipeline(frame);
     if (!result) return result.error();
-    done.presses.push_back(press_of(*frame, *result, done.inputs.said));
+    done.presses.push_back(press_of(frame->name, *result));
+    take_what_is_said(done.inputs.said, done.presses.back());
     work.references.push_back(std::move(result->reference));
     work.frames.push_back(frame);
   }
@@ -137,6 +115,31 @@ Status check_names(const FingerCalibration& done) {
 }
 
 }  // namespace
+
+TakenPress press_of(const std::string& name, FrameResult& result) {
+  TakenPress press{name, result.grey, std::nullopt, "", {}};
+  if (result.difference) press.sign.light_change = result.difference->light.change();
+  if (result.reference) press.sign.known_pose = result.reference->known_pose;
+  // A press tells the mapping: one whose markers are hidden is not worth its less sure reference.
+  if (result.difference && result.shape && !result.reference->by_shape)
+    press.press = Press{name, std::move(*result.difference), std::move(*result.shape)};
+  else
+    press.left_out =
+        result.problems.empty() ? en::say("no face was found") : result.problems.front();
+  return press;
+}
+
+void take_what_is_said(const PressSet& said, TakenPress& press) {
+  const PressNote& note = said.of(press.name);
+  if (press.press) {
+    press.press->ball_radius_mm = said.radius_of(press.name);
+    press.press->ball_mm = note.ball_mm;
+    press.press->told_depth = note.depth;
+    press.press->step_mm = note.step_mm;
+  }
+  if (note.excluded)
+    press.left_out = en::list({en::say("excluded"), Message::typed(*note.excluded)});
+}
 
 Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
                                                  const FingerCalibration& done,

@@ -4,6 +4,7 @@
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/frame.h"
+#include "core/sensing/pipeline.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <filesystem>
@@ -25,6 +26,12 @@ struct CalibrationWork {
   std::vector<FramePtr> frames;                      ///< one a press, as they are to be kept
   std::vector<std::optional<Reference>> references;  ///< what each was compared with
 };
+
+/// What a pipeline measures of a press, before anything is said of it; difference and face are
+/// moved out of `result`.
+[[nodiscard]] TakenPress press_of(const std::string& name, FrameResult& result);
+/// Its ball, its depth, its step; one that is excluded is left out.
+void take_what_is_said(const PressSet& said, TakenPress& press);
 
 /// Reads the pictures and runs them through the pipeline: `done` gets its presses and what bursts
 /// were made of, and is told whether the source is continuous; `work` gets frames and references.

@@ -3,8 +3,12 @@
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/finger/paper_pipeline.h"
 #include "core/sensing/depth/depth_sd.h"
+#include "core/sensing/face/place_pixel.h"
+#include "core/sensing/measures.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <opencv2/imgproc.hpp>
 
@@ -27,15 +31,39 @@ MeasuredFrame measured_by(const FingerSnapshot& finger,
   return frame;
 }
 
-}  // namespace
-
-cv::Mat depth_difference_mm(const MeasuredFrame& frame) {
-  const cv::Mat& ours = frame.result.depth->depth_mm;
-  cv::Mat other = frame.other->depth->depth_mm;
-  if (other.size() != ours.size())  // ours is reduced: beside what lies in its pixels' middles
-    cv::resize(other, other, ours.size(), 0, 0, cv::INTER_NEAREST);
-  return ours - other;
+/// Pixel by pixel; both may be of pictures of different size.
+cv::Mat difference_of(const FrameResult& ours, const FrameResult& other) {
+  cv::Mat depth = other.depth->depth_mm;
+  if (depth.size() != ours.depth->depth_mm.size())  // what lies in the pixels' middles
+    cv::resize(depth, depth, ours.depth->depth_mm.size(), 0, 0, cv::INTER_NEAREST);
+  return ours.depth->depth_mm - depth;
 }
+
+/// Place by place on the face.
+cv::Mat difference_at_places(const FrameResult& ours, const FrameResult& other) {
+  const cv::Mat& depth = ours.depth->depth_mm;
+  cv::Mat difference(depth.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  for (int v = 0; v < depth.rows; ++v) {
+    const auto* from = depth.ptr<float>(v);
+    auto* to = difference.ptr<float>(v);
+    for (int u = 0; u < depth.cols; ++u) {
+      if (!std::isfinite(from[u])) continue;
+      if (const auto at = pixel_of_place(*other.shape, ours.shape->place_mm(u, v)))
+        to[u] = from[u] - value_between(other.depth->depth_mm, at->x(), at->y());
+    }
+  }
+  return difference;
+}
+
+/// As live.
+Result<Pipeline> pipeline_of(const FingerSnapshot& finger,
+                             const PipelineSettings& settings,
+                             const Job& job) {
+  if (!finger.finger.reference) return Pipeline::before_reference(finger, settings);
+  return Pipeline::create(finger, settings, job);
+}
+
+}  // namespace
 
 Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job& job) {
   if (folder != folder_) store_ = folder.empty() ? nullptr : FingerStore::of(folder);
@@ -47,24 +75,37 @@ Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job
   finger_.reset();
   first_.reset();
   other_.reset();
+  other_frame_.reset();
   last_.reset();
   if (folder.empty())
     return Error{en::say("no finger is open, so the recording cannot be measured"),
                  "",
                  en::say("opening a finger")};
   if (!finger) return finger.error();
-  auto pipeline = Pipeline::create(**finger, measuring_settings(folder), job);
+  auto pipeline = pipeline_of(**finger, measuring_settings(folder), job);
   if (!pipeline) return pipeline.error();
   finger_ = *finger;
   first_ = std::move(*pipeline);
   return {};
 }
 
-Status FrameMeasurer::open_other(const Job& job) {
-  if (other_) return {};
-  auto pipeline = paper_pipeline(*finger_, job);
+Status FrameMeasurer::open_other(const Comparand& other, const Job& job) {
+  if (other_ && other_is_ == other) return {};
+  other_.reset();
+  auto pipeline = Result<Pipeline>(Error());
+  if (other.method == OtherMethod::kPaper) {
+    pipeline = paper_pipeline(*finger_, job);
+  } else {
+    PipelineSettings settings = measuring_settings(folder_);
+    for (const auto& setting : pipeline_settings())
+      if (setting.name == other.setting)
+        if (const Status status = setting.set(settings, other.value); !status)
+          return status.error();
+    pipeline = pipeline_of(*finger_, settings, job);
+  }
   if (!pipeline) return pipeline.error();
   other_ = std::move(*pipeline);
+  other_is_ = other;
   return {};
 }
 
@@ -72,6 +113,7 @@ Status FrameMeasurer::open_recording(const std::filesystem::path& input, const J
   if (input == input_ && frames_) return {};
   input_ = input;
   frames_.reset();
+  other_frame_.reset();
   last_.reset();
   std::error_code ignored;
   if (!std::filesystem::exists(input, ignored))
@@ -89,18 +131,49 @@ RecordingInfo FrameMeasurer::recording() const {
   return {input_, frames_->count(), frames_->frames_per_s(), times_ns_};
 }
 
-void FrameMeasurer::measure_by_other(MeasuredFrame& frame, bool is_next, const Job& job) {
-  if (const Status status = open_other(job); !status) {
-    frame.other_problem = status.error();
-    return;
+/// The pipeline that measures all frames does it, and is told that others come after.
+Result<FrameResult> FrameMeasurer::measure_other_frame(std::size_t number) {
+  number = std::min(number, frames_->count() - 1);
+  if (!other_frame_ || other_frame_->number != number) {
+    const auto picture = frames_->frame(number);
+    if (!picture) return picture.error();
+    first_->forget();
+    auto result = (*first_)(*picture);
+    first_->forget();
+    last_.reset();
+    if (!result) return result.error();
+    other_frame_ = OtherFrame{number, std::move(*result)};
   }
-  if (!is_next) other_->forget();
-  auto result = (*other_)(frame.result.frame);
-  if (result) frame.other = std::move(*result);
+  return other_frame_->result;
+}
+
+void FrameMeasurer::compare(MeasuredFrame& frame,
+                            const Comparand& other,
+                            bool is_next,
+                            const Job& job) {
+  if (other.method == OtherMethod::kFrame) {
+    auto result = measure_other_frame(other.frame);
+    if (result)
+      frame.other = std::move(*result);
+    else
+      frame.other_problem = result.error();
+  } else {
+    if (const Status status = open_other(other, job); !status) {
+      frame.other_problem = status.error();
+      return;
+    }
+    if (!is_next) other_->forget();
+    auto result = (*other_)(frame.result.frame);
+    if (result) frame.other = std::move(*result);
+  }
+  if (!frame.other || !frame.other->depth || !frame.result.depth) return;
+  frame.difference_mm = other.method == OtherMethod::kFrame
+                            ? difference_at_places(frame.result, *frame.other)
+                            : difference_of(frame.result, *frame.other);
 }
 
 Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number,
-                                             OtherMethod other,
+                                             const Comparand& other,
                                              const Job& job) {
   number = std::min(number, frames_->count() - 1);
   auto picture = frames_->frame(number);
@@ -112,23 +185,25 @@ Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number,
   last_ = number;
   MeasuredFrame frame = measured_by(*finger_, first_->settings(), std::move(*result));
   frame.number = number;
-  if (other == OtherMethod::kPaper) measure_by_other(frame, is_next, job);
+  if (other.method != OtherMethod::kNone) compare(frame, other, is_next, job);
   return frame;
 }
 
 Result<MeasuredFrame> FrameMeasurer::complete(const FrameResult& live,
                                               const Finger& finger,
                                               const std::filesystem::path& folder,
-                                              OtherMethod other,
+                                              const Comparand& other,
                                               const Job& job) {
   const auto snapshot = FingerSnapshot::of(folder, finger);
   if (!snapshot) return snapshot.error();
   last_.reset();
   MeasuredFrame frame = measured_by(
       *snapshot, folder.empty() ? PipelineSettings{} : measuring_settings(folder), live);
-  if (other == OtherMethod::kPaper && !folder.empty()) {
+  const bool is_itself =
+      other.method == OtherMethod::kPaper || other.method == OtherMethod::kSetting;
+  if (is_itself && !folder.empty()) {
     if (const Status status = load_finger(folder, job); !status) return status.error();
-    measure_by_other(frame, false, job);
+    compare(frame, other, false, job);
   }
   return frame;
 }

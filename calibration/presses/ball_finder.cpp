@@ -1,6 +1,7 @@
 #include "calibration/presses/measured_pixels.h"
 #include "calibration/presses/press.h"
 #include "core/geometry/circle_fit.h"
+#include "core/geometry/disc_depth.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@ namespace alltact {
 namespace {
 
 constexpr double kSmoothingPx = 2.0;
-constexpr double kLevel = 0.4;  // of the darkest part: where the contour is drawn
 constexpr double kMinimumRimDeg = 60.0;
 constexpr double kRoughRim = 0.16;  // rms distance from the circle / radius
 constexpr double kRagged = 0.72;    // least share of the circle's inside that is dark
@@ -229,7 +229,7 @@ Result<BallGuess> find(const Press& press, const Face& face) {
                 100.0 * levels->spread),
         en::say("pressing the ball in deeper, and checking that the reference shows the same "
                 "finger in the same pose"));
-  const double level = std::max(0.0, levels->untouched) + kLevel * contrast;
+  const double level = std::max(0.0, levels->untouched) + kDiscLevel * contrast;
   const cv::Mat dark = x > level;
   cv::Mat labels;
   const int count = cv::connectedComponents(dark, labels, 4, CV_32S);
@@ -285,10 +285,7 @@ Result<BallGuess> find(const Press& press, const Face& face) {
                   en::say("the middle of the dark disc lies off the face"),
                   en::say("a press nearer to the middle of the face"));
 
-  // The 40 % contour of a cap of height h lies where the depth is about 0.4 h: r^2 = 2 R h 0.6.
-  const double depth =
-      std::min(0.9 * ball_radius_mm,
-               circle->radius * circle->radius / (2.0 * (1.0 - kLevel) * ball_radius_mm));
+  const double depth = disc_depth_mm(circle->radius, ball_radius_mm);
   guess.contact_radius_mm = std::sqrt(std::max(0.0, depth * (2.0 * ball_radius_mm - depth)));
   const Eigen::Vector3d& normal = inside.nearest->normal;
   const Eigen::Vector3d tipward =

@@ -16,10 +16,28 @@ int cell(double part) {
 
 }  // namespace
 
+bool BendPicture::is_wanted(BendDirection direction) const {
+  constexpr double kHardly = 0.5;  // of what is needed
+  if (direction != BendDirection::kTwistRight && direction != BendDirection::kTwistLeft)
+    return true;
+  const auto reached_in = [this](BendDirection one) {
+    return reached[static_cast<std::size_t>(one)];
+  };
+  const double bent = std::min({reached_in(BendDirection::kAway),
+                                reached_in(BendDirection::kTowards),
+                                reached_in(BendDirection::kUp),
+                                reached_in(BendDirection::kDown)});
+  const double twisted =
+      std::max(reached_in(BendDirection::kTwistRight), reached_in(BendDirection::kTwistLeft));
+  return bent < 1 || twisted >= kHardly;
+}
+
 std::vector<BendDirection> BendPicture::missing() const {
   std::vector<BendDirection> missing;
   for (std::size_t d = 0; d < reached.size(); ++d)
-    if (reached[d] < 1) missing.push_back(static_cast<BendDirection>(d));
+    if (const auto direction = static_cast<BendDirection>(d);
+        reached[d] < 1 && is_wanted(direction))
+      missing.push_back(direction);
   return missing;
 }
 

@@ -27,7 +27,10 @@ struct BendPicture {
   std::optional<TipMotion> now;
   std::uint64_t poses = 0;
 
+  /// Not nearly reached. Twist is not asked of a finger that has been bent and swayed all ways and
+  /// hardly twisted meanwhile: it has none.
   [[nodiscard]] std::vector<BendDirection> missing() const;
+  [[nodiscard]] bool is_wanted(BendDirection direction) const;
   [[nodiscard]] bool is_enough() const { return poses > 0 && missing().empty(); }
 };
 

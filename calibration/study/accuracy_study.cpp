@@ -1,5 +1,7 @@
 #include "calibration/study/accuracy_study.h"
 
+#include "calibration/study/compared_settings.h"
+#include "calibration/study/held_memory.h"
 #include "calibration/study/study_clock.h"
 #include "calibration/study/truly_pressed.h"
 #include "core/numerics/median.h"
@@ -7,10 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
-#include <malloc.h>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
@@ -29,17 +29,17 @@ std::optional<ErrorSpread> spread_of(std::vector<float>& errors) {
   return spread;
 }
 
-/// What the program has taken and not given back.
-std::size_t heap_bytes() {
-  const auto heap = mallinfo2();
-  return heap.uordblks + heap.hblkhd;
-}
-
 double part_of(std::vector<double> values, double part) {
   if (values.empty()) return 0;
   const auto rank = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + rank, values.end());
   return values[static_cast<std::size_t>(rank)];
+}
+
+/// What of the settings a library depends on (finger_as_measured()).
+using PicturesKey = std::pair<Resolution, Undistortion>;
+PicturesKey pictures_of(const PipelineSettings& settings) {
+  return {settings.resolution, settings.undistortion};
 }
 
 /// What is known of a frame beside its picture.
@@ -52,16 +52,6 @@ std::optional<Eigen::Vector2d> place_of(const std::vector<ContactRegion>& region
   return regions.front().deepest_on_face_mm;  // of the largest
 }
 
-/// Each pixel of the truth beside the one that covers it; what no pixel covers is not measured.
-cv::Mat at_whole_size(const cv::Mat& depth_mm, int reduced_by, const cv::Mat& truth_mm) {
-  if (reduced_by == 1) return depth_mm;
-  cv::Mat whole(truth_mm.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
-  const cv::Size covered(depth_mm.cols * reduced_by, depth_mm.rows * reduced_by);
-  cv::Mat part = whole({0, 0, covered.width, covered.height});
-  cv::resize(depth_mm, part, covered, 0, 0, cv::INTER_NEAREST);
-  return whole;
-}
-
 class Measured {
  public:
   void add_errors(const StudyFrame& frame, const FrameAnswer& answer, const FrameResult& result) {
@@ -71,7 +61,8 @@ class Measured {
       return;
     }
     const auto zone = static_cast<std::size_t>(frame.zone);
-    const cv::Mat depth = at_whole_size(result.depth->depth_mm, result.reduced_by, frame.depth_mm);
+    const cv::Mat depth =
+        at_whole_size(result.depth->depth_mm, result.reduced_by, frame.depth_mm.size());
     for (int v = 0; v < depth.rows; ++v) {
       const auto* truth = frame.depth_mm.ptr<float>(v);
       const auto* read = depth.ptr<float>(v);
@@ -142,11 +133,10 @@ class AccuracyStudyRun {
   /// Reads the libraries of all resolutions that are asked for.
   [[nodiscard]] Status read_libraries(const std::vector<PipelineSettings>& choices) {
     for (const PipelineSettings& choice : choices) {
-      const int by = pixels_a_side(choice.resolution);
-      if (by == 1 || reduced_.contains(by)) continue;
-      auto library = world_.reduced_library(by, job_);
+      if (pictures_of(choice) == pictures_of({}) || others_.contains(pictures_of(choice))) continue;
+      auto library = world_.library_for(choice, job_);
       if (!library) return library.error();
-      reduced_.emplace(by, std::move(library).value());
+      others_.emplace(pictures_of(choice), std::move(library).value());
     }
     return {};
   }
@@ -212,8 +202,8 @@ class AccuracyStudyRun {
 
  private:
   [[nodiscard]] const ReferenceLibrary& library_of(const PipelineSettings& settings) const {
-    const auto reduced = reduced_.find(pixels_a_side(settings.resolution));
-    return reduced == reduced_.end() ? world_.library : reduced->second;
+    const auto other = others_.find(pictures_of(settings));
+    return other == others_.end() ? world_.library : other->second;
   }
   [[nodiscard]] Pipeline pipeline_of(const PipelineSettings& settings) const {
     return Pipeline::over(library_of(settings), *world_.finger, settings);
@@ -242,7 +232,7 @@ class AccuracyStudyRun {
   const Job& job_;
   const StudyClock clock_;
   std::vector<FrameAnswer> answers_;
-  std::map<int, ReferenceLibrary> reduced_;  // by pixels a side
+  std::map<PicturesKey, ReferenceLibrary> others_;
 };
 
 }  // namespace
@@ -254,7 +244,8 @@ Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
                                      const Job& job) {
   AccuracyStudyRun run(world, options, job);
   if (const Status status = run.find_answers(); !status) return status.error();
-  const std::vector<PipelineSettings> choices = study_choices(options.base, options.extent);
+  const std::vector<PipelineSettings> choices =
+      study_choices(options.base, options.extent, world.finger->finger);
   if (const Status status = run.read_libraries(choices); !status) return status.error();
   std::vector<StudyRow> rows = known;
   const auto row_of = [&](const PipelineSettings& choice) {

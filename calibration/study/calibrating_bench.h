@@ -29,7 +29,7 @@ struct ReadPresses {
 
 class CalibratingBench {
  public:
-  static constexpr int kMostPresses = 12;
+  static constexpr int kMostPresses = 24;
 
   /// Errors: those of untouched_pictures(); too few of them show the face.
   [[nodiscard]] static Result<CalibratingBench> make(const FingerPtr& finger,

@@ -72,8 +72,8 @@ Message words_of(const CalibratingChoice& choice) {
     words.push_back(en::say("method {}", method_name(choice.method)));
   if (choice.family != FamilyChoice::kAuto)
     words.push_back(en::say("family {}", family_name(choice.family)));
-  if (choice.rounds > 0)
-    words.push_back(en::count("{} rounds at the end", "{} round at the end", choice.rounds));
+  if (choice.iterations != CalibratingChoice{}.iterations)
+    words.push_back(en::count("{} iterations", "{} iteration", choice.iterations));
   return en::list(words);
 }
 
@@ -179,7 +179,8 @@ std::string text_of(const CalibratingStudy& study) {
 
 std::string csv_of(const CalibratingStudy& study) {
   std::string csv =
-      "presses,pictures,method,family,rounds,technician_min,computing_s,time_ratio,draws,failed,"
+      "presses,pictures,method,family,iterations,technician_min,computing_s,time_ratio,draws,"
+      "failed,"
       "painted_median_mm,painted_p95_mm,splits,splits_failed,real_median_mm,real_p95_mm,on_front\n";
   const auto number = [](const std::optional<ErrorSpread>& spread, double ErrorSpread::*member) {
     return spread ? fmt::format("{}", (*spread).*member) : "";
@@ -192,7 +193,7 @@ std::string csv_of(const CalibratingStudy& study) {
                        row.choice.pictures,
                        method_name(row.choice.method),
                        family_name(row.choice.family),
-                       row.choice.rounds,
+                       row.choice.iterations,
                        row.technician_min,
                        row.computing_s,
                        row.time_ratio,
@@ -237,7 +238,7 @@ nlohmann::json json_of(const CalibratingStudy& study) {
                     {"pictures", row.choice.pictures},
                     {"method", method_name(row.choice.method)},
                     {"family", family_name(row.choice.family)},
-                    {"rounds", row.choice.rounds},
+                    {"iterations", row.choice.iterations},
                     {"errors", std::move(errors)},
                     {"times",
                      {{"computing_s", row.computing_s},

@@ -7,7 +7,9 @@
 #include "core/numerics/philox.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace alltact {
@@ -15,7 +17,6 @@ namespace {
 
 constexpr int kQuickDraws = 1, kDraws = 3;
 
-/// Stops a calculation after so many rounds of its last stretch; the rest of it goes with `job`.
 Result<Calibration> calibrate_with(const std::vector<Press>& presses,
                                    const FingerSnapshot& finger,
                                    const CalibratingChoice& choice,
@@ -23,13 +24,8 @@ Result<Calibration> calibrate_with(const std::vector<Press>& presses,
   CalibrationSettings settings;
   settings.method = choice.method;
   settings.family = choice.family;
-  Job part(job, 0, 1);
-  RoundListener count;
-  if (choice.rounds > 0)
-    count = [&](const Round& round) {
-      if (round.number >= choice.rounds) part.request_stop();
-    };
-  return calibrate(presses, finger.camera, finger.finger.face, settings, part, count);
+  settings.iterations = choice.iterations;
+  return calibrate(presses, finger.camera, finger.finger.face, settings, job);
 }
 
 double median_of(std::vector<double> values) {
@@ -174,34 +170,88 @@ double middle_seconds(const std::vector<double>& seconds) {
   return median_of(known);
 }
 
+/// The values of a setting that are worth trying.
+template <class T>
+std::vector<T> tried(const std::string& name, T CalibrationSettings::*member) {
+  std::vector<T> values;
+  for (const auto& setting : calibration_settings()) {
+    if (setting.name != name) continue;
+    for (const std::string& text : setting.trade->tried) {
+      CalibrationSettings settings;
+      [[maybe_unused]] const Status known = setting.set(settings, text);
+      assert(known.ok());  // the table's own value
+      values.push_back(settings.*member);
+    }
+  }
+  assert(!values.empty());
+  return values;
+}
+
+/// The smallest above a value, where there is one.
+std::vector<int> next_above(const std::vector<int>& values, int value) {
+  int next = std::numeric_limits<int>::max();
+  for (const int each : values)
+    if (each > value) next = std::min(next, each);
+  return next == std::numeric_limits<int>::max() ? std::vector<int>() : std::vector<int>{next};
+}
+
 }  // namespace
 
-std::vector<CalibratingChoice> calibrating_choices(bool quick) {
-  const CalibratingChoice base;
+std::vector<CalibratingChoice> calibrating_choices(const CalibratingChoice& base, bool quick) {
+  constexpr int kFew = 3, kMany = 12;
+  constexpr int kMostPictures = 16;  // more of them hardly change what a press tells
+  const auto all_presses = tried("presses", &CalibrationSettings::presses);
+  const auto all_pictures = tried("pictures-per-press", &CalibrationSettings::pictures_per_press);
   std::vector<CalibratingChoice> choices;
   const auto add = [&](const CalibratingChoice& choice) {
     if (std::find(choices.begin(), choices.end(), choice) == choices.end())
       choices.push_back(choice);
   };
-  using M = CalibrationMethod;
-  using F = FamilyChoice;
+  const auto with_presses = [&](int presses) {
+    CalibratingChoice choice = base;
+    choice.presses = presses;
+    return choice;
+  };
   add(base);
-  for (const int presses :
-       quick ? std::vector<int>{1, 2, 3, 4, 7} : std::vector<int>{1, 2, 3, 4, 5, 7, 8, 10, 12})
-    add({presses});
-  for (const int pictures : quick ? std::vector<int>{4} : std::vector<int>{4, 16})
-    for (const int presses :
-         quick ? std::vector<int>{base.presses} : std::vector<int>{3, base.presses})
-      add({presses, pictures});
-  for (const M method : {M::kPaper, M::kCircle, M::kCone})
-    for (const int presses :
-         quick ? std::vector<int>{base.presses} : std::vector<int>{3, base.presses, 12})
-      add({presses, 1, method});
+  if (base.presses < CalibratingBench::kMostPresses) add(with_presses(base.presses + 1));
+  for (const int presses : all_presses)
+    if (presses > 0 && presses <= CalibratingBench::kMostPresses &&
+        (!quick || presses < base.presses - 1))
+      add(with_presses(presses));
+  const std::vector<int> counts =
+      quick ? std::vector<int>{base.presses} : std::vector<int>{kFew, base.presses};
+  for (const int pictures : quick ? next_above(all_pictures, base.pictures) : all_pictures)
+    for (const int presses : counts) {
+      CalibratingChoice choice = with_presses(presses);
+      choice.pictures = pictures;
+      if (pictures > base.pictures && pictures <= kMostPictures) add(choice);
+    }
+  for (const CalibrationMethod method : tried("method", &CalibrationSettings::method))
+    for (const int presses : quick ? counts : std::vector<int>{kFew, base.presses, kMany}) {
+      CalibratingChoice choice = with_presses(presses);
+      choice.method = method;
+      add(choice);
+    }
   if (quick) return choices;
-  for (const F family : {F::kPolynomial, F::kMoebius, F::kLayer})
-    add({base.presses, 1, M::kJoint, family});
-  for (const int rounds : {1, 2, 4}) add({base.presses, 1, M::kJoint, F::kAuto, rounds});
+  for (const FamilyChoice family : tried("family", &CalibrationSettings::family)) {
+    CalibratingChoice choice = base;
+    choice.family = family;
+    add(choice);
+  }
+  for (const int iterations : tried("iterations", &CalibrationSettings::iterations)) {
+    CalibratingChoice choice = base;
+    choice.iterations = iterations;
+    add(choice);
+  }
   return choices;
+}
+
+CalibratingChoice choice_of_finger(const Finger& finger) {
+  CalibratingChoice choice;
+  if (!finger.mapping_record || finger.mapping_record->presses.empty()) return choice;
+  choice.presses = static_cast<int>(
+      std::min<std::size_t>(finger.mapping_record->presses.size(), CalibratingBench::kMostPresses));
+  return choice;
 }
 
 Result<CalibratingStudy> study_calibrating(const FingerPtr& finger,
@@ -215,7 +265,8 @@ Result<CalibratingStudy> study_calibrating(const FingerPtr& finger,
   study.technician = options.technician;
   auto splits = RealSplits::open(finger, options.seed, job);
   if (!splits) study.no_real = splits.error().what;
-  const auto choices = calibrating_choices(options.quick);
+  const CalibratingChoice base = options.base.value_or(choice_of_finger(finger->finger));
+  const auto choices = calibrating_choices(base, options.quick);
   const int draws = options.quick ? kQuickDraws : kDraws;
   std::vector<double> base_seconds;
   const StudyClock clock;

@@ -1,5 +1,5 @@
 // What a calibration's choices cost and bring: how many presses, how many pictures of each, which
-// method, family and how many rounds, against computing and against the technician's time.
+// method, family and how many iterations, against computing and against the technician's time.
 //
 // Two truths, told apart:
 //   painted  balls painted into untouched pictures of the finger calibrate it anew, and other
@@ -42,7 +42,7 @@ struct CalibratingChoice {
   int pictures = 1;  ///< of each press, averaged
   CalibrationMethod method = CalibrationMethod::kJoint;
   FamilyChoice family = FamilyChoice::kAuto;
-  int rounds = 0;  ///< of the joint solution's last stretch; 0: until it settles
+  int iterations = CalibrationSettings{}.iterations;
   bool operator==(const CalibratingChoice&) const = default;
 };
 
@@ -67,6 +67,8 @@ struct CalibratingStudy {
 
 struct CalibratingOptions {
   std::uint64_t seed = 1;
+  std::optional<CalibratingChoice> base =
+      std::nullopt;    ///< absent: as many presses as the finger's
   bool quick = false;  ///< fewer choices and draws
   TechnicianTimes technician;
 };
@@ -77,8 +79,14 @@ struct CalibratingOptions {
                                                          const CalibratingOptions& options,
                                                          const Job& job);
 
-/// The choices in their order; the base first.
-[[nodiscard]] std::vector<CalibratingChoice> calibrating_choices(bool quick);
+/// The choices in their order, of the values that calibration_settings() says are worth trying; the
+/// base first.
+[[nodiscard]] std::vector<CalibratingChoice> calibrating_choices(const CalibratingChoice& base,
+                                                                 bool quick);
+
+/// As the finger was calibrated, as far as painted presses can be as many; the usual choice where
+/// it does not tell.
+[[nodiscard]] CalibratingChoice choice_of_finger(const Finger& finger);
 
 /// "6 presses, 4 pictures each, cone"
 [[nodiscard]] Message words_of(const CalibratingChoice& choice);

@@ -117,10 +117,10 @@ Status write_study(const std::filesystem::path& file, const StudyFileContent& co
   return write_file_atomically(file, text);
 }
 
-bool has_all(const std::vector<StudyRow>& rows, StudyExtent extent) {
+bool has_all(const std::vector<StudyRow>& rows, StudyExtent extent, const Finger& finger) {
   std::set<std::string> known;
   for (const StudyRow& row : rows) known.insert(key_of(row.settings));
-  const auto choices = study_choices(rows.front().settings, extent);
+  const auto choices = study_choices(rows.front().settings, extent, finger);
   return std::all_of(choices.begin(), choices.end(), [&](const PipelineSettings& choice) {
     return known.count(key_of(choice)) == 1;
   });
@@ -139,8 +139,8 @@ FingerStudy finger_study(const FingerSnapshot& finger,
   kept.computer = content.head.computer;
   kept.is_of_finger_now = content.head.of == of_now;
   kept.is_of_this_computer = content.head.computer == this_machine().processor;
-  kept.has_all_single = has_all(content.rows, StudyExtent::kQuick);
-  kept.has_all_pairs = has_all(content.rows, StudyExtent::kPairs);
+  kept.has_all_single = has_all(content.rows, StudyExtent::kQuick, finger.finger);
+  kept.has_all_pairs = has_all(content.rows, StudyExtent::kPairs, finger.finger);
   return kept;
 }
 

@@ -97,11 +97,12 @@ Result<UntouchedPictures> untouched_of_recording(const FingerSnapshot& snapshot,
   const auto file = snapshot.folder / finger.reference->video;
   const Split split = split_of(table->frames.size(), static_cast<std::size_t>(options.frames));
   if (split.painted.size() < kLeastFrames) return too_few(snapshot);
-  const auto library_of = [file, kept = rows_of(*table, split.kept), snapshot](int by,
-                                                                               const Job& doing) {
-    return ReferenceLibrary::from_recording(file, kept, reduced_finger(snapshot, by), doing);
+  const auto library_of = [file, kept = rows_of(*table, split.kept), snapshot](
+                              const PipelineSettings& settings, const Job& doing) {
+    return ReferenceLibrary::from_recording(
+        file, kept, finger_as_measured(snapshot, settings), doing);
   };
-  auto library = library_of(1, job);
+  auto library = library_of({}, job);
   if (!library) return library.error();
   auto video = VideoFile::open(file, job);
   if (!video) return video.error();
@@ -128,8 +129,8 @@ Result<UntouchedPictures> untouched_of_flat(const FingerSnapshot& snapshot,
   if (!turned) return turned.error();
   const cv::Mat& grey = *turned;
   const double sd = std::sqrt(2.0) * picture_noise_sd(grey);
-  const auto library_of = [snapshot](int by, const Job& doing) {
-    return ReferenceLibrary::load(reduced_finger(snapshot, by), doing);
+  const auto library_of = [snapshot](const PipelineSettings& settings, const Job& doing) {
+    return ReferenceLibrary::load(finger_as_measured(snapshot, settings), doing);
   };
   UntouchedPictures untouched{nullptr, std::move(library).value(), {}, library_of};
   for (int number = 0; number < options.frames; ++number) {
@@ -208,7 +209,7 @@ Result<StudyWorld> painted_world(const FingerPtr& finger,
   }
   if (world.frames.size() < kLeastFrames) return too_few(*finger);
   world.mapping_p95_mm = mapping_p95_mm(*finger);
-  world.reduced_library = untouched->reduced_library;
+  world.library_for = untouched->library_for;
   world.checksum = checksum_of(world.frames);
   return world;
 }

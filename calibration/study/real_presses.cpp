@@ -123,7 +123,8 @@ Result<RealPresses> RealPresses::open(const FingerPtr& finger, const Job& job) {
 
 Result<Pipeline> RealPresses::pipeline_of(const PipelineSettings& settings, const Job& job) const {
   const FingerSnapshot finger = finger_->without_mapping();
-  if (settings.resolution == Resolution::kWhole) return Pipeline::over(library_, finger, settings);
+  if (settings.resolution == Resolution::kWhole && settings.undistortion == Undistortion::kExact)
+    return Pipeline::over(library_, finger, settings);
   return Pipeline::create(finger, settings, job);
 }
 
@@ -153,7 +154,7 @@ Result<RealErrors> RealPresses::held_out(const PipelineSettings& settings, const
   const auto presses = measured(settings, job);
   if (!presses) return presses.error();
   const Face& face = finger_->finger.face;
-  const Camera camera = reduced_finger(*finger_, pixels_a_side(settings.resolution)).camera;
+  const Camera camera = finger_as_measured(*finger_, settings).camera;
   const CalibrationSettings chosen =
       as_it_was_chosen(inputs_.calibration, finger_->mapping->parameters());
   RealErrorSum sum;

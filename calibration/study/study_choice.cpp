@@ -18,10 +18,10 @@ struct TriedValue {
   }
 };
 
-std::vector<TriedValue> tried_values(const PipelineSettings& base) {
+std::vector<TriedValue> tried_values(const PipelineSettings& base, const Finger& finger) {
   std::vector<TriedValue> values;
   for (const auto& setting : pipeline_settings()) {
-    if (!setting.trade) continue;
+    if (!trades_on(setting, finger)) continue;
     for (const std::string& value : setting.trade->tried)
       if (value != setting.get(base)) values.push_back({&setting, value});
   }
@@ -33,23 +33,25 @@ void put(const TriedValue& tried, PipelineSettings& settings) {
   assert(status.ok());  // the table's own value
 }
 
-PipelineSettings cheapest() {
-  PipelineSettings settings;
+PipelineSettings cheapest(PipelineSettings settings, const Finger& finger) {
   for (const auto& setting : pipeline_settings())
-    if (setting.trade) put({&setting, setting.trade->tried.front()}, settings);
+    if (trades_on(setting, finger) && !setting.trade->tried.empty())
+      put({&setting, setting.trade->tried.front()}, settings);
   return settings;
 }
 
 }  // namespace
 
-std::vector<PipelineSettings> study_choices(const PipelineSettings& base, StudyExtent extent) {
+std::vector<PipelineSettings> study_choices(const PipelineSettings& base,
+                                            StudyExtent extent,
+                                            const Finger& finger) {
   std::vector<PipelineSettings> choices;
   std::set<std::string> known;
   const auto add = [&](const PipelineSettings& choice) {
     if (known.insert(key_of(choice)).second) choices.push_back(choice);
   };
   add(base);
-  const std::vector<TriedValue> values = tried_values(base);
+  const std::vector<TriedValue> values = tried_values(base, finger);
   for (const TriedValue& value : values) {
     PipelineSettings choice = base;
     put(value, choice);
@@ -65,9 +67,7 @@ std::vector<PipelineSettings> study_choices(const PipelineSettings& base, StudyE
       put(values[k], choice);
       add(choice);
     }
-  PipelineSettings least = cheapest();
-  least.contact_threshold_mm = base.contact_threshold_mm;
-  add(least);
+  add(cheapest(base, finger));
   return choices;
 }
 

@@ -1,6 +1,7 @@
 // Which settings a study looks at, and what they are called.
 #pragma once
 
+#include "core/finger/finger.h"
 #include "core/message.h"
 #include "core/sensing/pipeline_settings.h"
 
@@ -14,9 +15,11 @@ enum class StudyExtent {
   kPairs,      ///< and every two of them at a time, and the cheapest of all
 };
 
-/// The base first, then the others, each once, in a fixed order.
+/// The base first, then the others, each once, in a fixed order; of settings that trade something
+/// on this finger (trades_on()).
 [[nodiscard]] std::vector<PipelineSettings> study_choices(const PipelineSettings& base,
-                                                          StudyExtent extent);
+                                                          StudyExtent extent,
+                                                          const Finger& finger);
 
 /// What differs: "reference-method nearest, smoothing-px 0"; "as it is" where nothing does.
 [[nodiscard]] Message words_of(const PipelineSettings& choice, const PipelineSettings& base);

@@ -17,6 +17,7 @@
 #include "core/job.h"
 #include "core/message.h"
 #include "core/result.h"
+#include "core/sensing/pipeline_settings.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <cstdint>
@@ -47,8 +48,9 @@ struct StudyFrame {
   std::optional<double> angle_deg = std::nullopt;
 };
 
-/// The library of the same pictures reduced by so many pixels a side (reduced_finger.h).
-using LibraryAtResolution = std::function<Result<ReferenceLibrary>(int reduced_by, const Job& job)>;
+/// The library of the same pictures that pipelines of these settings need (finger_as_measured()).
+using LibraryForSettings =
+    std::function<Result<ReferenceLibrary>(const PipelineSettings& settings, const Job& job)>;
 
 struct StudyWorld {
   Message about;           ///< a phrase
@@ -62,7 +64,7 @@ struct StudyWorld {
   /// 95 % of what the finger's mapping is wrong by, where the pictures do not show it (painted);
   /// 0 where they do.
   double mapping_p95_mm = 0;
-  LibraryAtResolution reduced_library = {};
+  LibraryForSettings library_for = {};
 };
 
 struct StudyWorldOptions {
@@ -83,7 +85,7 @@ struct UntouchedPictures {
   FingerPtr finger;          ///< whose pictures are turned already
   ReferenceLibrary library;  ///< without the pictures and their neighbours in time
   std::vector<cv::Mat> pictures;
-  LibraryAtResolution reduced_library;
+  LibraryForSettings library_for;
 };
 
 /// At most so many as the options say, evenly over the recording; of a flat sensor its one picture

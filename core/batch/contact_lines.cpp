@@ -96,20 +96,29 @@ Result<FrameLine> FrameLine::from_json(std::string_view text) {
   }
 }
 
-std::string ContactLines::operator()(const FrameLine& frame) {
+std::optional<LastingContacts::Lasting> LastingContacts::operator()(
+    const ContactState::Seen* seen, const std::array<PushedFace, 5>& faces) {
   if (!is_continuous_) {
     state_.forget();
     face_.reset();
   }
-  if (!frame.contacts) return frame.line;
-  const ContactState::Told told = state_.add(frame.contacts->seen);
+  if (seen == nullptr) return std::nullopt;
+  const ContactState::Told told = state_.add(*seen);
   if (!told.is_touched) {
     face_.reset();
-    return frame.line;
+    return std::nullopt;
   }
   const std::size_t before = face_ ? static_cast<std::size_t>(*face_) : 0;
-  face_ = frame.contacts->faces[before];
-  return with_contact(frame.line, frame.contacts->texts[before], told);
+  face_ = faces[before];
+  return Lasting{before, told};
+}
+
+std::string ContactLines::operator()(const FrameLine& frame) {
+  const auto& contacts = frame.contacts;
+  const auto lasting =
+      contacts ? lasting_(&contacts->seen, contacts->faces) : lasting_(nullptr, {});
+  return lasting ? with_contact(frame.line, contacts->texts[lasting->which], lasting->told)
+                 : frame.line;
 }
 
 }  // namespace alltact

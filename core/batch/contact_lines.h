@@ -19,6 +19,7 @@ struct FrameLine {
   bool is_measured = false;           ///< it has a depth
   double total_ms = 0;                ///< that measuring it took
   std::vector<std::string> warnings;  ///< for whoever watches; not kept
+  std::string depth_packet;           ///< of the run's depth video (depth_video.h); not kept
   struct Contacts {
     ContactState::Seen seen;
     std::array<std::string, 5> texts;  ///< contact_text() of FrameContacts::by_face
@@ -34,17 +35,35 @@ struct FrameLine {
 
 [[nodiscard]] FrameLine::Contacts contacts_of(const FrameContacts& frame);
 
-/// Goes through frames in their order and completes their lines.
-class ContactLines {
+/// Goes through frames in their order and tells which contact lasts.
+class LastingContacts {
  public:
   /// False: the frames of this recording do not follow each other.
-  explicit ContactLines(bool is_continuous) : is_continuous_(is_continuous) {}
-  [[nodiscard]] std::string operator()(const FrameLine& frame);
+  explicit LastingContacts(bool is_continuous) : is_continuous_(is_continuous) {}
+
+  struct Lasting {
+    std::size_t which = 0;  ///< of FrameContacts::by_face
+    ContactState::Told told;
+  };
+  /// nullopt: nothing touches. `seen`: null where the frame tells nothing of any contact.
+  ///   faces: of FrameContacts::by_face
+  [[nodiscard]] std::optional<Lasting> operator()(const ContactState::Seen* seen,
+                                                  const std::array<PushedFace, 5>& faces);
 
  private:
   bool is_continuous_;
   ContactState state_;
   std::optional<PushedFace> face_;
+};
+
+/// Goes through frames in their order and completes their lines.
+class ContactLines {
+ public:
+  explicit ContactLines(bool is_continuous) : lasting_(is_continuous) {}
+  [[nodiscard]] std::string operator()(const FrameLine& frame);
+
+ private:
+  LastingContacts lasting_;
 };
 
 }  // namespace alltact

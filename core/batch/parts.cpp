@@ -1,6 +1,7 @@
 #include "core/batch/parts.h"
 
 #include "core/io/atomic_file.h"
+#include "core/recording/depth_video.h"
 
 #include <charconv>
 #include <map>
@@ -69,6 +70,10 @@ Result<std::vector<fs::path>> files_in(const fs::path& folder) {
 
 bool is_part(const fs::path& file) {
   return file.filename().string().starts_with("results.part-");
+}
+
+bool is_part_video(const fs::path& file) {
+  return file.filename().string().starts_with("depth.part-");
 }
 
 /// By number, one of each, all of one run.
@@ -159,7 +164,8 @@ Status move_files(const fs::path& from, const fs::path& to) {
   if (!files) return files.error();
   for (const fs::path& file : *files) {
     std::error_code error;
-    if (is_part(file) || !fs::is_regular_file(file, error) || file.filename() == "results.jsonl")
+    if (is_part(file) || is_part_video(file) || !fs::is_regular_file(file, error) ||
+        file.filename() == "results.jsonl")
       continue;
     const fs::path there = to / file.filename();
     fs::rename(file, there, error);
@@ -173,6 +179,47 @@ Status move_files(const fs::path& from, const fs::path& to) {
                    en::say("free some space, or ask the folder's owner for access")};
   }
   return {};
+}
+
+/// Those of a run that made any, by part; a part without frames needs none. Error: one is missing.
+Result<std::vector<fs::path>> part_videos(const std::map<int, PartFound>& parts) {
+  std::vector<fs::path> videos;
+  bool any = false;
+  const fs::path* missing = nullptr;
+  for (const auto& [number, part] : parts) {
+    const fs::path video = part.file.parent_path() / part_video(part.results.part);
+    std::error_code error;
+    const bool is_there = fs::exists(video, error);
+    any = any || is_there;
+    if (part.results.lines.empty()) continue;
+    if (is_there)
+      videos.push_back(video);
+    else
+      missing = &part.file;
+  }
+  if (!any) return std::vector<fs::path>();
+  if (missing != nullptr)
+    return Error{en::say("the part's video of depth is missing"),
+                 missing->string(),
+                 en::say("reconstruct this part again")};
+  return videos;
+}
+
+/// The pictures of all, one after the other, as they are compressed.
+Status join_videos(const std::vector<fs::path>& videos, const fs::path& whole) {
+  std::optional<DepthVideoWriter> writer;
+  for (const fs::path& file : videos) {
+    auto video = DepthVideo::open(file);
+    if (!video) return video.error();
+    if (!writer) {
+      auto made = DepthVideoWriter::create(whole, video->size(), video->frames_per_s());
+      if (!made) return made.error();
+      writer = std::move(*made);
+    }
+    for (std::string packet = video->next_packet(); !packet.empty(); packet = video->next_packet())
+      if (Status status = writer->add(packet); !status) return status;
+  }
+  return writer ? writer->finish() : Status();
 }
 
 }  // namespace
@@ -202,6 +249,10 @@ std::string part_file(const Part& part) {
   return fmt::format("results.part-{}-of-{}.jsonl", part.number, part.of);
 }
 
+std::string part_video(const Part& part) {
+  return fmt::format("depth.part-{}-of-{}.mkv", part.number, part.of);
+}
+
 Status write_part(const fs::path& folder, const PartResults& results) {
   Json head;
   head["format"] = kFormat;
@@ -225,15 +276,22 @@ Result<MergedParts> merge_parts(const std::vector<fs::path>& folders) {
   if (const Status status = check_complete(*parts, folder); !status) return status.error();
   auto merged = merge_lines(*parts);
   if (!merged) return merged.error();
+  const auto videos = part_videos(*parts);
+  if (!videos) return videos.error();
   std::error_code ignored;
   for (std::size_t i = 1; i < folders.size(); ++i)
     if (!fs::equivalent(folders[i], folder, ignored))
       if (const Status status = move_files(folders[i], folder); !status) return status.error();
+  if (const Status status = join_videos(*videos, folder / kDepthVideoFile); !status)
+    return status.error();
   if (const Status status = sync_disk_of(folder); !status) return status.error();
   merged->counts.results = folder / "results.jsonl";
   if (const Status status = write_file_atomically(merged->counts.results, merged->text); !status)
     return status.error();
-  for (const auto& [number, part] : *parts) fs::remove(part.file, ignored);
+  for (const auto& [number, part] : *parts) {
+    fs::remove(part.file.parent_path() / part_video(part.results.part), ignored);
+    fs::remove(part.file, ignored);
+  }
   return merged->counts;
 }
 

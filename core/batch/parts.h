@@ -33,6 +33,8 @@ struct PartResults {
 };
 /// results.part-3-of-8.jsonl
 [[nodiscard]] std::string part_file(const Part& part);
+/// depth.part-3-of-8.mkv, where a video of the depth is asked for
+[[nodiscard]] std::string part_video(const Part& part);
 [[nodiscard]] Status write_part(const std::filesystem::path& folder, const PartResults& results);
 
 struct MergedParts {
@@ -40,7 +42,8 @@ struct MergedParts {
   std::filesystem::path results;
 };
 /// Makes results.jsonl in the first folder from the parts in all of them, the same as that of one
-/// process, moves the files of the others' frames there, and removes the parts. Errors: no parts;
+/// process, moves the files of the others' frames there, joins their videos of depth where there
+/// are any, and removes the parts. Errors: no parts;
 /// parts of different runs; missing, twice the same, or damaged ones; two frames of one name; a
 /// file cannot be moved or written. Until results.jsonl is there, parts stay where they are.
 [[nodiscard]] Result<MergedParts> merge_parts(const std::vector<std::filesystem::path>& folders);

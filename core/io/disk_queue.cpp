@@ -25,6 +25,11 @@ std::optional<Error> DiskQueue::problem() const {
   return problem_;
 }
 
+void DiskQueue::forget_problem() {
+  const std::lock_guard lock(mutex_);
+  problem_.reset();
+}
+
 void DiskQueue::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (true) {

@@ -28,6 +28,8 @@ class DiskQueue {
   void wait();
   /// Why the latest task that failed did, until one succeeds.
   [[nodiscard]] std::optional<Error> problem() const;
+  /// What was written for matters no more.
+  void forget_problem();
 
  private:
   void work(const std::stop_token& stop);

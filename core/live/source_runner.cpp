@@ -1,5 +1,8 @@
 #include "core/live/source_runner.h"
 
+#include "core/sources/hid/lit_source.h"
+#include "core/sources/pacer.h"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -42,6 +45,7 @@ struct SourceRunner::Run {
   std::deque<std::int64_t> arrivals_ns;  // of the last second
   std::shared_ptr<V4l2Camera> camera;
   std::optional<std::uint64_t> last_sequence;
+  std::optional<LightStamp> light;
   // Added to a frame's time it is the monotonic clock; empty before the first frame with a time.
   std::optional<std::int64_t> clock_offset_ns;
 
@@ -151,6 +155,7 @@ struct SourceRunner::Run {
     {
       const std::lock_guard lock(mutex);
       count(*frame, now_ns);
+      if (light) frame = (*light)(frame);
       into = recorder;
     }
     if (into) record(*into, frame, is_live);
@@ -186,11 +191,7 @@ struct SourceRunner::Run {
       const std::lock_guard lock(mutex);
       if (clock_offset_ns) return;
     }
-    const auto end = Clock::now() + std::chrono::duration<double>(1 / source.frames_per_s());
-    constexpr std::chrono::milliseconds kNap{20};
-    while (Clock::now() < end && !job.stop_requested())
-      std::this_thread::sleep_for(std::min<Clock::duration>(
-          kNap, std::chrono::duration_cast<Clock::duration>(end - Clock::now())));
+    wait_between_pictures(source.frames_per_s(), [&] { return job.stop_requested(); });
   }
 
   void serve_recording(const std::shared_ptr<Run>& self, const Source& source) {
@@ -271,6 +272,7 @@ void SourceRunner::open(std::vector<std::filesystem::path> inputs, std::uint64_t
   std::shared_ptr<Run> before;
   {
     const std::lock_guard lock(mutex_);
+    if (light_) run->light.emplace(*light_);
     before = std::exchange(run_, run);
   }
   if (before) {
@@ -287,6 +289,15 @@ void SourceRunner::close() {
   Run::request_stop(run_);
   const std::lock_guard publish_lock(run_->publish_mutex);
   run_->hub = nullptr;
+}
+
+void SourceRunner::set_light(const std::optional<DimmerSetting>& light) {
+  const std::lock_guard lock(mutex_);
+  light_ = light;
+  if (!run_) return;
+  const std::lock_guard run_lock(run_->mutex);
+  run_->light.reset();
+  if (light) run_->light.emplace(*light);
 }
 
 void SourceRunner::start_recording(const std::filesystem::path& file,

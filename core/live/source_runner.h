@@ -3,6 +3,7 @@
 
 #include "core/recording/recorder.h"
 #include "core/sources/frame_hub.h"
+#include "core/sources/hid/led_dimmer.h"
 #include "core/sources/open/open_source.h"
 #include "core/sources/v4l2/v4l2_camera.h"
 
@@ -74,6 +75,9 @@ class SourceRunner {
   void start_recording(const std::filesystem::path& file, const RecorderSettings& settings);
   void stop_recording();
 
+  /// What the finger's light is set to from now on: every frame tells it. nullopt: nobody knows.
+  void set_light(const std::optional<DimmerSetting>& light);
+
   [[nodiscard]] SourceStatus status() const;
   [[nodiscard]] RecordingStatus recording() const;
   /// The camera that runs; null where the source is none.
@@ -91,6 +95,7 @@ class SourceRunner {
   SourceOpener opener_;
   mutable std::mutex mutex_;
   std::shared_ptr<Run> run_;
+  std::optional<DimmerSetting> light_;
 };
 
 /// The monotonic clock by which cameras stamp their frames, ns.

@@ -1,14 +1,46 @@
 #include "core/live/stationary_contact.h"
 
+#include "core/geometry/disc_depth.h"
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include <opencv2/core.hpp>
 
 namespace alltact {
 namespace {
 
 constexpr int kStride = 4;      // px; a contact is dozens wide
 constexpr double kInner = 0.6;  // of the greatest: what counts as the patch's middle
-constexpr double kMostGap_s = 0.3;
+
+/// How many cells of the coarse grid hang together with the one at `from` and are above `level`.
+int connected_cells(const cv::Mat& x, cv::Point from, float level) {
+  const cv::Size size((x.cols + kStride - 1) / kStride, (x.rows + kStride - 1) / kStride);
+  cv::Mat seen(size, CV_8UC1, cv::Scalar(0));
+  std::vector<cv::Point> waiting{from};
+  int count = 0;
+  while (!waiting.empty()) {
+    const cv::Point at = waiting.back();
+    waiting.pop_back();
+    if (!cv::Rect({}, size).contains(at) || seen.at<std::uint8_t>(at) != 0) continue;
+    seen.at<std::uint8_t>(at) = 1;
+    if (!(x.at<float>(at * kStride) > level)) continue;
+    ++count;
+    for (const cv::Point step : {cv::Point(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+      waiting.push_back(at + step);
+  }
+  return count;
+}
+
+double disc_radius_mm(const cv::Mat& x, const FaceShape& shape, const DarkPatch& patch) {
+  const auto area = shape.pixel_area(patch.pixel.x(), patch.pixel.y());
+  if (!area) return 0;
+  const cv::Point from(static_cast<int>(patch.pixel.x()) / kStride,
+                       static_cast<int>(patch.pixel.y()) / kStride);
+  const int cells = connected_cells(x, from, static_cast<float>(kDiscLevel * patch.darkness));
+  return std::sqrt(cells * kStride * kStride * area->on_face_mm2 / M_PI);
+}
 
 }  // namespace
 
@@ -37,12 +69,14 @@ std::optional<DarkPatch> dark_patch(const FrameResult& result) {
       weight += value;
     }
   if (!(weight > 0)) return std::nullopt;
-  middle /= weight;
-  patch.place_mm = result.shape->place_mm(middle.x(), middle.y());
+  patch.pixel = middle / weight;
+  patch.place_mm = result.shape->place_mm(patch.pixel.x(), patch.pixel.y());
+  patch.disc_radius_mm = disc_radius_mm(x, *result.shape, patch);
   return patch;
 }
 
 bool StationaryContactDetector::add(const std::optional<DarkPatch>& patch, double time_s) {
+  hold_ = {};
   if (!patch) {
     seen_.clear();
     taken_.reset();
@@ -50,14 +84,24 @@ bool StationaryContactDetector::add(const std::optional<DarkPatch>& patch, doubl
   }
   if (!seen_.empty() && time_s - seen_.back().time_s > kMostGap_s) seen_.clear();
   seen_.push_back({time_s, *patch});
-  if (taken_ && (patch->place_mm - taken_->place_mm).norm() < kApart_mm) return false;
+  if (taken_ && (patch->place_mm - taken_->place_mm).norm() < kApart_mm) {
+    hold_.state = HoldState::kTaken;
+    return false;
+  }
   taken_.reset();
+  const auto way_mm = [&](const Seen& one) {
+    return (one.patch.place_mm - patch->place_mm).norm();
+  };
   const auto moved = [&](const Seen& one) {
-    return (one.patch.place_mm - patch->place_mm).norm() > kMost_mm ||
+    return way_mm(one) > kMost_mm ||
            std::abs(one.patch.darkness - patch->darkness) > kMostChange * patch->darkness;
   };
-  while (moved(seen_.front())) seen_.pop_front();
-  if (time_s - seen_.front().time_s < kHold_s) return false;
+  const auto last_moved = std::find_if(seen_.rbegin(), seen_.rend(), moved);
+  for (const Seen& one : seen_) hold_.moved_mm = std::max(hold_.moved_mm, way_mm(one));
+  hold_.state = last_moved == seen_.rend() ? HoldState::kHolds : HoldState::kMoves;
+  seen_.erase(seen_.begin(), last_moved.base());
+  hold_.part = std::min(1.0, (time_s - seen_.front().time_s) / kHold_s);
+  if (hold_.part < 1 || seen_.size() < kFewest) return false;
   taken_ = *patch;
   seen_.clear();
   return true;

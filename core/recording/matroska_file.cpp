@@ -22,6 +22,10 @@ Message writing_video() {
 
 }  // namespace
 
+MatroskaTag of_recordings() {
+  return {kRecordedBy, kUs};
+}
+
 bool is_our_recording(const AVFormatContext& input) {
   const AVDictionaryEntry* entry = av_dict_get(input.metadata, kRecordedBy, nullptr, 0);
   return entry != nullptr && std::string_view(entry->value) == kUs;
@@ -52,7 +56,7 @@ struct MatroskaFile::State {
   [[nodiscard]] Error error(int number) const {
     return av_error(writing_video(), file, error_number != 0 ? AVERROR(error_number) : number);
   }
-  Status open(const AVCodecParameters& parameters, double frames_per_s);
+  Status open(const AVCodecParameters& parameters, double frames_per_s, const MatroskaTag& tag);
   Status cut_back(int number);
   Status flush(int number);
   Status finish();
@@ -77,7 +81,9 @@ struct MatroskaFile::State {
   }
 };
 
-Status MatroskaFile::State::open(const AVCodecParameters& parameters, double frames_per_s) {
+Status MatroskaFile::State::open(const AVCodecParameters& parameters,
+                                 double frames_per_s,
+                                 const MatroskaTag& tag) {
   descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) return error(AVERROR(errno));
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
@@ -96,7 +102,7 @@ Status MatroskaFile::State::open(const AVCodecParameters& parameters, double fra
   if (status < 0) return error(status);
   context->pb = io;
   context->flags |= AVFMT_FLAG_BITEXACT;  // the same frames make the same bytes
-  av_dict_set(&context->metadata, kRecordedBy, kUs, 0);
+  av_dict_set(&context->metadata, tag.name.c_str(), tag.text.c_str(), 0);
   AVStream* stream = avformat_new_stream(context, nullptr);
   status = avcodec_parameters_copy(stream->codecpar, &parameters);
   if (status < 0) return error(status);
@@ -142,10 +148,11 @@ MatroskaFile::~MatroskaFile() = default;
 
 Result<MatroskaFile> MatroskaFile::create(const std::filesystem::path& file,
                                           const AVCodecParameters& parameters,
-                                          double frames_per_s) {
+                                          double frames_per_s,
+                                          const MatroskaTag& tag) {
   auto state = std::make_unique<State>();
   state->file = file;
-  if (Status status = state->open(parameters, frames_per_s); !status) return status.error();
+  if (Status status = state->open(parameters, frames_per_s, tag); !status) return status.error();
   return MatroskaFile(std::move(state));
 }
 

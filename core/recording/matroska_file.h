@@ -7,8 +7,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace alltact {
+
+/// What a file says of itself.
+struct MatroskaTag {
+  std::string name, text;
+};
+/// By which a recording is known as written here (is_our_recording).
+[[nodiscard]] MatroskaTag of_recordings();
 
 /// A file being written. Whatever ends the program, the packets that write() took stay readable:
 /// each is a cluster of its own and lies in the file when write() returns. As long as it is open
@@ -19,7 +27,8 @@ class MatroskaFile {
   /// `parameters` of the stream; packets are stamped in milliseconds. What was in the file is gone.
   [[nodiscard]] static Result<MatroskaFile> create(const std::filesystem::path& file,
                                                    const AVCodecParameters& parameters,
-                                                   double frames_per_s);
+                                                   double frames_per_s,
+                                                   const MatroskaTag& tag = of_recordings());
   MatroskaFile(MatroskaFile&&) noexcept;
   MatroskaFile& operator=(MatroskaFile&&) noexcept;
   ~MatroskaFile();

@@ -22,6 +22,16 @@ constexpr int kFaultRows = 8;  // one in so many tells how much of the face is m
 /// noisy a picture is.
 constexpr double kPlaneNoise = 1.0;
 
+/// Depth by the slope at the same pixel is that of a mapping along z, projected onto the normal.
+std::optional<Mapping> mapping_as_measured(const std::optional<Mapping>& mapping, LayerRays rays) {
+  if (!mapping || rays == LayerRays::kExact || mapping->parameters().along != MappingAlong::kNormal)
+    return mapping;
+  MappingParameters parameters = mapping->parameters();
+  parameters.along = MappingAlong::kProjected;
+  auto parallel = Mapping::create(parameters);
+  return parallel ? std::optional(std::move(parallel).value()) : mapping;
+}
+
 bool any_seen(const Markers& markers) {
   return std::any_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
 }
@@ -65,6 +75,7 @@ Result<FrameResult> Pipeline::measured(const FramePtr& frame,
   auto grey = state.oriented(*frame);
   if (!grey) return grey.error();
   result.grey = state.mean(*grey);
+  result.mesh_step_px = state.settings.mesh_step_px;
   result.reduced_by =
       state.turned ? state.turned->reduced_by : pixels_a_side(state.settings.resolution);
   if (state.library) state.look_at_picture(result);
@@ -276,8 +287,7 @@ void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
 Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
                                   const PipelineSettings& settings,
                                   const Job& job) {
-  auto library =
-      ReferenceLibrary::load(reduced_finger(finger, pixels_a_side(settings.resolution)), job);
+  auto library = ReferenceLibrary::load(finger_as_measured(finger, settings), job);
   if (!library) return library.error();
   Pipeline pipeline = over(std::move(library).value(), finger, settings);
   if (pipeline.state_->marker_problem) return *pipeline.state_->marker_problem;
@@ -287,12 +297,13 @@ Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
 Pipeline Pipeline::over(ReferenceLibrary library,
                         const FingerSnapshot& whole,
                         const PipelineSettings& settings) {
-  const FingerSnapshot snapshot = reduced_finger(whole, pixels_a_side(settings.resolution));
+  const FingerSnapshot snapshot = finger_as_measured(whole, settings);
   const Finger& finger = snapshot.finger;
   Pipeline pipeline = before_reference(snapshot, settings);
   State& state = *pipeline.state_;
   state.library = std::move(library);
-  state.mapping = snapshot.mapping;
+  state.mapping = mapping_as_measured(snapshot.mapping, settings.rays);
+  if (state.mapping) state.finger->mapping = state.mapping->parameters();
   if (finger.face.kind == FaceKind::kFlat)
     state.plane = FaceShape::plane(snapshot.camera, finger.face);
   const bool by_shape = finger.reference && finger.reference->places;
@@ -321,7 +332,7 @@ Pipeline Pipeline::of_paper(PaperMethod method) {
 }
 
 Pipeline Pipeline::before_reference(const FingerSnapshot& whole, const PipelineSettings& settings) {
-  const FingerSnapshot snapshot = reduced_finger(whole, pixels_a_side(settings.resolution));
+  const FingerSnapshot snapshot = finger_as_measured(whole, settings);
   const Finger& finger = snapshot.finger;
   Pipeline pipeline = of_unknown_finger(settings);
   State& state = *pipeline.state_;

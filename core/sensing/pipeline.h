@@ -37,8 +37,9 @@ struct StepTimes {
 /// All that one frame tells. What could not be had is absent, and `problems` says why.
 struct FrameResult {
   FramePtr frame;
-  cv::Mat grey;        ///< the oriented picture, reduced and averaged where settings say so
-  int reduced_by = 1;  ///< pixels a side of the frame in one of `grey`; all else is of `grey`
+  cv::Mat grey;          ///< the oriented picture, reduced and averaged where settings say so
+  int reduced_by = 1;    ///< pixels a side of the frame in one of `grey`; all else is of `grey`
+  int mesh_step_px = 1;  ///< from one vertex of its surface to the next, as settings say
   std::optional<FaceEdges> edges;
   std::optional<FaceShape> shape;  ///< turned by the twist that the markers tell
   std::optional<Markers> markers;
@@ -88,8 +89,8 @@ class Pipeline {
                                  const PipelineSettings& settings,
                                  const Job& job);
 
-  /// A pipeline over a library that is already in memory, of pictures as large as
-  /// settings.resolution makes the finger's (ReferenceLibrary::load of its reduced_finger()). A
+  /// A pipeline over a library that is already in memory (ReferenceLibrary::load of
+  /// finger_as_measured()). A
   /// network for the markers that cannot be used is a problem of every frame.
   static Pipeline over(ReferenceLibrary library,
                        const FingerSnapshot& finger,
@@ -146,5 +147,12 @@ class Pipeline {
 /// 3D points of the pressed face, CV_32FC3 (x, y, z in mm, camera frame), NaN where there is no
 /// depth: p_CF = p_LUF - (0, 0, d).
 [[nodiscard]] cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face);
+
+/// The same and its depth at every mesh_step_px-th column and row: the vertices of a surface.
+struct FaceVertices {
+  cv::Mat points_mm;  ///< CV_32FC3
+  cv::Mat depth_mm;   ///< CV_32FC1
+};
+[[nodiscard]] FaceVertices contact_face_vertices(const FrameResult& result, const Face& face);
 
 }  // namespace alltact

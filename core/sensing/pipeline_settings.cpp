@@ -1,7 +1,9 @@
 #include "core/sensing/pipeline_settings.h"
 
+#include "core/finger/reduced_finger.h"
 #include "core/printable.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -14,6 +16,25 @@ using S = PipelineSettings;
 
 constexpr const char* kWholeFace = "all";
 constexpr double kLongestFace_mm = 1000;
+
+bool has_edges(const Finger& finger) {
+  return finger.face.kind == FaceKind::kFinRay;
+}
+
+bool has_markers(const Finger& finger) {
+  return has_edges(finger) && finger.markers.per_row > 0 &&
+         !(finger.reference && finger.reference->places);
+}
+
+bool has_distortion(const Finger& finger) {
+  const std::vector<double>& terms = finger.camera.distortion;
+  return finger.camera.model == CameraModel::kFisheye ||
+         std::any_of(terms.begin(), terms.end(), [](double term) { return term != 0; });
+}
+
+bool maps_along_normal(const Finger& finger) {
+  return finger.mapping && finger.mapping->along == MappingAlong::kNormal;
+}
 
 std::string region_text(const FaceRegion& region) {
   if (region == FaceRegion{}) return kWholeFace;
@@ -97,7 +118,9 @@ std::vector<Setting<S>> settings_of_edges() {
               {en::say("'crossing' tells the finger's bend, and with it where a press lies, "
                        "several times closer"),
                en::say("'crossing' takes a little longer"),
-               {"integer", "crossing"}}),
+               {"integer", "crossing"},
+               {},
+               has_edges}),
       trading(number_setting<S>("edge-columns",
                                 en::say("pixel columns averaged into one place on each edge"),
                                 &S::edge_columns,
@@ -106,7 +129,9 @@ std::vector<Setting<S>> settings_of_edges() {
               {en::say("more hide the noise of dark pictures; beyond 16 a bent finger's edge "
                        "is no longer straight within them"),
                en::say("fewer make more places, each of which the curve has to be fitted to"),
-               {"32", "16", "8", "4", "2"}}),
+               {"32", "16", "8", "4", "2"},
+               {},
+               has_edges}),
       trading(number_setting<S>("profile-degree",
                                 en::say("degree of the smooth curve through each edge of the face"),
                                 &S::profile_degree,
@@ -115,7 +140,20 @@ std::vector<Setting<S>> settings_of_edges() {
               {en::say("higher follows sharper bends; too high follows noise where the edge is "
                        "hidden"),
                en::say("higher makes the fit longer"),
-               {"3", "5", "7", "9"}})};
+               {"3", "5", "7", "9"},
+               {},
+               has_edges}),
+      trading(choice_setting<S, Undistortion>(
+                  "undistortion",
+                  en::say("whether what the lens bends is taken out of every point, or the lens is "
+                          "taken as one that bends nothing"),
+                  &S::undistortion,
+                  {{"exact", Undistortion::kExact}, {"none", Undistortion::kNone}}),
+              {en::say("'exact' tells shape and places right up to the picture's corners"),
+               en::say("'exact' looks each ray up by itself"),
+               {"none", "exact"},
+               {},
+               has_distortion})};
 }
 
 std::vector<Setting<S>> settings_of_markers() {
@@ -135,7 +173,8 @@ std::vector<Setting<S>> settings_of_markers() {
                    "numbers where dots are hidden"),
            en::say("'network' takes many times as long"),
            {"paper", "blobs", "network"},
-           {"network"}}),
+           {"network"},
+           has_markers}),
       text_setting<S>(
           "marker-network",
           en::say("the network that marker-method network uses, and paper too where one is named: "
@@ -157,7 +196,9 @@ std::vector<Setting<S>> settings_of_depth() {
                   {en::say("'local' keeps depth of a bent finger right between the recorded poses; "
                            "'single' is right at rest alone"),
                    en::say("'local' adds up several pictures instead of one"),
-                   {"single", "nearest", "local"}}),
+                   {"single", "nearest", "local"},
+                   {},
+                   has_edges}),
           trading(number_setting<S>(
                       "reference-neighbours",
                       en::say("recorded pictures that reference-method local computes the "
@@ -168,7 +209,9 @@ std::vector<Setting<S>> settings_of_depth() {
                   {en::say("more leave less noise in the reference; too many reach too far from "
                            "the pose"),
                    en::say("each is added up in every frame"),
-                   {"2", "4", "8", "16"}}),
+                   {"2", "4", "8", "16"},
+                   {},
+                   has_edges}),
           trading(choice_setting<S, LightChange>(
                       "light-change",
                       en::say("whether a change of the light since the reference is read from the "
@@ -190,11 +233,37 @@ std::vector<Setting<S>> settings_of_depth() {
                            "threads"),
                    en::say("more takes longer, none the least"),
                    {"0", "1", "2", "4"}}),
+          trading(choice_setting<S, LayerRays>(
+                      "rays",
+                      en::say("how a layer pressed in along its normal is told along z: looked up "
+                              "where the normal leads, or at the same pixel as if all rays were "
+                              "parallel"),
+                      &S::rays,
+                      {{"exact", LayerRays::kExact}, {"parallel", LayerRays::kParallel}}),
+                  {en::say("'exact' tells a contact on a sloping face where it is and as deep as "
+                           "it is; 'parallel' up to a layer's thickness beside"),
+                   en::say("'exact' looks every pixel of a contact up once more"),
+                   {"parallel", "exact"},
+                   {},
+                   maps_along_normal}),
           number_setting<S>("contact-threshold-mm",
                             en::say("depth that counts as touched, in millimetres"),
                             &S::contact_threshold_mm,
                             0.01,
                             5.0)};
+}
+
+// Not looked at by a study: no frame is measured with it.
+Setting<S> setting_of_meshes() {
+  return trading(number_setting<S>("mesh-step-px",
+                                   en::say("pixels from one vertex to the next in surfaces that "
+                                           "are saved or shown in 3D; 1: every pixel"),
+                                   &S::mesh_step_px,
+                                   1,
+                                   16),
+                 {en::say("1 keeps every edge that was measured"),
+                  en::say("time and size fall with its square"),
+                  {}});
 }
 
 }  // namespace
@@ -204,6 +273,7 @@ const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
     std::vector<Setting<S>> all = settings_of_pictures();
     for (const auto& more : {settings_of_edges(), settings_of_markers(), settings_of_depth()})
       all.insert(all.end(), more.begin(), more.end());
+    all.push_back(setting_of_meshes());
     return all;
   }();
   return settings;
@@ -211,7 +281,7 @@ const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
 
 const std::vector<std::string>& settings_beyond_mapping() {
   static const std::vector<std::string> names{
-      "resolution", "average-frames", "region", "contact-threshold-mm"};
+      "resolution", "average-frames", "region", "rays", "contact-threshold-mm", "mesh-step-px"};
   return names;
 }
 
@@ -220,8 +290,24 @@ PipelineSettings for_presses(PipelineSettings settings) {
   settings.resolution = usual.resolution;
   settings.average_frames = usual.average_frames;
   settings.region = usual.region;
+  settings.rays = usual.rays;
   settings.contact_threshold_mm = usual.contact_threshold_mm;
+  settings.mesh_step_px = usual.mesh_step_px;
   return settings;
+}
+
+FingerSnapshot finger_as_measured(const FingerSnapshot& finger, const PipelineSettings& settings) {
+  FingerSnapshot measured = reduced_finger(finger, pixels_a_side(settings.resolution));
+  if (settings.undistortion == Undistortion::kExact || !has_distortion(measured.finger))
+    return measured;
+  CameraParameters plain = measured.finger.camera;
+  plain.model = CameraModel::kPinhole;
+  plain.distortion.clear();
+  auto camera = Camera::create(plain);
+  if (!camera) return measured;
+  measured.finger.camera = plain;
+  measured.camera = std::move(camera).value();
+  return measured;
 }
 
 }  // namespace alltact

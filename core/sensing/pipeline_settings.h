@@ -1,6 +1,7 @@
 // Every choice of the frame pipeline that trades accuracy for time.
 #pragma once
 
+#include "core/finger/finger_store.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/face_region.h"
 #include "core/sensing/marker_methods.h"
@@ -25,6 +26,15 @@ enum class Resolution { kWhole = 1, kHalf = 2, kQuarter = 4 };
   return static_cast<int>(resolution);
 }
 
+/// How depth along the layer's normal becomes depth along z (depth_along_z.h).
+enum class LayerRays {
+  kExact = 1,  ///< where the normal leads on the face
+  kParallel,   ///< at the same pixel, by the slope alone: the source paper's way
+};
+
+/// Whether the lens's distortion is taken out of every point.
+enum class Undistortion { kExact = 1, kNone };
+
 struct PipelineSettings {
   Resolution resolution = Resolution::kWhole;
   int average_frames = 1;
@@ -38,7 +48,10 @@ struct PipelineSettings {
   int reference_neighbours = kPoseNeighbours;
   LightChange light = LightChange::kCorrected;
   double smoothing_px = 1.0;
+  LayerRays rays = LayerRays::kExact;
+  Undistortion undistortion = Undistortion::kExact;
   double contact_threshold_mm = 0.1;
+  int mesh_step_px = 1;
 };
 
 /// The table that flags, help and files are made from.
@@ -49,5 +62,10 @@ struct PipelineSettings {
 [[nodiscard]] const std::vector<std::string>& settings_beyond_mapping();
 /// These as usual, the others as they are: what presses are measured with.
 [[nodiscard]] PipelineSettings for_presses(PipelineSettings settings);
+
+/// The finger as it is in the pictures that a pipeline of these settings measures: reduced
+/// (reduced_finger.h), its lens taken as they say. What a pipeline's library is loaded of.
+[[nodiscard]] FingerSnapshot finger_as_measured(const FingerSnapshot& finger,
+                                                const PipelineSettings& settings);
 
 }  // namespace alltact

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 #include <nlohmann/json.hpp>
 
@@ -234,6 +235,15 @@ std::string failure_line(const std::string& frame,
   line["index"] = index;
   line["problems"] = english(problems);
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string name_of(const Error& error, std::size_t index) {
+  const std::string stem = std::filesystem::path(error.where.english()).stem().string();
+  return stem.empty() ? fmt::format("frame_{:05}", index) : stem;
+}
+
+Message as_sentence(const Error& error) {
+  return en::say("{}.", error.message());
 }
 
 std::string contact_text(const FingerContact& contact) {

@@ -21,6 +21,12 @@ namespace alltact {
                                        std::size_t index,
                                        const std::vector<Message>& problems);
 
+/// Name of a frame that could not be read, from the error that says which it was.
+[[nodiscard]] std::string name_of(const Error& error, std::size_t index);
+
+/// As problems stand in a line.
+[[nodiscard]] Message as_sentence(const Error& error);
+
 /// A contact as it stands in a line, without what lasts over frames (is_new and behind it).
 [[nodiscard]] std::string contact_text(const FingerContact& contact);
 

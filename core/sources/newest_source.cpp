@@ -1,11 +1,19 @@
 #include "core/sources/newest_source.h"
 
+#include "core/sources/pacer.h"
+
 #include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <thread>
 
 namespace alltact {
+
+namespace {
+
+constexpr std::size_t kMostErrors = 100;  // told late, they help nobody
+
+}  // namespace
 
 struct NewestSource::State {
   std::unique_ptr<Source> source;
@@ -18,20 +26,27 @@ struct NewestSource::State {
   std::jthread thread;
 
   void run(const std::stop_token& stop) {
-    constexpr std::size_t kMostErrors = 100;  // told late, they help nobody
     while (!stop.stop_requested()) {
       auto frame = source->next();
-      const std::lock_guard lock(mutex);
-      if (!frame) {
-        if (errors.size() < kMostErrors) errors.push_back(frame.error());
-      } else {
-        skipped += newest && *frame ? 1 : 0;
-        is_over = *frame == nullptr;
-        if (!is_over) newest = std::move(*frame);
-      }
-      news.notify_all();
-      if (is_over) return;
+      const bool is_untimed = frame && *frame && (*frame)->time_ns == 0 && !source->is_live();
+      if (take(std::move(frame))) return;
+      if (is_untimed)
+        wait_between_pictures(source->frames_per_s(), [&] { return stop.stop_requested(); });
     }
+  }
+
+  /// True: nothing will follow.
+  bool take(Result<FramePtr> frame) {
+    const std::lock_guard lock(mutex);
+    if (!frame) {
+      if (errors.size() < kMostErrors) errors.push_back(frame.error());
+    } else {
+      skipped += newest && *frame ? 1 : 0;
+      is_over = *frame == nullptr;
+      if (!is_over) newest = std::move(*frame);
+    }
+    news.notify_all();
+    return is_over;
   }
 };
 

@@ -9,6 +9,7 @@ namespace alltact {
 
 /// Another source, read on a thread of its own so that next() always gives the newest frame that
 /// came, and never the same twice. Frames that came in between are missing from the sequence.
+/// Pictures, which have no times, come as often as a camera's would.
 /// Errors come in their turn. Ended by its destructor, which waits for the source's next frame.
 class NewestSource : public Source {
  public:

@@ -4,6 +4,7 @@
 #include "core/sources/source.h"
 
 #include <chrono>
+#include <functional>
 #include <optional>
 
 namespace alltact {
@@ -26,5 +27,8 @@ class Pacer {
   std::optional<Clock::time_point> begin_;
   std::int64_t first_ns_ = 0;
 };
+
+/// Pictures have no times: they come as often as a camera's would.
+void wait_between_pictures(double frames_per_s, const std::function<bool()>& is_stopped);
 
 }  // namespace alltact

@@ -21,9 +21,13 @@ if(ALLTACT_CCACHE)
       CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${ALLTACT_CCACHE})
 endif()
 
-# Installed: programs in bin, what they share in lib/alltact.
+# Installed: programs in bin, libraries in lib, the parts that programs load when they need them in lib/alltact. Each
+# finds the others from where it lies itself, so the tree may be moved.
+include(GNUInstallDirs)
+set(ALLTACT_PARTS_FOLDER ${CMAKE_INSTALL_LIBDIR}/alltact)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-set(CMAKE_INSTALL_RPATH "$ORIGIN/../lib/alltact:$ORIGIN")
+file(RELATIVE_PATH alltact_lib_from_bin ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+set(CMAKE_INSTALL_RPATH "$ORIGIN/${alltact_lib_from_bin}:$ORIGIN/..:$ORIGIN")
 
 add_library(alltact_options INTERFACE)
 target_compile_options(
@@ -53,20 +57,22 @@ if(ALLTACT_SANITIZE)
 endif()
 
 # alltact_library(NAME [SHARED] [TOGETHER] SOURCES... PUBLIC libs... PRIVATE libs... PCH headers... | PCH_OF target)
-# makes the library alltact_NAME with the alias alltact::NAME; static unless several parts of a program share it.
+# makes the library alltact_NAME with the alias alltact::NAME; static unless several parts of a program share it. A shared
+# one is installed for other programs too (AllTactInstall.cmake); what it offers may change with the minor version.
 # TOGETHER: see alltact_compile_together. PCH_OF: the precompiled header that another target has already.
 function(alltact_library name)
   cmake_parse_arguments(arg "SHARED;TOGETHER" "PCH_OF" "SOURCES;PUBLIC;PRIVATE;PCH" ${ARGN})
   if(arg_SHARED)
     add_library(alltact_${name} SHARED ${arg_SOURCES})
-    set_target_properties(alltact_${name} PROPERTIES OUTPUT_NAME alltact-${name})
+    set_target_properties(
+      alltact_${name} PROPERTIES OUTPUT_NAME alltact-${name} EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
+                                 SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     target_link_options(alltact_${name} PRIVATE -Wl,--no-undefined)
-    install(TARGETS alltact_${name} LIBRARY DESTINATION lib/alltact)
   else()
     add_library(alltact_${name} STATIC ${arg_SOURCES})
   endif()
   add_library(alltact::${name} ALIAS alltact_${name})
-  target_include_directories(alltact_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_include_directories(alltact_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
   target_link_libraries(
     alltact_${name}
     PUBLIC ${arg_PUBLIC}

@@ -35,15 +35,17 @@ struct Shared : FlatFinger {
   }
   ProgramRun part(const std::string& which,
                   const std::string& output,
-                  const std::string& format = "depth16") const {
+                  const std::string& format = "depth16,depth-video") const {
     return reconstruct({file("pictures")}, output, {"--format", format, "--shard", which});
   }
 };
 
 TEST(Merge, PartsMakeWhatOneProcessMakes) {
   const Shared shared;
-  ASSERT_EQ(shared.reconstruct({shared.file("pictures")}, "whole", {"--format", "depth16"}).status,
-            0);
+  ASSERT_EQ(
+      shared.reconstruct({shared.file("pictures")}, "whole", {"--format", "depth16,depth-video"})
+          .status,
+      0);
   for (const char* which : {"1/4", "2/4", "3/4", "4/4"})  // one has no frames
     ASSERT_EQ(shared.part(which, std::string("part") + which[0]).status, 0);
   const ProgramRun merge = run_alltact({"merge",
@@ -61,6 +63,13 @@ TEST(Merge, PartsMakeWhatOneProcessMakes) {
   }
   EXPECT_THAT(text_of(shared.folder / "whole" / "results.jsonl"),
               HasSubstr("\"mm_per_step\":0.001,\"zero_at\":10000"));
+  EXPECT_THAT(text_of(shared.folder / "whole" / "results.jsonl"),
+              HasSubstr("\"depth_video\":{\"file\":\"depth.mkv\",\"picture\":69,"));
+  const std::string video = text_of(shared.folder / "whole" / "depth.mkv");
+  EXPECT_GT(video.size(), 1000U);
+  EXPECT_EQ(text_of(shared.folder / "part1" / "depth.mkv"), video);
+  for (const auto& entry : fs::recursive_directory_iterator(shared.folder.path()))
+    EXPECT_EQ(entry.path().filename().string().find(".part-"), std::string::npos) << entry.path();
 }
 
 TEST(Merge, WhatDoesNotBelongTogetherIsRefusedAndStays) {
@@ -76,6 +85,40 @@ TEST(Merge, WhatDoesNotBelongTogetherIsRefusedAndStays) {
   EXPECT_TRUE(fs::exists(shared.folder / "parts" / "results.part-1-of-2.jsonl"));
   EXPECT_FALSE(fs::exists(shared.folder / "parts" / "results.jsonl"));
   EXPECT_THAT(run_alltact({"merge", shared.file("pictures")}).errors, HasSubstr("no parts"));
+}
+
+TEST(Merge, ASlurmJobArrayMakesWhatOneProcessMakes) {
+  const Shared shared;
+  const std::string script = ALLTACT_SOURCE_DIR "/packaging/slurm/reconstruct",
+                    flags = "--format depth16,depth-video";
+  // No more cores than a task needs, so that it runs on the smallest computer.
+  write_text(shared.folder / "job",
+             "set -e\nexport ALLTACT=" ALLTACT_PROGRAM
+             "\nlogs=$1/%x-%a.log\nrun=\"sbatch --wait --cpus-per-task=1 --output=$logs\"\n"
+             "$run --array=1-3 " +
+                 script + " $1/finger $1/pictures $1/array " + flags +
+                 "\n$run --wrap \"$ALLTACT merge $1/array\"\n");
+  fs::create_directory(shared.folder / "slurm");
+  const ProgramRun run =
+      run_shell(ALLTACT_SOURCE_DIR "/tests/support/on_slurm " + shared.file("slurm") + " bash " +
+                shared.file("job") + " " + shared.folder.path().string());
+  if (run.status == 77) GTEST_SKIP() << run.errors;
+  std::string logs;
+  for (const auto& entry : fs::directory_iterator(shared.folder.path()))
+    if (entry.path().extension() == ".log") logs += text_of(entry.path());
+  ASSERT_EQ(run.status, 0) << run.output << run.errors << logs;
+  ASSERT_EQ(
+      shared.reconstruct({shared.file("pictures")}, "whole", {"--format", "depth16,depth-video"})
+          .status,
+      0);
+  EXPECT_EQ(lines_of(shared.folder / "array" / "results.jsonl"),
+            lines_of(shared.folder / "whole" / "results.jsonl"));
+  EXPECT_EQ(text_of(shared.folder / "array" / "depth.mkv"),
+            text_of(shared.folder / "whole" / "depth.mkv"));
+  for (const int i : {0, 31, 32, 69}) {
+    const std::string name = "p" + std::to_string(100 + i) + ".depth16.png";
+    EXPECT_EQ(text_of(shared.folder / "array" / name), text_of(shared.folder / "whole" / name));
+  }
 }
 
 TEST(Merge, NonsenseIsWrongUsage) {

@@ -20,6 +20,7 @@ const std::vector<std::string> kCommands = {"new",
                                             "calibrate",
                                             "reconstruct",
                                             "merge",
+                                            "serve",
                                             "record",
                                             "force",
                                             "check",
@@ -27,7 +28,8 @@ const std::vector<std::string> kCommands = {"new",
                                             "gripper",
                                             "study",
                                             "experiments",
-                                            "demo"};
+                                            "demo",
+                                            "thumbnail"};
 
 TEST(Usage, HelpNamesEveryCommand) {
   const ProgramRun run = run_alltact({"--help"});
@@ -104,6 +106,9 @@ TEST(Usage, WrongUsageIsTwo) {
       {"reconstruct", "finger", "a.png", "-o", "x", "--method", "magic"},
       {"reconstruct", "finger", "a.png", "-o", "x", "--smoothing-px", "99"},
       {"reconstruct", "finger", "a.png", "-o", "x", "--smoothing-px", "much"},
+      {"serve", "finger"},
+      {"serve", "finger", "scene.yaml", "--schema"},
+      {"serve", "finger", "scene.yaml", "--smoothing-px", "99"},
       {"export", "finger", "-o", "x"},
       {"export", "finger", "--to", "carrier-pigeon", "-o", "x"},
   };

@@ -71,6 +71,8 @@ TEST_F(FaceSceneTest, ShowsWhatWasNotMeasuredInGrey) {
 TEST_F(FaceSceneTest, ShowsDifferencesAroundZero) {
   const FaceSurface surface = made_.make(193, 109);
   const cv::Mat other = surface.depth_mm + 0.5F;
+  options_.difference_top_mm = 1;
+  scene().set_options(options_);
   scene().show_difference(surface, other, MadeSurface::camera());
   EXPECT_LT(distance(at(middle_), of(cool_to_warm(-0.5))), 12);
   scene().show_difference(surface, surface.depth_mm, MadeSurface::camera());
@@ -126,7 +128,7 @@ TEST_F(FaceSceneTest, DrawsDepthLargerWhenAsked) {
 TEST_F(FaceSceneTest, DrawsMarksTheUntouchedFaceAndTheCamera) {
   show(made_.make(193, 109));
   const cv::Mat bare = pictures_.picture();
-  scene().set_marks({{{200, 200}}, {{{100, 300}, {500, 300}, {800, 300}}}});
+  scene().set_marks({{cv::Point2d(200, 200)}, {{{100, 300}, {500, 300}, {800, 300}}}});
   const cv::Mat marked = pictures_.picture();
   EXPECT_GT(cv::countNonZero(cv::Mat(bare != marked).reshape(1)), 300);
   EXPECT_LT(distance(at({200, 200}), {0, 184, 255}), 60);

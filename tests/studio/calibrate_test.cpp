@@ -162,6 +162,7 @@ TEST(Calibrate, OnePressMayHaveABallOfItsOwn) {
   ASSERT_TRUE(rig.wait_until_looked_at(2));
   auto* list = rig.studio().find<QListView>("Presses");
   list->setCurrentIndex(list->model()->index(1, 0));
+  rig.studio().click("Measured, or another ball");
   auto* own = rig.studio().find<QDoubleSpinBox>("Radius of this press' ball");
   ASSERT_NE(own, nullptr);
   own->setFocus();

@@ -255,6 +255,7 @@ TEST(HelpPictures, OfInspectIsLikeTheWindow) {
   auto& place = *studio.window().findChild<InspectPlace*>();
   place.open(MadeFingers::get().touched_pictures());
   ASSERT_TRUE(wait_until([&] { return place.inspection().frame() != nullptr; }));
+  ASSERT_TRUE(wait_until([&] { return place.inspection().summaries().size() == 6; }, 20000));
   for (const char* button : {"deepest", "across"})
     place.findChild<QPushButton*>(QLatin1String(button))->click();
   QTest::qWait(300);

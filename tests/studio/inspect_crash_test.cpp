@@ -19,7 +19,10 @@ class InspectAfterACrash : public testing::Test {
     options.recording = TwoFingers::get().left_video();
     options.second = SecondFinger{TwoFingers::get().right(), TwoFingers::get().right_video()};
     options.scene.top_mm = 0.7;
-    options.a = cv::Point2d(400, 260);
+    options.a = FacePlace(43.5, -1.25);
+    options.with = {OtherMethod::kSetting, "smoothing-px", "0"};
+    options.scene.body = false;
+    options.scene.difference_top_mm = 0.02;
     options.look = Look{{1, -90, -120}, {0, 0, 60}, {0, -1, 0}};
     state.inspect.frame = 4;
     return state;

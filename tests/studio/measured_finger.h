@@ -26,13 +26,15 @@ inline constexpr MadeUpTrade kMadeUpTrades[] = {{"edge-method", "integer", -0.05
                                                 {"reference-method", "single", -0.35, 3.5},
                                                 {"reference-method", "nearest", -0.28, 1.6},
                                                 {"light-change", "ignored", -0.08, 1.15},
+                                                {"rays", "parallel", -0.05, 1.3},
                                                 {"smoothing-px", "0", -0.2, 2.0},
                                                 {"smoothing-px", "2", 0.12, 0.8},
                                                 {"smoothing-px", "4", 0.3, 0.9}};
 
-[[nodiscard]] inline AccuracyStudy made_up_study(const PipelineSettings& base) {
+[[nodiscard]] inline AccuracyStudy made_up_study(const PipelineSettings& base,
+                                                 const Finger& finger) {
   AccuracyStudy study;
-  for (const PipelineSettings& choice : study_choices(base, StudyExtent::kQuick)) {
+  for (const PipelineSettings& choice : study_choices(base, StudyExtent::kQuick, finger)) {
     StudyRow row;
     row.settings = choice;
     row.frames = 9;
@@ -64,7 +66,8 @@ class MeasuredFinger {
   MeasuredFinger() {
     std::filesystem::copy(
         MadeFingers::get().calibrated(), folder(), std::filesystem::copy_options::recursive);
-    must(keep_study(open_finger(folder()).value(), made_up_study({}), program_version()));
+    const FingerPtr finger = open_finger(folder()).value();
+    must(keep_study(finger, made_up_study({}, finger->finger), program_version()));
   }
   TemporaryFolder folder_;
 };

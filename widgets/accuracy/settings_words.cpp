@@ -35,6 +35,12 @@ class SettingsWords {
                                   : tr("compared with several pictures");
     if (name == "light-change")
       return value == "ignored" ? tr("light taken as recorded") : tr("light corrected");
+    if (name == "undistortion")
+      return value == "none" ? tr("lens taken as one that bends nothing")
+                             : tr("lens corrected at every point");
+    if (name == "rays")
+      return value == "parallel" ? tr("parallel rays through the layer")
+                                 : tr("exact rays through the layer");
     if (name == "smoothing-px") {
       const double sd_px = QString::fromStdString(value).toDouble();
       return sd_px == 0 ? tr("no smoothing")

@@ -106,7 +106,7 @@ void CalibrationRun::reload() {
     recalling_.stop();
     result_.reset();
     from_.reset();
-    finger_.reset();
+    take_finger(nullptr);
     problem_.reset();
     recall_problem_.reset();
     lacks_residuals_ = false;
@@ -127,7 +127,7 @@ void CalibrationRun::reload() {
     return std::function<void()>([this, folder, restored, inputs, opened, has_report, recalled] {
       if (folder != desk_.folder() || restored != restored_) return reload();
       if (*inputs) from_ = **inputs;
-      if (opened) finger_ = opened;
+      if (opened) take_finger(opened);
       if (recalled) take_recalled(recalled);
       if (!is_writing_report()) has_report_ = has_report;
       Q_EMIT changed();
@@ -162,9 +162,15 @@ void CalibrationRun::recall_residuals_once() {
   });
 }
 
+bool CalibrationRun::has_other_finger() const {
+  return finger_ && from_ && !from_->finger_checksum.empty() &&
+         from_->finger_checksum != finger_checksum_;
+}
+
 CalibrationState CalibrationRun::state() const {
   if (!finger_ || !finger_->mapping || !from_) return CalibrationState::kNone;
   if (!desk_.is_ready()) return CalibrationState::kCurrent;  // nobody could change anything yet
+  if (has_other_finger()) return CalibrationState::kStale;
   const auto& presses = desk_.presses();
   const bool same_presses = std::equal(
       presses.begin(),
@@ -200,10 +206,24 @@ QString CalibrationRun::command_line() const {
   return QString::fromStdString(calibrate_command(input));
 }
 
+CalibrationInputs CalibrationRun::next_inputs() const {
+  const FingerCalibrationInput input = input_for(desk_.said());
+  CalibrationInputs inputs;
+  inputs.said = input.said;
+  inputs.calibration = input.calibration;
+  inputs.pipeline = input.pipeline;
+  return inputs;
+}
+
+void CalibrationRun::take_finger(const FingerPtr& finger) {
+  finger_ = finger;
+  finger_checksum_ = finger ? finger_checksum(finger->finger) : std::string();
+}
+
 void CalibrationRun::take(const Made& made) {
   result_ = made.result;
   from_ = made.from;
-  finger_ = made.finger;
+  take_finger(made.finger);
   problem_.reset();
   recall_problem_.reset();
   // Undone to one whose presses were not read yet.

@@ -37,6 +37,8 @@ class CalibrationRun : public QObject {
   [[nodiscard]] std::vector<Round> rounds() const;
 
   [[nodiscard]] CalibrationState state() const;
+  /// The finger's sizes, camera or markers are not those that it was calibrated with.
+  [[nodiscard]] bool has_other_finger() const;
   /// With its figures: as it was made, or as the finger keeps it; null where there is none, or
   /// where an earlier version kept too little.
   [[nodiscard]] const std::shared_ptr<const FingerCalibration>& result() const { return result_; }
@@ -50,6 +52,8 @@ class CalibrationRun : public QObject {
   /// Does the same in a terminal: as the stored calibration was made where it is current, else as
   /// the next one will be.
   [[nodiscard]] QString command_line() const;
+  /// Settings, and what is said of the presses, as the next calibration takes them.
+  [[nodiscard]] CalibrationInputs next_inputs() const;
 
   [[nodiscard]] bool is_writing_report() const { return report_.is_running(); }
   /// The page to open; empty while there is none of this calibration.
@@ -71,6 +75,7 @@ class CalibrationRun : public QObject {
   };
   [[nodiscard]] FingerCalibrationInput input_for(const PressSet& said) const;
   void take(const Made& made);
+  void take_finger(const FingerPtr& finger);
   void take_recalled(const std::shared_ptr<const FingerCalibration>& recalled);
   void recall_residuals_once();
   void restore(const Files& files, const Made& made);
@@ -81,6 +86,7 @@ class CalibrationRun : public QObject {
   std::shared_ptr<const FingerCalibration> result_;
   std::optional<CalibrationInputs> from_;
   FingerPtr finger_;
+  std::string finger_checksum_;
   std::optional<Error> problem_, recall_problem_;
   std::filesystem::path looked_at_;
   bool lacks_residuals_ = false;  // result_ was recalled, and its presses were not read yet

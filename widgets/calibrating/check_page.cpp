@@ -10,7 +10,9 @@
 #include "widgets/value_change.h"
 
 #include <QApplication>
+#include <QDateTime>
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QVBoxLayout>
 
 namespace alltact {
@@ -18,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kCheckSideWidth = 420, kCheckSymbol = 28;
+constexpr int kCheckSideWidth = 330, kCheckSymbol = 28;
 
 QString verdict_text(CheckVerdict verdict) {
   switch (verdict) {
@@ -36,6 +38,14 @@ Meaning meaning_of(CheckVerdict verdict) {
   return verdict == CheckVerdict::kPass       ? Meaning::kGood
          : verdict == CheckVerdict::kDrifting ? Meaning::kDoubtful
                                               : Meaning::kBad;
+}
+
+/// As the window's language writes it, in the time of this place.
+QString date_text(const std::string& utc) {
+  const auto seconds = seconds_of(utc);
+  if (!seconds) return as_text(utc);
+  const auto when = QDateTime::fromSecsSinceEpoch(static_cast<qint64>(*seconds));
+  return QLocale().toString(when, QLocale::ShortFormat);
 }
 
 /// What one check came to, and the history before and after it.
@@ -116,7 +126,11 @@ CheckPage::CheckPage(LiveSession& session,
   connect(check_, &QPushButton::clicked, this, &CheckPage::check);
   connect(&work_, &BackgroundWork::progressed, this, &CheckPage::show_status);
   connect(&work_, &BackgroundWork::finished, this, &CheckPage::show_status);
-  connect(&run_, &CalibrationRun::changed, this, &CheckPage::show_status);
+  connect(&run_, &CalibrationRun::changed, this, [this] {
+    show_verdict();  // perhaps of another calibration
+    show_status();
+    Q_EMIT changed();
+  });
   connect(&session_, &LiveSession::status_ready, this, &CheckPage::show_status);
   say([this] {
     take_group_->setTitle(tr("Three presses"));
@@ -141,7 +155,10 @@ QWidget* CheckPage::make_side() {
   column->setContentsMargins(6, 0, 0, 0);
   auto* take = new QVBoxLayout(take_group_);
   take->addWidget(how_);
-  take_->setMinimumHeight(40);
+  QFont bold = take_->font();
+  bold.setBold(true);
+  take_->setFont(bold);
+  take_->setMinimumHeight(44);
   take->addWidget(take_);
   take->addWidget(count_);
   auto* row = new QHBoxLayout;
@@ -166,9 +183,19 @@ QWidget* CheckPage::make_side() {
   return side;
 }
 
+const CheckEntry* CheckPage::latest() const {
+  if (history_.empty() || !run_.finger()) return nullptr;
+  const auto& provenance = run_.finger()->finger.provenance;
+  const auto date = provenance.find("calibration_date");
+  const bool is_of_this =
+      date == provenance.end() || history_.back().calibration_date == date->second;
+  return is_of_this ? &history_.back() : nullptr;
+}
+
 StepState CheckPage::state() const {
-  if (history_.empty()) return StepState::kToDo;
-  return history_.back().verdict == CheckVerdict::kPass ? StepState::kDone : StepState::kLookAgain;
+  const CheckEntry* check = latest();
+  if (check == nullptr) return StepState::kToDo;
+  return check->verdict == CheckVerdict::kPass ? StepState::kDone : StepState::kLookAgain;
 }
 
 QString CheckPage::why_not_take() const {
@@ -179,9 +206,7 @@ QString CheckPage::why_not_take() const {
 }
 
 void CheckPage::press_pedal() {
-  if (!take_->isEnabled()) return;
-  take();
-  QApplication::beep();
+  if (take_->isEnabled()) take();
 }
 
 void CheckPage::take() {
@@ -190,23 +215,34 @@ void CheckPage::take() {
   auto copy = std::make_shared<Frame>(*frame);
   copy->name = "check_" + std::to_string(taken_.size() + 1);
   copy->jpeg.reset();
+  auto more = taken_;
+  more.push_back(copy);
+  set_taken(tr("take a press for the check"), std::move(more));
+  live_->freeze(false);
+  live_->flash(tr("Press %1").arg(taken_.size()));
+  QApplication::beep();
+}
+
+void CheckPage::set_taken(const QString& what, std::vector<FramePtr> frames) {
   undo_.push(new ValueChange<std::vector<FramePtr>>(
-      tr("take a press for the check"),
+      what,
       taken_,
-      [&] {
-        auto more = taken_;
-        more.push_back(copy);
-        return more;
-      }(),
-      [this](const std::vector<FramePtr>& frames) {
-        taken_ = frames;
+      std::move(frames),
+      [this, folder = folder_](const std::vector<FramePtr>& wanted) {
+        if (folder != folder_) return;
+        taken_ = wanted;
         show_status();
       }));
 }
 
 void CheckPage::begin_again() {
+  set_taken(tr("begin the check again"), {});
+}
+
+void CheckPage::forget_taken() {
   taken_.clear();
   last_.reset();
+  problems_->set_problems({});
   show_verdict();
   show_status();
 }
@@ -276,39 +312,52 @@ void CheckPage::show_history() {
   plot_->set_data(std::move(data));
 }
 
+QString CheckPage::verdict_words(const CheckEntry& check) const {
+  const bool is_known = last_ && last_->verdict == check.verdict;
+  QStringList lines{is_known ? window_sentence(last_->sentence)
+                             : tr("Checked last on %1.").arg(date_text(check.time))};
+  if (is_known)
+    for (const Message& press : last_->left_out)
+      lines << tr("Left out: %1").arg(in_window_language(press));
+  return lines.join(QLatin1Char('\n'));
+}
+
 void CheckPage::show_verdict() {
-  symbol_->setVisible(!history_.empty());
-  if (history_.empty()) {
+  const CheckEntry* check = latest();
+  symbol_->setVisible(check != nullptr);
+  if (check == nullptr) {
     verdict_->setText(tr("Not checked yet"));
-    sentence_->clear();
+    sentence_->setText(history_.empty()
+                           ? QString()
+                           : tr("The last check, on %1, was of a calibration before this one.")
+                                 .arg(date_text(history_.back().time)));
     return;
   }
-  const CheckEntry& latest = history_.back();
-  const Meaning meaning = meaning_of(latest.verdict);
+  const Meaning meaning = meaning_of(check->verdict);
   symbol_->setPixmap(symbol(meaning == Meaning::kGood       ? QStringLiteral("good")
                             : meaning == Meaning::kDoubtful ? QStringLiteral("doubtful")
                                                             : QStringLiteral("bad"),
                             meaning_colour(meaning, palette()),
                             kCheckSymbol,
                             devicePixelRatioF()));
-  verdict_->setText(verdict_text(latest.verdict));
-  sentence_->setText(last_ && last_->verdict == latest.verdict
-                         ? window_sentence(last_->sentence)
-                         : tr("Checked last on %1.").arg(as_text(latest.time)));
+  verdict_->setText(verdict_text(check->verdict));
+  sentence_->setText(verdict_words(*check));
 }
 
 void CheckPage::show_status() {
   if (folder_ != desk_.folder()) {
     folder_ = desk_.folder();
     history_.clear();
-    begin_again();
+    forget_taken();
     if (!folder_.empty()) load_history();
     return;
   }
   const QString reason = why_not_take();
   const int count = static_cast<int>(taken_.size());
   take_->setEnabled(reason.isEmpty());
-  count_->setText(!reason.isEmpty() ? reason : tr("%1 of %2 taken.").arg(count).arg(kCheckPresses));
+  count_->setText(!reason.isEmpty()       ? reason
+                  : count < kCheckPresses ? tr("%1 of %2 taken.").arg(count).arg(kCheckPresses)
+                                          : tr("%n press(es) taken: enough.", nullptr, count));
   check_->setEnabled(count >= kCheckPresses && reason.isEmpty());
   again_->setEnabled(count > 0 && !work_.is_running());
   bar_->setVisible(work_.is_running());

@@ -43,10 +43,15 @@ class CheckPage : public StepPage {
   void take();
   void check();
   void begin_again();
+  void forget_taken();
+  void set_taken(const QString& what, std::vector<FramePtr> frames);
   void load_history();
   void write_history(const std::optional<std::string>& content);
   void show_history();
   void show_verdict();
+  /// Of the calibration in use; null: it was not checked yet.
+  [[nodiscard]] const CheckEntry* latest() const;
+  [[nodiscard]] QString verdict_words(const CheckEntry& check) const;
 
   LiveSession& session_;
   PressDesk& desk_;

@@ -1,13 +1,23 @@
 #include "widgets/calibrating/finger_page.h"
 
 #include "calibration/reference/new_reference.h"
+#include "core/finger/finger_store.h"
+#include "widgets/panels/side_panel.h"
+#include "widgets/value_change.h"
 
+#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 namespace alltact {
 namespace {
+
+constexpr int kFingerSideWidth = 300;
+// As the assistant for a new finger has them.
+constexpr double kLeastWidth_mm = 0.1, kMostWidth_mm = 500, kLeastLayer_mm = 0.01,
+                 kMostLayer_mm = 50;
 
 QString geometry_text(const Finger& finger) {
   const QLocale locale;
@@ -32,9 +42,11 @@ Status install_untouched(const std::filesystem::path& folder, const Frame& frame
 
 }  // namespace
 
-FingerPage::FingerPage(LiveSession& session, QWidget* parent)
+FingerPage::FingerPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
     : StepPage(parent),
       session_(session),
+      undo_(undo),
+      live_(new PicturePanel(session)),
       problems_(new ProblemList),
       geometry_group_(new QGroupBox),
       reference_group_(new QGroupBox),
@@ -43,34 +55,114 @@ FingerPage::FingerPage(LiveSession& session, QWidget* parent)
       make_(new QPushButton),
       open_(new QPushButton),
       record_(new QPushButton),
-      untouched_(new QPushButton) {
+      untouched_(new QPushButton),
+      width_label_(new QLabel),
+      layer_label_(new QLabel),
+      width_(new QDoubleSpinBox),
+      layer_(new QDoubleSpinBox),
+      sizes_(new QWidget),
+      change_(new QPushButton) {
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(problems_);
-  const auto group =
-      [column](QGroupBox* box, QLabel* text, std::initializer_list<QPushButton*> buttons) {
-        auto* inside = new QVBoxLayout(box);
-        inside->addWidget(text);
-        auto* row = new QHBoxLayout;
-        for (QPushButton* button : buttons) row->addWidget(button);
-        row->addStretch();
-        inside->addLayout(row);
-        column->addWidget(box);
-      };
-  group(geometry_group_, geometry_, {make_, open_});
-  group(reference_group_, reference_, {record_, untouched_});
-  column->addStretch();
+  auto* row = new QHBoxLayout;
+  row->addWidget(live_, 1);
+  row->addWidget(make_side());
+  column->addLayout(row, 1);
+  ViewOptions options;
+  options.direction = options.depth = false;
+  live_->set_options(options);
+  connect_parts();
+  say([this] { name_parts(); });
+}
+
+QWidget* FingerPage::make_side() {
+  const SidePanel side(kFingerSideWidth);
+  auto* geometry = new QVBoxLayout(geometry_group_);
+  geometry->addWidget(geometry_);
+  auto* form = new QFormLayout(sizes_);
+  form->setContentsMargins(0, 0, 0, 0);
+  for (QDoubleSpinBox* size : {width_, layer_}) {
+    size->setDecimals(2);
+    size->setSingleStep(0.1);
+  }
+  width_->setRange(kLeastWidth_mm, kMostWidth_mm);
+  layer_->setRange(kLeastLayer_mm, kMostLayer_mm);
+  width_label_->setBuddy(width_);
+  layer_label_->setBuddy(layer_);
+  form->addRow(width_label_, width_);
+  form->addRow(layer_label_, layer_);
+  form->addRow(change_);
+  geometry->addWidget(sizes_);
+  for (QPushButton* button : {make_, open_}) geometry->addWidget(button);
+  side.column->addWidget(geometry_group_);
+  auto* reference = new QVBoxLayout(reference_group_);
+  reference->addWidget(reference_);
+  for (QPushButton* button : {record_, untouched_}) reference->addWidget(button);
+  side.column->addWidget(reference_group_);
+  side.column->addStretch();
+  for (QPushButton* primary : {make_, record_, untouched_}) primary->setMinimumHeight(40);
+  return side.whole;
+}
+
+void FingerPage::connect_parts() {
   connect(make_, &QPushButton::clicked, this, &FingerPage::make_finger);
   connect(open_, &QPushButton::clicked, this, &FingerPage::open_finger_wanted);
   connect(record_, &QPushButton::clicked, this, &FingerPage::record_wanted);
   connect(untouched_, &QPushButton::clicked, this, &FingerPage::take_untouched);
-  say([this] {
-    geometry_group_->setTitle(tr("Geometry"));
-    reference_group_->setTitle(tr("What it looks like untouched"));
-    make_->setText(tr("&Make the finger's folder…"));
-    open_->setText(tr("&Open a finger…"));
-    record_->setText(tr("&Go to Record"));
-    untouched_->setText(tr("Take the &untouched picture now"));
-    show_status();
+  connect(change_, &QPushButton::clicked, this, &FingerPage::change_sizes);
+  for (QDoubleSpinBox* size : {width_, layer_})
+    connect(size, &QDoubleSpinBox::valueChanged, this, &FingerPage::show_sizes);
+}
+
+void FingerPage::name_parts() {
+  geometry_group_->setTitle(tr("Geometry"));
+  reference_group_->setTitle(tr("What it looks like untouched"));
+  make_->setText(tr("&Make the finger's folder…"));
+  open_->setText(tr("&Open a finger…"));
+  record_->setText(tr("&Go to Record"));
+  untouched_->setText(tr("Take the &untouched picture now"));
+  width_label_->setText(tr("&Width of the face"));
+  width_->setAccessibleName(tr("Width of the face"));
+  layer_label_->setText(tr("&Layer's thickness"));
+  layer_->setAccessibleName(tr("Thickness of the layer"));
+  for (QDoubleSpinBox* size : {width_, layer_}) size->setSuffix(tr(" mm"));
+  change_->setText(tr("&Change"));
+  change_->setToolTip(tr("A calibrated finger has to be calibrated again then."));
+  show_status();
+}
+
+/// What somebody typed stays until it is taken.
+void FingerPage::show_sizes() {
+  sizes_->setVisible(is_own());
+  if (!is_own()) return;
+  const Face& face = session_.status().finger.finger->face;
+  width_->setVisible(face.kind == FaceKind::kFinRay);
+  width_label_->setVisible(face.kind == FaceKind::kFinRay);
+  change_->setEnabled(width_->value() != face.width_mm || layer_->value() != face.layer_mm);
+}
+
+void FingerPage::change_sizes() {
+  if (!is_own()) return;
+  const FingerStatus& finger = session_.status().finger;
+  const Face& face = finger.finger->face;
+  const Sizes wanted(face.kind == FaceKind::kFinRay ? width_->value() : face.width_mm,
+                     layer_->value());
+  undo_.push(new ValueChange<Sizes>(
+      tr("change the finger's sizes"),
+      Sizes(face.width_mm, face.layer_mm),
+      wanted,
+      [this, folder = finger.folder](const Sizes& sizes) { write_sizes(folder, sizes); }));
+}
+
+void FingerPage::write_sizes(const std::filesystem::path& folder, const Sizes& sizes) {
+  disk_.add([folder, sizes]() -> Status {
+    const auto changed = FingerStore::of(folder)->update([&](Finger& finger) -> Status {
+      finger.face.width_mm = sizes.first;
+      finger.face.layer_mm = sizes.second;
+      return {};
+    });
+    return changed ? Status() : changed.error();
   });
 }
 
@@ -104,7 +196,17 @@ void FingerPage::show_status() {
                : tr("Width and layer are measured with a caliper, dots are counted. All that is "
                     "known of one finger is kept in one folder."));
   reference_group_->setVisible(is_own());
-  if (!is_own()) return;
+  if (!is_own()) return show_sizes();
+  const Sizes sizes(finger.finger->face.width_mm, finger.finger->face.layer_mm);
+  if (shown_folder_ != finger.folder || shown_sizes_ != sizes) {
+    const QSignalBlocker quiet_width(width_), quiet_layer(layer_);
+    width_->setValue(sizes.first);
+    layer_->setValue(sizes.second);
+    shown_folder_ = finger.folder;
+    shown_sizes_ = sizes;
+  }
+  show_sizes();
+  if (const auto unkept = disk_.problem()) problems_->set_problems({Problem::of(*unkept)});
   const bool is_flat = finger.finger->face.kind == FaceKind::kFlat;
   record_->setVisible(!is_flat);
   untouched_->setVisible(is_flat);

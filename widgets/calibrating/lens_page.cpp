@@ -2,10 +2,11 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/message_json.h"
+#include "widgets/calibrating/space_key.h"
 #include "widgets/language.h"
+#include "widgets/panels/side_panel.h"
 
 #include <QFileDialog>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -14,6 +15,8 @@
 
 namespace alltact {
 namespace {
+
+constexpr int kLensSideWidth = 300;
 
 QString model_text(CameraModel model) {
   switch (model) {
@@ -67,10 +70,12 @@ LensPage::LensPage(LiveSession& session,
       session_(session),
       measurer_(std::move(measurer)),
       work_folder_(std::move(work_folder)),
+      live_(new PicturePanel(session)),
       summary_(wrapped_text()),
       problems_(new ProblemList),
       file_group_(new QGroupBox),
       board_group_(new QGroupBox),
+      live_group_(new QGroupBox),
       file_(new QLineEdit),
       pictures_(new QLineEdit),
       choose_file_(new QPushButton),
@@ -78,27 +83,76 @@ LensPage::LensPage(LiveSession& session,
       simulated_(new QPushButton),
       measure_(new QPushButton),
       stop_(new QPushButton),
-      pattern_(new QComboBox),
-      columns_(new QSpinBox),
-      rows_(new QSpinBox),
-      square_(new QDoubleSpinBox),
+      form_(new LensForm),
       pictures_label_(new QLabel),
-      pattern_label_(new QLabel),
-      size_label_(new QLabel),
-      square_label_(new QLabel),
-      by_label_(new QLabel),
       outcome_(wrapped_text()),
-      bar_(new QProgressBar) {
+      bar_(new QProgressBar),
+      take_(new QPushButton),
+      forget_(new QPushButton),
+      by_itself_(new QCheckBox),
+      guide_(wrapped_text()),
+      forecast_(wrapped_text()),
+      views_(new QListWidget) {
   auto* column = new QVBoxLayout(this);
-  column->addWidget(summary_);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(problems_);
-  auto* file_row = new QHBoxLayout(file_group_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(live_, 1);
+  row->addWidget(make_side());
+  column->addLayout(row, 1);
+  ViewOptions options;
+  options.direction = options.depth = options.markers = options.edges = false;
+  live_->set_options(options);
+  live_->set_more([this](const LiveView& view) { return overlays(view); });
+  new SpaceKey(*this, [this] { press_pedal(); });
+  connect_parts();
+  say([this] { name_parts(); });
+}
+
+QWidget* LensPage::make_side() {
+  const SidePanel side(kLensSideWidth);
+  side.column->addWidget(summary_);
+  auto* live = new QVBoxLayout(live_group_);
+  QFont bold = take_->font();
+  bold.setBold(true);
+  take_->setFont(bold);
+  take_->setMinimumHeight(44);
+  live->addWidget(take_);
+  live->addWidget(by_itself_);
+  live->addWidget(guide_);
+  side.column->addWidget(live_group_);
+  auto* file = new QVBoxLayout(file_group_);
+  auto* file_row = new QHBoxLayout;
   file_row->addWidget(file_, 1);
   file_row->addWidget(choose_file_);
-  file_row->addWidget(simulated_);
-  column->addWidget(file_group_);
-  column->addWidget(make_board_group());
-  column->addStretch();
+  file->addLayout(file_row);
+  file->addWidget(simulated_);
+  side.column->addWidget(file_group_);
+  auto* board = new QVBoxLayout(board_group_);
+  auto* pictures = new QHBoxLayout;
+  pictures->addWidget(pictures_, 1);
+  pictures->addWidget(choose_pictures_);
+  board->addWidget(form_);
+  board->addWidget(pictures_label_);
+  board->addLayout(pictures);
+  auto* run = new QHBoxLayout;
+  run->addWidget(measure_);
+  run->addWidget(bar_, 1);
+  run->addWidget(stop_);
+  board->addLayout(run);
+  board->addWidget(outcome_);
+  side.column->addWidget(board_group_);
+  side.column->addWidget(forecast_);
+  views_->setMinimumHeight(120);
+  views_->setWordWrap(true);
+  side.column->addWidget(views_, 1);
+  side.column->addWidget(forget_);
+  side.column->addStretch();
+  pictures_label_->setBuddy(pictures_);
+  return side.whole;
+}
+
+void LensPage::connect_parts() {
   connect(file_, &QLineEdit::editingFinished, this, [this] {
     if (!file_->text().trimmed().isEmpty()) take_file(file_->text().trimmed().toStdString());
   });
@@ -107,49 +161,22 @@ LensPage::LensPage(LiveSession& session,
   connect(simulated_, &QPushButton::clicked, this, &LensPage::use_simulated);
   connect(measure_, &QPushButton::clicked, this, &LensPage::measure);
   connect(stop_, &QPushButton::clicked, &work_, &BackgroundWork::stop);
+  connect(take_, &QPushButton::clicked, this, &LensPage::want_board);
+  connect(forget_, &QPushButton::clicked, this, &LensPage::forget_board);
+  connect(by_itself_, &QCheckBox::toggled, this, &LensPage::show_boards);
+  connect(views_, &QListWidget::currentRowChanged, this, &LensPage::show_boards);
+  connect(form_, &LensForm::board_changed, this, &LensPage::begin_boards);
   connect(&work_, &BackgroundWork::progressed, this, &LensPage::show_progress);
   connect(&work_, &BackgroundWork::finished, this, &LensPage::show_progress);
-  say([this] { name_parts(); });
-}
-
-QWidget* LensPage::make_board_group() {
-  auto* form = new QFormLayout(board_group_);
-  auto* pictures = new QHBoxLayout;
-  pictures->addWidget(pictures_, 1);
-  pictures->addWidget(choose_pictures_);
-  for (int i = 0; i < 3; ++i) pattern_->addItem({});
-  for (QSpinBox* count : {columns_, rows_}) count->setRange(3, 100);
-  columns_->setValue(9);
-  rows_->setValue(6);
-  square_->setRange(0.01, 1000);
-  square_->setDecimals(3);
-  square_->setValue(5);
-  auto* size = new QHBoxLayout;
-  size->addWidget(columns_);
-  size->addWidget(by_label_);
-  size->addWidget(rows_);
-  size->addStretch();
-  auto* run = new QHBoxLayout;
-  run->addWidget(measure_);
-  run->addWidget(bar_, 1);
-  run->addWidget(stop_);
-  run->addStretch();
-  form->addRow(pictures_label_, pictures);
-  form->addRow(pattern_label_, pattern_);
-  form->addRow(size_label_, size);
-  form->addRow(square_label_, square_);
-  form->addRow(run);
-  form->addRow(outcome_);
-  pictures_label_->setBuddy(pictures_);
-  pattern_label_->setBuddy(pattern_);
-  size_label_->setBuddy(columns_);
-  square_label_->setBuddy(square_);
-  return board_group_;
+  connect(&looking_, &BackgroundWork::finished, this, &LensPage::look_at_frame);
+  connect(&fitting_, &BackgroundWork::finished, this, &LensPage::fit_boards);
+  connect(&session_, &LiveSession::view_ready, this, &LensPage::look_at_frame);
 }
 
 void LensPage::name_parts() {
   file_group_->setTitle(tr("From a camera file"));
   board_group_->setTitle(tr("Or measured with pictures of a board"));
+  live_group_->setTitle(tr("With a board before the camera"));
   file_->setAccessibleName(tr("Camera file"));
   file_->setPlaceholderText(tr("camera.yaml, as the lens calibration writes it"));
   choose_file_->setText(tr("&Choose…"));
@@ -159,25 +186,22 @@ void LensPage::name_parts() {
   pictures_->setAccessibleName(tr("Folder of board pictures, or a recording"));
   choose_pictures_->setText(tr("Choose…"));
   choose_pictures_->setAccessibleName(tr("Choose the folder of board pictures"));
-  pattern_label_->setText(tr("&Board"));
-  pattern_->setAccessibleName(tr("Board"));
-  pattern_->setItemText(0, tr("Chessboard"));
-  pattern_->setItemText(1, tr("ChArUco board"));
-  pattern_->setItemText(2, tr("Grid of dots"));
-  size_label_->setText(tr("&Inner corners, or dots"));
-  columns_->setAccessibleName(tr("Inner corners in a row"));
-  rows_->setAccessibleName(tr("Inner corners in a column"));
-  by_label_->setText(tr("by"));
-  square_label_->setText(tr("&Side of a square"));
-  square_->setAccessibleName(tr("Side of a square"));
-  square_->setSuffix(tr(" mm"));
   measure_->setText(tr("&Measure the lens"));
   stop_->setText(tr("Stop"));
   stop_->setAccessibleName(tr("Stop measuring the lens"));
   bar_->setAccessibleName(tr("Progress of the lens calibration"));
   outcome_->setAccessibleName(tr("Outcome of the lens calibration"));
+  take_->setText(tr("&Take this board (Space)"));
+  by_itself_->setText(tr("By &itself where it is new and still"));
+  by_itself_->setToolTip(
+      tr("Takes the board whenever it is held still in a place, or tilted in a way, that was not "
+         "taken yet"));
+  guide_->setAccessibleName(tr("How to hold the board"));
+  views_->setAccessibleName(tr("Views of the board, with their errors"));
+  forget_->setText(tr("Leave the chosen view out"));
   show_status();
   show_progress();
+  show_boards();
 }
 
 StepState LensPage::state() const {
@@ -185,25 +209,35 @@ StepState LensPage::state() const {
 }
 
 QString LensPage::missing() const {
-  const FingerStatus& finger = session_.status().finger;
-  const bool is_own = finger.state == FingerState::kReady && !finger.folder.empty();
-  if (is_own || camera_ || (finger.state == FingerState::kLoading && was_own_)) return {};
+  if (is_own() || camera_ || (session_.status().finger.state == FingerState::kLoading && was_own_))
+    return {};
   return tr("The lens has to be known first: choose a camera file, or measure one.");
+}
+
+QWidget* LensPage::main_control() const {
+  return can_take() ? take_ : choose_file_;
 }
 
 void LensPage::show_status() {
   const FingerStatus& finger = session_.status().finger;
-  const bool is_own = finger.state == FingerState::kReady && !finger.folder.empty();
   const bool is_simulated =
       finger.state == FingerState::kReady && finger.folder.empty() && finger.finger;
   if (finger.state == FingerState::kLoading && was_own_) return;
-  was_own_ = is_own;
-  file_group_->setVisible(!is_own);
-  board_group_->setVisible(!is_own);
+  was_own_ = is_own();
+  file_group_->setVisible(!was_own_);
+  board_group_->setVisible(!was_own_);
   simulated_->setVisible(is_simulated);
+  show_summary(was_own_);
+  show_boards();
+}
+
+void LensPage::show_summary(bool is_own) {
+  const FingerStatus& finger = session_.status().finger;
   if (is_own)
     summary_->setText(tr("This finger's camera has %1")
-                          .arg(camera_text(finger.finger->camera, finger.finger->lens_record)));
+                          .arg(camera_text(finger.finger->camera, finger.finger->lens_record)) +
+                      QLatin1Char('\n') +
+                      tr("Blue: straight lines of the world, as this lens shows them."));
   else if (camera_)
     summary_->setText(tr("The camera has %1").arg(camera_text(*camera_, record_)));
   else
@@ -262,13 +296,9 @@ void LensPage::use_simulated() {
 void LensPage::measure() {
   LensWanted wanted;
   wanted.pictures = pictures_->text().trimmed().toStdString();
-  constexpr BoardPattern kPatterns[] = {
-      BoardPattern::kChessboard, BoardPattern::kCharuco, BoardPattern::kDots};
-  wanted.settings.pattern = kPatterns[pattern_->currentIndex()];
-  wanted.board.pattern = wanted.settings.pattern;
-  wanted.board.columns = columns_->value();
-  wanted.board.rows = rows_->value();
-  wanted.board.square_mm = square_->value();
+  wanted.board = form_->board();
+  wanted.settings = form_->settings();
+  wanted.port = form_->port();
   if (wanted.pictures.empty())
     return problems_->set_problems(
         {{Meaning::kBad, tr("No folder of pictures is named."), {}, {}, {}}});
@@ -277,15 +307,43 @@ void LensPage::measure() {
   wanted.camera = (is_folder ? wanted.pictures : wanted.pictures.parent_path()) / "camera.yaml";
   problems_->set_problems({});
   outcome_->clear();
-  work_.start([this, wanted, measurer = measurer_](const Job& job) {
-    const auto verdict = measurer(wanted, job);
-    return std::function<void()>([this, verdict, file = wanted.camera] {
-      if (!verdict) return problems_->set_problems({Problem::of(verdict.error())});
+  work_.start([this, wanted, measurer = measurer_, disk = disk_](const Job& job) {
+    disk->wait();
+    const auto measured = measurer(wanted, job);
+    return std::function<void()>([this, measured, file = wanted.camera] {
+      if (!measured) return problems_->set_problems({Problem::of(measured.error())});
       outcome_->setText(tr("Written to %1.").arg(QString::fromStdString(file.string())));
+      show_views(measured->views);
+      forecast_->setText(
+          measured->advice.empty()
+              ? QString()
+              : tr("Still better with: %1.").arg(in_window_language(measured->advice)));
       take_file(file);
     });
   });
   show_progress();
+}
+
+void LensPage::show_views(const std::vector<LensViewReport>& views) {
+  const QLocale locale;
+  const QString chosen = views_->currentItem() != nullptr
+                             ? views_->currentItem()->data(Qt::UserRole).toString()
+                             : QString();
+  const QSignalBlocker quiet(views_);
+  views_->clear();
+  for (const LensViewReport& view : views) {
+    const QString name = QString::fromStdString(view.name);
+    auto* item = new QListWidgetItem(
+        view.put_aside.empty()
+            ? tr("%1: error %2 px, tilted by %3°")
+                  .arg(name,
+                       locale.toString(view.error_px, 'f', 2),
+                       locale.toString(view.tilt_deg, 'f', 0))
+            : tr("%1: not used, %2").arg(name, in_window_language(view.put_aside)));
+    item->setData(Qt::UserRole, name);
+    views_->addItem(item);
+    if (name == chosen) views_->setCurrentItem(item);
+  }
 }
 
 void LensPage::show_progress() {

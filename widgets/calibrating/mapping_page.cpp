@@ -1,5 +1,6 @@
 #include "widgets/calibrating/mapping_page.h"
 
+#include "widgets/calibrating/verdict_words.h"
 #include "widgets/language.h"
 #include "widgets/report/calibration_figures.h"
 
@@ -11,10 +12,14 @@
 
 namespace alltact {
 
-MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
+MappingPage::MappingPage(PressDesk& desk,
+                         CalibrationRun& run,
+                         PressForecast& forecast,
+                         QWidget* parent)
     : StepPage(parent),
       desk_(desk),
       run_(run),
+      forecast_(forecast),
       problems_(new ProblemList),
       calibrate_(new QPushButton),
       stop_(new QPushButton),
@@ -62,6 +67,7 @@ MappingPage::MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent)
   connect(stop_, &QPushButton::clicked, &run_, &CalibrationRun::stop);
   connect(&run_, &CalibrationRun::changed, this, &MappingPage::show_status);
   connect(&desk_, &PressDesk::changed, this, &MappingPage::show_status);
+  connect(&forecast_, &PressForecast::changed, this, &MappingPage::show_progress);
   say([this] {
     stop_->setText(tr("&Stop"));
     stop_->setToolTip(tr("Keeps the best solution so far"));
@@ -98,21 +104,7 @@ void MappingPage::show_status() {
   calibrate_->setEnabled(!is_running && desk_.usable_count() > 0);
   calibrate_->setText(run_.state() == CalibrationState::kNone ? tr("&Calibrate now")
                                                               : tr("&Calibrate again"));
-  bar_->setValue(static_cast<int>(100 * run_.work().fraction()));
-  QString progress;
-  if (is_running) {
-    progress = in_window_language(run_.work().what());
-    if (const auto left = run_.work().seconds_left())
-      progress += QLatin1Char(' ') +
-                  tr("(about %n second(s) left)", nullptr, static_cast<int>(std::ceil(*left)));
-  } else if (run_.state() == CalibrationState::kStale) {
-    progress = tr("The presses have changed since this calibration.");
-  } else if (run_.state() == CalibrationState::kCurrent && !run_.result()) {
-    progress = tr("This finger is calibrated. Calibrating again shows the figures.");
-  } else if (run_.is_recalling()) {
-    progress = tr("The presses are read again to show what each pixel says.");
-  }
-  progress_->setText(progress);
+  show_progress();
   std::vector<Problem> problems;
   if (run_.problem() && !is_running) problems.push_back(Problem::of(*run_.problem()));
   if (run_.recall_problem() && !is_running)
@@ -121,6 +113,39 @@ void MappingPage::show_status() {
   show_log();
   show_figures();
   Q_EMIT changed();
+}
+
+void MappingPage::show_progress() {
+  bar_->setValue(static_cast<int>(100 * run_.work().fraction()));
+  QString progress;
+  if (run_.is_running()) {
+    progress = in_window_language(run_.work().what());
+    if (const auto left = run_.work().seconds_left())
+      progress += QLatin1Char(' ') +
+                  tr("(about %n second(s) left)", nullptr, static_cast<int>(std::ceil(*left)));
+  } else if (run_.state() == CalibrationState::kStale) {
+    progress = (run_.has_other_finger()
+                    ? tr("The finger's sizes or markers have changed since this calibration.")
+                    : tr("The presses have changed since this calibration.")) +
+               QLatin1Char(' ') + forecast_text(forecast_, run_);
+  } else if (run_.state() == CalibrationState::kCurrent && !run_.result()) {
+    progress = tr("This finger is calibrated. Calibrating again shows the figures.");
+  } else if (run_.is_recalling()) {
+    progress = tr("The presses are read again to show what each pixel says.");
+  } else if (run_.state() == CalibrationState::kNone) {
+    progress = forecast_text(forecast_, run_);
+  }
+  progress_->setText(progress);
+}
+
+void MappingPage::showEvent(QShowEvent* event) {
+  StepPage::showEvent(event);
+  forecast_.set_watched(true);
+}
+
+void MappingPage::hideEvent(QHideEvent* event) {
+  forecast_.set_watched(false);
+  StepPage::hideEvent(event);
 }
 
 void MappingPage::show_log() {

@@ -1,7 +1,7 @@
 // Step 4, the mapping: solved beside the window, with what can be seen of it.
 #pragma once
 
-#include "widgets/calibrating/calibration_run.h"
+#include "widgets/calibrating/press_forecast.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/plots/convergence_plot.h"
 #include "widgets/plots/face_map_plot.h"
@@ -18,7 +18,10 @@ namespace alltact {
 class MappingPage : public StepPage {
   Q_OBJECT
  public:
-  MappingPage(PressDesk& desk, CalibrationRun& run, QWidget* parent = nullptr);
+  MappingPage(PressDesk& desk,
+              CalibrationRun& run,
+              PressForecast& forecast,
+              QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Mapping"); }
   [[nodiscard]] StepState state() const override;
@@ -26,12 +29,18 @@ class MappingPage : public StepPage {
   [[nodiscard]] QWidget* main_control() const override { return calibrate_; }
   void show_status();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
  private:
+  void show_progress();
   void show_figures();
   void show_log();
 
   PressDesk& desk_;
   CalibrationRun& run_;
+  PressForecast& forecast_;
   ProblemList* problems_;
   QPushButton *calibrate_, *stop_;
   QProgressBar* bar_;

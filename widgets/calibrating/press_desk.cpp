@@ -72,10 +72,10 @@ Found find_presses(const fs::path& folder) {
 
 }  // namespace
 
-/// Of what changes quickly only the latest is written.
 struct PressDesk::Waiting {
   std::mutex mutex;
-  std::optional<PressSet> said;
+  std::optional<PressSet> said;  // of what changes quickly only the latest is written
+  std::set<std::string> unkept;  // presses whose pictures could not be written
 };
 
 class PressDesk::AddOrRemove : public QUndoCommand {
@@ -115,6 +115,7 @@ std::optional<Error> PressDesk::problem() const {
 
 void PressDesk::open(const fs::path& folder) {
   ++opened_;
+  if (folder != folder_) disk_->forget_problem();
   folder_ = folder;
   is_ready_ = false;
   problem_.reset();
@@ -220,6 +221,12 @@ bool PressDesk::has_ball(const DeskPress& press) const {
   return !note.step_mm && (press.looked.found_mm || note.ball_mm);
 }
 
+bool PressDesk::is_kept(const std::string& name) const {
+  if (!waiting_) return true;
+  const std::lock_guard lock(waiting_->mutex);
+  return !waiting_->unkept.contains(name);
+}
+
 bool PressDesk::is_usable(const DeskPress& press) const {
   const PressNote& note = said_.of(press.name);
   if (note.excluded) return false;
@@ -279,7 +286,15 @@ void PressDesk::remove(const std::string& name) {
 void PressDesk::insert(const std::vector<FramePtr>& frames) {
   for (const FramePtr& frame : frames) {
     presses_.push_back({frame->name, frame, {}, false});
-    disk_->add([folder = folder_, frame] { return write_press(folder, *frame); });
+    disk_->add([folder = folder_, frame, waiting = waiting_] {
+      const Status written = write_press(folder, *frame);
+      const std::lock_guard lock(waiting->mutex);
+      if (written)
+        waiting->unkept.erase(frame->name);
+      else
+        waiting->unkept.insert(frame->name);
+      return written;
+    });
   }
   std::sort(presses_.begin(), presses_.end(), before);
   look_at_next();

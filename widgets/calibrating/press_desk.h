@@ -51,6 +51,8 @@ class PressDesk : public QObject {
   [[nodiscard]] const DeskPress* find(const std::string& name) const;
   /// Found, or put there by hand; a punch is none.
   [[nodiscard]] bool has_ball(const DeskPress& press) const;
+  /// Its picture could be written to the disk, or is being written.
+  [[nodiscard]] bool is_kept(const std::string& name) const;
   /// Not taken out, and with a ball or a punch.
   [[nodiscard]] bool is_usable(const DeskPress& press) const;
   [[nodiscard]] int usable_count() const;

@@ -1,6 +1,7 @@
 // What one press picture shows before anything is calibrated: the face, and where the ball is.
 #pragma once
 
+#include "calibration/finger/forecast_calibration.h"
 #include "calibration/presses/press.h"
 #include "core/job.h"
 #include "core/sensing/pipeline.h"
@@ -16,6 +17,8 @@ struct LookedAt {
   std::shared_ptr<const FaceShape> shape;   ///< null: no face was found
   std::optional<Eigen::Vector3d> found_mm;  ///< the ball's centre
   std::optional<Error> problem;             ///< why there is no ball
+  /// What a calibration reads of it; null where the picture could not be used.
+  std::shared_ptr<const MeasuredPress> measured;
 };
 
 /// Used by one thread at a time.

@@ -1,5 +1,6 @@
 #include "widgets/calibrating/press_model.h"
 
+#include "widgets/calibrating/verdict_words.h"
 #include "widgets/language.h"
 #include "widgets/report/report_words.h"
 
@@ -19,11 +20,15 @@ QString punch_state_text(double step_mm, const DeskPress& press, const StepFit* 
   return PressModel::tr("a punch with a step of %1 mm").arg(local_mm(step_mm, 3));
 }
 
+double error_of(const BallFit& ball) {
+  return ball.held_out_mm > 0 ? ball.held_out_mm : ball.residual_mm;
+}
+
 QString ball_state_text(const BallFit& ball) {
+  const double error = error_of(ball);
   const QString found =
-      PressModel::tr("%1 mm deep, error %2 mm")
-          .arg(local_mm(ball.depth_mm, 2),
-               local_mm(ball.held_out_mm > 0 ? ball.held_out_mm : ball.residual_mm, 3));
+      PressModel::tr("%1 mm deep, error %2 mm: %3")
+          .arg(local_mm(ball.depth_mm, 2), local_mm(error, 3), error_word(meaning_of_error(error)));
   if (!ball.told_depth) return found;
   return found + QLatin1Char('\n') +
          PressModel::tr("measured %1 mm deep, the solution has %2 mm")
@@ -52,6 +57,7 @@ const StepFit* fitted_step(const CalibrationRun& run, const std::string& press) 
 
 QString press_state_text(const DeskPress& press, const PressDesk& desk, const CalibrationRun& run) {
   const PressNote& note = desk.said().of(press.name);
+  if (!desk.is_kept(press.name)) return PressModel::tr("not written to the disk");
   if (note.excluded)
     return note.excluded->empty() ? PressModel::tr("taken out")
                                   : PressModel::tr("taken out: %1").arg(as_text(*note.excluded));
@@ -64,6 +70,19 @@ QString press_state_text(const DeskPress& press, const PressDesk& desk, const Ca
     return press.looked.shape || press.looked.grey.empty() ? refusal_word(*press.looked.problem)
                                                            : PressModel::tr("no face seen");
   return PressModel::tr("the ball's radius is missing");
+}
+
+std::optional<Meaning> press_meaning(const DeskPress& press,
+                                     const PressDesk& desk,
+                                     const CalibrationRun& run) {
+  const PressNote& note = desk.said().of(press.name);
+  if (!desk.is_kept(press.name)) return Meaning::kBad;
+  if (note.excluded) return std::nullopt;
+  if (!note.step_mm)
+    if (const BallFit* ball = fitted_ball(run, press.name))
+      return meaning_of_error(error_of(*ball));
+  if (press.is_looked_at && press.looked.problem && !note.ball_mm) return Meaning::kDoubtful;
+  return std::nullopt;
 }
 
 PressModel::PressModel(const PressDesk& desk, const CalibrationRun& run, QObject* parent)
@@ -118,7 +137,8 @@ QVariant PressModel::data(const QModelIndex& index, int role) const {
                  ? in_window_language(en::say("{}.", press->looked.problem->message()))
                  : QString();
     case Qt::DecorationRole: {
-      const QPixmap picture = thumbnails_.of(*press, known_ball(*press, desk_, run_));
+      const QPixmap picture = thumbnails_.of(
+          *press, known_ball(*press, desk_, run_), press_meaning(*press, desk_, run_));
       return picture.isNull() ? QVariant() : picture;
     }
     case Qt::FontRole: {

@@ -3,6 +3,7 @@
 
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/shown_press.h"
+#include "widgets/theme.h"
 
 #include <QAbstractListModel>
 
@@ -15,6 +16,11 @@ namespace alltact {
 /// nullptr where the press is not part of the calibration whose figures are known.
 [[nodiscard]] const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press);
 [[nodiscard]] const StepFit* fitted_step(const CalibrationRun& run, const std::string& press);
+
+/// How good a press is in the calibration, or that it is refused; nullopt where nothing is known.
+[[nodiscard]] std::optional<Meaning> press_meaning(const DeskPress& press,
+                                                   const PressDesk& desk,
+                                                   const CalibrationRun& run);
 
 /// As the window's language writes numbers.
 [[nodiscard]] QString local_mm(double value, int digits);

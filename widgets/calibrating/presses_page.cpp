@@ -1,11 +1,10 @@
 #include "widgets/calibrating/presses_page.h"
 
-#include "core/live/source_runner.h"
 #include "widgets/calibrating/space_key.h"
+#include "widgets/calibrating/verdict_words.h"
 #include "widgets/panels/side_panel.h"
 #include "widgets/report/report_words.h"
 
-#include <QApplication>
 #include <QButtonGroup>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -15,30 +14,36 @@
 namespace alltact {
 namespace {
 
-constexpr int kListWidth = 270, kPressSideWidth = 284;
+constexpr int kPressSideWidth = 300;
+constexpr int kLeastListHeight = 150;
 
 }  // namespace
 
 PressesPage::PressesPage(LiveSession& session,
                          PressDesk& desk,
                          const CalibrationRun& run,
+                         PressForecast& forecast,
                          QWidget* parent)
     : StepPage(parent),
       session_(session),
       desk_(desk),
       run_(run),
+      forecast_(forecast),
       model_(desk, run),
       problems_(new ProblemList),
       count_(wrapped_text()),
-      list_(new QListView),
+      forecast_words_(wrapped_text()),
+      list_(new PressListView),
       add_(new QPushButton),
       out_(new QPushButton),
       remove_(new QPushButton),
       live_button_(new QPushButton),
       press_button_(new QPushButton),
+      residual_(new QCheckBox),
       pictures_(new QStackedWidget),
       live_(new PicturePanel(session)),
       editor_(new OutlineEditor),
+      fit_pane_(new PressFitPane),
       place_(new QLabel),
       take_group_(new QGroupBox),
       press_group_(new QGroupBox),
@@ -47,10 +52,13 @@ PressesPage::PressesPage(LiveSession& session,
       radius_(new QDoubleSpinBox),
       operator_(new QLineEdit),
       form_(new PressForm(desk)),
+      more_(new QToolButton),
       take_(new QPushButton),
       find_(new QPushButton),
       by_itself_(new QCheckBox),
       take_reason_(wrapped_text()),
+      guide_(wrapped_text()),
+      why_waiting_(wrapped_text()),
       taken_(wrapped_text()),
       press_text_(wrapped_text()),
       legend_(wrapped_text()) {
@@ -58,39 +66,133 @@ PressesPage::PressesPage(LiveSession& session,
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(problems_);
   auto* row = new QHBoxLayout;
-  row->addWidget(make_list());
-  row->addWidget(make_middle(), 1);
+  row->addWidget(make_pictures(), 1);
   row->addWidget(make_side());
   column->addLayout(row, 1);
   new SpaceKey(*this, [this] {
     if (take_->isEnabled()) take();
   });
-  connect(&desk_, &PressDesk::changed, this, &PressesPage::show_status);
-  connect(&desk_, &PressDesk::refused, this, [this](const Problem& problem) {
-    problems_->set_problems({problem});
-  });
-  connect(&run_, &CalibrationRun::changed, this, &PressesPage::show_shown);
-  connect(&session_, &LiveSession::view_ready, this, &PressesPage::watch_contact);
+  connect_parts();
   say([this] { name_parts(); });
 }
 
-QWidget* PressesPage::make_list() {
-  auto* side = new QWidget;
-  side->setFixedWidth(kListWidth);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 6, 0);
+QWidget* PressesPage::make_pictures() {
+  auto* pictures = new QWidget;
+  auto* column = new QVBoxLayout(pictures);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
+  auto* which = new QButtonGroup(this);
+  for (QPushButton* button : {live_button_, press_button_}) {
+    button->setCheckable(true);
+    which->addButton(button);
+    row->addWidget(button);
+  }
+  row->addStretch();
+  residual_->setChecked(true);
+  row->addWidget(residual_);
+  column->addLayout(row);
+  auto* edited = new QWidget;
+  auto* inside = new QVBoxLayout(edited);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->addWidget(editor_, 3);
+  place_->setMinimumWidth(1);
+  place_->setWordWrap(true);
+  inside->addWidget(place_);
+  inside->addWidget(fit_pane_, 2);
+  pictures_->addWidget(live_);
+  pictures_->addWidget(edited);
+  column->addWidget(pictures_, 1);
+  ViewOptions options;
+  options.direction = options.depth = options.markers = false;
+  live_->set_options(options);
+  live_->set_more([this](const LiveView&) { return guide_overlays(guided_); });
+  return pictures;
+}
+
+QWidget* PressesPage::make_side() {
+  const SidePanel side(kPressSideWidth);
+  make_taking(*side.column);
+  make_press(*side.column);
+  make_list(*side.column);
+  return side.whole;
+}
+
+void PressesPage::make_taking(QVBoxLayout& column) {
+  radius_->setRange(0, kLargestBallMm);
+  radius_->setDecimals(3);
+  radius_->setSingleStep(0.1);
+  radius_->setKeyboardTracking(false);
+  radius_label_->setBuddy(radius_);
+  operator_label_->setBuddy(operator_);
+  QFont bold = take_->font();
+  bold.setBold(true);
+  take_->setFont(bold);
+  take_->setMinimumHeight(44);
+  column.addWidget(take_);
+  column.addWidget(take_reason_);
+  column.addWidget(taken_);
+  auto* inside = new QVBoxLayout(take_group_);
+  inside->addWidget(guide_);
+  inside->addWidget(by_itself_);
+  inside->addWidget(why_waiting_);
+  auto* form = new QFormLayout;
+  form->addRow(radius_label_, radius_);
+  form->addRow(operator_label_, operator_);
+  inside->addLayout(form);
+  column.addWidget(take_group_);
+}
+
+void PressesPage::make_press(QVBoxLayout& column) {
+  auto* inside = new QVBoxLayout(press_group_);
+  inside->addWidget(press_text_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(find_);
+  row->addWidget(more_);
+  row->addStretch();
+  inside->addLayout(row);
+  more_->setCheckable(true);
+  more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  inside->addWidget(form_);
+  inside->addWidget(legend_);
+  column.addWidget(press_group_);
+}
+
+void PressesPage::make_list(QVBoxLayout& column) {
   list_->setModel(&model_);
-  list_->setWordWrap(true);
-  list_->setIconSize(PressThumbnails::size());
-  list_->setSpacing(2);
-  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  column->addWidget(count_);
-  column->addWidget(list_, 1);
+  list_->setMinimumHeight(kLeastListHeight);
+  column.addWidget(count_);
+  column.addWidget(forecast_words_);
+  column.addWidget(list_, 1);
   auto* row = new QHBoxLayout;
   row->addWidget(out_);
   row->addWidget(remove_);
-  column->addLayout(row);
-  column->addWidget(add_);
+  column.addLayout(row);
+  column.addWidget(add_);
+}
+
+void PressesPage::connect_parts() {
+  connect(&desk_, &PressDesk::changed, this, &PressesPage::show_status);
+  connect(&desk_, &PressDesk::refused, this, [this](const Problem& problem) {
+    refused_ = problem;
+    show_problems();
+  });
+  connect(&run_, &CalibrationRun::changed, this, &PressesPage::show_shown);
+  connect(&forecast_, &PressForecast::changed, this, [this] {
+    show_shown();
+    show_forecast();
+  });
+  connect(&session_, &LiveSession::view_ready, this, &PressesPage::watch_contact);
+  connect(live_button_, &QPushButton::clicked, this, [this] { show_press({}); });
+  connect(press_button_, &QPushButton::clicked, this, [this] {
+    show_press(model_.name_at(std::max(0, list_->currentIndex().row())));
+  });
+  connect(residual_, &QCheckBox::toggled, this, &PressesPage::show_shown);
+  connect(editor_,
+          &OutlineEditor::ball_moved,
+          this,
+          [this](const Eigen::Vector3d&, const Eigen::Vector3d& after, int grip) {
+            desk_.place_ball(shown_, after, grip);
+          });
   connect(list_->selectionModel(),
           &QItemSelectionModel::currentChanged,
           this,
@@ -104,88 +206,22 @@ QWidget* PressesPage::make_list() {
   connect(out_, &QPushButton::clicked, this, &PressesPage::take_out_or_put_back);
   connect(remove_, &QPushButton::clicked, this, [this] { desk_.remove(shown_); });
   connect(add_, &QPushButton::clicked, this, &PressesPage::choose_files);
-  return side;
-}
-
-QWidget* PressesPage::make_middle() {
-  auto* middle = new QWidget;
-  auto* column = new QVBoxLayout(middle);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* row = new QHBoxLayout;
-  auto* which = new QButtonGroup(this);
-  for (QPushButton* button : {live_button_, press_button_}) {
-    button->setCheckable(true);
-    which->addButton(button);
-    row->addWidget(button);
-  }
-  row->addStretch();
-  column->addLayout(row);
-  auto* edited = new QWidget;
-  auto* inside = new QVBoxLayout(edited);
-  inside->setContentsMargins(0, 0, 0, 0);
-  inside->addWidget(editor_, 1);
-  place_->setMinimumWidth(1);
-  place_->setWordWrap(true);
-  inside->addWidget(place_);
-  pictures_->addWidget(live_);
-  pictures_->addWidget(edited);
-  column->addWidget(pictures_, 1);
-  ViewOptions options;
-  options.direction = options.depth = options.markers = false;
-  live_->set_options(options);
-  connect(live_button_, &QPushButton::clicked, this, [this] { show_press({}); });
-  connect(press_button_, &QPushButton::clicked, this, [this] {
-    const int row_now = std::max(0, list_->currentIndex().row());
-    show_press(model_.name_at(row_now));
-  });
-  connect(editor_,
-          &OutlineEditor::ball_moved,
-          this,
-          [this](const Eigen::Vector3d&, const Eigen::Vector3d& after, int grip) {
-            desk_.place_ball(shown_, after, grip);
-          });
-  return middle;
-}
-
-QWidget* PressesPage::make_side() {
-  const SidePanel side(kPressSideWidth);
-  auto* take = new QVBoxLayout(take_group_);
-  radius_->setRange(0, kLargestBallMm);
-  radius_->setDecimals(3);
-  radius_->setSingleStep(0.1);
-  radius_->setKeyboardTracking(false);
-  radius_label_->setBuddy(radius_);
-  operator_label_->setBuddy(operator_);
-  auto* form = new QFormLayout;
-  form->addRow(radius_label_, radius_);
-  form->addRow(operator_label_, operator_);
-  take->addLayout(form);
-  take_->setMinimumHeight(40);
-  take->addWidget(take_);
-  take->addWidget(take_reason_);
-  take->addWidget(by_itself_);
-  take->addWidget(taken_);
-  side.column->addWidget(take_group_);
-  auto* press = new QVBoxLayout(press_group_);
-  press->addWidget(press_text_);
-  press->addWidget(form_);
-  press->addWidget(find_);
-  press->addWidget(legend_);
-  side.column->addWidget(press_group_);
-  side.column->addStretch();
   connect(radius_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     desk_.set_radius(value);
   });
   connect(operator_, &QLineEdit::editingFinished, this, [this] {
     desk_.set_operator(operator_->text().trimmed().toStdString());
   });
+  // What is told is told: the next key is not typed into it.
+  connect(operator_, &QLineEdit::returnPressed, this, [this] { take_->setFocus(); });
   connect(take_, &QPushButton::clicked, this, &PressesPage::take);
   connect(by_itself_, &QCheckBox::toggled, this, [this] {
     still_.begin();
     show_take();
+    show_guide();
   });
+  connect(more_, &QToolButton::toggled, this, &PressesPage::show_shown);
   connect(find_, &QPushButton::clicked, this, [this] { desk_.find_again(shown_); });
-  return side.whole;
 }
 
 void PressesPage::name_parts() {
@@ -194,6 +230,9 @@ void PressesPage::name_parts() {
   remove_->setText(tr("Re&move"));
   remove_->setToolTip(tr("Takes the press and its picture away (undo brings them back)"));
   live_button_->setText(tr("&Live picture"));
+  residual_->setText(tr("&Error under the ball"));
+  residual_->setToolTip(
+      tr("In colours, where the mapping reads deeper (red) or less deep (blue) than the ball is"));
   take_group_->setTitle(tr("Taking presses"));
   press_group_->setTitle(tr("This press"));
   radius_label_->setText(tr("Ball's &radius"));
@@ -204,11 +243,13 @@ void PressesPage::name_parts() {
   operator_->setAccessibleName(tr("Operator"));
   operator_->setPlaceholderText(tr("for the record"));
   take_->setText(tr("&Take a press (Space)"));
+  guide_->setAccessibleName(tr("Where to press next"));
   by_itself_->setText(tr("By &itself when it holds still"));
   by_itself_->setToolTip(
       tr("Takes a press as soon as a contact holds still for half a second; both hands stay free"));
   find_->setText(tr("&Find the ball again"));
   find_->setToolTip(tr("Forgets where the outline was put by hand"));
+  more_->setText(tr("Measured, or another ball"));
   legend_->setText(
       tr("Yellow: the ball's outline, dashed as the program found it, whole where a hand put it. "
          "Blue: where the ball meets the untouched face, about the dark disc."));
@@ -233,60 +274,6 @@ QString PressesPage::missing() const {
   return {};
 }
 
-QString PressesPage::why_not_take() const {
-  if (!session_.view()) return tr("There is no live picture: choose a source.");
-  if (!desk_.is_ready()) return tr("The presses are being read.");
-  if (!desk_.looker()) return tr("The finger cannot be compared with its reference.");
-  const FramePtr& frame = session_.view()->result.frame;
-  if (!frame || session_.view()->problem) return tr("The live picture does not fit this finger.");
-  return {};
-}
-
-void PressesPage::take() {
-  if (!why_not_take().isEmpty()) return;
-  const FramePtr& frame = session_.view()->result.frame;
-  const auto alike = frame == newest_held_ ? held_.alike() : std::vector<FramePtr>{frame};
-  taken_name_ = as_text(desk_.add({mean_frame(alike)}));
-  taken_of_ = alike.size();
-  show_take();
-}
-
-void PressesPage::hold(const FramePtr& frame) {
-  if (!frame || frame == newest_held_) return;
-  const bool goes_on = newest_held_ && frame->origin == newest_held_->origin &&
-                       frame->sequence > newest_held_->sequence;
-  if (!goes_on) held_.clear();  // another source, or the same from its beginning
-  held_.add(frame);
-  newest_held_ = frame;
-}
-
-void PressesPage::forget_held() {
-  held_.clear();
-  newest_held_.reset();
-}
-
-void PressesPage::hideEvent(QHideEvent* event) {
-  forget_held();
-  StepPage::hideEvent(event);
-}
-
-void PressesPage::press_pedal() {
-  if (!take_->isEnabled()) return;
-  take();
-  QApplication::beep();
-}
-
-void PressesPage::watch_contact() {
-  if (!isVisible()) return;
-  hold(session_.view()->result.frame);
-  show_take();
-  if (!by_itself_->isChecked() || !why_not_take().isEmpty()) return;
-  const FrameResult& result = session_.view()->result;
-  if (!still_.add(dark_patch(result), 1e-9 * static_cast<double>(monotonic_ns()))) return;
-  take();
-  QApplication::beep();
-}
-
 void PressesPage::choose_files() {
   auto* dialog = new QFileDialog(this,
                                  tr("Pictures of presses"),
@@ -297,7 +284,8 @@ void PressesPage::choose_files() {
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
     std::vector<std::filesystem::path> inputs;
     for (const QString& file : files) inputs.emplace_back(file.toStdString());
-    problems_->set_problems({});
+    refused_.reset();
+    show_problems();
     desk_.add_files(inputs);
   });
   dialog->show();
@@ -327,24 +315,27 @@ void PressesPage::show_list() {
   list_->viewport()->update();
 }
 
-void PressesPage::show_take() {
-  const QString reason = why_not_take();
-  take_->setEnabled(reason.isEmpty());
-  take_reason_->setText(reason);
-  take_reason_->setVisible(!reason.isEmpty());
-  taken_->setText(
-      taken_of_ > 1
-          ? tr("%1 is taken: the mean of %2 pictures held still.").arg(taken_name_).arg(taken_of_)
-          : tr("%1 is taken from a single picture; hold ball and finger still for half "
-               "a second, and its noise falls to a quarter.")
-                .arg(taken_name_));
-  taken_->setVisible(!taken_name_.isEmpty());
+void PressesPage::show_problems() {
+  std::vector<Problem> problems;
+  if (const auto problem = desk_.problem()) problems.push_back(Problem::of(*problem));
+  if (refused_) problems.push_back(*refused_);
+  problems_->set_problems(std::move(problems));
+}
+
+void PressesPage::show_forecast() {
+  const QString text = forecast_text(forecast_, run_);
+  forecast_words_->setText(text);
+  forecast_words_->setVisible(!text.isEmpty());
 }
 
 void PressesPage::show_status() {
-  if (held_for_ != desk_.folder()) forget_held();
+  if (held_for_ != desk_.folder()) {
+    forget_held();
+    refused_.reset();
+    taken_name_.clear();
+  }
   held_for_ = desk_.folder();
-  if (const auto problem = desk_.problem()) problems_->set_problems({Problem::of(*problem)});
+  show_problems();
   const PressSet& said = desk_.said();
   if (!radius_->hasFocus() || radius_->value() != said.ball_radius_mm) {
     const QSignalBlocker quiet(radius_);
@@ -363,6 +354,7 @@ void PressesPage::show_status() {
   show_list();
   show_shown();
   show_take();
+  show_forecast();
   Q_EMIT changed();
 }
 

@@ -1,23 +1,24 @@
-// Step 3, the presses: taken from the live picture or from files, each with the ball's outline over
-// it, to be moved, taken out and put back.
+// Step 3, the presses: taken from the live picture, which shows where to press next, or from files;
+// each with the ball's outline over it, to be moved, taken out and put back.
 #pragma once
 
 #include "calibration/presses/held_frames.h"
-#include "core/live/stationary_contact.h"
+#include "widgets/calibrating/press_fit_pane.h"
 #include "widgets/calibrating/press_form.h"
+#include "widgets/calibrating/press_guide.h"
+#include "widgets/calibrating/press_list_view.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/panels/picture_panel.h"
-#include "widgets/picture/outline_editor.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLineEdit>
-#include <QListView>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QToolButton>
 
 namespace alltact {
 
@@ -27,6 +28,7 @@ class PressesPage : public StepPage {
   PressesPage(LiveSession& session,
               PressDesk& desk,
               const CalibrationRun& run,
+              PressForecast& forecast,
               QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Presses"); }
@@ -40,54 +42,77 @@ class PressesPage : public StepPage {
 
  protected:
   void hideEvent(QHideEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
-  [[nodiscard]] QWidget* make_list();
-  [[nodiscard]] QWidget* make_middle();
+  void make_list(QVBoxLayout& column);
+  [[nodiscard]] QWidget* make_pictures();
   [[nodiscard]] QWidget* make_side();
+  void make_taking(QVBoxLayout& column);
+  void make_press(QVBoxLayout& column);
+  void connect_parts();
   void name_parts();
   void take();
   [[nodiscard]] QString why_not_take() const;
   void watch_contact();
+  [[nodiscard]] QString why_not_by_itself() const;
+  void show_guide();
   void hold(const FramePtr& frame);
+  [[nodiscard]] double held_part() const;
   void forget_held();
   void choose_files();
   void take_out_or_put_back();
+  void show_problems();
   void show_list();
   void show_shown();
+  void show_picture(const DeskPress& press);
+  void show_fit(const DeskPress& press);
+  void show_place();
+  void show_forecast();
   void show_take();
+  void show_taken();
   [[nodiscard]] std::vector<Overlay> overlays_of(const DeskPress& press) const;
   [[nodiscard]] std::optional<ShownBall> ball_of(const DeskPress& press) const;
+  [[nodiscard]] std::optional<PressFit> fit_at(const DeskPress& press,
+                                               const Eigen::Vector3d& centre_mm) const;
   [[nodiscard]] QString advice_for(const DeskPress& press) const;
 
   LiveSession& session_;
   PressDesk& desk_;
   const CalibrationRun& run_;
+  PressForecast& forecast_;
   PressModel model_;
   StationaryContactDetector still_;
   HeldFrames held_;                 // of the live picture, for as long as it is watched
   FramePtr newest_held_;            // null: none
+  std::size_t alike_ = 0;           // of the held frames, with the newest
   std::filesystem::path held_for_;  // the finger's folder
+  GuidedFrame guided_;
   std::string shown_;               // empty: live
-  QString taken_name_;              // of the press taken last; empty: none
+  std::string taken_name_;          // of the press taken last; empty: none
   std::size_t taken_of_ = 0;        // frames
+  std::optional<Problem> refused_;  // why pictures could not be added
+  std::optional<PressFit> fit_;     // of the press that is shown
   ProblemList* problems_;
-  QLabel* count_;
-  QListView* list_;
+  QLabel *count_, *forecast_words_;
+  PressListView* list_;
   QPushButton *add_, *out_, *remove_;
   QPushButton *live_button_, *press_button_;
+  QCheckBox* residual_;
   QStackedWidget* pictures_;
   PicturePanel* live_;
   OutlineEditor* editor_;
+  PressFitPane* fit_pane_;
   QLabel* place_;
   QGroupBox *take_group_, *press_group_;
   QLabel *radius_label_, *operator_label_;
   QDoubleSpinBox* radius_;
   QLineEdit* operator_;
   PressForm* form_;
+  QToolButton* more_;
   QPushButton *take_, *find_;
   QCheckBox* by_itself_;
-  QLabel *take_reason_, *taken_, *press_text_, *legend_;
+  QLabel *take_reason_, *guide_, *why_waiting_, *taken_, *press_text_, *legend_;
 };
 
 }  // namespace alltact

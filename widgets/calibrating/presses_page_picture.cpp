@@ -1,6 +1,7 @@
 // What the step Presses shows of one press: its picture, the ball over it, and what to do with it.
 #include "calibration/presses/placed_ball.h"
 #include "widgets/calibrating/presses_page.h"
+#include "widgets/calibrating/verdict_words.h"
 #include "widgets/language.h"
 #include "widgets/picture/overlays.h"
 #include "widgets/report/report_words.h"
@@ -49,12 +50,15 @@ std::optional<ShownBall> PressesPage::ball_of(const DeskPress& press) const {
 }
 
 std::vector<Overlay> PressesPage::overlays_of(const DeskPress& press) const {
+  std::vector<Overlay> overlays;
+  if (fit_ && residual_->isChecked()) overlays = residual_overlays(*fit_);
   const auto ball = ball_of(press);
-  if (!ball || !press.looked.shape) return {};
+  if (!ball || !press.looked.shape) return overlays;
   const auto contact = ball_on_face(
       *press.looked.shape, desk_.looker()->finger().face, ball->centre_mm, ball->radius_mm);
-  if (!contact) return {};
-  return {contact_overlay(contact_rim_px(ball->camera, *contact, kRimPoints))};
+  if (contact)
+    overlays.push_back(contact_overlay(contact_rim_px(ball->camera, *contact, kRimPoints)));
+  return overlays;
 }
 
 QString PressesPage::advice_for(const DeskPress& press) const {
@@ -77,6 +81,17 @@ QString PressesPage::advice_for(const DeskPress& press) const {
   return lines.join(QLatin1Char('\n'));
 }
 
+std::optional<PressFit> PressesPage::fit_at(const DeskPress& press,
+                                            const Eigen::Vector3d& centre_mm) const {
+  const FingerCalibration* known = forecast_.to_compare_with();
+  if (known == nullptr || !press.looked.measured || !press.looked.measured->taken.press)
+    return std::nullopt;
+  Press measured = *press.looked.measured->taken.press;  // shares its pictures
+  measured.ball_radius_mm = desk_.said().radius_of(press.name);
+  return fit_of_press(
+      measured, desk_.looker()->finger().face, known->calibration.mapping, centre_mm);
+}
+
 void PressesPage::show_shown() {
   const DeskPress* press = desk_.find(shown_);
   if (press == nullptr) shown_.clear();
@@ -85,7 +100,9 @@ void PressesPage::show_shown() {
   press_button_->setText(press != nullptr ? as_text(press->name) : tr("Chosen &press"));
   press_button_->setEnabled(!desk_.presses().empty());
   pictures_->setCurrentIndex(press == nullptr ? 0 : 1);
+  take_group_->setVisible(press == nullptr);
   press_group_->setVisible(press != nullptr);
+  residual_->setVisible(press != nullptr);
   out_->setEnabled(press != nullptr && desk_.is_ready());
   form_->setEnabled(desk_.is_ready());
   remove_->setEnabled(press != nullptr && press->frame);
@@ -93,22 +110,54 @@ void PressesPage::show_shown() {
                                                                           : tr("Take &out"));
   out_->setToolTip(tr("A press that is taken out stays with the finger and is not used"));
   if (press == nullptr) {
+    fit_.reset();
     editor_->set_ball(std::nullopt);
     return;
   }
-  const bool is_ball = !desk_.said().of(press->name).step_mm;
-  find_->setEnabled(is_ball && desk_.said().of(press->name).ball_mm.has_value());
-  legend_->setVisible(is_ball);
+  const PressNote& note = desk_.said().of(press->name);
+  const bool is_measured = note.depth || note.step_mm || note.ball_radius_mm;
+  find_->setEnabled(!note.step_mm && note.ball_mm.has_value());
+  legend_->setVisible(!note.step_mm);
+  more_->setArrowType(more_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
+  form_->setVisible(more_->isChecked() || is_measured);
+  more_->setVisible(!is_measured);
   form_->show_press(press->name);
   press_text_->setText(advice_for(*press));
-  if (press->looked.grey.empty()) {
+  show_picture(*press);
+}
+
+void PressesPage::show_picture(const DeskPress& press) {
+  if (press.looked.grey.empty()) {
+    fit_.reset();
+    fit_pane_->show_fit(nullptr, nullptr, nullptr, {});
     editor_->set_ball(std::nullopt);
     editor_->show_message(tr("The picture is being read."));
   } else {
-    editor_->show_picture(press->looked.grey, overlays_of(*press));
-    const auto ball = ball_of(*press);
-    editor_->set_ball(ball);
+    editor_->set_ball(ball_of(press));
+    show_fit(press);
+    editor_->show_picture(press.looked.grey, overlays_of(press));
   }
+  show_place();
+}
+
+void PressesPage::show_fit(const DeskPress& press) {
+  const bool is_known = editor_->ball() && desk_.has_ball(press);
+  fit_ = is_known ? fit_at(press, editor_->ball()->centre_mm) : std::nullopt;
+  std::optional<PressFit> before;
+  if (fit_ && editor_->ball()->is_by_hand) {
+    const bool is_current = run_.state() == CalibrationState::kCurrent;
+    const BallFit* fitted = is_current ? fitted_ball(run_, press.name) : nullptr;
+    const auto found = fitted != nullptr ? std::optional(fitted->centre_mm) : press.looked.found_mm;
+    if (found) before = fit_at(press, *found);
+  }
+  const FingerCalibration* known = forecast_.to_compare_with();
+  fit_pane_->show_fit(fit_ ? &*fit_ : nullptr,
+                      before ? &*before : nullptr,
+                      known != nullptr ? &known->calibration : nullptr,
+                      forecast_text(forecast_, run_));
+}
+
+void PressesPage::show_place() {
   const auto place = editor_->ball() ? outline_place(*editor_->ball()) : std::nullopt;
   place_->setText(place ? tr("Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera")
                               .arg(local_mm(place->centre.x(), 1),

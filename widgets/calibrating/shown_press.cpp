@@ -3,7 +3,9 @@
 #include "calibration/presses/placed_ball.h"
 #include "core/geometry/ball.h"
 #include "widgets/calibrating/press_model.h"
+#include "widgets/calibrating/verdict_words.h"
 #include "widgets/picture/overlays.h"
+#include "widgets/shell/icons.h"
 
 #include <QGuiApplication>
 #include <QPainter>
@@ -23,6 +25,19 @@ QPolygonF outline_polygon(const ShownBall& ball) {
   for (const auto& p : ball_outline_px(ball.camera, ball.centre_mm, ball.radius_mm, kOutlinePoints))
     polygon << QPointF(p.x() + 0.5, p.y() + 0.5);  // a pixel's middle, counted from its corner
   return polygon;
+}
+
+/// On a picture, whatever the window's palette: as on dark ground.
+void paint_meaning(QPainter& painter, Meaning meaning, const QSize& size, double ratio) {
+  constexpr int kBar = 5, kSymbol = 16;
+  const QColor colour = meaning_colour(meaning, theme_palette(Theme::kDark));
+  painter.fillRect(QRect(0, 0, kBar, size.height()), colour);
+  const QRect plate(kBar + 2, 2, kSymbol + 4, kSymbol + 4);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0, 0, 0, 190));
+  painter.drawRoundedRect(plate, 4, 4);
+  painter.drawPixmap(plate.topLeft() + QPoint(2, 2),
+                     symbol(symbol_name(meaning), colour, kSymbol, ratio));
 }
 
 /// Of the picture, with the proportions of `size`, around the outline.
@@ -81,7 +96,8 @@ QString refusal_word(const Error& problem) {
 QImage press_thumbnail(const cv::Mat& grey,
                        const std::optional<ShownBall>& ball,
                        const QSize& size,
-                       double ratio) {
+                       double ratio,
+                       std::optional<Meaning> meaning) {
   QImage thumbnail(size * ratio, QImage::Format_RGB32);
   thumbnail.setDevicePixelRatio(ratio);
   thumbnail.fill(Qt::black);
@@ -116,22 +132,26 @@ QImage press_thumbnail(const cv::Mat& grey,
     path.closeSubpath();
     stroke_over(painter, path, kBallOutline, 1.4, ball->is_by_hand ? Qt::SolidLine : Qt::DashLine);
   }
+  if (meaning) paint_meaning(painter, *meaning, size, ratio);
   return thumbnail;
 }
 
-QPixmap PressThumbnails::of(const DeskPress& press, const std::optional<ShownBall>& ball) {
+QPixmap PressThumbnails::of(const DeskPress& press,
+                            const std::optional<ShownBall>& ball,
+                            std::optional<Meaning> meaning) {
   if (press.looked.grey.empty()) return {};
   Drawn& drawn = drawn_[press.name];
   Eigen::Vector4d now = Eigen::Vector4d::Zero();
   if (ball) now << ball->centre_mm, ball->radius_mm;
   const bool is_by_hand = ball && ball->is_by_hand;
   if (drawn.grey.data != press.looked.grey.data || drawn.ball != now ||
-      drawn.is_by_hand != is_by_hand)
+      drawn.is_by_hand != is_by_hand || drawn.meaning != meaning)
     drawn = {press.looked.grey,
              now,
              is_by_hand,
-             QPixmap::fromImage(
-                 press_thumbnail(press.looked.grey, ball, size(), qGuiApp->devicePixelRatio()))};
+             meaning,
+             QPixmap::fromImage(press_thumbnail(
+                 press.looked.grey, ball, size(), qGuiApp->devicePixelRatio(), meaning))};
   return drawn.picture;
 }
 

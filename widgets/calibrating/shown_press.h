@@ -4,6 +4,7 @@
 
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/picture/outline_editor.h"
+#include "widgets/theme.h"
 
 #include <QPixmap>
 #include <map>
@@ -20,16 +21,20 @@ namespace alltact {
 [[nodiscard]] QString refusal_word(const Error& problem);
 
 /// A press' picture for a list, in `size` (px at `ratio` to the logical one): cut around the ball
-/// with its outline, the whole finger where there is no ball.
+/// with its outline, the whole finger where there is no ball. `meaning`: a bar in its colour at the
+/// left edge with its symbol; none where there is none.
 [[nodiscard]] QImage press_thumbnail(const cv::Mat& grey,
                                      const std::optional<ShownBall>& ball,
                                      const QSize& size,
-                                     double ratio);
+                                     double ratio,
+                                     std::optional<Meaning> meaning = std::nullopt);
 
 /// The same of all presses of a list, drawn when something about them has changed.
 class PressThumbnails {
  public:
-  [[nodiscard]] QPixmap of(const DeskPress& press, const std::optional<ShownBall>& ball);
+  [[nodiscard]] QPixmap of(const DeskPress& press,
+                           const std::optional<ShownBall>& ball,
+                           std::optional<Meaning> meaning);
   [[nodiscard]] static QSize size() { return {112, 63}; }
 
  private:
@@ -37,6 +42,7 @@ class PressThumbnails {
     cv::Mat grey;  // held, so that its address stays its own
     Eigen::Vector4d ball = Eigen::Vector4d::Zero();
     bool is_by_hand = false;
+    std::optional<Meaning> meaning;
     QPixmap picture;
   };
   std::map<std::string, Drawn> drawn_;

@@ -30,11 +30,17 @@ bool SpaceKey::is_needed_by(const QWidget& widget) const {
       qobject_cast<const QMenu*>(inner) != nullptr)
     return true;
   // A step was chosen to come here, and has been.
-  return qobject_cast<const QAbstractButton*>(inner) != nullptr &&
+  return qobject_cast<const QAbstractButton*>(inner) != nullptr && inner != by_mouse_ &&
          qobject_cast<const StepList*>(inner->parentWidget()) == nullptr;
 }
 
 bool SpaceKey::eventFilter(QObject* receiver, QEvent* event) {
+  if (event->type() == QEvent::FocusIn) {
+    const auto reason = static_cast<QFocusEvent*>(event)->reason();
+    if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason)
+      by_mouse_ = reason == Qt::MouseFocusReason ? receiver : nullptr;
+    return false;
+  }
   if (event->type() != QEvent::KeyPress) return false;
   const auto* key = static_cast<QKeyEvent*>(event);
   const auto* widget = qobject_cast<QWidget*>(receiver);

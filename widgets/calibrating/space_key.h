@@ -8,8 +8,9 @@
 
 namespace alltact {
 
-/// While `page` is shown, Space calls `act`, but for where it writes words or works a control of
-/// the page: there it does what it does everywhere. It never types into fields of numbers.
+/// While `page` is shown, Space calls `act`, wherever the focus is in the window, but for where it
+/// writes words or works a control that was gone to by keys: there it does what it does everywhere.
+/// A button that a mouse clicked has been used, and it never types into fields of numbers.
 class SpaceKey : public QObject {
   Q_OBJECT
  public:
@@ -22,6 +23,7 @@ class SpaceKey : public QObject {
   [[nodiscard]] bool is_needed_by(const QWidget& widget) const;
   QWidget& page_;
   std::function<void()> act_;
+  const QObject* by_mouse_ = nullptr;  // what a click gave the focus; only compared with
 };
 
 }  // namespace alltact

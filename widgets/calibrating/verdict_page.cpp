@@ -1,5 +1,7 @@
 #include "widgets/calibrating/verdict_page.h"
 
+#include "widgets/calibrating/verdict_sheet.h"
+#include "widgets/calibrating/verdict_words.h"
 #include "widgets/language.h"
 #include "widgets/report/calibration_figures.h"
 #include "widgets/report/report_words.h"
@@ -18,43 +20,6 @@ namespace {
 
 constexpr int kVerdictSymbol = 40;
 
-QString grade_text(Grade grade) {
-  switch (grade) {
-    case Grade::kGood:
-      return VerdictPage::tr("Good");
-    case Grade::kUsable:
-      return VerdictPage::tr("Usable for contact and its place");
-    case Grade::kUnproven:
-      return VerdictPage::tr("Unproven");
-    case Grade::kUnfit:
-      break;
-  }
-  return VerdictPage::tr("Not fit to measure with");
-}
-
-Meaning meaning_of(Grade grade) {
-  if (grade == Grade::kGood) return Meaning::kGood;
-  return grade == Grade::kUnfit ? Meaning::kBad : Meaning::kDoubtful;
-}
-
-QString symbol_name(Meaning meaning) {
-  return meaning == Meaning::kGood       ? QStringLiteral("good")
-         : meaning == Meaning::kDoubtful ? QStringLiteral("doubtful")
-                                         : QStringLiteral("bad");
-}
-
-/// Of the stored figures where the whole calibration is not in memory.
-std::optional<Verdict> verdict_of(const CalibrationRun& run) {
-  if (run.result()) return run.result()->verdict;
-  if (!run.finger() || !run.finger()->finger.mapping_record) return std::nullopt;
-  const MappingRecord& record = *run.finger()->finger.mapping_record;
-  return verdict({record.residual_mm,
-                  record.held_out_mm,
-                  record.spread_mm,
-                  static_cast<int>(record.presses.size()),
-                  record.pixel_mm});
-}
-
 }  // namespace
 
 VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
@@ -64,17 +29,49 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
       grade_(new QLabel),
       sentence_(wrapped_text()),
       zones_(wrapped_text()),
-      next_group_(new QGroupBox),
-      remarks_group_(new QGroupBox),
       next_(wrapped_text()),
       face_(new FaceMapPlot),
       remarks_(new QListWidget),
+      print_(new QPushButton),
       report_(new QPushButton),
       copy_(new QPushButton),
+      fold_(new QToolButton),
+      folded_(new QWidget),
+      more_(new MoreBox),
       report_state_(wrapped_text()),
       command_(wrapped_text()) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  make_head(*column);
+  column->addWidget(next_);
+  auto* middle = new QHBoxLayout;
+  middle->addWidget(face_, 3);
+  middle->addWidget(more_, 2);
+  column->addLayout(middle, 1);
+  make_foot(*column);
+  connect(print_, &QPushButton::clicked, this, &VerdictPage::print);
+  connect(report_, &QPushButton::clicked, this, [this] {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(run_.report().string())));
+  });
+  connect(copy_, &QPushButton::clicked, this, [this] {
+    QGuiApplication::clipboard()->setText(run_.command_line());
+  });
+  connect(fold_, &QToolButton::toggled, this, &VerdictPage::show_fold);
+  connect(&run_, &CalibrationRun::changed, this, &VerdictPage::show_status);
+  say([this] {
+    remarks_->setAccessibleName(tr("Remarks"));
+    print_->setText(tr("&Print…"));
+    print_->setShortcut(QKeySequence::Print);  // a new text takes it away
+    print_->setToolTip(tr("One sheet to keep beside the finger, on paper or as PDF"));
+    report_->setText(tr("&Open the report"));
+    copy_->setText(tr("Copy as command &line"));
+    command_->setAccessibleName(tr("The same as a command line"));
+    shown_.reset();
+    show_status();
+  });
+}
+
+void VerdictPage::make_head(QVBoxLayout& column) {
   auto* head = new QHBoxLayout;
   head->addWidget(symbol_, 0, Qt::AlignTop);
   auto* words = new QVBoxLayout;
@@ -87,44 +84,43 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
   words->addWidget(sentence_);
   words->addWidget(zones_);
   head->addLayout(words, 1);
-  column->addLayout(head);
-  auto* middle = new QHBoxLayout;
-  auto* next = new QVBoxLayout(next_group_);
-  next->addWidget(next_);
-  next->addWidget(face_, 1);
-  middle->addWidget(next_group_, 3);
-  auto* remarks = new QVBoxLayout(remarks_group_);
-  remarks_->setWordWrap(true);
-  remarks->addWidget(remarks_);
-  middle->addWidget(remarks_group_, 2);
-  column->addLayout(middle, 1);
+  column.addLayout(head);
+}
+
+void VerdictPage::make_foot(QVBoxLayout& column) {
   auto* buttons = new QHBoxLayout;
+  print_->setMinimumHeight(36);
+  fold_->setCheckable(true);
+  fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  buttons->addWidget(print_);
   buttons->addWidget(report_);
   buttons->addWidget(copy_);
+  buttons->addWidget(fold_);
   buttons->addWidget(report_state_, 1);
-  column->addLayout(buttons);
+  column.addLayout(buttons);
+  auto* inside = new QVBoxLayout(folded_);
+  inside->setContentsMargins(0, 0, 0, 0);
+  remarks_->setWordWrap(true);
+  remarks_->setMaximumHeight(110);
+  inside->addWidget(remarks_);
   QFont mono(QStringLiteral("monospace"));
   mono.setStyleHint(QFont::Monospace);
   command_->setFont(mono);
   command_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  column->addWidget(command_);
-  connect(report_, &QPushButton::clicked, this, [this] {
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(run_.report().string())));
-  });
-  connect(copy_, &QPushButton::clicked, this, [this] {
-    QGuiApplication::clipboard()->setText(run_.command_line());
-  });
-  connect(&run_, &CalibrationRun::changed, this, &VerdictPage::show_status);
-  say([this] {
-    next_group_->setTitle(tr("What to press next"));
-    remarks_group_->setTitle(tr("Remarks"));
-    remarks_->setAccessibleName(tr("Remarks"));
-    report_->setText(tr("&Open the report"));
-    copy_->setText(tr("Copy as command &line"));
-    command_->setAccessibleName(tr("The same as a command line"));
-    shown_.reset();
-    show_status();
-  });
+  inside->addWidget(command_);
+  column.addWidget(folded_);
+}
+
+void VerdictPage::show_fold() {
+  const int count = shown_ ? remarks_->count() : 0;
+  fold_->setText(tr("Remarks (%1)").arg(count));
+  fold_->setArrowType(fold_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
+  folded_->setVisible(fold_->isChecked());
+  remarks_->setVisible(shown_ != nullptr);
+}
+
+void VerdictPage::print() {
+  if (shown_) print_sheet(verdict_sheet(*shown_, run_.command_line()), *this);
 }
 
 StepState VerdictPage::state() const {
@@ -147,9 +143,14 @@ void VerdictPage::show_status() {
   QString words;
   if (known) words = window_sentence(known->reason);
   if (run_.state() == CalibrationState::kStale)
-    words += QLatin1Char(' ') + tr("The presses have changed since: calibrate again.");
+    words += QLatin1Char(' ') +
+             (run_.has_other_finger()
+                  ? tr("The finger's sizes or markers have changed since: calibrate again.")
+                  : tr("The presses have changed since: calibrate again."));
   sentence_->setText(words);
+  more_->set_finger(run_.state() == CalibrationState::kCurrent ? run_.finger() : nullptr);
   report_->setEnabled(!run_.report().empty());
+  print_->setEnabled(run_.result() != nullptr);
   copy_->setEnabled(run_.state() != CalibrationState::kNone);
   command_->setVisible(run_.state() != CalibrationState::kNone);
   command_->setText(run_.command_line());
@@ -165,11 +166,13 @@ void VerdictPage::show_status() {
     show_next_press();
     show_remarks();
   }
+  show_fold();
   Q_EMIT changed();
 }
 
 void VerdictPage::show_next_press() {
-  next_group_->setVisible(shown_ != nullptr);
+  next_->setVisible(shown_ != nullptr);
+  face_->setVisible(shown_ != nullptr);
   if (!shown_) return;
   const Calibration& calibration = shown_->calibration;
   FaceMapData data = face_figure(
@@ -193,7 +196,6 @@ void VerdictPage::show_next_press() {
 
 void VerdictPage::show_remarks() {
   remarks_->clear();
-  remarks_group_->setVisible(shown_ != nullptr);
   if (!shown_) return;
   const Calibration& calibration = shown_->calibration;
   const auto add = [this](const Message& text) { remarks_->addItem(window_sentence(text)); };
@@ -203,7 +205,6 @@ void VerdictPage::show_remarks() {
   for (const Message& reason : calibration.left_out) add(reason);
   for (const Message& remark : calibration.remarks)
     if (!calibration.next_press || remark != calibration.next_press->sentence) add(remark);
-  if (remarks_->count() == 0) remarks_->addItem(tr("None."));
 }
 
 void VerdictPage::changeEvent(QEvent* event) {

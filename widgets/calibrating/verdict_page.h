@@ -1,13 +1,15 @@
 // Step 5, the verdict: what the calibration is worth, and what would make it better.
 #pragma once
 
+#include "widgets/accuracy/more_box.h"
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/plots/face_map_plot.h"
 
-#include <QGroupBox>
 #include <QListWidget>
 #include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
 
 namespace alltact {
 
@@ -19,23 +21,31 @@ class VerdictPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Verdict"); }
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
-  [[nodiscard]] QWidget* main_control() const override { return report_; }
+  [[nodiscard]] QWidget* main_control() const override { return print_; }
   void show_status();
+  /// Shows the remarks and the command.
+  void unfold() { fold_->setChecked(true); }
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
+  void make_head(QVBoxLayout& column);
+  void make_foot(QVBoxLayout& column);
   void show_next_press();
   void show_remarks();
+  void show_fold();
+  void print();
 
   CalibrationRun& run_;
   QLabel *symbol_, *grade_, *sentence_, *zones_;
-  QGroupBox *next_group_, *remarks_group_;
   QLabel* next_;
   FaceMapPlot* face_;
   QListWidget* remarks_;
-  QPushButton *report_, *copy_;
+  QPushButton *print_, *report_, *copy_;
+  QToolButton* fold_;
+  QWidget* folded_;  // remarks and command
+  MoreBox* more_;
   QLabel *report_state_, *command_;
   std::shared_ptr<const FingerCalibration> shown_;
 };

@@ -1,5 +1,7 @@
 #include "widgets/controls/control_panel.h"
 
+#include "widgets/controls/control_names.h"
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QSlider>
@@ -29,31 +31,6 @@ constexpr std::array<std::uint32_t, 9> kImportant{V4L2_CID_EXPOSURE_AUTO,
 std::size_t rank(const CameraControl& control) {
   return static_cast<std::size_t>(std::find(kImportant.begin(), kImportant.end(), control.id) -
                                   kImportant.begin());
-}
-
-QString name_of(const CameraControl& control) {
-  switch (control.id) {
-    case V4L2_CID_EXPOSURE_AUTO:
-      return ControlPanel::tr("Automatic exposure");
-    case V4L2_CID_EXPOSURE_ABSOLUTE:
-      return ControlPanel::tr("Exposure time");
-    case V4L2_CID_AUTOGAIN:
-      return ControlPanel::tr("Automatic gain");
-    case V4L2_CID_GAIN:
-      return ControlPanel::tr("Gain");
-    case V4L2_CID_AUTO_WHITE_BALANCE:
-      return ControlPanel::tr("Automatic white balance");
-    case V4L2_CID_WHITE_BALANCE_TEMPERATURE:
-      return ControlPanel::tr("White balance");
-    case V4L2_CID_FOCUS_AUTO:
-      return ControlPanel::tr("Automatic focus");
-    case V4L2_CID_FOCUS_ABSOLUTE:
-      return ControlPanel::tr("Focus");
-    case V4L2_CID_BRIGHTNESS:
-      return ControlPanel::tr("Brightness");
-    default:
-      return QString::fromStdString(control.name);
-  }
 }
 
 QString unit_of(const CameraControl& control) {
@@ -153,20 +130,20 @@ class ControlPanel::Row : public QWidget {
 
  private:
   void make_number(QVBoxLayout& layout) {
-    auto* label = new QLabel(name_of(control_));
+    auto* label = new QLabel(control_name(control_));
     number_ = box_for(control_);
     number_->setRange(as_int(control_.low), as_int(control_.high));
     number_->setSingleStep(as_int(std::max<std::int64_t>(control_.step, 1)));
     number_->setSuffix(unit_of(control_));
     number_->setKeyboardTracking(false);
-    number_->setAccessibleName(name_of(control_));
+    number_->setAccessibleName(control_name(control_));
     label->setBuddy(number_);
     slider_ = new QSlider(Qt::Horizontal);
     slider_->setRange(number_->minimum(), number_->maximum());
     slider_->setSingleStep(number_->singleStep());
     slider_->setPageStep(
         std::max(number_->singleStep(), (slider_->maximum() - slider_->minimum()) / 10));
-    slider_->setAccessibleName(name_of(control_));
+    slider_->setAccessibleName(control_name(control_));
     const QString range =
         ControlPanel::tr("%1 to %2")
             .arg(text_of(control_, control_.low), text_of(control_, control_.high));
@@ -182,15 +159,15 @@ class ControlPanel::Row : public QWidget {
   }
 
   void make_switch(QVBoxLayout& layout) {
-    switch_ = new QCheckBox(name_of(control_));
+    switch_ = new QCheckBox(control_name(control_));
     layout.addWidget(switch_);
     connect(switch_, &QCheckBox::toggled, this, [this](bool is_on) { change(is_on ? 1 : 0); });
   }
 
   void make_choice(QVBoxLayout& layout) {
-    auto* label = new QLabel(name_of(control_));
+    auto* label = new QLabel(control_name(control_));
     choice_ = new QComboBox;
-    choice_->setAccessibleName(name_of(control_));
+    choice_->setAccessibleName(control_name(control_));
     for (const MenuItem& item : control_.menu)
       choice_->addItem(QString::fromStdString(item.name), qint64{item.value});
     label->setBuddy(choice_);

@@ -26,6 +26,10 @@ FacePane::FacePane(QWidget* parent)
     : Translated(parent), scene_(std::make_unique<FaceScene>(scene_window())) {
   set_accessible_role(*this, QAccessible::Graphic);
   dress();
+  constexpr int kBetweenLooks_ms = 25;
+  pointing_.setSingleShot(true);
+  pointing_.setInterval(kBetweenLooks_ms);
+  connect(&pointing_, &QTimer::timeout, this, &FacePane::tell_pointed_at);
   say([this] { setAccessibleName(tr("Face in 3D")); });
 }
 
@@ -34,6 +38,20 @@ FacePane::~FacePane() = default;
 FaceScene& FacePane::change() {
   draw_later();
   return *scene_;
+}
+
+std::optional<QPointF> FacePane::pixel_at(QPointF place) const {
+  const double ratio = devicePixelRatioF();
+  const auto pixel = scene_->pixel_at(place.x() * ratio, place.y() * ratio);
+  return pixel ? std::optional(QPointF(pixel->x, pixel->y)) : std::nullopt;
+}
+
+void FacePane::point_again() {
+  if (!pointing_.isActive()) pointing_.start();
+}
+
+void FacePane::tell_pointed_at() {
+  Q_EMIT pointed_at(pointer_ ? pixel_at(*pointer_) : std::nullopt);
 }
 
 void FacePane::dress() {
@@ -59,6 +77,11 @@ bool FacePane::event(QEvent* event) {
   const auto* mouse =
       event->type() == QEvent::MouseMove ? static_cast<QMouseEvent*>(event) : nullptr;
   if (is_wheel || (mouse != nullptr && mouse->buttons() != Qt::NoButton)) Q_EMIT looked();
+  if (mouse != nullptr || event->type() == QEvent::Leave || is_wheel) {
+    const bool is_pointing = mouse != nullptr && mouse->buttons() == Qt::NoButton;
+    if (!is_wheel) pointer_ = is_pointing ? std::optional(mouse->position()) : std::nullopt;
+    point_again();
+  }
   // A touchpad sends parts of a step.
   if (is_wheel && !(scene_->look() == *before)) Q_EMIT turned(false);
   return is_taken;
@@ -119,11 +142,10 @@ void FacePane::mouseReleaseEvent(QMouseEvent* event) {
     Q_EMIT turned(true);
   }
   if (!is_click || event->button() == Qt::MiddleButton) return;
-  const double ratio = devicePixelRatioF();
-  const auto pixel = scene_->pixel_at(event->position().x() * ratio, event->position().y() * ratio);
+  const auto pixel = pixel_at(event->position());
   if (!pixel) return;
   Q_EMIT clicked(
-      {pixel->x, pixel->y},
+      *pixel,
       event->button() == Qt::RightButton || event->modifiers().testFlag(Qt::ControlModifier));
 }
 

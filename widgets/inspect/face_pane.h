@@ -6,13 +6,15 @@
 #include "widgets/translated.h"
 
 #include <QPointF>
+#include <QTimer>
 #include <memory>
 #include <optional>
 
 namespace alltact {
 
 /// Only where VtkView::is_supported(). Mouse: dragging turns, with Shift or the middle button it
-/// moves, the wheel comes closer; a click without dragging chooses a place. Keys: arrows turn,
+/// moves, the wheel comes closer; a click without dragging chooses a place, and without any button
+/// the place under it is told. Keys: arrows turn,
 /// Shift and arrows move, + and - come closer, 0 shows all.
 class FacePane : public Translated<VtkView> {
   Q_OBJECT
@@ -20,6 +22,8 @@ class FacePane : public Translated<VtkView> {
   explicit FacePane(QWidget* parent = nullptr);
   ~FacePane() override;
 
+  /// Something else may lie under the pointer now.
+  void point_again();
   /// Draws soon after.
   [[nodiscard]] FaceScene& change();
   [[nodiscard]] const FaceScene& scene() const { return *scene_; }
@@ -27,6 +31,8 @@ class FacePane : public Translated<VtkView> {
  Q_SIGNALS:
   /// A pixel of the picture; is_second: with the right button, or Ctrl.
   void clicked(QPointF pixel, bool is_second);
+  /// The pixel under the pointer; none: it is beside the face, or has left.
+  void pointed_at(const std::optional<QPointF>& pixel);
   /// One looks from another place; also while a drag goes on.
   void looked();
   /// So one has come to look: at a drag's end, and at each step of the wheel or a key.
@@ -44,7 +50,11 @@ class FacePane : public Translated<VtkView> {
 
  private:
   void dress();
+  void tell_pointed_at();
+  [[nodiscard]] std::optional<QPointF> pixel_at(QPointF place) const;
   std::unique_ptr<FaceScene> scene_;
+  std::optional<QPointF> pointer_;  // where it is, without a button
+  QTimer pointing_;
   struct Press {
     QPointF at;
     Look look;

@@ -7,6 +7,7 @@
 #include "core/recording/time_match.h"
 #include "widgets/background_work.h"
 #include "widgets/inspect/inspect_options.h"
+#include "widgets/inspect/inspection.h"
 
 #include <QObject>
 #include <array>

@@ -1,18 +1,22 @@
 // What the place Inspect shows, as one value that can be undone, kept and put back.
 #pragma once
 
-#include "widgets/inspect/inspection.h"
+#include "calibration/live/frame_measurer.h"
 #include "widgets/scene3d/face_scene.h"
 
 #include <filesystem>
 #include <optional>
 
-#include <opencv2/core.hpp>
+#include <Eigen/Core>
 
 namespace alltact {
 
 enum class ShownAs { k3d = 1, kHeightMap };
 enum class Comparison { kNone = 1, kSideBySide, kDifference };
+
+/// Along the face from its base and across it from its middle, mm (FaceShape::place_mm): it stays
+/// where it is on the finger while that moves.
+using FacePlace = Eigen::Vector2d;
 
 /// Another finger of the same gripper, with its own recording.
 struct SecondFinger {
@@ -25,14 +29,18 @@ struct InspectOptions {
   std::optional<SecondFinger> second;  ///< beside a recording only
   ShownAs shown_as = ShownAs::k3d;
   Comparison comparison = Comparison::kNone;
+  Comparand with{OtherMethod::kPaper};  ///< what is compared with, where anything is
   Standpoint standpoint = Standpoint::kTilted;
   std::optional<Look> look;  ///< turned or moved by hand; none: as from the standpoint
   SceneOptions scene;
-  std::optional<cv::Point2d> a, b;  ///< pixels of the two points one measures with
+  std::optional<FacePlace> a, b;  ///< the two points one measures with
 
   /// Beside a second finger nothing is compared.
   [[nodiscard]] Comparison shown_comparison() const {
     return second ? Comparison::kNone : comparison;
+  }
+  [[nodiscard]] Comparand comparand() const {
+    return shown_comparison() == Comparison::kNone ? Comparand() : with;
   }
   bool operator==(const InspectOptions&) const = default;
 };

@@ -1,10 +1,12 @@
 #include "widgets/inspect/inspect_pane.h"
 
-#include "core/sensing/measures.h"
 #include "widgets/accessible.h"
+#include "widgets/inspect/face_places.h"
 #include "widgets/inspect/height_map.h"
+#include "widgets/inspect/shown_scene.h"
 #include "widgets/picture/overlays.h"
 
+#include <QCursor>
 #include <QMouseEvent>
 #include <QVBoxLayout>
 
@@ -14,6 +16,7 @@ InspectPane::InspectPane(PaneContent content, QWidget* parent)
     : Translated(parent),
       content_(content),
       title_(new QLabel),
+      beside_(new QLabel(this)),
       stack_(new QStackedWidget),
       map_(new ImageView) {
   auto* layout = new QVBoxLayout(this);
@@ -21,6 +24,17 @@ InspectPane::InspectPane(PaneContent content, QWidget* parent)
   layout->addWidget(title_);
   layout->addWidget(stack_, 1);
   title_->hide();
+  title_->setWordWrap(true);
+  beside_->hide();
+  beside_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  beside_->setAutoFillBackground(true);
+  beside_->setBackgroundRole(QPalette::ToolTipBase);
+  beside_->setForegroundRole(QPalette::ToolTipText);
+  beside_->setMargin(4);
+  connect(map_, &ImageView::probe_changed, this, [this] {
+    const auto probe = map_->probe();
+    Q_EMIT pointed_at(probe ? std::optional<QPointF>(*probe) : std::nullopt);
+  });
   stack_->addWidget(map_);
   map_->installEventFilter(this);
 }
@@ -30,6 +44,7 @@ void InspectPane::make_face_pane() {
   face_ = new FacePane;
   stack_->addWidget(face_);
   connect(face_, &FacePane::clicked, this, &InspectPane::clicked);
+  connect(face_, &FacePane::pointed_at, this, &InspectPane::pointed_at);
   connect(face_, &FacePane::looked, this, &InspectPane::looked);
   connect(face_, &FacePane::turned, this, &InspectPane::turned);
   connect(face_, &FacePane::all_wanted, this, &InspectPane::all_wanted);
@@ -78,6 +93,20 @@ void InspectPane::show_pair(const FingerPair& pair) {
   show_all();
 }
 
+void InspectPane::show_beside_pointer(const QString& text) {
+  // The height map tells it by itself.
+  beside_->setVisible(!text.isEmpty() && stack_->currentWidget() == face_);
+  if (beside_->isHidden()) return;
+  beside_->setText(text);
+  beside_->adjustSize();
+  constexpr int kAway = 18;
+  const QPoint at = mapFromGlobal(QCursor::pos());
+  const int right = at.x() + kAway, below = at.y() + kAway;
+  beside_->move(right + beside_->width() < width() ? right : at.x() - kAway - beside_->width(),
+                below + beside_->height() < height() ? below : at.y() - kAway - beside_->height());
+  beside_->raise();
+}
+
 void InspectPane::show_message(const QString& message) {
   frame_.reset();
   in_gripper_.reset();
@@ -87,7 +116,7 @@ void InspectPane::show_message(const QString& message) {
 
 void InspectPane::show_all() {
   if (!isVisible()) return;
-  const bool has_face = frame_ && (frame_->surface || frame_->bare);
+  const bool has_face = frame_ && (frame_->surface || frame_->bare) && !waits_for_other();
   if (options_.shown_as == ShownAs::k3d && has_face) make_face_pane();
   if (options_.shown_as == ShownAs::k3d && has_face && face_ != nullptr)
     show_3d();
@@ -95,45 +124,45 @@ void InspectPane::show_all() {
     show_map();
 }
 
+/// What is compared with has not been measured yet: ordinary depth under another title would
+/// deceive.
+bool InspectPane::waits_for_other() const {
+  return frame_ && content_ != PaneContent::kFirst && !in_gripper_ && frame_->surface &&
+         !frame_->other_surface;
+}
+
 void InspectPane::show_3d() {
   FaceScene& scene = face_->change();
-  const bool has_other = frame_->other_surface.has_value();
   scene.set_gap(in_gripper_ ? in_gripper_->gap : std::nullopt);
-  if (frame_->bare)
-    scene.show(*frame_->bare, *frame_->camera);
-  else if (in_gripper_)
-    scene.show_in_gripper(
-        {*frame_->surface, *frame_->camera, in_gripper_->places[0]},
-        {*in_gripper_->second->surface, *in_gripper_->second->camera, in_gripper_->places[1]});
-  else if (content_ == PaneContent::kDifference && has_other)
-    scene.show_difference(*frame_->surface, frame_->other_depth_mm, *frame_->camera);
-  else if (content_ == PaneContent::kSecond && has_other)
-    scene.show(*frame_->other_surface, *frame_->camera);
-  else
-    scene.show(*frame_->surface, *frame_->camera);
-  SceneMarks marks;
-  for (const auto& point : {options_.a, options_.b})
-    if (point) marks.points.push_back(*point);
-  if (options_.a && options_.b && frame_->surface)
-    marks.lines.push_back(
-        profile_between(frame_->result, frame_->face, {}, *options_.a, *options_.b).pixels);
-  scene.set_marks(std::move(marks));
+  show_in(scene,
+          *frame_,
+          content_,
+          in_gripper_ ? std::optional(OtherInGripper{in_gripper_->second, in_gripper_->places})
+                      : std::nullopt);
+  scene.set_marks(marks_of(*frame_, options_));
   stack_->setCurrentWidget(face_);
+  face_->point_again();
 }
 
 void InspectPane::show_map() {
   stack_->setCurrentWidget(map_);
+  beside_->hide();
   if (!frame_) return map_->show_message(message_);
-  const bool is_difference = content_ == PaneContent::kDifference && frame_->other;
+  if (waits_for_other())
+    return map_->show_message(frame_->other_problem || frame_->other
+                                  ? tr("There is nothing to compare with in this frame.")
+                                  : tr("It is being measured a second time, to be compared."));
+  const bool is_difference = content_ == PaneContent::kDifference;
   const FrameResult& result =
       content_ == PaneContent::kSecond && frame_->other ? *frame_->other : frame_->result;
   std::vector<Overlay> overlays;
-  if (result.depth && (!is_difference || frame_->other->depth)) {
-    const cv::Mat value = is_difference ? depth_difference_mm(*frame_) : result.depth->depth_mm;
-    const double top_mm = options_.scene.top_mm;
-    const ColourScale scale = is_difference ? difference_scale(top_mm) : depth_scale(top_mm);
+  if (result.depth) {
+    const cv::Mat& value = is_difference ? frame_->difference_mm : result.depth->depth_mm;
+    const ColourScale scale = is_difference ? difference_scale(options_.scene.difference_top_mm)
+                                            : depth_scale(options_.scene.top_mm);
     overlays.push_back(layer_overlay(height_layer(value, scale)));
-    overlays.push_back(points_overlay(options_.a, options_.b));
+    overlays.push_back(
+        points_overlay(pixel_of(*frame_, options_.a), pixel_of(*frame_, options_.b)));
     overlays.push_back(
         colour_bar_overlay(scale, is_difference ? tr("Difference, mm") : tr("Depth, mm")));
   }
@@ -146,9 +175,12 @@ void InspectPane::look_like(const InspectPane& other) {
     face_->change().look_as(other.face_->scene().look());
 }
 
-QImage InspectPane::picture() {
-  if (stack_->currentWidget() == face_) return face_->grabFramebuffer();
-  return map_->grab().toImage();
+QImage InspectPane::map_picture(double scale) const {
+  QImage picture((QSizeF(map_->size()) * scale).toSize(), QImage::Format_RGB32);
+  picture.setDevicePixelRatio(scale);
+  map_->render(&picture);
+  picture.setDevicePixelRatio(1);
+  return picture.convertToFormat(QImage::Format_BGR888);
 }
 
 void InspectPane::showEvent(QShowEvent* event) {

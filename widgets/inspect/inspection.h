@@ -2,12 +2,14 @@
 #pragma once
 
 #include "calibration/live/live_finger.h"
+#include "widgets/inspect/frame_summary.h"
 #include "widgets/inspect/inspected_frame.h"
 
 #include <QObject>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace alltact {
 
@@ -21,7 +23,10 @@ class Inspection : public QObject {
 
   /// The finger that recordings are measured with; empty: none.
   void set_finger(const std::filesystem::path& folder);
-  void set_other(OtherMethod other);
+  void set_other(const Comparand& other);
+  /// While it waits for wishes it measures all frames of a recording one after the other, for their
+  /// summaries.
+  void set_looking_further(bool is_on);
   /// A video, or a folder of pictures; an empty path closes it.
   ///   number: the frame that is shown first; of a shorter one the last
   void open(const std::filesystem::path& input, std::size_t number = 0);
@@ -38,20 +43,26 @@ class Inspection : public QObject {
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
   /// A wish is being worked on.
   [[nodiscard]] bool is_busy() const;
+  /// Of the recording's frames that were measured so far, in any order.
+  [[nodiscard]] const std::vector<FrameSummary>& summaries() const { return summaries_; }
 
  Q_SIGNALS:
   void frame_ready();
   /// recording(), problem() or is_busy() changed.
   void state_changed();
+  /// More frames have summaries, or none.
+  void summaries_changed();
 
  private:
   struct Shared;
   void take();
+  void take_summaries();
 
   std::shared_ptr<Shared> shared_;
   std::shared_ptr<const InspectedFrame> frame_;
   std::optional<RecordingInfo> recording_;
   std::optional<Error> problem_;
+  std::vector<FrameSummary> summaries_;
 };
 
 }  // namespace alltact

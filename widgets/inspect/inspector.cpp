@@ -33,7 +33,44 @@ Result<MeasuredFrame> Inspector::measured(const InspectWish& wish,
     return status.error();
   recording = measurer_.recording();
   if (const Status status = measurer_.load_finger(wish.finger, job); !status) return status.error();
-  return measurer_.measure(wish.number, wish.other, job);
+  auto frame = measurer_.measure(wish.number, wish.other, job);
+  if (frame) note(*frame);
+  return frame;
+}
+
+void Inspector::note(const MeasuredFrame& frame) {
+  const RecordingInfo recording = measurer_.recording();
+  if (summaries_of_ != recording.input || summaries_by_ != measurer_.finger()) {
+    summaries_of_ = recording.input;
+    summaries_by_ = measurer_.finger();
+    has_summary_.assign(recording.count, 0);
+    next_ = 0;
+    news_ = {true, {}};
+  }
+  if (frame.number < has_summary_.size() && has_summary_[frame.number] == 0) {
+    has_summary_[frame.number] = 1;
+    news_.summaries.push_back(summary_of(frame));
+  }
+  while (next_ < has_summary_.size() && has_summary_[next_] != 0) ++next_;
+}
+
+bool Inspector::look_further(const Job& job) {
+  if (next_ >= has_summary_.size() || !measurer_.is_open() || summaries_by_ != measurer_.finger() ||
+      summaries_of_ != measurer_.recording().input)
+    return false;
+  const auto frame = measurer_.measure(next_, {}, job);
+  if (frame) {
+    note(*frame);
+  } else {
+    has_summary_[next_] = 1;  // it cannot be read
+    news_.summaries.push_back({next_, {}, {}, {}, false, frame.error().what});
+    ++next_;
+  }
+  return true;
+}
+
+Inspector::News Inspector::news() {
+  return std::exchange(news_, {});
 }
 
 std::shared_ptr<const InspectedFrame> Inspector::with_surfaces(MeasuredFrame measured) {
@@ -48,14 +85,14 @@ std::shared_ptr<const InspectedFrame> Inspector::with_surfaces(MeasuredFrame mea
     return shown;
   }
   frame.surface = face_surface(result, frame.face, grid_.width, grid_.height);
-  if (!frame.other || !frame.other->depth || !frame.surface) return shown;
+  if (!frame.other || !frame.other->depth || !frame.other->shape || !frame.surface) return shown;
   frame.other_surface = face_surface(*frame.other, frame.face, grid_.width, grid_.height);
   frame.other_depth_mm.create(frame.surface->depth_mm.size(), CV_32FC1);
   for (int j = 0; j < grid_.height; ++j) {
     for (int i = 0; i < grid_.width; ++i) {
       const auto& pixel = frame.surface->pixel.at<cv::Vec2f>(j, i);
-      frame.other_depth_mm.at<float>(j, i) =
-          value_between(frame.other->depth->depth_mm, pixel[0], pixel[1]);
+      frame.other_depth_mm.at<float>(j, i) = frame.surface->depth_mm.at<float>(j, i) -
+                                             value_between(frame.difference_mm, pixel[0], pixel[1]);
     }
   }
   return shown;

@@ -28,7 +28,10 @@ SaveBar::SaveBar(QWidget* parent)
                                                      tr("Mesh, VTP (VTK)"),
                                                      tr("Mesh, STL"),
                                                      tr("Mesh, glTF"),
-                                                     tr("Picture, PNG"),
+                                                     tr("Picture, PNG (300 dpi)"),
+                                                     tr("Cross-section, PDF"),
+                                                     tr("Cross-section, SVG"),
+                                                     tr("Cross-section, CSV"),
                                                      tr("Video in 3D, MKV")};
     for (std::size_t i = 0; i < kinds.size(); ++i)
       kind_->setItemText(static_cast<int>(i), kinds[i]);
@@ -38,16 +41,27 @@ SaveBar::SaveBar(QWidget* parent)
     progress_->setAccessibleName(tr("Progress of saving"));
   });
   show_progress(std::nullopt);
-  set_can_save(false, false);
+  set_can_save({});
 }
 
-void SaveBar::set_can_save(bool can_anything, bool can_film) {
-  kind_->setEnabled(can_anything);
-  save_->setEnabled(can_anything);
+bool CanSave::saves(const std::string& ending) const {
+  if (ending == "png") return picture;
+  if (ending == "pdf" || ending == "svg" || ending == "csv") return section;
+  return ending == "mkv" ? film : surface;
+}
+
+void SaveBar::set_can_save(const CanSave& can) {
   auto* model = qobject_cast<QStandardItemModel*>(kind_->model());
-  model->item(static_cast<int>(kSavedAs.size()) - 1)->setEnabled(can_film);
-  if (!can_film && kind_->currentIndex() == static_cast<int>(kSavedAs.size()) - 1)
-    kind_->setCurrentIndex(0);
+  int first = -1;
+  for (int i = 0; i < kind_->count(); ++i) {
+    const bool is_on = can.saves(kSavedAs[static_cast<std::size_t>(i)]);
+    model->item(i)->setEnabled(is_on);
+    if (is_on && first < 0) first = i;
+  }
+  kind_->setEnabled(first >= 0);
+  save_->setEnabled(first >= 0);
+  if (first >= 0 && !can.saves(kSavedAs[static_cast<std::size_t>(kind_->currentIndex())]))
+    kind_->setCurrentIndex(first);
 }
 
 void SaveBar::show_progress(std::optional<double> fraction) {
@@ -55,7 +69,9 @@ void SaveBar::show_progress(std::optional<double> fraction) {
     widget->setVisible(fraction.has_value());
   for (QWidget* widget : std::initializer_list<QWidget*>{kind_, save_})
     widget->setVisible(!fraction.has_value());
-  if (fraction) progress_->setValue(static_cast<int>(std::lround(100 * *fraction)));
+  if (!fraction) return;
+  progress_->setRange(0, *fraction < 0 ? 0 : 100);
+  progress_->setValue(static_cast<int>(std::lround(100 * *fraction)));
 }
 
 }  // namespace alltact

@@ -8,20 +8,29 @@
 #include <QPushButton>
 #include <array>
 #include <optional>
+#include <string>
 
 namespace alltact {
 
 /// What can be saved: the endings that files get.
-inline constexpr std::array<const char*, 6> kSavedAs{"ply", "vtp", "stl", "glb", "png", "mkv"};
+inline constexpr std::array<const char*, 9> kSavedAs{
+    "ply", "vtp", "stl", "glb", "png", "pdf", "svg", "csv", "mkv"};
+
+struct CanSave {
+  bool surface = false;  ///< PLY, VTP, STL, glTF
+  bool picture = false;  ///< PNG
+  bool section = false;  ///< PDF, SVG, CSV of the cross-section
+  bool film = false;     ///< MKV
+  [[nodiscard]] bool saves(const std::string& ending) const;
+};
 
 class SaveBar : public Translated<QWidget> {
   Q_OBJECT
  public:
   explicit SaveBar(QWidget* parent = nullptr);
 
-  /// Videos are made of recordings only.
-  void set_can_save(bool can_anything, bool can_film);
-  /// None: nothing is being saved.
+  void set_can_save(const CanSave& can);
+  /// None: nothing is being saved. Below 0: it goes on until it is stopped.
   void show_progress(std::optional<double> fraction);
 
  Q_SIGNALS:

@@ -1,38 +1,13 @@
 #include "widgets/inspect/save_inspected.h"
 
 #include "core/io/surface_file.h"
-#include "core/recording/video_writer.h"
+#include "core/recording/time_match.h"
 #include "widgets/inspect/inspector.h"
-#include "widgets/scene3d/scene_pictures.h"
 
-#include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
+#include <chrono>
 
 namespace alltact {
 namespace {
-
-/// A picture in colour as a frame that is written as it is.
-Frame frame_of(const cv::Mat& picture, const Frame& from, std::size_t number) {
-  Frame frame;
-  frame.name = from.name;
-  frame.origin = from.origin;
-  frame.sequence = number;
-  frame.time_ns = from.time_ns;
-  auto jpeg = std::make_shared<std::vector<std::uint8_t>>();
-  constexpr int kQuality = 95;
-  cv::imencode(".jpg", picture, *jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality});
-  cv::cvtColor(picture, frame.grey, cv::COLOR_BGR2GRAY);
-  frame.jpeg = std::move(jpeg);
-  return frame;
-}
-
-void show(const InspectedFrame& frame, const InspectOptions& view, FaceScene& scene) {
-  if (view.comparison == Comparison::kDifference && frame.other_surface)
-    scene.show_difference(*frame.surface, frame.other_depth_mm, *frame.camera);
-  else
-    scene.show(*frame.surface, *frame.camera);
-}
 
 Error no_face(const std::filesystem::path& file) {
   return {en::say("there is no face to save"), file, en::say("another frame")};
@@ -42,8 +17,8 @@ Error no_face(const std::filesystem::path& file) {
 
 Status save_surface(const InspectedFrame& frame, const std::filesystem::path& file) {
   if (!frame.result.depth) return no_face(file);
-  return write_surface(
-      file, contact_face_points_mm(frame.result, frame.face), frame.result.depth->depth_mm);
+  const FaceVertices vertices = contact_face_vertices(frame.result, frame.face);
+  return write_surface(file, vertices.points_mm, vertices.depth_mm);
 }
 
 std::vector<std::filesystem::path> files_of_both(const std::filesystem::path& file) {
@@ -59,32 +34,62 @@ Status save_both(const std::array<PlacedFrame, 2>& frames, const std::filesystem
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const InspectedFrame& frame = *frames[i].frame;
     if (!frame.result.depth) return no_face(files[i]);
-    cv::Mat points = contact_face_points_mm(frame.result, frame.face);
-    points.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int*) {
+    FaceVertices vertices = contact_face_vertices(frame.result, frame.face);
+    vertices.points_mm.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int*) {
       const Eigen::Vector3d at = frames[i].gripper_from_camera.point({p[0], p[1], p[2]});
       p = cv::Vec3d(at.x(), at.y(), at.z());
     });
-    const Status status = write_surface(files[i], points, frame.result.depth->depth_mm);
+    const Status status = write_surface(files[i], vertices.points_mm, vertices.depth_mm);
     if (!status) return status;
   }
   return {};
 }
 
+namespace {
+
+/// The second finger's frame that belongs to one of the first.
+class SecondFilm {
+ public:
+  explicit SecondFilm(const SecondFinger& second) {
+    wish_.finger = second.finger;
+    wish_.input = second.recording;
+  }
+  /// Null where that frame cannot be had. Error: the recording, or the finger, cannot be.
+  Result<std::shared_ptr<const InspectedFrame>> beside(std::size_t number,
+                                                       const RecordingInfo& first,
+                                                       const Job& job) {
+    if (!recording_) {
+      const InspectAnswer begin = inspector_(wish_, job);
+      if (!begin.recording) return *begin.problem;
+      recording_ = begin.recording;
+    }
+    static const FrameTimes kNone;
+    wish_.number = frame_beside(number,
+                                first.times_ns ? *first.times_ns : kNone,
+                                recording_->times_ns ? *recording_->times_ns : kNone,
+                                recording_->count)
+                       .number;
+    return inspector_(wish_, job).frame;
+  }
+
+ private:
+  Inspector inspector_;
+  InspectWish wish_;
+  std::optional<RecordingInfo> recording_;
+};
+
+}  // namespace
+
 Status save_film(const FilmOptions& options, const std::filesystem::path& file, const Job& job) {
-  auto pictures = ScenePictures::create(options.size_px);
-  if (!pictures) return pictures.error();
-  FaceScene& scene = pictures->scene();
-  scene.set_options(options.view.scene);
-  scene.set_colours(options.colours);
-  scene.look_from(options.view.standpoint);
-  if (options.look) scene.look_as(*options.look);
+  const InspectOptions& view = options.view.options;
+  FilmWriter writer(file, options.view);
   Inspector inspector;
   InspectWish wish;
   wish.finger = options.finger;
   wish.input = options.input;
-  if (options.view.comparison == Comparison::kDifference) wish.other = OtherMethod::kPaper;
-  std::optional<VideoWriter> writer;
-  std::size_t written = 0;
+  wish.other = view.comparand();
+  std::optional<SecondFilm> second;
+  if (view.second) second.emplace(*view.second);
   for (std::size_t count = 1; wish.number < count && !job.stop_requested(); ++wish.number) {
     const InspectAnswer answer = inspector(wish, job);
     if (!answer.recording) return *answer.problem;
@@ -92,20 +97,54 @@ Status save_film(const FilmOptions& options, const std::filesystem::path& file, 
     count = answer.recording->count;
     job.report(static_cast<double>(wish.number) / static_cast<double>(count),
                en::say("frame {} of {}", wish.number + 1, count));
-    if (!answer.frame || !answer.frame->surface) continue;
-    show(*answer.frame, options.view, scene);
-    const Frame frame = frame_of(pictures->picture(), *answer.frame->result.frame, written++);
-    if (!writer) {
-      auto made =
-          VideoWriter::create(file, frame, VideoCodec::kMjpeg, answer.recording->frames_per_s);
-      if (!made) return made.error();
-      writer = std::move(*made);
+    FilmMoment moment{answer.frame, nullptr, options.places};
+    if (second) {
+      auto beside = second->beside(wish.number, *answer.recording, job);
+      if (!beside) return beside.error();
+      moment.second = std::move(*beside);
+      if (!moment.second) continue;
     }
-    if (const Status status = writer->add(frame); !status) return status;
+    const Status status = writer.add(moment, answer.recording->frames_per_s);
+    if (!status) return status;
   }
-  if (!writer)
-    return Error{en::say("no frame of the recording shows a face"), options.input.string(), ""};
-  return writer->finish();
+  return writer.finish();
+}
+
+void FilmQueue::add(FilmMoment moment) {
+  constexpr std::size_t kMost = 4;
+  const std::lock_guard lock(mutex_);
+  moments_.push_back(std::move(moment));
+  if (moments_.size() > kMost) {
+    moments_.pop_front();
+    ++left_out_;
+  }
+  news_.notify_one();
+}
+
+std::optional<FilmMoment> FilmQueue::next() {
+  constexpr auto kWhile = std::chrono::milliseconds(100);
+  std::unique_lock lock(mutex_);
+  if (!news_.wait_for(lock, kWhile, [this] { return !moments_.empty(); })) return std::nullopt;
+  FilmMoment moment = std::move(moments_.front());
+  moments_.pop_front();
+  return moment;
+}
+
+std::size_t FilmQueue::left_out() const {
+  const std::lock_guard lock(mutex_);
+  return left_out_;
+}
+
+Status save_live_film(FilmQueue& queue,
+                      const FilmView& view,
+                      const std::filesystem::path& file,
+                      const Job& job) {
+  constexpr double kFramesPerS = 30;  // where frames have no times of their own
+  FilmWriter writer(file, view);
+  while (!job.stop_requested())
+    if (const auto moment = queue.next())
+      if (const Status status = writer.add(*moment, kFramesPerS); !status) return status;
+  return writer.finish();
 }
 
 }  // namespace alltact

@@ -3,18 +3,21 @@
 
 #include "core/job.h"
 #include "core/result.h"
-#include "widgets/inspect/inspect_options.h"
-#include "widgets/inspect/inspected_frame.h"
+#include "widgets/inspect/film.h"
 
 #include <array>
+#include <condition_variable>
+#include <deque>
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 namespace alltact {
 
-/// The contact face, a vertex a pixel, by the ending: see write_surface(). Error: no face; those of
-/// write_surface().
+/// The contact face, its vertices as settings say, by the ending: see write_surface(). Error: no
+/// face; those of write_surface().
 [[nodiscard]] Status save_surface(const InspectedFrame& frame, const std::filesystem::path& file);
 
 /// A frame of one of two fingers, and where its camera sits in the gripper.
@@ -28,12 +31,12 @@ struct PlacedFrame {
 [[nodiscard]] Status save_both(const std::array<PlacedFrame, 2>& frames,
                                const std::filesystem::path& file);
 
+/// A finger of its own with its recording, as SecondFinger.
 struct FilmOptions {
   std::filesystem::path finger, input;
-  InspectOptions view;
-  SceneColours colours;
-  std::optional<Look> look;  ///< none: from view.standpoint
-  cv::Size size_px{1280, 720};
+  FilmView view;  ///< with options.second for a second finger
+  /// Where both cameras sit in the gripper; none: the second finger is shown beside the first.
+  std::optional<std::array<RigidTransform, 2>> places;
 };
 
 /// A video (Matroska, Motion JPEG) of the whole recording in 3D, at its own pace; needs no display.
@@ -42,5 +45,27 @@ struct FilmOptions {
 [[nodiscard]] Status save_film(const FilmOptions& options,
                                const std::filesystem::path& file,
                                const Job& job);
+
+/// Moments of the live finger on their way into a film: the newest wins, what the film cannot
+/// follow is left out and counted.
+class FilmQueue {
+ public:
+  void add(FilmMoment moment);
+  /// Waits a while; nullopt: nothing came.
+  [[nodiscard]] std::optional<FilmMoment> next();
+  [[nodiscard]] std::size_t left_out() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable news_;
+  std::deque<FilmMoment> moments_;
+  std::size_t left_out_ = 0;
+};
+
+/// A video of what comes through the queue, until it is stopped. Errors: as save_film().
+[[nodiscard]] Status save_live_film(FilmQueue& queue,
+                                    const FilmView& view,
+                                    const std::filesystem::path& file,
+                                    const Job& job);
 
 }  // namespace alltact

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace alltact {
 
@@ -13,6 +14,32 @@ void SectionPlot::set_profiles(Profile profile, std::optional<Profile> other) {
   other_ = std::move(other);
   setAccessibleName(tr("Depth from A to B"));
   rebuild();
+}
+
+QString SectionPlot::csv() const {
+  const auto number = [](double value) {
+    return std::isfinite(value) ? QString::number(value, 'g', 8) : QString();
+  };
+  /// Of the other one, whose places may be others: where it lies between two of its own.
+  const auto other_at = [&](double along_mm) {
+    if (!other_) return std::numeric_limits<double>::quiet_NaN();
+    const auto& all = other_->along_mm;
+    const auto next = std::lower_bound(all.begin(), all.end(), along_mm);
+    if (next == all.end()) return std::numeric_limits<double>::quiet_NaN();
+    const auto i = static_cast<std::size_t>(next - all.begin());
+    if (i == 0 || all[i] == along_mm) return other_->depth_mm[i];
+    const double part = (along_mm - all[i - 1]) / (all[i] - all[i - 1]);
+    return (1 - part) * other_->depth_mm[i - 1] + part * other_->depth_mm[i];
+  };
+  QString text = QStringLiteral("along_mm,depth_mm,sd_mm") +
+                 (other_ ? QStringLiteral(",other_depth_mm\n") : QStringLiteral("\n"));
+  for (std::size_t i = 0; i < profile_.along_mm.size(); ++i) {
+    text += number(profile_.along_mm[i]) + QLatin1Char(',') + number(profile_.depth_mm[i]) +
+            QLatin1Char(',') + number(profile_.sd_mm[i]);
+    if (other_) text += QLatin1Char(',') + number(other_at(profile_.along_mm[i]));
+    text += QLatin1Char('\n');
+  }
+  return text;
 }
 
 QString SectionPlot::empty_text() const {
@@ -49,10 +76,9 @@ bool SectionPlot::draw() {
     second->setPen(QPen(series_colour(1, palette()), 2, Qt::DashLine));
     for (const double depth : other_->depth_mm)
       if (std::isfinite(depth)) top = std::max(top, 1.15 * depth);
-    top *= 1.3;  // room for the legend
     for (auto* hidden : {upper, lower}) hidden->removeFromLegend();
-    line->setName(tr("ours"));
-    second->setName(tr("paper"));
+    line->setName(tr("shown"));
+    second->setName(other_name_);
     show_legend();
   }
   chart().xAxis->setRange(0, profile_.along_mm.back());

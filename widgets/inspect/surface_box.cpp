@@ -4,6 +4,7 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
 
@@ -13,6 +14,7 @@ SurfaceBox::SurfaceBox(QWidget* parent)
     : Translated(parent),
       hint_(new QLabel),
       table_(new QTableWidget(0, 2)),
+      copy_text_(new QPushButton),
       copy_(new QPushButton) {
   hint_->setWordWrap(true);
   table_->horizontalHeader()->hide();
@@ -27,15 +29,23 @@ SurfaceBox::SurfaceBox(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->addWidget(hint_);
   column->addWidget(table_);
-  column->addWidget(copy_, 0, Qt::AlignRight);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch();
+  buttons->addWidget(copy_text_);
+  buttons->addWidget(copy_);
+  column->addLayout(buttons);
+  connect(copy_text_, &QPushButton::clicked, this, [this] {
+    QGuiApplication::clipboard()->setText(text_of(readings_));
+  });
   connect(copy_, &QPushButton::clicked, this, [this] {
     QGuiApplication::clipboard()->setText(csv_of(readings_));
   });
   say([this] {
     setTitle(tr("Between A and B"));
     hint_->setText(
-        tr("Two points make a box: a ball's radius, area, volume, roughness; the step and "
-           "the angle from A to B."));
+        tr("Two points make a box: a ball's radius, area, volume, roughness; the distance, the "
+           "step and the angle from A to B."));
+    copy_text_->setText(tr("Copy as text"));
     copy_->setText(tr("Copy as CSV"));
     table_->setAccessibleName(tr("Measured between the points"));
     fill();
@@ -52,7 +62,7 @@ void SurfaceBox::show_readings(const std::shared_ptr<const InspectedFrame>& fram
 void SurfaceBox::fill() {
   hint_->setVisible(readings_.empty());
   table_->setVisible(!readings_.empty());
-  copy_->setVisible(!readings_.empty());
+  for (QPushButton* button : {copy_text_, copy_}) button->setVisible(!readings_.empty());
   table_->setRowCount(static_cast<int>(readings_.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
     const SurfaceReading& reading = readings_[static_cast<std::size_t>(row)];

@@ -27,7 +27,7 @@ class SurfaceBox : public Translated<QGroupBox> {
   std::vector<SurfaceReading> readings_;
   QLabel* hint_;
   QTableWidget* table_;
-  QPushButton* copy_;
+  QPushButton *copy_text_, *copy_;
 };
 
 }  // namespace alltact

@@ -1,5 +1,6 @@
 #include "widgets/inspect/surface_readings.h"
 
+#include "core/sensing/surface/point_distance.h"
 #include "core/sensing/surface/read_patch.h"
 
 #include <QCoreApplication>
@@ -17,6 +18,10 @@ constexpr int kAroundPx = 6;
 struct SurfaceWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::SurfaceWords)
  public:
+  static QString distance() { return tr("Distance A to B"); }
+  static QString line(const QString& name, const QString& value) {
+    return tr("%1: %2", "a measured value").arg(name, value);
+  }
   static QString radius() { return tr("Ball's radius"); }
   static QString area() { return tr("Pressed area"); }
   static QString volume() { return tr("Volume"); }
@@ -70,7 +75,13 @@ std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
       line_between(frame.result, frame.face, *frame.mapping, frame.smoothing_px, a, b);
   const auto step = step_height(line.patch, line.along_mm);
   using W = SurfaceWords;
+  SurfaceReading distance{W::distance(), QStringLiteral("mm"), {}, 3, {}};
+  if (const auto apart = straight_distance(frame.result, frame.face, frame.sd_mm, a, b))
+    distance.measured = *apart;
+  else
+    distance.reason = apart.error().what;
   std::vector<SurfaceReading> all = {
+      distance,
       reading(W::radius(), "mm", 3, ball, &FittedBall::radius_mm),
       reading(W::area(), "mm²", 2, part, &PressedSurface::area_mm2),
       reading(W::volume(), "mm³", 3, part, &PressedSurface::volume_mm3),
@@ -94,6 +105,14 @@ QString value_text(const SurfaceReading& reading) {
       .arg(locale.toString(reading.measured->value + 0.0, 'f', reading.decimals),
            locale.toString(reading.measured->sd, 'f', reading.decimals),
            reading.unit);
+}
+
+QString text_of(const std::vector<SurfaceReading>& readings) {
+  QString text;
+  for (const SurfaceReading& reading : readings)
+    if (reading.measured)
+      text += SurfaceWords::line(reading.name, value_text(reading)) + QLatin1Char('\n');
+  return text;
 }
 
 QString csv_of(const std::vector<SurfaceReading>& readings) {

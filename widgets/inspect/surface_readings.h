@@ -20,15 +20,19 @@ struct SurfaceReading {
   Message reason;
 };
 
-/// Radius of the ball, area, volume and mean depth of what presses, and roughness, of the box whose
-/// corners are A and B; the step along the line from A to B; the angle between the surfaces 13
-/// pixels wide around A and B. Empty for a frame without depth.
+/// The straight distance from A to B; radius of the ball, area, volume and mean depth of what
+/// presses, and roughness, of the box whose corners are A and B; the step along the line from A to
+/// B; the angle between the surfaces 13 pixels wide around A and B. Empty for a frame without
+/// depth.
 [[nodiscard]] std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
                                                            cv::Point2d a,
                                                            cv::Point2d b);
 
 /// "4.02 ± 0.03 mm"; a dash where it could not be had.
 [[nodiscard]] QString value_text(const SurfaceReading& reading);
+
+/// A line each: "Ball's radius: 4.020 ± 0.031 mm".
+[[nodiscard]] QString text_of(const std::vector<SurfaceReading>& readings);
 
 /// A headline and a line each: name, value, standard deviation, unit; numbers as programs read
 /// them.

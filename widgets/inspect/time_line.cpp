@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -12,13 +13,20 @@ namespace alltact {
 TimeLine::TimeLine(QWidget* parent)
     : Translated(parent),
       play_(new QToolButton),
+      earlier_(new QToolButton),
+      later_(new QToolButton),
       slider_(new QSlider(Qt::Horizontal)),
       number_(new QSpinBox),
       of_(new QLabel),
-      name_(new QLabel) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(play_);
+      name_(new QLabel),
+      strip_(new EventStrip) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  auto* row = new QHBoxLayout;
+  column->addLayout(row);
+  column->addWidget(strip_);
+  for (QToolButton* button : {play_, earlier_, later_}) row->addWidget(button);
   row->addWidget(slider_, 1);
   row->addWidget(number_);
   row->addWidget(of_);
@@ -28,11 +36,19 @@ TimeLine::TimeLine(QWidget* parent)
   connect(slider_, &QSlider::valueChanged, this, &TimeLine::want);
   connect(number_, &QSpinBox::valueChanged, this, [this](int value) { want(value - 1); });
   connect(&timer_, &QTimer::timeout, this, &TimeLine::go_on);
+  connect(earlier_, &QToolButton::clicked, this, [this] { go_to_event(false); });
+  connect(later_, &QToolButton::clicked, this, [this] { go_to_event(true); });
+  connect(strip_, &EventStrip::wanted, this, [this](std::size_t number) {
+    want(static_cast<int>(number));
+  });
   say([this] {
     slider_->setAccessibleName(tr("Frame of the recording"));
     number_->setAccessibleName(tr("Number of the frame"));
     of_->setText(tr("of %1").arg(QLocale().toString(static_cast<qulonglong>(count_))));
     name_->setAccessibleName(tr("Name of the frame"));
+    earlier_->setAccessibleName(tr("Previous contact or problem"));
+    later_->setAccessibleName(tr("Next contact or problem"));
+    for (QToolButton* button : {earlier_, later_}) button->setToolTip(button->accessibleName());
     show_button();
   });
 }
@@ -50,6 +66,20 @@ void TimeLine::set_recording(std::size_t count, double frames_per_s) {
   setEnabled(count > 0);
 }
 
+void TimeLine::set_summaries(const std::vector<FrameSummary>& summaries) {
+  strip_->set_summaries(summaries, count_);
+  const auto& events = strip_->events();
+  for (QToolButton* button : {earlier_, later_}) button->setEnabled(!events.empty());
+}
+
+void TimeLine::go_to_event(bool is_next) {
+  const auto& events = strip_->events();
+  const auto later = std::upper_bound(events.begin(), events.end(), shown_);
+  const auto earlier = std::lower_bound(events.begin(), events.end(), shown_);
+  if (is_next && later != events.end()) want(static_cast<int>(*later));
+  if (!is_next && earlier != events.begin()) want(static_cast<int>(*std::prev(earlier)));
+}
+
 void TimeLine::begin(std::size_t number) {
   play(false);
   wanted_ = shown_ = number;
@@ -58,6 +88,7 @@ void TimeLine::begin(std::size_t number) {
 void TimeLine::set_shown(std::size_t number, const QString& name) {
   shown_ = number;
   name_->setText(name);
+  strip_->set_shown(number);
   // A hand on the slider is ahead of what is shown.
   if (!is_playing() && wanted_ != number) return;
   const QSignalBlocker still(slider_), quiet(number_);
@@ -94,6 +125,8 @@ void TimeLine::show_button() {
   play_->setIcon(icon(is_playing() ? QStringLiteral("pause") : QStringLiteral("play"), palette()));
   play_->setAccessibleName(is_playing() ? tr("Pause") : tr("Play"));
   play_->setToolTip(is_playing() ? tr("Pause") : tr("Play"));
+  earlier_->setIcon(icon(QStringLiteral("earlier"), palette()));
+  later_->setIcon(icon(QStringLiteral("later"), palette()));
 }
 
 void TimeLine::changeEvent(QEvent* event) {

@@ -1,6 +1,8 @@
-// Which frame of a recording is shown: play, scrub, a number.
+// Which frame of a recording is shown: play, scrub, a number, the next event; and what the
+// recording tells over time.
 #pragma once
 
+#include "widgets/inspect/event_strip.h"
 #include "widgets/translated.h"
 
 #include <QLabel>
@@ -23,6 +25,9 @@ class TimeLine : public Translated<QWidget> {
   void set_shown(std::size_t number, const QString& name);
   [[nodiscard]] bool is_playing() const { return timer_.isActive(); }
   void play(bool is_on);
+  /// Of the frames that were measured so far.
+  void set_summaries(const std::vector<FrameSummary>& summaries);
+  [[nodiscard]] const EventStrip& strip() const { return *strip_; }
 
  Q_SIGNALS:
   void wanted(std::size_t number);
@@ -33,12 +38,14 @@ class TimeLine : public Translated<QWidget> {
  private:
   void go_on();
   void show_button();
+  void go_to_event(bool is_next);
   void want(int number);
 
-  QToolButton* play_;
+  QToolButton *play_, *earlier_, *later_;
   QSlider* slider_;
   QSpinBox* number_;
   QLabel *of_, *name_;
+  EventStrip* strip_;
   QTimer timer_;
   std::size_t count_ = 0, wanted_ = 0, shown_ = 0;
 };

@@ -44,6 +44,8 @@ class LiveSession : public QObject {
   void set_depth_top_mm(double top_mm) { live_finger_->set_depth_top_mm(top_mm); }
   /// A camera that is still being opened gets it as soon as it is there.
   void set_control(const ControlValue& control);
+  /// Every frame from now on tells it; see SourceRunner.
+  void set_light(const std::optional<DimmerSetting>& light) { runner_->set_light(light); }
   void set_lock(bool is_locked) { controller_.set_lock(is_locked); }
 
   /// From which reading on forces of the open finger count; none: as measured.

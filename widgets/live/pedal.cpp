@@ -13,7 +13,7 @@ namespace {
 constexpr int kBetweenPedalLooks_ms = 250;  // at what is wrong
 constexpr int kPatience_ms = 20'000;
 
-Result<LearntButton> learn_from_all(const PedalPorts& ports, const Job& job) {
+Result<LearntButton> learn_from_all(const HidPorts& ports, const Job& job) {
   std::vector<std::unique_ptr<HidPort>> open;
   std::vector<std::string> names;
   for (const FoundHid& hid : ports.list()) {
@@ -58,7 +58,7 @@ struct Pedal::Shared {
   }
 };
 
-Pedal::Pedal(PedalPorts ports, QObject* parent) : QObject(parent), ports_(std::move(ports)) {
+Pedal::Pedal(HidPorts ports, QObject* parent) : QObject(parent), ports_(std::move(ports)) {
   connect(&timer_, &QTimer::timeout, this, &Pedal::look);
   connect(&learning_, &BackgroundWork::progressed, this, [this] {
     const QString text = learning_.fraction() > 0    ? tr("Press it once more.")

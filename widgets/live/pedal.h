@@ -3,6 +3,7 @@
 
 #include "core/sources/hid/hid_button.h"
 #include "widgets/background_work.h"
+#include "widgets/live/hid_ports.h"
 
 #include <QObject>
 #include <QString>
@@ -13,17 +14,11 @@
 
 namespace alltact {
 
-/// What is behind a pedal, for tests to replace. Called on threads of their own.
-struct PedalPorts {
-  std::function<std::vector<FoundHid>()> list = &list_hids;
-  std::function<Result<std::unique_ptr<HidPort>>(const std::string& wanted)> open = &open_hid;
-};
-
 /// An object of the window's thread; devices are looked for, learnt from and read beside it.
 class Pedal : public QObject {
   Q_OBJECT
  public:
-  explicit Pedal(PedalPorts ports = {}, QObject* parent = nullptr);
+  explicit Pedal(HidPorts ports = {}, QObject* parent = nullptr);
   ~Pedal() override;
 
   /// Listens to it from now on, also when it is unplugged and comes back; none: to none.
@@ -50,7 +45,7 @@ class Pedal : public QObject {
   void look();
   void end_learning(const Result<LearntButton>& learnt, const std::optional<LearntButton>& before);
 
-  PedalPorts ports_;
+  HidPorts ports_;
   std::optional<LearntButton> button_;
   std::optional<Error> problem_;
   std::shared_ptr<Shared> shared_;

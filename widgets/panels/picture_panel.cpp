@@ -1,11 +1,18 @@
 #include "widgets/panels/picture_panel.h"
 
+#include "widgets/panels/snapshot.h"
+#include "widgets/picture/overlays.h"
 #include "widgets/shell/icons.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
 namespace alltact {
+namespace {
+
+constexpr int kFlash_ms = 500;
+
+}  // namespace
 
 PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
     : Translated(parent),
@@ -16,6 +23,8 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
       view_(new ImageView),
       readout_(new QLabel),
       zoom_(new QLabel),
+      freeze_(new QToolButton),
+      snapshot_(new QToolButton),
       closer_(new QToolButton),
       further_(new QToolButton),
       fit_(new QToolButton),
@@ -31,7 +40,14 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
   zoom_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   strip_->addWidget(readout_, 1);
   strip_->addWidget(zoom_);
-  for (QToolButton* button : {further_, closer_, fit_, actual_}) strip_->addWidget(button);
+  for (QToolButton* button : {freeze_, snapshot_, further_, closer_, fit_, actual_})
+    strip_->addWidget(button);
+  freeze_->setCheckable(true);
+  flash_.setSingleShot(true);
+  flash_.setInterval(kFlash_ms);
+  connect(&flash_, &QTimer::timeout, this, &PicturePanel::show_frame);
+  connect(freeze_, &QToolButton::clicked, this, &PicturePanel::freeze);
+  connect(snapshot_, &QToolButton::clicked, this, &PicturePanel::save_snapshot);
   column_->addLayout(strip_);
   connect(closer_, &QToolButton::clicked, view_, [this] { view_->zoom_by(1.5); });
   connect(further_, &QToolButton::clicked, view_, [this] { view_->zoom_by(1 / 1.5); });
@@ -40,7 +56,7 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
   connect(view_, &ImageView::probe_changed, this, &PicturePanel::show_readout);
   connect(view_, &ImageView::zoom_changed, this, &PicturePanel::show_zoom);
   connect(&session_, &LiveSession::view_ready, this, [this] {
-    if (!instead_) show_frame();
+    if (!instead_ && !frozen_) show_frame();
   });
   connect(&session_, &LiveSession::status_ready, this, &PicturePanel::show_state);
   set_icons();
@@ -54,6 +70,10 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
     name(fit_, tr("Show the whole picture"), QStringLiteral("0"));
     name(actual_, tr("Show the picture in its own size"), QStringLiteral("1"));
     actual_->setText(tr("1:1"));
+    freeze_->setAccessibleName(tr("Freeze the picture"));
+    freeze_->setToolTip(tr("Freeze: keep looking at this picture; measuring goes on"));
+    snapshot_->setAccessibleName(tr("Save the picture"));
+    snapshot_->setToolTip(tr("Save the picture, with or without what is drawn over it"));
     readout_->setAccessibleName(tr("Under the probe"));
     zoom_->setAccessibleName(tr("Zoom"));
     show_state();
@@ -84,13 +104,46 @@ void PicturePanel::set_title(const QString& title) {
 }
 
 const std::shared_ptr<const LiveView>& PicturePanel::live() const {
+  if (frozen_) return frozen_;
   return instead_ ? instead_ : session_.view();
+}
+
+void PicturePanel::set_more(More more) {
+  more_ = std::move(more);
+  show_frame();
+}
+
+void PicturePanel::freeze(bool is_frozen) {
+  frozen_ = is_frozen ? live() : nullptr;
+  freeze_->setChecked(frozen_ != nullptr);
+  show_frame();
+}
+
+void PicturePanel::flash(const QString& words) {
+  flash_words_ = words;
+  flash_.start();
+  show_frame();
+}
+
+std::vector<Overlay> PicturePanel::overlays() const {
+  std::vector<Overlay> overlays = overlays_for(*live(), options_);
+  if (more_)
+    for (Overlay& one : more_(*live())) overlays.push_back(std::move(one));
+  if (frozen_) overlays.push_back(banner_overlay(tr("Frozen")));
+  return overlays;
 }
 
 void PicturePanel::show_frame() {
   if (!isVisible() || !live() || live()->result.grey.empty()) return;
-  view_->show_picture(live()->result.grey, overlays_for(*live(), options_));
+  std::vector<Overlay> drawn = overlays();
+  if (flash_.isActive()) drawn.push_back(flash_overlay(flash_words_));
+  view_->show_picture(live()->result.grey, std::move(drawn));
   show_readout();
+}
+
+void PicturePanel::save_snapshot() {
+  if (!live() || live()->result.grey.empty()) return;
+  choose_snapshot(live()->result.grey, overlays(), *this);
 }
 
 QString PicturePanel::message() const {
@@ -107,6 +160,9 @@ QString PicturePanel::message() const {
 }
 
 void PicturePanel::show_state() {
+  if (frozen_ && session_.status().source.state == SourceState::kClosed) freeze(false);
+  freeze_->setEnabled(live() != nullptr);
+  snapshot_->setEnabled(live() != nullptr);
   if (!live()) view_->show_message(message());
 }
 
@@ -127,6 +183,8 @@ void PicturePanel::show_zoom() {
 }
 
 void PicturePanel::set_icons() {
+  freeze_->setIcon(icon(QStringLiteral("freeze"), palette()));
+  snapshot_->setIcon(icon(QStringLiteral("snapshot"), palette()));
   closer_->setIcon(icon(QStringLiteral("zoom_in"), palette()));
   further_->setIcon(icon(QStringLiteral("zoom_out"), palette()));
   fit_->setIcon(icon(QStringLiteral("fit"), palette()));

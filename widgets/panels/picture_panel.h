@@ -1,4 +1,5 @@
-// The live picture with its zoom buttons and what lies under the probe.
+// The live picture with its zoom buttons, what lies under the probe, a button that freezes it and
+// one that saves it.
 #pragma once
 
 #include "widgets/live/live_session.h"
@@ -7,8 +8,10 @@
 
 #include <QBoxLayout>
 #include <QLabel>
+#include <QTimer>
 #include <QToolButton>
 #include <QWidget>
+#include <functional>
 
 namespace alltact {
 
@@ -23,6 +26,14 @@ class PicturePanel : public Translated<QWidget> {
   /// Above the picture, of one of several that share the room: what stands under the probe then has
   /// a line of its own. Empty: none.
   void set_title(const QString& title);
+  /// What a place draws over the picture besides, asked for with every view.
+  using More = std::function<std::vector<Overlay>(const LiveView& view)>;
+  void set_more(More more);
+  /// Something was taken from the picture: its border lights up for a moment, with these words.
+  void flash(const QString& words);
+  [[nodiscard]] bool is_frozen() const { return frozen_ != nullptr; }
+  /// Shows what is shown now until it is let go. Nothing where there is no picture.
+  void freeze(bool is_frozen);
   [[nodiscard]] ImageView& view() { return *view_; }
 
  protected:
@@ -35,19 +46,24 @@ class PicturePanel : public Translated<QWidget> {
   void show_readout();
   void show_zoom();
   void set_icons();
+  void save_snapshot();
+  [[nodiscard]] std::vector<Overlay> overlays() const;
   [[nodiscard]] QString message() const;
   [[nodiscard]] const std::shared_ptr<const LiveView>& live() const;
 
   LiveSession& session_;
   ViewOptions options_;
-  std::shared_ptr<const LiveView> instead_;
+  std::shared_ptr<const LiveView> instead_, frozen_;
+  More more_;
+  QString flash_words_;
+  QTimer flash_;
   QVBoxLayout* column_;
   QHBoxLayout* strip_;
   QLabel* title_;
   ImageView* view_;
   QLabel* readout_;
   QLabel* zoom_;
-  QToolButton *closer_, *further_, *fit_, *actual_;
+  QToolButton *freeze_, *snapshot_, *closer_, *further_, *fit_, *actual_;
 };
 
 }  // namespace alltact

@@ -148,6 +148,56 @@ Overlay layer_overlay(const cv::Mat& layer) {
   };
 }
 
+namespace {
+
+/// `at`: the upper left corner of the plate.
+void write_on_plate(QPainter& painter, QPointF at, const QString& words, const QColor& colour) {
+  constexpr double kSide = 7, kUpper = 4;
+  const QFontMetricsF metrics(painter.font());
+  const QRectF room(at, metrics.size(0, words) + QSizeF(2 * kSide, 2 * kUpper));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kHalo);
+  painter.drawRoundedRect(room, 4, 4);
+  painter.setPen(colour);
+  painter.drawText(room.adjusted(kSide, kUpper, -kSide, -kUpper), 0, words);
+}
+
+}  // namespace
+
+Overlay banner_overlay(const QString& words) {
+  return [words](QPainter& painter, const ImageTransform& /*transform*/) {
+    write_on_plate(painter, QRectF(painter.viewport()).topLeft() + QPointF(8, 8), words, kText);
+  };
+}
+
+Overlay flash_overlay(const QString& words) {
+  return [words](QPainter& painter, const ImageTransform& /*transform*/) {
+    constexpr double kBorder = 10;
+    const QRectF room(painter.viewport());
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(kSeen, kBorder));
+    painter.drawRect(room.adjusted(kBorder / 2, kBorder / 2, -kBorder / 2, -kBorder / 2));
+    QFont font = painter.font();
+    font.setPointSizeF(2 * font.pointSizeF());
+    font.setBold(true);
+    painter.setFont(font);
+    const QSizeF size = QFontMetricsF(font).size(0, words);
+    write_on_plate(painter,
+                   room.center() - QPointF(0.5 * size.width() + 7, 0.5 * size.height() + 4),
+                   words,
+                   kText);
+  };
+}
+
+void write_beside(QPainter& painter, QPointF widget, const QString& words, const QColor& colour) {
+  const QRectF room = QRectF(painter.viewport()).adjusted(4, 4, -4, -4);
+  const QSizeF size = QFontMetricsF(painter.font()).size(0, words) + QSizeF(14, 8);
+  QPointF at = widget;
+  at.setX(std::clamp(at.x(), room.left(), std::max(room.left(), room.right() - size.width())));
+  at.setY(std::clamp(at.y(), room.top(), std::max(room.top(), room.bottom() - size.height())));
+  write_on_plate(painter, at, words, colour);
+}
+
 Overlay colour_bar_overlay(const ColourScale& scale, const QString& title) {
   return [scale, title](QPainter& painter, const ImageTransform& /*transform*/) {
     const QRectF room(painter.viewport());

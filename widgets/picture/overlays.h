@@ -31,6 +31,12 @@ void stroke_over(QPainter& painter,
 [[nodiscard]] Overlay push_overlay(const Push& push, const Markers& markers);
 /// A layer of LiveView.
 [[nodiscard]] Overlay layer_overlay(const cv::Mat& layer);
+/// Words on a dark plate at the upper left of the view.
+[[nodiscard]] Overlay banner_overlay(const QString& words);
+/// The view's border in bright, with words in its middle: something was taken just now.
+[[nodiscard]] Overlay flash_overlay(const QString& words);
+/// Words on a dark plate beside a place of the picture, inside the view; `colour` of the letters.
+void write_beside(QPainter& painter, QPointF widget, const QString& words, const QColor& colour);
 /// The scale with its numbers, at the lower right of the view.
 [[nodiscard]] Overlay colour_bar_overlay(const ColourScale& scale, const QString& title);
 

@@ -54,6 +54,7 @@ AccuracyPlace::AccuracyPlace(LiveSession& session,
       tabs_(new QTabWidget),
       plot_(new AccuracyPlot),
       table_(new AccuracyTable),
+      sides_(new SideBySide(session)),
       more_(new QPushButton),
       copy_(new QPushButton),
       command_(new QLineEdit),
@@ -105,6 +106,7 @@ QWidget* AccuracyPlace::make_measured() {
   column->addLayout(make_answer());
   tabs_->addTab(plot_, {});
   tabs_->addTab(table_, {});
+  tabs_->addTab(sides_, {});
   tabs_->setDocumentMode(true);
   column->addWidget(tabs_, 1);
   auto* line = new QHBoxLayout;
@@ -204,7 +206,8 @@ void AccuracyPlace::name_parts() {
   as_calibrated_->setText(tr("As cali&brated again"));
   tabs_->setTabText(0, tr("Figure"));
   tabs_->setTabText(1, tr("Table"));
-  tabs_->tabBar()->setAccessibleName(tr("Figure or table"));
+  tabs_->setTabText(2, tr("Live, side by side"));
+  tabs_->tabBar()->setAccessibleName(tr("Figure, table or the live picture with two settings"));
   copy_->setText(tr("Copy &command"));
   command_->setAccessibleName(tr("The same as a command line"));
   bar_->setAccessibleName(tr("Progress of measuring"));

@@ -5,6 +5,7 @@
 #include "calibration/study/study_answer.h"
 #include "widgets/accuracy/accuracy_table.h"
 #include "widgets/accuracy/finger_study_run.h"
+#include "widgets/accuracy/side_by_side.h"
 #include "widgets/live/live_session.h"
 #include "widgets/places/place.h"
 #include "widgets/plots/accuracy_plot.h"
@@ -36,6 +37,7 @@ class AccuracyPlace : public Place {
 
   [[nodiscard]] FingerStudyRun& run() { return run_; }
   [[nodiscard]] AccuracyPlot& plot() { return *plot_; }
+  [[nodiscard]] SideBySide& sides() { return *sides_; }
   /// The row of the study that stands above; nullopt where there is none.
   [[nodiscard]] std::optional<std::size_t> answer_row() const;
 
@@ -57,6 +59,7 @@ class AccuracyPlace : public Place {
   void show_progress();
   void show_points();
   void show_answer();
+  void show_sides();
   [[nodiscard]] AccuracyPoint point_of(std::size_t row) const;
   [[nodiscard]] QString hint_of(const StudyRow& row) const;
   [[nodiscard]] QString figures_of(const StudyRow& row) const;
@@ -80,6 +83,7 @@ class AccuracyPlace : public Place {
   QTabWidget* tabs_;
   AccuracyPlot* plot_;
   AccuracyTable* table_;
+  SideBySide* sides_;
   QPushButton *more_, *copy_;
   QLineEdit* command_;
   QLabel* standing_;

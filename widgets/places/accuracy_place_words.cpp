@@ -208,6 +208,22 @@ void AccuracyPlace::show_answer() {
   const auto point = row ? point_of_row(*row) : std::nullopt;
   plot_->pick(point);
   table_->pick(point);
+  show_sides();
+}
+
+// Against the one in use; where that stands above, against the calibration's.
+void AccuracyPlace::show_sides() {
+  if (!shown_) return;
+  const auto& rows = shown_->study.rows;
+  const auto words = [&](const PipelineSettings& settings) {
+    const QString other = difference_words(settings, rows.front().settings);
+    return other.isEmpty() ? tr("as calibrated") : other;
+  };
+  const PipelineSettings& now = run_.settings_in_use();
+  const auto row = answer_row();
+  const PipelineSettings& chosen =
+      row && run_.row_in_use() != row ? rows[*row].settings : rows.front().settings;
+  sides_->compare(run_.finger(), {now, words(now)}, {chosen, words(chosen)});
 }
 
 QString AccuracyPlace::command_line() const {

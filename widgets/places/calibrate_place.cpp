@@ -21,10 +21,11 @@ CalibratePlace::CalibratePlace(LiveSession& session,
       session_(session),
       desk_(undo),
       run_(desk_, undo, tools.version),
+      forecast_(desk_, run_),
       lens_(new LensPage(session, tools.measure_lens, tools.work_folder)),
-      finger_(new FingerPage(session)),
-      presses_(new PressesPage(session, desk_, run_)),
-      mapping_(new MappingPage(desk_, run_)),
+      finger_(new FingerPage(session, undo)),
+      presses_(new PressesPage(session, desk_, run_, forecast_)),
+      mapping_(new MappingPage(desk_, run_, forecast_)),
       verdict_(new VerdictPage(run_)),
       check_(new CheckPage(session, desk_, run_, undo, tools.version)),
       pages_{lens_, finger_, presses_, mapping_, verdict_, check_},
@@ -42,6 +43,7 @@ CalibratePlace::CalibratePlace(LiveSession& session,
   }
   column->addWidget(stack_, 1);
   auto* foot = new QHBoxLayout;
+  foot->addWidget(new UndoBar(undo, session));
   foot->addWidget(missing_, 1);
   foot->addWidget(next_);
   column->addLayout(foot);
@@ -84,7 +86,11 @@ void CalibratePlace::add_problems(std::vector<Problem>& problems) {
 void CalibratePlace::reload() {
   const auto finger = open_finger(desk_.folder());
   const PressLooker* looker = desk_.looker();
-  if (!finger || looker == nullptr || !has_same_reference(looker->finger(), (*finger)->finger))
+  const auto has_same_face = [](const Face& a, const Face& b) {
+    return a.width_mm == b.width_mm && a.layer_mm == b.layer_mm && a.plane_z_mm == b.plane_z_mm;
+  };
+  if (!finger || looker == nullptr || !has_same_reference(looker->finger(), (*finger)->finger) ||
+      !has_same_face(looker->finger().face, (*finger)->finger.face))
     desk_.open(desk_.folder());
   run_.reload();
 }

@@ -8,6 +8,7 @@
 #include "widgets/calibrating/lens_page.h"
 #include "widgets/calibrating/mapping_page.h"
 #include "widgets/calibrating/presses_page.h"
+#include "widgets/calibrating/undo_bar.h"
 #include "widgets/calibrating/verdict_page.h"
 #include "widgets/places/place.h"
 
@@ -41,6 +42,7 @@ class CalibratePlace : public Place {
 
   [[nodiscard]] PressDesk& desk() { return desk_; }
   [[nodiscard]] CalibrationRun& run() { return run_; }
+  [[nodiscard]] const PressForecast& forecast() const { return forecast_; }
   /// The last check found it as it was calibrated.
   [[nodiscard]] bool is_checked() const { return check_->state() == StepState::kDone; }
   /// The step that waits: the first that is not done.
@@ -57,6 +59,7 @@ class CalibratePlace : public Place {
   LiveSession& session_;
   PressDesk desk_;
   CalibrationRun run_;
+  PressForecast forecast_;
   LensPage* lens_;
   FingerPage* finger_;
   PressesPage* presses_;

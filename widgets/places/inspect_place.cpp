@@ -1,7 +1,6 @@
 #include "widgets/places/inspect_place.h"
 
-#include "widgets/inspect/reading_text.h"
-#include "widgets/language.h"
+#include "widgets/inspect/face_places.h"
 #include "widgets/panels/side_panel.h"
 #include "widgets/shell/one_line.h"
 #include "widgets/touch/contact_words.h"
@@ -33,6 +32,7 @@ InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* pare
       shown_(new OneLine(Qt::ElideMiddle)),
       summary_(new QLabel),
       saved_(new OneLine(Qt::ElideMiddle)),
+      probe_(new OneLine),
       first_(new InspectPane(PaneContent::kFirst)),
       second_(new InspectPane(PaneContent::kSecond)),
       time_line_(new TimeLine),
@@ -54,6 +54,7 @@ InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* pare
   words->addWidget(summary_);
   words->addWidget(saved_, 1);
   column->addLayout(words);
+  column->addWidget(probe_);
   column->addWidget(time_line_);
   row->addLayout(column, 1);
   row->addWidget(make_side());
@@ -100,6 +101,13 @@ void InspectPlace::connect_parts() {
   connect(&session_, &LiveSession::status_ready, this, &InspectPlace::follow_finger);
   connect(&inspection_, &Inspection::frame_ready, this, &InspectPlace::show_frame);
   connect(&inspection_, &Inspection::state_changed, this, &InspectPlace::show_state);
+  constexpr int kBetweenSummaries_ms = 200;
+  summaries_timer_.setSingleShot(true);
+  summaries_timer_.setInterval(kBetweenSummaries_ms);
+  connect(&summaries_timer_, &QTimer::timeout, this, &InspectPlace::show_summaries);
+  connect(&inspection_, &Inspection::summaries_changed, this, [this] {
+    if (!summaries_timer_.isActive()) summaries_timer_.start();
+  });
   connect(time_line_, &TimeLine::wanted, &inspection_, &Inspection::show_frame);
   connect(side_, &InspectSide::changed, this, &InspectPlace::change_options);
   connect(save_bar_, &SaveBar::wanted, this, &InspectPlace::choose_file);
@@ -115,6 +123,10 @@ void InspectPlace::connect_panes() {
   });
   for (InspectPane* pane : {first_, second_}) {
     InspectPane* other = pane == first_ ? second_ : first_;
+    connect(pane, &InspectPane::pointed_at, this, [this](const std::optional<QPointF>& pixel) {
+      pointed_at_ = pixel;
+      show_probe();
+    });
     connect(pane, &InspectPane::looked, other, [pane, other] { other->look_like(*pane); });
     connect(pane, &InspectPane::turned, this, [this, pane](bool is_drag) {
       keep_look(*pane, is_drag);
@@ -129,11 +141,12 @@ void InspectPlace::connect_panes() {
 
 void InspectPlace::name_parts() {
   live_->setText(tr("&Live finger"));
-  video_->setText(tr("&Video…"));
-  folder_->setText(tr("F&older of pictures…"));
+  video_->setText(tr("Vide&o…"));
+  folder_->setText(tr("Folder of p&ictures…"));
   shown_->setAccessibleName(tr("What is shown"));
   summary_->setAccessibleName(tr("Deepest contact"));
   saved_->setAccessibleName(tr("What was saved"));
+  probe_->setAccessibleName(tr("Under the pointer"));
   contact_group_->setTitle(tr("Contact"));
   contact_->setToolTip(contact_words_help());
   contact_->setAccessibleName(tr("What touches the finger"));
@@ -155,7 +168,7 @@ void InspectPlace::change_options(const InspectOptions& options,
 void InspectPlace::set_options(const InspectOptions& options) {
   const InspectOptions before = std::exchange(options_, options);
   const Comparison comparison = options.shown_comparison();
-  inspection_.set_other(comparison == Comparison::kNone ? OtherMethod::kNone : OtherMethod::kPaper);
+  inspection_.set_other(options.comparand());
   first_->set_content(comparison == Comparison::kDifference ? PaneContent::kDifference
                                                             : PaneContent::kFirst);
   second_->set_content(options.second ? PaneContent::kFirst : PaneContent::kSecond);
@@ -183,10 +196,21 @@ void InspectPlace::keep_look(const InspectPane& pane, bool is_drag) {
 }
 
 void InspectPlace::set_point(QPointF pixel, bool is_second) {
+  if (!inspection_.frame()) return;
+  const auto place = place_of(*inspection_.frame(), whole_pixel({pixel.x(), pixel.y()}));
+  if (!place) return;
   InspectOptions next = options_;
-  const cv::Point2d at(std::round(pixel.x()), std::round(pixel.y()));
-  (is_second ? next.b : next.a) = at;
+  (is_second ? next.b : next.a) = place;
   change_options(next, is_second ? tr("put point B") : tr("put point A"), -1);
+}
+
+/// They lie on a finger, and not on the next one.
+void InspectPlace::drop_points() {
+  if (!options_.a && !options_.b) return;
+  InspectOptions next = options_;
+  next.a.reset();
+  next.b.reset();
+  set_options(next);
 }
 
 void InspectPlace::open(const std::filesystem::path& recording) {
@@ -236,6 +260,10 @@ void InspectPlace::follow_live() {
 
 void InspectPlace::follow_finger() {
   const FingerStatus& finger = session_.status().finger;
+  if (!finger.folder.empty()) {
+    if (!points_of_.empty() && points_of_ != finger.folder) drop_points();
+    points_of_ = finger.folder;
+  }
   if (finger.state != FingerState::kLoading) {
     inspection_.set_finger(finger.folder);
     pair_.set_first(finger.folder);
@@ -243,112 +271,15 @@ void InspectPlace::follow_finger() {
   show_state();
 }
 
-void InspectPlace::show_frame() {
-  const auto& frame = inspection_.frame();
-  if (frame && !options_.recording.empty()) {
-    left_at_[options_.recording] = frame->number;
-    if (!time_line_->is_playing()) Q_EMIT changed();
-  }
-  pair_.follow();
-  show_panes();
-  side_->show_frame(frame && frame->surface ? frame : nullptr);
-  follow_touch();
-  summary_->setText(summary_text());
-  show_state();
-}
-
-QString InspectPlace::summary_text() const {
-  const auto text = [](const std::shared_ptr<const InspectedFrame>& frame) {
-    return frame && frame->surface ? deepest_text(*frame) : QString();
-  };
-  const QString first = text(inspection_.frame());
-  if (!options_.second) return first;
-  return QStringLiteral("1: ") + first + QStringLiteral("   2: ") + text(pair_.second().frame());
-}
-
-QString InspectPlace::title_of(bool is_second) const {
-  if (!options_.second) {
-    if (is_second) return tr("The paper's method");
-    const Comparison comparison = options_.shown_comparison();
-    return comparison == Comparison::kSideBySide   ? tr("Ours")
-           : comparison == Comparison::kDifference ? tr("Ours less the paper's method")
-           : inspection_.frame() && inspection_.frame()->bare
-               ? tr("Not calibrated yet: the whole face's shape, without depth")
-               : QString();
-  }
-  if (is_one_picture())
-    return tr("1: %1, 2: %2, in the gripper's frame X, Y, Z")
-        .arg(pair_.name(false), pair_.name(true));
-  return (is_second ? QStringLiteral("2: ") : QStringLiteral("1: ")) + pair_.name(is_second);
-}
-
-void InspectPlace::show_panes() {
-  const auto& frame = inspection_.frame();
-  const bool has_face = frame && frame->surface;
-  const bool is_pair = is_one_picture() && pair_.frames();
-  first_->set_title(title_of(false));
-  second_->set_title(title_of(true));
-  if (is_pair)
-    first_->show_pair(pair_);
-  else if (has_face || (frame && frame->bare))
-    first_->show_frame(frame);
-  else
-    first_->show_message(why_nothing());
-  second_->setVisible(options_.second ? !is_pair : options_.comparison == Comparison::kSideBySide);
-  if (options_.second)
-    show_second();
-  else if (has_face)
-    second_->show_frame(frame);
-  else
-    second_->show_message(why_nothing());
-}
-
-void InspectPlace::show_state() {
-  const auto& recording = inspection_.recording();
-  const bool is_recording = !options_.recording.empty();
-  time_line_->setVisible(is_recording);
-  if (recording) time_line_->set_recording(recording->count, recording->frames_per_s);
-  if (const auto& frame = inspection_.frame(); frame && is_recording)
-    time_line_->set_shown(frame->number, QString::fromStdString(frame->result.frame->name));
-  const auto& shown = inspection_.frame();
-  save_bar_->set_can_save(shown && shown->surface, is_recording && recording && !options_.second);
-  shown_->setText(what_is_shown());
-  std::vector<Problem> problems;
-  const bool is_loading = session_.status().finger.state == FingerState::kLoading;
-  if (inspection_.problem() && !is_loading) problems.push_back(Problem::of(*inspection_.problem()));
-  add_pair_problems(problems);
-  problems_->set_problems(std::move(problems));
-  pair_box_->show_pair(is_recording);
-  if (!inspection_.frame()) first_->show_message(why_nothing());
-  if (!inspection_.frame() && !options_.second) second_->show_message(why_nothing());
-}
-
-QString InspectPlace::what_is_shown() const {
-  return options_.recording.empty() ? tr("Shown: the live finger")
-                                    : tr("Shown: %1").arg(text_of(options_.recording.filename()));
-}
-
-QString InspectPlace::why_nothing() const {
-  const auto& frame = inspection_.frame();
-  if (frame && !frame->is_calibrated)
-    return tr("The finger is not calibrated yet, so brightness cannot be told as depth.");
-  if (frame && !frame->result.problems.empty())
-    return window_sentence(frame->result.problems.front());
-  if (frame) return tr("The face was not found in this picture.");
-  if (session_.status().finger.state == FingerState::kLoading)
-    return tr("The finger is being loaded.");
-  if (inspection_.problem()) return tr("Nothing can be shown; above stands why.");
-  if (!options_.recording.empty()) return tr("The recording is being opened.");
-  const LiveStatus& status = session_.status();
-  if (status.source.state == SourceState::kClosed)
-    return tr("No source is open. Choose one above, or open a recording.");
-  if (!status.finger.finger) return tr("No finger is open. Open the one that is seen, above.");
-  return tr("Waiting for the first picture.");
-}
-
 void InspectPlace::showEvent(QShowEvent* event) {
   Translated::showEvent(event);
+  inspection_.set_looking_further(true);
   follow_live();
+}
+
+void InspectPlace::hideEvent(QHideEvent* event) {
+  inspection_.set_looking_further(false);
+  Translated::hideEvent(event);
 }
 
 }  // namespace alltact

@@ -8,6 +8,7 @@
 #include "widgets/inspect/inspection.h"
 #include "widgets/inspect/pair_box.h"
 #include "widgets/inspect/save_bar.h"
+#include "widgets/inspect/save_inspected.h"
 #include "widgets/inspect/time_line.h"
 #include "widgets/live/live_session.h"
 #include "widgets/panels/force_box.h"
@@ -16,6 +17,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QUndoStack>
 #include <filesystem>
 #include <map>
@@ -35,7 +37,8 @@ class InspectPlace : public Place {
 
   /// A video or a folder of pictures. What is open already is opened afresh.
   void open(const std::filesystem::path& recording);
-  /// What is shown, by the file's ending (see kSavedAs); told below the face when it is done.
+  /// What is shown, by the file's ending (see kSavedAs); told below the face when it is done. A
+  /// film of the live finger goes on until stop_saving().
   void save(const std::filesystem::path& file);
   /// Beside the recording that is shown; none: no second finger.
   void open_second(const std::optional<SecondFinger>& second);
@@ -48,9 +51,11 @@ class InspectPlace : public Place {
   [[nodiscard]] const FingerPair& pair() const { return pair_; }
   [[nodiscard]] const Inspection& inspection() const { return inspection_; }
   [[nodiscard]] bool is_saving() const { return saving_.is_running(); }
+  void stop_saving() { saving_.stop(); }
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   [[nodiscard]] QWidget* make_header();
@@ -69,6 +74,8 @@ class InspectPlace : public Place {
   void change_options(const InspectOptions& options, const QString& what, int merge_id);
   void set_options(const InspectOptions& options);
   void set_point(QPointF pixel, bool is_second);
+  void drop_points();
+  void show_probe();
   void keep_look(const InspectPane& pane, bool is_drag);
   void show_recording();
   void choose_second();
@@ -88,6 +95,13 @@ class InspectPlace : public Place {
   [[nodiscard]] QString summary_text() const;
   [[nodiscard]] QString title_of(bool is_second) const;
   [[nodiscard]] BackgroundWork::Work saving_work(const std::filesystem::path& file);
+  [[nodiscard]] BackgroundWork::Work picture_work(const std::filesystem::path& file);
+  [[nodiscard]] BackgroundWork::Work film_work(const std::filesystem::path& file);
+  [[nodiscard]] Status save_section(const std::filesystem::path& file);
+  [[nodiscard]] FilmView film_view() const;
+  [[nodiscard]] FilmMoment film_moment() const;
+  [[nodiscard]] CanSave can_save() const;
+  void show_summaries();
   [[nodiscard]] QString why_nothing() const;
   [[nodiscard]] QString what_is_shown() const;
   void show_saving();
@@ -105,7 +119,11 @@ class InspectPlace : public Place {
   ProblemList* problems_;
   QPushButton *live_, *video_, *folder_;
   SaveBar* save_bar_;
-  QLabel *shown_, *summary_, *saved_;
+  QLabel *shown_, *summary_, *saved_, *probe_;
+  std::optional<QPointF> pointed_at_;     // pixel under the pointer
+  std::filesystem::path points_of_;       // the finger that A and B lie on
+  std::shared_ptr<FilmQueue> live_film_;  // while the live finger is filmed
+  QTimer summaries_timer_;                // puts news of many frames together
   InspectPane *first_, *second_;
   TimeLine* time_line_;
   InspectSide* side_;

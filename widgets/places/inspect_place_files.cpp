@@ -1,12 +1,13 @@
 // What the place Inspect opens from files and saves into them.
-#include "core/io/picture.h"
-#include "widgets/inspect/save_inspected.h"
+#include "core/io/atomic_file.h"
 #include "widgets/language.h"
 #include "widgets/places/inspect_place.h"
+#include "widgets/theme.h"
 
 #include <QFileDialog>
 
 namespace alltact {
+
 void InspectPlace::choose_video() {
   auto* dialog =
       new QFileDialog(this, tr("Open a video"), QString(), tr("Videos (*.mkv *.avi *.mp4)"));
@@ -46,34 +47,120 @@ void InspectPlace::choose_file(const QString& ending) {
 void InspectPlace::save(const std::filesystem::path& file) {
   if (!inspection_.frame() || saving_.is_running()) return;
   saved_->clear();
+  const std::string ending = file.extension().string();
+  if (ending == ".pdf" || ending == ".svg" || ending == ".csv")
+    return end_saving(save_section(file), {file});
   saving_.start(saving_work(file));
   show_saving();
 }
 
+CanSave InspectPlace::can_save() const {
+  const auto& frame = inspection_.frame();
+  CanSave can;
+  can.surface = frame && frame->surface;
+  can.picture = frame && (frame->surface || frame->bare);
+  can.section = !side_->section().is_empty();
+  can.film = can.picture && (options_.recording.empty() || inspection_.recording());
+  return can;
+}
+
+/// As it stands at the right, for a paper: on white, whatever the theme.
+Status InspectPlace::save_section(const std::filesystem::path& file) {
+  SectionPlot& section = side_->section();
+  if (section.is_empty())
+    return Error{
+        en::say("there is no cross-section"), file.string(), en::say("two points, A and B")};
+  if (file.extension() == ".csv") return write_file_atomically(file, section.csv().toStdString());
+  const QPalette before = section.palette();
+  section.setPalette(theme_palette(Theme::kLight));
+  const QSize size(560, 320);
+  const Status status =
+      write_file_atomically(file, [&](const std::filesystem::path& temporary) -> Status {
+        const QString name = text_of(temporary);
+        if (file.extension() == ".pdf" ? section.save_pdf(name, size)
+                                       : section.save_svg(name, size))
+          return {};
+        return Error{en::say("the figure cannot be written"),
+                     file.string(),
+                     en::say("another folder, or freeing some space")};
+      });
+  section.setPalette(before);
+  return status;
+}
+
+FilmView InspectPlace::film_view() const {
+  FilmView view;
+  view.options = options_;
+  view.colours = scene_colours(palette());
+  if (first_->face_pane() != nullptr) view.options.look = first_->face_pane()->scene().look();
+  return view;
+}
+
+FilmMoment InspectPlace::film_moment() const {
+  FilmMoment moment{inspection_.frame(), nullptr};
+  if (options_.second) moment.second = pair_.second().frame();
+  if (pair_.frames() && pair_.is_placed()) {
+    moment.places = {*pair_.place(false)->gripper_from_camera,
+                     *pair_.place(true)->gripper_from_camera};
+    moment.gap = pair_.gap();
+  }
+  if (first_->face_pane() != nullptr) moment.look = first_->face_pane()->scene().look();
+  return moment;
+}
+
+BackgroundWork::Work InspectPlace::picture_work(const std::filesystem::path& file) {
+  const auto ended = [this, file](const Status& status) {
+    return [this, file, status] { end_saving(status, {file}); };
+  };
+  const QSize pane = first_->picture_size();
+  if (first_->is_3d()) {
+    FilmView view = film_view();
+    const int panes = second_->isVisible() ? 2 : 1;
+    view.size_px = cv::Size(panes * pane.width(), pane.height());
+    return [=, moment = film_moment()](const Job&) {
+      return ended(save_paper_picture(moment, view, file));
+    };
+  }
+  const QImage picture = first_->map_picture(kPaperWidth_px / std::max(1, pane.width()));
+  return [=](const Job&) {
+    const cv::Mat pixels(picture.height(),
+                         picture.width(),
+                         CV_8UC3,
+                         const_cast<uchar*>(picture.constBits()),
+                         static_cast<std::size_t>(picture.bytesPerLine()));
+    return ended(write_paper_picture(file, pixels));
+  };
+}
+
+BackgroundWork::Work InspectPlace::film_work(const std::filesystem::path& file) {
+  if (options_.recording.empty()) {
+    live_film_ = std::make_shared<FilmQueue>();
+    live_film_->add(film_moment());
+    return [this, file, queue = live_film_, view = film_view()](const Job& job) {
+      const Status status = save_live_film(*queue, view, file, job);
+      return std::function<void()>([this, file, status] {
+        live_film_.reset();
+        end_saving(status, {file});
+      });
+    };
+  }
+  FilmOptions film;
+  film.finger = session_.status().finger.folder;
+  film.input = options_.recording;
+  film.view = film_view();
+  film.places = film_moment().places;
+  return [this, film, file](const Job& job) {
+    const Status status = save_film(film, file, job);
+    return std::function<void()>([this, file, status] { end_saving(status, {file}); });
+  };
+}
+
 BackgroundWork::Work InspectPlace::saving_work(const std::filesystem::path& file) {
+  if (file.extension() == ".png") return picture_work(file);
+  if (file.extension() == ".mkv") return film_work(file);
   const auto ended = [this](const Status& status, const std::vector<std::filesystem::path>& files) {
     return [this, status, files] { end_saving(status, files); };
   };
-  if (file.extension() == ".png") {
-    const QImage picture = first_->picture().convertToFormat(QImage::Format_BGR888);
-    return [=](const Job&) {
-      const cv::Mat pixels(picture.height(),
-                           picture.width(),
-                           CV_8UC3,
-                           const_cast<uchar*>(picture.constBits()),
-                           static_cast<std::size_t>(picture.bytesPerLine()));
-      return ended(write_picture(file, pixels), {file});
-    };
-  }
-  if (file.extension() == ".mkv") {
-    FilmOptions film;
-    film.finger = session_.status().finger.folder;
-    film.input = options_.recording;
-    film.view = options_;
-    film.colours = scene_colours(palette());
-    if (first_->face_pane() != nullptr) film.look = first_->face_pane()->scene().look();
-    return [=](const Job& job) { return ended(save_film(film, file, job), {file}); };
-  }
   if (const auto frames = pair_.frames(); frames && pair_.is_placed()) {
     const std::array<PlacedFrame, 2> both{
         PlacedFrame{frames->first, *pair_.place(false)->gripper_from_camera},
@@ -85,7 +172,9 @@ BackgroundWork::Work InspectPlace::saving_work(const std::filesystem::path& file
 }
 
 void InspectPlace::show_saving() {
-  save_bar_->show_progress(saving_.is_running() ? std::optional(saving_.fraction()) : std::nullopt);
+  const double fraction =
+      live_film_ ? -1.0 : saving_.fraction();  // that goes on until it is stopped
+  save_bar_->show_progress(saving_.is_running() ? std::optional(fraction) : std::nullopt);
 }
 
 void InspectPlace::end_saving(const Status& status,

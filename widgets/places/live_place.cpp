@@ -27,6 +27,7 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
       pictures_(new QHBoxLayout),
       over_(new QGroupBox),
       camera_(new QGroupBox),
+      lamp_group_(new QGroupBox),
       contact_group_(new QGroupBox),
       times_group_(new QGroupBox),
       choices_{{{new QCheckBox, &ViewOptions::edges},
@@ -46,6 +47,7 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
   connect_choices();
   connect_force();
   connect_pair();
+  connect_lamp();
   connect(controls_, &ControlPanel::control_changed, this, &LivePlace::change_control);
   connect(controls_, &ControlPanel::lock_changed, this, &LivePlace::change_lock);
   connect(&session_, &LiveSession::status_ready, this, &LivePlace::show_status);
@@ -106,6 +108,7 @@ void LivePlace::name_parts() {
   top_->setSuffix(tr(" mm"));
   top_->setAccessibleName(tr("Depth at which the colours end"));
   camera_->setTitle(tr("Camera"));
+  lamp_group_->setTitle(tr("Lamp"));
   contact_group_->setTitle(tr("Contact"));
   contact_->setToolTip(contact_words_help());
   contact_->setAccessibleName(tr("What touches the finger"));
@@ -137,6 +140,8 @@ QWidget* LivePlace::make_side() {
   side.column->addWidget(times_group_);
   (new QVBoxLayout(camera_))->addWidget(controls_);
   side.column->addWidget(camera_);
+  (new QVBoxLayout(lamp_group_))->addWidget(new LampPanel(lamp_));
+  side.column->addWidget(lamp_group_);
   side.column->addStretch();
   return side.whole;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "widgets/controls/control_panel.h"
+#include "widgets/controls/lamp_panel.h"
 #include "widgets/pair/live_pair_box.h"
 #include "widgets/panels/force_box.h"
 #include "widgets/panels/picture_panel.h"
@@ -61,6 +62,8 @@ class LivePlace : public Place {
   void change_options(const ViewOptions& options, const QString& what, int merge_id);
   void change_control(std::uint32_t id, std::int64_t before, std::int64_t value);
   void change_lock(bool is_locked);
+  void connect_lamp();
+  void change_lamp(const std::optional<DimmerSetting>& wanted);
   [[nodiscard]] ShownForce shown_force() const;
   void connect_pair();
   void choose_second();
@@ -82,7 +85,8 @@ class LivePlace : public Place {
   PicturePanel* panel_;
   PicturePanel* second_panel_ = nullptr;  // there from the first second finger on
   QHBoxLayout* pictures_;
-  QGroupBox *over_, *camera_, *contact_group_, *times_group_;
+  Lamp lamp_;
+  QGroupBox *over_, *camera_, *lamp_group_, *contact_group_, *times_group_;
   std::array<Choice, 5> choices_;
   QLabel* top_label_;
   QDoubleSpinBox* top_;

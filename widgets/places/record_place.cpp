@@ -1,5 +1,6 @@
 #include "widgets/places/record_place.h"
 
+#include "widgets/calibrating/space_key.h"
 #include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
 #include "widgets/shell/picture_dialog.h"
@@ -13,7 +14,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kRecordSideWidth = 330;
+constexpr int kRecordSideWidth = 306;
 constexpr int kBetweenSpace_ms = 2000;
 
 ViewOptions only_finger() {
@@ -26,6 +27,13 @@ QLabel* wrapped_label() {
   auto* label = new QLabel;
   label->setWordWrap(true);
   return label;
+}
+
+QString enough_text(const BendPicture& picture) {
+  const QString enough = RecordPlace::tr("Enough: all directions are reached.");
+  if (picture.is_wanted(BendDirection::kTwistLeft)) return enough;
+  return enough + QLatin1Char(' ') +
+         RecordPlace::tr("It was not twisted; twist it, too, if it is in use.");
 }
 
 std::filesystem::path path_of(const QString& text) {
@@ -42,6 +50,7 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
       coverage_group_(new QGroupBox),
       recording_group_(new QGroupBox),
       result_group_(new QGroupBox),
+      file_group_(new QGroupBox),
       coverage_view_(new CoverageView),
       missing_(wrapped_label()),
       rest_(new QPushButton),
@@ -55,50 +64,65 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
       space_(wrapped_label()),
       summary_(wrapped_label()),
       install_(new QPushButton),
+      keep_(new QPushButton),
+      again_(new QPushButton),
+      video_(new QPushButton),
       stop_install_(new QPushButton),
       bar_(new QProgressBar),
       install_reason_(wrapped_label()),
+      judged_(wrapped_label()),
       outcome_(wrapped_label()),
-      rejected_(new QListWidget) {
+      rejected_(new QListWidget),
+      rig_box_(new RigCheckBox),
+      judge_(installer_) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(panel_, 1);
   layout->addWidget(make_side());
   panel_->set_options(only_finger());
+  panel_->set_more([this](const LiveView& view) { return ghost(view); });
+  ghost_clock_.start();
+  new SpaceKey(*this, [this] {
+    if (record_->isEnabled()) start_or_stop();
+  });
+  connect_parts();
+  say([this] { name_parts(); });
+}
+
+void RecordPlace::connect_parts() {
   connect(rest_, &QPushButton::clicked, this, &RecordPlace::set_rest);
   connect(record_, &QPushButton::clicked, this, &RecordPlace::start_or_stop);
   connect(browse_, &QPushButton::clicked, this, &RecordPlace::choose_file);
   connect(install_, &QPushButton::clicked, this, &RecordPlace::install);
+  connect(keep_, &QPushButton::clicked, this, &RecordPlace::keep_take);
+  connect(again_, &QPushButton::clicked, this, &RecordPlace::record_again);
+  connect(video_, &QPushButton::clicked, this, &RecordPlace::choose_video);
   connect(stop_install_, &QPushButton::clicked, this, [this] { install_work_.stop(); });
+  connect(&judge_, &TakeJudge::changed, this, &RecordPlace::show_status);
   connect(&install_work_, &BackgroundWork::progressed, this, &RecordPlace::show_installing);
   connect(&install_work_, &BackgroundWork::finished, this, &RecordPlace::show_status);
   connect(&session_, &LiveSession::view_ready, this, &RecordPlace::look_at_frame);
   connect(&session_, &LiveSession::status_ready, this, &RecordPlace::show_status);
-  say([this] { name_parts(); });
 }
 
 QWidget* RecordPlace::make_side() {
   const SidePanel side(kRecordSideWidth);
+  make_recording_group(*side.column);
+  make_result_group(*side.column);
+  side.column->addWidget(rig_box_);
   auto* coverage = new QVBoxLayout(coverage_group_);
   coverage->addWidget(coverage_view_);
   coverage->addWidget(missing_);
   coverage->addWidget(rest_);
   coverage->addWidget(rest_note_);
   side.column->addWidget(coverage_group_);
-  make_recording_group(*side.column);
-  make_result_group(*side.column);
+  make_file_group(*side.column);
   side.column->addStretch();
   return side.whole;
 }
 
 void RecordPlace::make_recording_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(recording_group_);
-  auto* line = new QHBoxLayout;
-  file_label_->setBuddy(file_);
-  line->addWidget(file_label_, 1);
-  line->addWidget(browse_);
-  layout->addLayout(line);
-  layout->addWidget(file_);
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
   for (QWidget* widget : {static_cast<QWidget*>(record_),
                           static_cast<QWidget*>(reason_),
@@ -108,16 +132,34 @@ void RecordPlace::make_recording_group(QVBoxLayout& column) {
   column.addWidget(recording_group_);
 }
 
+void RecordPlace::make_file_group(QVBoxLayout& column) {
+  auto* layout = new QVBoxLayout(file_group_);
+  auto* line = new QHBoxLayout;
+  file_label_->setBuddy(file_);
+  line->addWidget(file_label_, 1);
+  line->addWidget(browse_);
+  layout->addLayout(line);
+  layout->addWidget(file_);
+  layout->addWidget(video_);
+  column.addWidget(file_group_);
+}
+
 void RecordPlace::make_result_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(result_group_);
   rejected_->setMaximumHeight(140);
   rejected_->setWordWrap(true);
+  install_->setMinimumHeight(40);
+  auto* other = new QHBoxLayout;
+  other->addWidget(keep_);
+  other->addWidget(again_);
   auto* line = new QHBoxLayout;
   line->addWidget(bar_, 1);
   line->addWidget(stop_install_);
   layout->addWidget(summary_);
+  layout->addWidget(judged_);
   layout->addWidget(install_);
   layout->addWidget(install_reason_);
+  layout->addLayout(other);
   layout->addLayout(line);
   layout->addWidget(outcome_);
   layout->addWidget(rejected_);
@@ -130,11 +172,17 @@ void RecordPlace::name_parts() {
   rest_->setToolTip(tr("The finger hangs free now: all bending is told from here."));
   rest_->setAccessibleDescription(rest_->toolTip());
   recording_group_->setTitle(tr("Recording"));
+  file_group_->setTitle(tr("Files"));
   result_group_->setTitle(tr("What was recorded"));
   file_label_->setText(tr("&File"));
   file_->setAccessibleName(tr("File to record to"));
   browse_->setText(tr("&Choose…"));
   install_->setText(tr("&Install as this finger's reference"));
+  keep_->setText(tr("&Keep for later"));
+  keep_->setToolTip(tr("The video stays where it is, and the finger stays as it is."));
+  again_->setText(tr("Record a&gain"));
+  again_->setToolTip(tr("Puts this video into the waste bin and records another one."));
+  video_->setText(tr("Install a &video that is there…"));
   stop_install_->setText(tr("&Stop"));
   stop_install_->setAccessibleDescription(tr("Stops the installation; nothing is changed."));
   bar_->setAccessibleName(tr("Progress of the installation"));
@@ -173,6 +221,7 @@ void RecordPlace::look_at_frame() {
   unknown_frames_ = touch_ == FaceTouch::kUnknown ? unknown_frames_ + 1 : 0;
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
   if (is_recording && is_touched_) ++touched_frames_;
+  if (!is_recording) rig_.add(result, 1e-9 * static_cast<double>(monotonic_ns()));
   show_coverage();
 }
 
@@ -182,7 +231,7 @@ void RecordPlace::show_coverage() {
   QStringList missing;
   for (const BendDirection direction : picture.missing()) missing << bend_direction_text(direction);
   missing_->setText(picture.poses == 0  ? tr("The markers have to be seen to tell how it bends.")
-                    : missing.isEmpty() ? tr("Enough: all directions are reached.")
+                    : missing.isEmpty() ? enough_text(picture)
                                         : tr("Still missing: %1.").arg(missing.join(", ")));
   rest_->setEnabled(picture.now.has_value());
   rest_note_->setText(coverage_.rest_is_set()
@@ -201,6 +250,8 @@ void RecordPlace::begin_recording() {
   report_.reset();
   problem_picture_ = {};  // it told of the recording before
   installed_.clear();
+  kept_.clear();
+  judge_.forget();
   begin_coverage();
   session_.start_recording(path_of(file_->text()));
 }
@@ -239,6 +290,7 @@ void RecordPlace::measure_space() {
 void RecordPlace::install() {
   const auto folder = session_.status().finger.folder;
   const auto video = recorded_;
+  judge_.stop();
   report_.reset();
   ReferenceChoices choices;
   choices.rest_pose = rest_pose_;
@@ -275,11 +327,13 @@ void RecordPlace::show_status() {
   const RecordingState state = status.recording.state;
   if (status.finger.folder != shown_finger_ || status.source.inputs != shown_source_) {
     coverage_ = BendCoverage();
+    rig_.begin();
     show_coverage();
   }
   shown_source_ = status.source.inputs;
   if (status.finger.folder != shown_finger_ || file_->text().isEmpty()) {
     if (status.finger.folder != shown_finger_ && !was_recording_) {
+      judge_.forget();
       report_.reset();
       problem_picture_ = {};
     }
@@ -289,8 +343,7 @@ void RecordPlace::show_status() {
   const bool is_recording = state == RecordingState::kRunning;
   if (was_recording_ && state == RecordingState::kDone) {
     if (status.recording.counts.recorded > 0) {
-      recorded_ = status.recording.file;
-      rest_pose_ = coverage_.set_rest_pose();
+      offer(status.recording.file, coverage_.set_rest_pose());
       propose_file();
     }
     was_recording_ = false;
@@ -300,6 +353,7 @@ void RecordPlace::show_status() {
   show_button(status);
   show_progress(status.recording);
   show_recorded(status);
+  show_rig();
   mark_primary();
 }
 
@@ -310,6 +364,7 @@ void RecordPlace::changeEvent(QEvent* event) {
 
 void RecordPlace::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
+  record_->setFocus();  // not a field that keys would be typed into
   show_status();
 }
 

@@ -8,6 +8,8 @@
 #include "widgets/places/place.h"
 #include "widgets/recording/coverage_view.h"
 #include "widgets/recording/quick_bending.h"
+#include "widgets/recording/rig_check_box.h"
+#include "widgets/recording/take_judge.h"
 
 #include <QGroupBox>
 #include <QImage>
@@ -17,13 +19,6 @@
 #include <QPushButton>
 
 namespace alltact {
-
-/// Installs a recording in a finger's folder; runs on a thread of its own.
-using ReferenceInstaller =
-    std::function<Result<ReferenceReport>(const std::filesystem::path& folder,
-                                          const std::filesystem::path& video,
-                                          const ReferenceChoices& choices,
-                                          const Job& job)>;
 
 class RecordPlace : public Place {
   Q_OBJECT
@@ -49,7 +44,9 @@ class RecordPlace : public Place {
   static constexpr double kGigabyte = 1e9;
 
   [[nodiscard]] QWidget* make_side();
+  void connect_parts();
   void make_recording_group(QVBoxLayout& column);
+  void make_file_group(QVBoxLayout& column);
   void make_result_group(QVBoxLayout& column);
   void name_parts();
   void begin_coverage();
@@ -58,7 +55,14 @@ class RecordPlace : public Place {
   void start_or_stop();
   void begin_recording();
   void choose_file();
+  void choose_video();
   void propose_file();
+  /// A video that may be installed: one that was recorded, or one that was chosen.
+  void offer(const std::filesystem::path& video, std::optional<RestPose> rest_pose);
+  void keep_take();
+  void record_again();
+  void judge_take();
+  [[nodiscard]] std::vector<Overlay> ghost(const LiveView& view) const;
   void measure_space();
   void install();
   void list_rejected();
@@ -66,6 +70,11 @@ class RecordPlace : public Place {
   void show_button(const LiveStatus& status);
   void show_progress(const RecordingStatus& recording);
   void show_recorded(const LiveStatus& status);
+  void show_offer(const LiveStatus& status);
+  void show_rig();
+  [[nodiscard]] static QString time_text(double seconds);  // minutes and seconds
+  [[nodiscard]] QString take_words(const RecordingStatus& recording) const;
+  [[nodiscard]] QString judged_words() const;
   /// What comes next is the largest button: recording, then installing.
   void mark_primary();
   void show_installing();
@@ -80,7 +89,7 @@ class RecordPlace : public Place {
   LiveSession& session_;
   ReferenceInstaller installer_;
   PicturePanel* panel_;
-  QGroupBox *coverage_group_, *recording_group_, *result_group_;
+  QGroupBox *coverage_group_, *recording_group_, *result_group_, *file_group_;
   CoverageView* coverage_view_;
   QLabel* missing_;
   QPushButton* rest_;
@@ -90,10 +99,11 @@ class RecordPlace : public Place {
   QPushButton *browse_, *record_;
   QLabel *reason_, *progress_, *space_;
   QLabel* summary_;
-  QPushButton *install_, *stop_install_;
+  QPushButton *install_, *keep_, *again_, *video_, *stop_install_;
   QProgressBar* bar_;
-  QLabel *install_reason_, *outcome_;
+  QLabel *install_reason_, *judged_, *outcome_;
   QListWidget* rejected_;
+  RigCheckBox* rig_box_;
 
   BendCoverage coverage_;
   std::filesystem::path shown_finger_;
@@ -104,10 +114,13 @@ class RecordPlace : public Place {
   bool is_touched_ = false;  // and does not only look so because it bends quickly
   QuickBending bending_;
   int unknown_frames_ = 0;  // in a row
+  RigCheck rig_;
+  QElapsedTimer ghost_clock_, since_rig_;
+  TakeJudge judge_;
   BackgroundWork install_work_, space_work_;
   std::optional<double> free_gb_;
   std::optional<Result<ReferenceReport>> report_;
-  std::filesystem::path recorded_, installed_;
+  std::filesystem::path recorded_, installed_, kept_;
   std::optional<RestPose> rest_pose_;  // of the recording
   QImage problem_picture_;             // what the installation found, where that was not enough
   QElapsedTimer since_space_;

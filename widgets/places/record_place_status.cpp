@@ -9,12 +9,12 @@ namespace {
 constexpr double kLittleSpace_gb = 2;
 constexpr int kLongUnknown = 15;  // frames; the first ones of a source never tell
 
-QString time_text(double seconds) {
+}  // namespace
+
+QString RecordPlace::time_text(double seconds) {
   const int whole = static_cast<int>(seconds);
   return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
-
-}  // namespace
 
 QString RecordPlace::why_not(const LiveStatus& status) const {
   if (install_work_.is_running()) return tr("The recording is being installed.");
@@ -31,7 +31,7 @@ void RecordPlace::show_button(const LiveStatus& status) {
   record_->setText(is_recording ? tr("Stop &recording") : tr("Start &recording"));
   // A new text takes the shortcut away.
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-  record_->setToolTip(tr("Ctrl+R"));
+  record_->setToolTip(tr("Ctrl+R, or Space"));
   record_->setIcon(
       icon(is_recording ? QStringLiteral("stop") : QStringLiteral("record"), palette()));
   record_->setEnabled(why.isEmpty());
@@ -75,44 +75,6 @@ QString RecordPlace::why_not_install(const LiveStatus& status) const {
     return tr("A flat sensor has one untouched picture instead of a recording.");
   if (is_busy()) return install_work_.is_running() ? QString() : tr("A recording is under way.");
   return {};
-}
-
-void RecordPlace::show_recorded(const LiveStatus& status) {
-  const RecordingStatus& recording = status.recording;
-  const bool has_recorded = !recorded_.empty();
-  result_group_->setVisible(has_recorded);
-  if (!has_recorded) return;
-  const QLocale locale;
-  if (recording.file == recorded_) {
-    QStringList lines{
-        tr("%1: %2, %3 min")
-            .arg(QString::fromStdString(recorded_.filename().string()),
-                 tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
-                 time_text(recording.seconds))};
-    if (const auto dropped = recording.counts.dropped; dropped > 0)
-      lines << tr("%n frame(s) were lost because this computer or its disk was too slow.",
-                  nullptr,
-                  static_cast<int>(dropped));
-    if (const auto missing = recording.counts.missing; missing > 0)
-      lines << tr("%n frame(s) never came from the source.", nullptr, static_cast<int>(missing));
-    if (recording.counts.dropped + recording.counts.missing == 0) lines << tr("No frame was lost.");
-    if (touched_frames_ > 0)
-      lines << tr("The contact face was touched in %n frame(s).",
-                  nullptr,
-                  static_cast<int>(touched_frames_));
-    summary_->setText(lines.join(QLatin1Char('\n')));
-  }
-  const QString why = why_not_install(status);
-  const bool is_installing = install_work_.is_running();
-  install_->setEnabled(why.isEmpty() && !is_installing);
-  install_->setVisible(!is_installing);
-  install_reason_->setText(why);
-  install_reason_->setVisible(!why.isEmpty());
-  bar_->setVisible(is_installing);
-  stop_install_->setVisible(is_installing);
-  outcome_->setText(outcome_text());
-  outcome_->setVisible(!outcome_->text().isEmpty());
-  rejected_->setVisible(report_ && report_->ok() && rejected_->count() > 0 && !is_installing);
 }
 
 void RecordPlace::mark_primary() {
@@ -195,8 +157,8 @@ void RecordPlace::add_recording_problems(const LiveStatus& status, std::vector<P
 void RecordPlace::add_touch_notes(const LiveStatus& status, std::vector<Problem>& problems) const {
   if (!session_.view()) return;
   if (is_touched_)
-    problems.push_back({Meaning::kBad,
-                        tr("The contact face is touched."),
+    problems.push_back({Meaning::kDoubtful,
+                        tr("The contact face is touched; such frames are left out."),
                         tr("Keep it free: bend the finger at its tip, its sides or its back."),
                         {},
                         {}});

@@ -3,6 +3,7 @@
 #include "widgets/plots/custom_plot.h"
 
 #include <QEvent>
+#include <QSvgGenerator>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -50,6 +51,23 @@ bool Plot::save_pdf(const QString& file, const QSize& size) {
   ensurePolished();
   draw_now(size);
   return chart_->savePdf(file, size.width(), size.height(), QCP::epAllowCosmetic);
+}
+
+bool Plot::save_svg(const QString& file, const QSize& size) {
+  ensurePolished();
+  draw_now(size);
+  QSvgGenerator drawing;
+  drawing.setFileName(file);
+  drawing.setSize(size);
+  drawing.setViewBox(QRect(QPoint(), size));
+  constexpr int kDotsPerInch = 96;
+  drawing.setResolution(kDotsPerInch);
+  QCPPainter painter;
+  if (!painter.begin(&drawing)) return false;
+  painter.setMode(QCPPainter::pmVectorized);
+  painter.setMode(QCPPainter::pmNoCaching);
+  chart_->toPainter(&painter, size.width(), size.height());
+  return painter.end();
 }
 
 void Plot::changeEvent(QEvent* event) {

@@ -23,6 +23,8 @@ class Plot : public QWidget {
   [[nodiscard]] QImage picture(const QSize& size, double scale = 1.0);
   /// One page of `size` (px at 96 to the inch), lines and letters as such. False: not writable.
   [[nodiscard]] bool save_pdf(const QString& file, const QSize& size);
+  /// The same as a drawing for papers and pages.
+  [[nodiscard]] bool save_svg(const QString& file, const QSize& size);
 
  protected:
   void changeEvent(QEvent* event) override;

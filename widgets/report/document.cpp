@@ -53,13 +53,13 @@ QByteArray png_of(const QImage& picture) {
 /// A document as QTextDocument::print() lays it out on A4, to see where its pages end.
 class PaperLayout {
  public:
-  PaperLayout(QTextDocument& document, QPdfWriter& writer) : document_(document) {
+  PaperLayout(QTextDocument& document, QPagedPaintDevice& paper) : document_(document) {
     constexpr double kMargin_px = 2 / 2.54 * 96;  // print()'s own, at 96 to the inch
-    document.documentLayout()->setPaintDevice(&writer);
+    document.documentLayout()->setPaintDevice(&paper);
     QTextFrameFormat format = document.rootFrame()->frameFormat();
     format.setMargin(std::floor(kMargin_px));
     document.rootFrame()->setFrameFormat(format);
-    document.setPageSize(QSizeF(writer.width(), writer.height()));
+    document.setPageSize(QSizeF(paper.width(), paper.height()));
   }
 
   /// Of two blocks outside of tables, from the first line of one to the last of the other.
@@ -105,10 +105,10 @@ QTextBlock last_of_section(const QTextBlock& heading) {
 /// Numbers of the blocks that are to begin a page: figures that would be parted from their captions
 /// and, where they are asked for, sections that would be parted.
 std::vector<int> blocks_on_new_pages(const QTextDocument& document,
-                                     QPdfWriter& writer,
+                                     QPagedPaintDevice& paper,
                                      bool keeps_sections_whole) {
   const std::unique_ptr<QTextDocument> copy(document.clone());
-  const PaperLayout layout(*copy, writer);
+  const PaperLayout layout(*copy, paper);
   std::vector<int> found;
   for (QTextBlock block = copy->begin(); block.isValid(); block = block.next()) {
     if (is_in_table(block)) continue;
@@ -231,13 +231,19 @@ std::string Document::html() const {
   return text.toStdString();
 }
 
-Result<std::string> Document::pdf(const std::string& date) const {
+void Document::print(QPagedPaintDevice& paper) const {
   QTextDocument document;
   document.setDefaultStyleSheet(kPaperStyle);
   for (std::size_t i = 0; i < pictures_.size(); ++i)
     document.addResource(
         QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)), pictures_[i]);
   document.setHtml(whole(QString()));
+  for (const int number : blocks_on_new_pages(document, paper, keeps_sections_whole_))
+    PaperLayout::begin_page_with(document.findBlockByNumber(number));
+  document.print(&paper);
+}
+
+Result<std::string> Document::pdf(const std::string& date) const {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -250,9 +256,7 @@ Result<std::string> Document::pdf(const std::string& date) const {
     writer.setResolution(300);
     writer.setPageLayout(
         QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
-    for (const int number : blocks_on_new_pages(document, writer, keeps_sections_whole_))
-      PaperLayout::begin_page_with(document.findBlockByNumber(number));
-    document.print(&writer);
+    print(writer);
   }
   QHashSeed::resetRandomGlobalSeed();
   if (bytes.isEmpty()) return Error{en::say("the report could not be printed"), "", ""};

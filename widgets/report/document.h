@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+class QPagedPaintDevice;
+
 namespace alltact {
 
 /// Built from top to bottom. All text is plain; what HTML would take for marks is escaped here.
@@ -51,6 +53,8 @@ class Document {
 
   /// One file without anything beside it. The same document gives the same bytes.
   [[nodiscard]] std::string html() const;
+  /// On paper, or what stands for it; its margins are the document's own.
+  void print(QPagedPaintDevice& paper) const;
   /// A4. `date` (UTC, 2026-01-31T12:00:00Z) stands in the file as its time, so that the same
   /// document gives the same bytes. Error: the printing failed.
   [[nodiscard]] Result<std::string> pdf(const std::string& date) const;

@@ -46,6 +46,18 @@ std::optional<Hit> hit(const Eigen::Vector3d& from,
   return Hit{distance, second, third};
 }
 
+/// The ray passes the box, or nearly: its distance from the middle is no more than half the
+/// diagonal.
+bool may_meet(const Eigen::AlignedBox3d& box,
+              const Eigen::Vector3d& from,
+              const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d away = box.center() - from;
+  const double along = away.dot(direction) / direction.squaredNorm();
+  constexpr double kRounding = 1.0001;
+  return (away - along * direction).squaredNorm() <=
+         kRounding * 0.25 * box.diagonal().squaredNorm();
+}
+
 }  // namespace
 
 cv::Vec2f pixel_between(const cv::Mat& grid, cv::Point2d place) {
@@ -76,28 +88,49 @@ std::optional<cv::Point2d> grid_place_of(const FaceSurface& surface, cv::Point2d
   return cv::Point2d(low + share, part * (grid.rows - 1));
 }
 
-std::optional<cv::Point2d> first_hit(const cv::Mat& drawn_mm,
-                                     const Eigen::Vector3d& from,
-                                     const Eigen::Vector3d& direction) {
+GridBoxes::GridBoxes(const cv::Mat& drawn_mm) : drawn_mm_(drawn_mm) {
+  constexpr int kCells = 16;
+  for (int j = 0; j + 1 < drawn_mm.rows; j += kCells)
+    for (int i = 0; i + 1 < drawn_mm.cols; i += kCells) {
+      Box& box = boxes_.emplace_back();
+      box.cells = {
+          i, j, std::min(kCells, drawn_mm.cols - 1 - i), std::min(kCells, drawn_mm.rows - 1 - j)};
+      for (int row = j; row <= j + box.cells.height; ++row)
+        for (int column = i; column <= i + box.cells.width; ++column)
+          box.bounds.extend(at(drawn_mm, column, row));
+    }
+}
+
+std::optional<cv::Point2d> GridBoxes::first_hit(const Eigen::Vector3d& from,
+                                                const Eigen::Vector3d& direction) const {
   double nearest = std::numeric_limits<double>::infinity();
   std::optional<cv::Point2d> place;
-  for (int j = 0; j + 1 < drawn_mm.rows; ++j) {
-    for (int i = 0; i + 1 < drawn_mm.cols; ++i) {
-      const Eigen::Vector3d a = at(drawn_mm, i, j), below = at(drawn_mm, i, j + 1);
-      const Eigen::Vector3d right = at(drawn_mm, i + 1, j), over = at(drawn_mm, i + 1, j + 1);
-      if (const auto found = hit(from, direction, {a, below, right});
-          found && found->distance < nearest) {
-        nearest = found->distance;
-        place = cv::Point2d(i + found->third, j + found->second);
-      }
-      if (const auto found = hit(from, direction, {over, right, below});
-          found && found->distance < nearest) {
-        nearest = found->distance;
-        place = cv::Point2d(i + 1 - found->third, j + 1 - found->second);
+  for (const Box& box : boxes_) {
+    if (!may_meet(box.bounds, from, direction)) continue;
+    for (int j = box.cells.y; j < box.cells.y + box.cells.height; ++j) {
+      for (int i = box.cells.x; i < box.cells.x + box.cells.width; ++i) {
+        const Eigen::Vector3d a = at(drawn_mm_, i, j), below = at(drawn_mm_, i, j + 1);
+        const Eigen::Vector3d right = at(drawn_mm_, i + 1, j), over = at(drawn_mm_, i + 1, j + 1);
+        if (const auto found = hit(from, direction, {a, below, right});
+            found && found->distance < nearest) {
+          nearest = found->distance;
+          place = cv::Point2d(i + found->third, j + found->second);
+        }
+        if (const auto found = hit(from, direction, {over, right, below});
+            found && found->distance < nearest) {
+          nearest = found->distance;
+          place = cv::Point2d(i + 1 - found->third, j + 1 - found->second);
+        }
       }
     }
   }
   return place;
+}
+
+std::optional<cv::Point2d> first_hit(const cv::Mat& drawn_mm,
+                                     const Eigen::Vector3d& from,
+                                     const Eigen::Vector3d& direction) {
+  return GridBoxes(drawn_mm).first_hit(from, direction);
 }
 
 }  // namespace alltact

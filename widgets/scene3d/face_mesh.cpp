@@ -57,7 +57,7 @@ void FaceMesh::update(const cv::Mat& untouched_mm,
             untouched_mm.size() == value.size());
   if (drawn_.size() != untouched_mm.size()) make_topology(untouched_mm.size());
   place(untouched_mm, toward_camera_mm, times);
-  turn_normals();
+  turn_normals(untouched_mm, toward_camera_mm, times);
   colour(value, scale);
   places_->Modified();
   normals_->Modified();
@@ -78,20 +78,44 @@ void FaceMesh::place(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_m
   }
 }
 
-/// Across the neighbours on both sides, towards the camera.
-void FaceMesh::turn_normals() {
+/// Along z a depth d moves the face's point by (0, 0, -d): with the untouched face's steps t along
+/// the grid and w down it, the normal is
+///   (w - (0, 0, d_w)) x (t - (0, 0, d_t)) = w x t + (d_w t_y - d_t w_y, d_t w_x - d_w t_x, 0),
+/// of which the second part alone comes from the depth. Its steps are those of a 3 x 3 Sobel mask.
+void FaceMesh::turn_normals(const cv::Mat& untouched_mm,
+                            const cv::Mat& toward_camera_mm,
+                            float times) {
   const int last_row = drawn_.rows - 1, last_column = drawn_.cols - 1;
+  const float relief = std::max(times, kRelief);
   float* normal = normals_->GetPointer(0);
   for (int j = 0; j <= last_row; ++j) {
-    const auto* row = drawn_.ptr<cv::Vec3f>(j);
-    const auto* above = drawn_.ptr<cv::Vec3f>(std::max(j - 1, 0));
-    const auto* below = drawn_.ptr<cv::Vec3f>(std::min(j + 1, last_row));
+    const int up = std::max(j - 1, 0), low = std::min(j + 1, last_row);
+    const auto* face = untouched_mm.ptr<cv::Vec3f>(j);
+    const auto* above = untouched_mm.ptr<cv::Vec3f>(up);
+    const auto* below = untouched_mm.ptr<cv::Vec3f>(low);
+    const float* depth[3] = {toward_camera_mm.ptr<float>(up),
+                             toward_camera_mm.ptr<float>(j),
+                             toward_camera_mm.ptr<float>(low)};
     for (int i = 0; i <= last_column; ++i, normal += 3) {
-      const cv::Vec3f along = row[std::min(i + 1, last_column)] - row[std::max(i - 1, 0)];
-      const cv::Vec3f down = below[i] - above[i];
-      const float x = down[1] * along[2] - down[2] * along[1];
-      const float y = down[2] * along[0] - down[0] * along[2];
-      const float z = down[0] * along[1] - down[1] * along[0];
+      const int left = std::max(i - 1, 0), right = std::min(i + 1, last_column);
+      const float here = std::isfinite(depth[1][i]) ? depth[1][i] : 0.0F;
+      const auto d = [&](int row, int column) {
+        return std::isfinite(depth[row][column]) ? depth[row][column] : here;
+      };
+      const float d_along = 0.25F * (d(0, right) - d(0, left) + d(2, right) - d(2, left)) +
+                            0.5F * (d(1, right) - d(1, left));
+      const float d_down = 0.25F * (d(2, left) - d(0, left) + d(2, right) - d(0, right)) +
+                           0.5F * (d(2, i) - d(0, i));
+      const cv::Vec3f t = face[right] - face[left], w = below[i] - above[i];
+      float x = w[1] * t[2] - w[2] * t[1];
+      float y = w[2] * t[0] - w[0] * t[2];
+      const float z = w[0] * t[1] - w[1] * t[0];
+      const float more_x = d_down * t[1] - d_along * w[1], more_y = d_along * w[0] - d_down * t[0];
+      const float slope = relief * std::sqrt(more_x * more_x + more_y * more_y) /
+                          std::max(std::sqrt(x * x + y * y + z * z), 1e-12F);
+      const float share = relief / std::sqrt(1 + slope * slope / (kSteepest * kSteepest));
+      x += share * more_x;
+      y += share * more_y;
       const float length = std::max(std::sqrt(x * x + y * y + z * z), 1e-12F);
       normal[0] = x / length;
       normal[1] = y / length;

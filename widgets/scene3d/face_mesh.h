@@ -19,13 +19,16 @@ inline constexpr MapColour kNotMeasured{128, 128, 128};
 
 class FaceMesh {
  public:
+  static constexpr float kRelief = 5.0F, kSteepest = 1.7F;
+
   FaceMesh();
   ~FaceMesh();
   FaceMesh(const FaceMesh&) = delete;
   FaceMesh& operator=(const FaceMesh&) = delete;
 
   /// Topology is made anew only when the grid's size changed. Where `toward_camera_mm` is NaN the
-  /// face stays untouched.
+  /// face stays untouched. Light falls on slopes that are kRelief times as steep as they are, so
+  /// that hundredths of a millimetre are seen, and never steeper than kSteepest.
   ///   untouched_mm: CV_32FC3; toward_camera_mm, value: CV_32FC1 of the same size
   void update(const cv::Mat& untouched_mm,
               const cv::Mat& toward_camera_mm,
@@ -42,7 +45,7 @@ class FaceMesh {
  private:
   void make_topology(cv::Size size);
   void place(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm, float times);
-  void turn_normals();
+  void turn_normals(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm, float times);
   void colour(const cv::Mat& value, const ColourScale& scale);
 
   vtkNew<vtkPolyData> data_;

@@ -6,7 +6,13 @@
 #include "widgets/scene3d/scene_lines.h"
 #include "widgets/scene3d/scene_view.h"
 
+#include <cmath>
+
 #include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
@@ -17,6 +23,24 @@ namespace alltact {
 namespace {
 
 constexpr double kGripperAxis_mm = 20;
+
+/// Both turn with the eye. Together with what comes from everywhere they add up to 1 on what faces
+/// it.
+void light(vtkRenderer* renderer) {
+  constexpr double kHead = 0.25;
+  const Eigen::Vector3d key(-0.9, 0.25, 0.75);  // in the eye's frame: right, up, back
+  renderer->AutomaticLightCreationOff();
+  renderer->RemoveAllLights();
+  for (const auto& [from, strength] : {std::pair{Eigen::Vector3d(0, 0, 1), kHead},
+                                       {key, (1 - kFaceAmbient - kHead) / key.normalized().z()}}) {
+    const vtkNew<vtkLight> lamp;
+    lamp->SetLightTypeToCameraLight();
+    lamp->SetPosition(from.data());
+    lamp->SetFocalPoint(0, 0, 0);
+    lamp->SetIntensity(strength);
+    renderer->AddLight(lamp);
+  }
+}
 
 }  // namespace
 
@@ -41,6 +65,13 @@ struct FaceScene::State {
   bool is_looked_at = false;  // somebody has chosen from where
 
   explicit State(vtkRenderWindow* of) : window(of) {
+    light(renderer);
+    const vtkNew<vtkCallbackCommand> start;
+    start->SetClientData(this);
+    start->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+      static_cast<State*>(self)->begin_to_render();
+    });
+    renderer->AddObserver(vtkCommand::StartEvent, start);
     gripper.set_names({"X", "Y", "Z"});
     renderer->AddActor(gap);
     set_options();
@@ -50,8 +81,7 @@ struct FaceScene::State {
     first.set_options(options);
     second.set_options(options);
     show_frames();
-    bar.set_scale(first.is_difference() ? difference_scale(options.top_mm)
-                                        : depth_scale(options.top_mm));
+    bar.set_scale(first.colours());
   }
   /// What stands for frames rather than for faces.
   void show_frames() {
@@ -63,6 +93,11 @@ struct FaceScene::State {
                                   : std::array<std::string, 3>{"x1", "y1", "z1"});
     second.axes().set_names({"x2", "y2", "z2"});
   }
+  /// Somebody may have turned it without asking us.
+  void begin_to_render() {
+    const Eigen::Vector3d eye(renderer->GetActiveCamera()->GetPosition());
+    for (PlacedFace* face : {&first, &second}) face->seen_from(eye);
+  }
   void draw_marks();
   void dress();
   void look();
@@ -72,7 +107,8 @@ struct FaceScene::State {
 void FaceScene::State::draw_marks() {
   std::vector<MarkActors::Point> points;
   for (std::size_t i = 0; i < marks.points.size(); ++i)
-    if (const auto at = first.point_of(marks.points[i])) points.push_back({i, *at});
+    if (const auto& pixel = marks.points[i])
+      if (const auto at = first.point_of(*pixel)) points.push_back({i, *at});
   std::vector<Polyline> lines;
   for (const auto& line : marks.lines) {
     Polyline drawn;
@@ -98,9 +134,10 @@ void FaceScene::State::dress() {
 
 void FaceScene::State::look() {
   if (!first.is_shown()) return;
-  SceneView::Subject subject{first.outline(), first.inward(), first.scene_from_camera()};
+  const bool is_whole = is_in_gripper || standpoint != Standpoint::kCamera;
+  SceneView::Subject subject{first.outline(is_whole), first.inward(), first.scene_from_camera()};
   if (is_in_gripper)
-    for (const auto& more : {second.outline(), gripper.corners()})
+    for (const auto& more : {second.outline(true), gripper.corners()})
       subject.points.insert(subject.points.end(), more.begin(), more.end());
   view.look_at(
       subject, standpoint, window->GetSize(), ColourBar::left_of_it(window->GetSize(), scale));

@@ -1,6 +1,6 @@
-// What the 3D view shows: the face in colours, the face as if nothing pressed, the camera, points
-// and lines on the face, the scale of the colours. The same for the window and for pictures made
-// without one.
+// What the 3D view shows: the finger with its face in colours, the face as if nothing pressed, the
+// camera, points and lines on the face, a ruler, the scale of the colours. The same for the window
+// and for pictures made without one.
 #pragma once
 
 #include "core/camera/camera.h"
@@ -26,7 +26,7 @@ struct SceneColours {
 
 /// On the face, by pixels of the picture.
 struct SceneMarks {
-  std::vector<cv::Point2d> points;  ///< named A, B, ...
+  std::vector<std::optional<cv::Point2d>> points;  ///< A, B, ...; absent: the next letter's turn
   std::vector<std::vector<cv::Point2d>> lines;
 };
 
@@ -45,6 +45,9 @@ struct SceneFinger {
 
 /// The scene's frame is the camera's, or with two fingers the gripper's. Changes take effect when
 /// the window renders. Of one thread, that of the window.
+///
+/// Light comes from over one's left shoulder, slanting, and from where one looks; what faces one is
+/// as bright as the scale of the colours, whatever its depth.
 class FaceScene {
  public:
   /// The window outlives the scene.
@@ -56,7 +59,8 @@ class FaceScene {
   /// The face by depth. The first time, and after forget(), one looks at it as look_from() said
   /// last.
   void show(const FaceSurface& surface, const Camera& camera);
-  /// The face by depth less `other_mm` (CV_32FC1, of the surface's grid), from -top_mm to top_mm.
+  /// The face by depth less `other_mm` (CV_32FC1, of the surface's grid), by
+  /// SceneOptions::difference_top_mm.
   void show_difference(const FaceSurface& surface, const cv::Mat& other_mm, const Camera& camera);
   /// Two fingers in the gripper's frame, by depth on one scale, with the axes x1 to z1, x2 to z2 of
   /// their cameras and X, Y, Z of the gripper. Marks are those of the first.

@@ -16,7 +16,7 @@ namespace alltact {
 namespace {
 
 constexpr int kGhostLines = 6;  // along the shorter side of the grid
-constexpr double kAxis_mm = 12;
+constexpr double kAxis_mm = 9;
 
 Eigen::Vector3d to_eigen(const cv::Vec3f& p) {
   return {p[0], p[1], p[2]};
@@ -37,6 +37,8 @@ vtkSmartPointer<vtkMatrix4x4> matrix_of(const RigidTransform& transform) {
 PlacedFace::PlacedFace(vtkRenderer* renderer)
     : ghost_(line_actor(ghost_lines_, 25)),
       camera_(line_actor(camera_lines_, 0)),
+      body_actors_(renderer),
+      ruler_(renderer),
       axes_(renderer, kAxis_mm) {
   const vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(mesh_.data());
@@ -45,8 +47,8 @@ PlacedFace::PlacedFace(vtkRenderer* renderer)
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
   face_->SetMapper(mapper);
-  face_->GetProperty()->SetAmbient(0.5);
-  face_->GetProperty()->SetDiffuse(0.5);
+  face_->GetProperty()->SetAmbient(kFaceAmbient);
+  face_->GetProperty()->SetDiffuse(1.0);
   face_->GetProperty()->SetSpecular(0.0);
   for (vtkActor* actor : {face_.Get(), ghost_.Get(), camera_.Get()}) renderer->AddActor(actor);
   hide();
@@ -57,25 +59,31 @@ PlacedFace::~PlacedFace() = default;
 void PlacedFace::show(const FaceSurface& surface, const cv::Mat& other_mm) {
   surface_ = surface;
   other_mm_ = other_mm;
+  body_ = body_of(surface);
   draw_face();
+  draw_body();
   draw_ghost();
 }
 
 void PlacedFace::hide() {
   surface_ = {};
+  body_ = {};
   other_mm_ = cv::Mat();
   face_->VisibilityOff();
+  draw_body();
   draw_ghost();
 }
 
 void PlacedFace::set_options(const SceneOptions& options) {
   options_ = options;
   draw_face();
+  draw_body();
   draw_ghost();
   show_camera(options.camera);
 }
 
 void PlacedFace::show_camera(bool is_shown) {
+  is_camera_shown_ = is_shown;
   camera_->SetVisibility(is_shown);
   axes_.show(is_shown);
 }
@@ -85,6 +93,7 @@ void PlacedFace::place(const RigidTransform& scene_from_camera) {
   place_ = scene_from_camera;
   const auto matrix = matrix_of(place_);
   for (vtkActor* actor : {face_.Get(), ghost_.Get(), camera_.Get()}) actor->SetUserMatrix(matrix);
+  body_actors_.place(matrix);
   axes_.place(place_);
 }
 
@@ -107,7 +116,14 @@ void PlacedFace::dress(const SceneColours& colours, double pixels_per_unit) {
       colours.text[0] / 255.0, colours.text[1] / 255.0, colours.text[2] / 255.0);
   for (const auto& actor : {ghost_, camera_})
     actor->GetProperty()->SetLineWidth(static_cast<float>(pixels_per_unit));
+  body_actors_.dress(colours, pixels_per_unit);
+  ruler_.dress(colours, pixels_per_unit);
   axes_.dress(pixels_per_unit);
+}
+
+ColourScale PlacedFace::colours() const {
+  return is_difference() ? difference_scale(options_.difference_top_mm)
+                         : depth_scale(options_.top_mm);
 }
 
 void PlacedFace::draw_face() {
@@ -117,8 +133,34 @@ void PlacedFace::draw_face() {
                surface_.depth_mm,
                static_cast<float>(options_.times),
                value,
-               is_difference() ? difference_scale(options_.top_mm) : depth_scale(options_.top_mm));
+               colours());
+  boxes_.reset();
   face_->VisibilityOn();
+}
+
+void PlacedFace::draw_body() {
+  const bool is_drawn = is_shown() && options_.body && !body_.sections.empty();
+  if (is_drawn) body_actors_.draw(body_, surface_.markers);
+  body_actors_.show(is_drawn);
+  if (is_shown() && options_.ruler)
+    ruler_.draw(surface_, options_.times, place_);
+  else
+    ruler_.hide();
+}
+
+void PlacedFace::seen_from(const Eigen::Vector3d& eye) {
+  if (!is_shown()) return;
+  const auto middle_of = [this](const FingerBody::Section& section) {
+    return place_.point(0.25 * (section[0] + section[1] + section[2] + section[3]));
+  };
+  const cv::Mat& face = surface_.untouched_mm;
+  const Eigen::Vector3d middle =
+      place_.point(to_eigen(face.at<cv::Vec3f>(face.rows / 2, face.cols / 2)));
+  const bool is_outside = place_.direction(inward()).dot(eye - middle) < 0;
+  axes_.show(is_camera_shown_ && !is_outside);
+  if (body_.sections.empty()) return;
+  const Eigen::Vector3d end = middle_of(body_.base[0]);
+  body_actors_.look_from(is_outside, (end - middle_of(body_.base[1])).dot(eye - end) > 0);
 }
 
 void PlacedFace::draw_ghost() {
@@ -144,7 +186,7 @@ void PlacedFace::draw_ghost() {
   set_lines(ghost_lines_, lines);
 }
 
-std::vector<Eigen::Vector3d> PlacedFace::outline() const {
+std::vector<Eigen::Vector3d> PlacedFace::outline(bool is_whole) const {
   std::vector<Eigen::Vector3d> points;
   if (!is_shown()) return points;
   const cv::Mat& drawn = mesh_.drawn_mm();
@@ -152,29 +194,26 @@ std::vector<Eigen::Vector3d> PlacedFace::outline() const {
   for (int j = 0; j < drawn.rows; j += j + kOfMany < drawn.rows ? kOfMany : 1)
     for (int i = 0; i < drawn.cols; i += i + kOfMany < drawn.cols ? kOfMany : 1)
       points.push_back(place_.point(to_eigen(drawn.at<cv::Vec3f>(j, i))));
-  if (!options_.camera) return points;
-  for (const Eigen::Vector3d& end : {Eigen::Vector3d(0, 0, 0),
-                                     Eigen::Vector3d(kAxis_mm, 0, 0),
-                                     Eigen::Vector3d(0, kAxis_mm, 0),
-                                     Eigen::Vector3d(-kAxis_mm, -kAxis_mm, 0)})
-    points.push_back(place_.point(end));
+  if (!is_whole) return points;
+  const auto add = [&](const Eigen::Vector3d& point) { points.push_back(place_.point(point)); };
+  if (options_.body)
+    for (const Eigen::Vector3d& corner : body_.corners()) add(corner);
+  points.insert(points.end(), ruler_.corners().begin(), ruler_.corners().end());
+  if (options_.camera) add({0, 0, 0});
   return points;
 }
 
 Eigen::Vector3d PlacedFace::inward() const {
   if (!is_shown()) return {0, 0, -1};
-  const cv::Mat& whole = surface_.untouched_mm;
-  const auto corner = [&](int j, int i) { return to_eigen(whole.at<cv::Vec3f>(j, i)); };
-  const Eigen::Vector3d along = corner(0, whole.cols - 1) - corner(0, 0);
-  const Eigen::Vector3d down = corner(whole.rows - 1, 0) - corner(0, 0);
-  return down.cross(along).normalized();
+  return inward_normal(surface_.untouched_mm, surface_.columns() / 2, surface_.rows() / 2);
 }
 
 std::optional<PlacedFace::Hit> PlacedFace::hit(const Eigen::Vector3d& from,
                                                const Eigen::Vector3d& direction) const {
   if (!is_shown()) return std::nullopt;
   const RigidTransform back = place_.inverse();
-  const auto place = first_hit(mesh_.drawn_mm(), back.point(from), back.direction(direction));
+  if (!boxes_) boxes_.emplace(mesh_.drawn_mm());
+  const auto place = boxes_->first_hit(back.point(from), back.direction(direction));
   if (!place) return std::nullopt;
   const cv::Vec2f pixel = pixel_between(surface_.pixel, *place);
   const Eigen::Vector3d at = place_.point(to_eigen(point_between(mesh_.drawn_mm(), *place)));

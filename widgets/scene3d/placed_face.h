@@ -1,15 +1,22 @@
-// One finger's face in the scene: coloured, with the face as if nothing pressed, the camera and its
-// axes, all where the finger's camera stands. Inside this folder only.
+// One finger in the scene: its face in colours, its body, a ruler beside it, the face as if nothing
+// pressed, the camera and its axes, all where the finger's camera stands. Inside this folder only.
 #pragma once
 
 #include "widgets/scene3d/axes.h"
+#include "widgets/scene3d/body_actors.h"
+#include "widgets/scene3d/face_grid.h"
 #include "widgets/scene3d/face_mesh.h"
 #include "widgets/scene3d/face_scene.h"
+#include "widgets/scene3d/finger_body.h"
+#include "widgets/scene3d/ruler.h"
 
 #include <optional>
 #include <vector>
 
 namespace alltact {
+
+/// Part of the light that comes from everywhere; see FaceScene for the rest.
+inline constexpr double kFaceAmbient = 0.3;
 
 class PlacedFace {
  public:
@@ -24,6 +31,8 @@ class PlacedFace {
   void hide();
   [[nodiscard]] bool is_shown() const { return !surface_.untouched_mm.empty(); }
   [[nodiscard]] bool is_difference() const { return !other_mm_.empty(); }
+  /// Of what is shown.
+  [[nodiscard]] ColourScale colours() const;
   void set_options(const SceneOptions& options);
   /// Other than the options say.
   void show_camera(bool is_shown);
@@ -33,8 +42,11 @@ class PlacedFace {
   void dress(const SceneColours& colours, double pixels_per_unit);
   [[nodiscard]] Axes& axes() { return axes_; }
 
-  /// What must be in sight of it: its vertices and its camera.
-  [[nodiscard]] std::vector<Eigen::Vector3d> outline() const;
+  /// One is about to look at it from here.
+  void seen_from(const Eigen::Vector3d& eye);
+
+  /// What must be in sight of it: its vertices, and of the whole finger its body and its camera.
+  [[nodiscard]] std::vector<Eigen::Vector3d> outline(bool is_whole) const;
   /// Across the face, towards the camera, in the camera's frame.
   [[nodiscard]] Eigen::Vector3d inward() const;
   [[nodiscard]] const RigidTransform& scene_from_camera() const { return place_; }
@@ -51,17 +63,23 @@ class PlacedFace {
 
  private:
   void draw_face();
+  void draw_body();
   void draw_ghost();
 
   FaceSurface surface_;
+  FingerBody body_;
   cv::Mat other_mm_;
   SceneOptions options_;
   RigidTransform place_;
   FaceMesh mesh_;
+  mutable std::optional<GridBoxes> boxes_;  // of the mesh, once somebody asked
   vtkNew<vtkActor> face_;
   vtkNew<vtkPolyData> ghost_lines_, camera_lines_;
   vtkSmartPointer<vtkActor> ghost_, camera_;
+  BodyActors body_actors_;
+  Ruler ruler_;
   Axes axes_;
+  bool is_camera_shown_ = true;
 };
 
 }  // namespace alltact

@@ -12,10 +12,13 @@ enum class Standpoint {
 };
 
 struct SceneOptions {
-  bool untouched = true;  ///< lines of the face as if nothing pressed
-  bool camera = true;     ///< the camera and its axes
-  double top_mm = 1.0;    ///< where the colours end
-  double times = 1.0;     ///< that depth is drawn larger than it is
+  bool body = true;                 ///< the finger behind its face, with its dots and its base
+  bool ruler = true;                ///< mm along the face, and how large heights are drawn
+  bool untouched = false;           ///< lines of the face as if nothing pressed
+  bool camera = true;               ///< the camera and its axes
+  double top_mm = 1.0;              ///< where the colours of depth end
+  double difference_top_mm = 0.05;  ///< where those of differences end, to both sides
+  double times = 1.0;               ///< that depth is drawn larger than it is
   bool operator==(const SceneOptions&) const = default;
 };
 

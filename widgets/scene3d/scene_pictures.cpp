@@ -2,6 +2,8 @@
 
 #include "widgets/scene3d/render_window.h"
 
+#include <cmath>
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <opencv2/imgproc.hpp>
@@ -84,7 +86,7 @@ struct ScenePictures::State {
   }
 };
 
-Result<ScenePictures> ScenePictures::create(cv::Size size_px) {
+Result<ScenePictures> ScenePictures::create(cv::Size size_px, double pixels_per_unit) {
   auto state = std::make_unique<State>();
   if (!state->context.make_current()) {
     return Error{en::say("this computer cannot draw in 3D: there is no EGL with OpenGL 3.2"),
@@ -108,9 +110,12 @@ Result<ScenePictures> ScenePictures::create(cv::Size size_px) {
   window->SetForceMaximumHardwareLineWidth(1);
   window->SetOwnContext(0);
   window->SetMultiSamples(4);
+  constexpr double kDotsPerInch = 72;  // as on a screen, see VtkView
+  window->SetDPI(static_cast<int>(std::lround(kDotsPerInch * pixels_per_unit)));
   window->SetSize(size_px.width, size_px.height);
   window->OpenGLInitContext();
   state->scene = std::make_unique<FaceScene>(window);
+  state->scene->set_scale(pixels_per_unit);
   return ScenePictures(std::move(state));
 }
 

@@ -14,8 +14,9 @@ namespace alltact {
 /// card). Of one thread.
 class ScenePictures {
  public:
+  /// pixels_per_unit: larger ones for paper, so that lines and letters grow with the picture.
   /// Error: this computer has no OpenGL 3.2, not even in software.
-  [[nodiscard]] static Result<ScenePictures> create(cv::Size size_px);
+  [[nodiscard]] static Result<ScenePictures> create(cv::Size size_px, double pixels_per_unit = 1);
   ScenePictures(ScenePictures&&) noexcept;
   ScenePictures& operator=(ScenePictures&&) noexcept;
   ~ScenePictures();

@@ -1,6 +1,8 @@
 #include "widgets/scene3d/scene_view.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -44,24 +46,33 @@ void SceneView::look_at(const Subject& subject,
   const Eigen::Vector3d right =
       subject.scene_from_camera.direction(view.up).cross(back).normalized();
   const Eigen::Vector3d up = back.cross(right);
-  Eigen::AlignedBox3d box;  // in the view's own axes
-  for (const Eigen::Vector3d& p : subject.points)
-    box.extend(Eigen::Vector3d(p.dot(right), p.dot(up), p.dot(back)));
-  const Eigen::Vector3d centre = box.center();
   const double aspect =
       window_px[0] > 0 && window_px[1] > 0 ? static_cast<double>(window_px[0]) / window_px[1] : 1.6;
-  constexpr double kFilled = 0.92;
-  const double slope = std::tan(0.5 * kAngle_deg * kDegree);
-  double away = 1;
+  constexpr double kFilled = 0.95;
+  const double up_slope = kFilled * std::tan(0.5 * kAngle_deg * kDegree);
+  const double left_slope = aspect * up_slope, right_slope = left_slope * (2 * used_width - 1);
+  // In the view's own axes a point is in sight of an eye where x - x_eye <= slope (z_eye - z), and
+  // likewise to the other sides: so near that on two opposite sides one of them touches the rim.
+  constexpr double kFar = std::numeric_limits<double>::lowest();
+  double rightmost = kFar, leftmost = kFar, top = kFar, bottom = kFar, nearest = kFar;
+  double furthest = -kFar;
   for (const Eigen::Vector3d& p : subject.points) {
-    const double x = std::abs(p.dot(right) - centre.x()) / (slope * aspect * used_width * kFilled);
-    const double y = std::abs(p.dot(up) - centre.y()) / (slope * kFilled);
-    away = std::max(away, std::max(x, y) + p.dot(back) - centre.z());
+    const double x = p.dot(right), y = p.dot(up), z = p.dot(back);
+    rightmost = std::max(rightmost, x + right_slope * z);
+    leftmost = std::max(leftmost, left_slope * z - x);
+    top = std::max(top, y + up_slope * z);
+    bottom = std::max(bottom, up_slope * z - y);
+    nearest = std::max(nearest, z);
+    furthest = std::min(furthest, z);
   }
-  const double aside = away * slope * aspect * (1 - used_width);
-  const Eigen::Vector3d at = (centre.x() + aside) * right + centre.y() * up + centre.z() * back;
-  const Eigen::Vector3d eye = at + away * back;
-  look_as({eye, at, up});
+  if (subject.points.empty()) return;
+  const double z_eye = std::max({(rightmost + leftmost) / (right_slope + left_slope),
+                                 (top + bottom) / (2 * up_slope),
+                                 nearest + 1});
+  const double x_eye = 0.5 * (rightmost - leftmost + (left_slope - right_slope) * z_eye);
+  const double y_eye = 0.5 * (top - bottom);
+  const Eigen::Vector3d eye = x_eye * right + y_eye * up + z_eye * back;
+  look_as({eye, eye - (z_eye - 0.5 * (nearest + furthest)) * back, up});
   eye_set_ = eye;
 }
 

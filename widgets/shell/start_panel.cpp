@@ -1,5 +1,6 @@
 #include "widgets/shell/start_panel.h"
 
+#include "widgets/controls/camera_label.h"
 #include "widgets/language.h"
 #include "widgets/shell/primary_button.h"
 #include "widgets/theme.h"
@@ -123,8 +124,7 @@ void StartPanel::show_cameras() {
   if (found_.empty()) cameras_->addWidget(new QLabel(tr("No camera is plugged in.")));
   for (const FoundCamera& camera : found_) {
     const QString name = QString::fromStdString(camera.identity.lasting());
-    auto* button =
-        new QPushButton(tr("Camera %1").arg(QString::fromStdString(camera.identity.name)));
+    auto* button = new QPushButton(tr("Camera %1").arg(camera_label(camera, found_)));
     button->setToolTip(name);
     connect(button, &QPushButton::clicked, this, [this, name] { Q_EMIT camera_wanted(name); });
     cameras_->addWidget(button);

@@ -28,6 +28,7 @@ struct DimmerSetting {
   std::string device;   ///< HidIdentity::lasting()
   std::string control;  ///< "mcp2221a gp2", "mcp2221a gp3", or a DimmerReport
   double level = 0;     ///< 0 dark, 1 full, as set: rounded to the device's steps
+  bool operator==(const DimmerSetting&) const = default;
 };
 
 /// One thread.

@@ -8,10 +8,23 @@
 
 namespace alltact {
 
-/// Another source as it is, with the dimmer's setting behind each frame's own settings.
+/// Puts a dimmer's setting behind each frame's own settings. One thread.
+class LightStamp {
+ public:
+  explicit LightStamp(const DimmerSetting& light);
+  /// The same pixels. Not for none.
+  [[nodiscard]] FramePtr operator()(const FramePtr& frame);
+
+ private:
+  std::string light_;
+  std::shared_ptr<const std::string> before_, with_light_;  // mostly the same from frame to frame
+};
+
+/// Another source as it is, its frames stamped.
 class LitSource : public Source {
  public:
-  LitSource(std::unique_ptr<Source> source, const DimmerSetting& light);
+  LitSource(std::unique_ptr<Source> source, const DimmerSetting& light)
+      : source_(std::move(source)), stamp_(light) {}
 
   [[nodiscard]] Result<FramePtr> next() override;
   [[nodiscard]] std::optional<std::size_t> count() const override { return source_->count(); }
@@ -21,8 +34,7 @@ class LitSource : public Source {
 
  private:
   std::unique_ptr<Source> source_;
-  std::string light_;
-  std::shared_ptr<const std::string> before_, with_light_;  // mostly the same from frame to frame
+  LightStamp stamp_;
 };
 
 }  // namespace alltact

@@ -286,6 +286,18 @@ std::vector<ControlValue> lock_brightness(const V4l2Device& device,
   return held;
 }
 
+std::vector<CameraControl> automatic_modes_on(const std::vector<CameraControl>& controls) {
+  std::vector<CameraControl> on;
+  for (const CameraControl& control : controls) {
+    const AutomaticMode* mode = automatic_mode(control.id);
+    // Where the camera has no manual mode, the best that it has counts.
+    if (mode != nullptr && control.is_setting() &&
+        control.value != off_value(control, *mode).value_or(mode->off))
+      on.push_back(control);
+  }
+  return on;
+}
+
 void watch_changes(const V4l2Device& device, const std::vector<CameraControl>& controls) {
   const auto subscribe = [&](std::uint32_t type, std::uint32_t id) {
     v4l2_event_subscription subscription;

@@ -70,6 +70,11 @@ void merge_controls(std::vector<ControlValue>& values, const std::vector<Control
 [[nodiscard]] std::vector<ControlValue> lock_brightness(const V4l2Device& device,
                                                         std::vector<Message>& problems);
 
+/// Those automatic modes of exposure, gain, white balance and focus that are on, by the values of
+/// `controls`: with one of them on, brightness or sharpness are the camera's own.
+[[nodiscard]] std::vector<CameraControl> automatic_modes_on(
+    const std::vector<CameraControl>& controls);
+
 /// Asks to be told of changes that other programs and the camera itself make (POLLPRI, then
 /// next_change()): of controls, and of what the camera sends. Drivers without events are read in
 /// turn instead.

@@ -63,7 +63,7 @@ TEST_F(FrameMeasurerTest, MeasuresFramesInAnyOrderWithTheirSd) {
   EXPECT_FALSE(recording.times_ns) << "pictures have none";
   for (const int number : {2, 0, 1, 1}) {
     const auto frame =
-        measurer_.measure(static_cast<std::size_t>(number), OtherMethod::kNone, job_);
+        measurer_.measure(static_cast<std::size_t>(number), {}, job_);
     ASSERT_TRUE(frame.ok());
     EXPECT_EQ(frame.value().number, static_cast<std::size_t>(number));
     EXPECT_TRUE(frame.value().is_calibrated);
@@ -75,15 +75,15 @@ TEST_F(FrameMeasurerTest, MeasuresFramesInAnyOrderWithTheirSd) {
     const double sd_mm = frame.value().sd_mm.at<float>(ball);
     EXPECT_TRUE(sd_mm > 0 && sd_mm < 0.05) << sd_mm;
   }
-  EXPECT_EQ(measurer_.measure(99, OtherMethod::kNone, job_).value().number,
+  EXPECT_EQ(measurer_.measure(99, {}, job_).value().number,
             std::size_t{kFrames - 1});
 }
 
 TEST_F(FrameMeasurerTest, ComparesWithTheOtherMethod) {
   open();
-  const auto frame = measurer_.measure(1, OtherMethod::kPaper, job_);
+  const auto frame = measurer_.measure(1, {OtherMethod::kPaper}, job_);
   ASSERT_TRUE(frame.ok() && frame.value().other);
-  const cv::Mat difference = depth_difference_mm(*frame);
+  const cv::Mat difference = frame->difference_mm;
   EXPECT_EQ(difference.size(), frame.value().result.grey.size());
   EXPECT_GT(cv::countNonZero(cv::abs(difference) > 0), 100) << "the paper does not smooth";
 }
@@ -92,8 +92,8 @@ TEST_F(FrameMeasurerTest, ThePaperTakesNothingOfOurCalibration) {
   method_ = "joint";
   save_finger(true);
   open();
-  EXPECT_TRUE(measurer_.measure(1, OtherMethod::kNone, job_).ok());
-  const auto frame = measurer_.measure(1, OtherMethod::kPaper, job_);
+  EXPECT_TRUE(measurer_.measure(1, {}, job_).ok());
+  const auto frame = measurer_.measure(1, {OtherMethod::kPaper}, job_);
   ASSERT_TRUE(frame.ok()) << "ours is shown all the same";
   EXPECT_FALSE(frame->other);
   ASSERT_TRUE(frame->other_problem) << "no press is kept that it could calibrate with";
@@ -102,20 +102,20 @@ TEST_F(FrameMeasurerTest, ThePaperTakesNothingOfOurCalibration) {
 
 TEST_F(FrameMeasurerTest, CompletesALiveFrameAsIfItWereRecorded) {
   open();
-  const MeasuredFrame recorded = measurer_.measure(1, OtherMethod::kPaper, job_).value();
+  const MeasuredFrame recorded = measurer_.measure(1, {OtherMethod::kPaper}, job_).value();
   FrameMeasurer live;
   const auto alone =
-      live.complete(recorded.result, finger_, folder_.path(), OtherMethod::kNone, job_);
+      live.complete(recorded.result, finger_, folder_.path(), {}, job_);
   ASSERT_TRUE(alone.ok());
   EXPECT_FALSE(alone.value().other);
   EXPECT_EQ(cv::norm(alone.value().sd_mm, recorded.sd_mm, cv::NORM_INF), 0);
   const auto compared =
-      live.complete(recorded.result, finger_, folder_.path(), OtherMethod::kPaper, job_);
+      live.complete(recorded.result, finger_, folder_.path(), {OtherMethod::kPaper}, job_);
   ASSERT_TRUE(compared.ok() && compared.value().other);
-  const cv::Mat apart = depth_difference_mm(*compared) != depth_difference_mm(recorded);
-  cv::Mat number = depth_difference_mm(recorded) == depth_difference_mm(recorded);
+  const cv::Mat apart = compared->difference_mm != recorded.difference_mm;
+  cv::Mat number = recorded.difference_mm == recorded.difference_mm;
   EXPECT_EQ(cv::countNonZero(apart & number), 0);
-  const auto no_folder = live.complete(recorded.result, finger_, {}, OtherMethod::kPaper, job_);
+  const auto no_folder = live.complete(recorded.result, finger_, {}, {OtherMethod::kPaper}, job_);
   ASSERT_TRUE(no_folder.ok());
   EXPECT_FALSE(no_folder.value().other);
 }
@@ -123,7 +123,7 @@ TEST_F(FrameMeasurerTest, CompletesALiveFrameAsIfItWereRecorded) {
 TEST_F(FrameMeasurerTest, HasNoDepthBeforeCalibration) {
   save_finger(false);
   open();
-  const auto frame = measurer_.measure(0, OtherMethod::kNone, job_);
+  const auto frame = measurer_.measure(0, {}, job_);
   ASSERT_TRUE(frame.ok());
   EXPECT_FALSE(frame.value().is_calibrated);
   EXPECT_FALSE(frame.value().result.depth);
@@ -140,7 +140,7 @@ TEST_F(FrameMeasurerTest, SaysWhyNothingIsMeasured) {
             std::string::npos);
   EXPECT_FALSE(measurer_.load_finger(recording_, job_).ok()) << "there is no finger in it";
   open();  // and goes on
-  EXPECT_TRUE(measurer_.measure(0, OtherMethod::kNone, job_).ok());
+  EXPECT_TRUE(measurer_.measure(0, {}, job_).ok());
 }
 
 }  // namespace

@@ -47,6 +47,20 @@ TEST(BendCoverage, MissesEveryDirectionAtFirstAndNoneInTheEnd) {
   EXPECT_EQ(coverage.picture().poses, 5U);
 }
 
+TEST(BendCoverage, AsksNoTwistOfAFingerThatHasNone) {
+  BendCoverage stiff = at_rest();
+  for (const TipPlace& place :
+       {at(4.1, 0, 0.2), at(-4.1, 0, -0.1), at(0, 2.1, 0.3), at(0, -2.1, 0)})
+    stiff.add(place);
+  EXPECT_TRUE(stiff.picture().is_enough());
+  EXPECT_FALSE(stiff.picture().is_wanted(BendDirection::kTwistLeft));
+  EXPECT_TRUE(stiff.picture().is_wanted(BendDirection::kAway));
+  // One that twists when it is bent has to show both ways.
+  stiff.add(at(1, 1, 1.6));
+  EXPECT_THAT(stiff.picture().missing(),
+              testing::ElementsAre(BendDirection::kTwistRight, BendDirection::kTwistLeft));
+}
+
 TEST(BendCoverage, CountsPosesWhereTheyWere) {
   BendCoverage coverage = at_rest();
   for (int i = 0; i < 3; ++i) coverage.add(at(0, 0, 0));

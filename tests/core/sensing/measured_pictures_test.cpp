@@ -199,5 +199,67 @@ TEST(AverageFrames, AreOfOneSourceUntilForgotten) {
   EXPECT_EQ(level(bright), 120);
 }
 
+TEST(MeshStep, TakesEveryNthVertexAsItWas) {
+  const FrameResult whole = pressed_once({});
+  const FrameResult result = pressed_once(with("mesh-step-px", "7"));
+  const Face face = flat_sensor_finger(true).face;
+  const FaceVertices every = contact_face_vertices(whole, face),
+                     some = contact_face_vertices(result, face);
+  ASSERT_EQ(every.points_mm.size(), whole.depth->depth_mm.size());
+  ASSERT_EQ(some.points_mm.size(), cv::Size((320 + 6) / 7, (240 + 6) / 7));
+  ASSERT_EQ(some.depth_mm.size(), some.points_mm.size());
+  for (int row = 0; row < some.points_mm.rows; ++row)
+    for (int column = 0; column < some.points_mm.cols; ++column) {
+      const auto was = every.points_mm.at<cv::Vec3f>(7 * row, 7 * column),
+                 is = some.points_mm.at<cv::Vec3f>(row, column);
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_TRUE(is[axis] == was[axis] || (std::isnan(is[axis]) && std::isnan(was[axis])));
+    }
+  EXPECT_EQ(median_error_mm(result), median_error_mm(whole)) << "depth itself stays as it was";
+}
+
+TEST(Rays, ParallelOnesTellDepthAtTheSamePixelByTheSlopeAlone) {
+  Finger finger = flat_sensor_finger(true);
+  finger.mapping->along = MappingAlong::kNormal;
+  const FingerSnapshot snapshot = FingerSnapshot::of({}, finger).value();
+  const auto along = [&](LayerRays rays) {
+    PipelineSettings settings;
+    settings.rays = rays;
+    return Pipeline::over(
+               ReferenceLibrary::single(untouched_picture(1)).value(), snapshot, settings)
+        .finger()
+        .mapping->along;
+  };
+  EXPECT_EQ(along(LayerRays::kExact), MappingAlong::kNormal);
+  EXPECT_EQ(along(LayerRays::kParallel), MappingAlong::kProjected);
+  // What presses are read with, and thus the mapping, does not depend on it.
+  EXPECT_EQ(for_presses(with("rays", "parallel")).rays, LayerRays::kExact);
+}
+
+TEST(Undistortion, NoneTakesTheLensAsOneThatBendsNothing) {
+  Finger finger;
+  finger.camera.model = CameraModel::kBrown;
+  finger.camera.width_px = 960;
+  finger.camera.height_px = 540;
+  finger.camera.fx_px = finger.camera.fy_px = 500;
+  finger.camera.cx_px = 479.5;
+  finger.camera.cy_px = 269.5;
+  finger.camera.distortion = {-0.2, 0.05};
+  finger.face.width_mm = 24;
+  finger.face.layer_mm = 1.5;
+  const FingerSnapshot snapshot = FingerSnapshot::of({}, finger).value();
+  EXPECT_FALSE(finger_as_measured(snapshot, {}).camera.is_linear());
+  PipelineSettings settings = with("undistortion", "none");
+  settings.resolution = Resolution::kHalf;
+  const FingerSnapshot plain = finger_as_measured(snapshot, settings);
+  EXPECT_TRUE(plain.camera.is_linear());
+  EXPECT_EQ(plain.camera.size(), cv::Size(480, 270));
+  EXPECT_EQ(plain.whole_camera.distortion, finger.camera.distortion) << "pictures come as before";
+  // By hand: x / z = (u - cx) / fx, at half the pixels a side.
+  const auto ray = plain.camera.unproject({400, 30}).value();
+  EXPECT_NEAR(ray.direction.x() / ray.direction.z(), (2 * 400 + 0.5 - 479.5) / 500, 1e-12);
+  EXPECT_NEAR(ray.direction.y() / ray.direction.z(), (2 * 30 + 0.5 - 269.5) / 500, 1e-12);
+}
+
 }  // namespace
 }  // namespace alltact::test

@@ -235,5 +235,32 @@ TEST(NewestSource, GivesTheNewestFrameAndCountsTheOthers) {
   EXPECT_EQ(*newest.next(), nullptr);
 }
 
+/// As a folder of pictures gives them: no times, at once.
+class UntimedSource : public Source {
+ public:
+  Result<FramePtr> next() override {
+    if (given_ == 4) return FramePtr();
+    auto frame = std::make_shared<Frame>();
+    frame->sequence = given_++;
+    return FramePtr(std::move(frame));
+  }
+  [[nodiscard]] std::optional<std::size_t> count() const override { return 4; }
+  [[nodiscard]] bool is_continuous() const override { return false; }
+  [[nodiscard]] double frames_per_s() const override { return 50; }
+
+ private:
+  std::uint64_t given_ = 0;
+};
+
+TEST(NewestSource, PicturesComeNoFasterThanACamerasWould) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  NewestSource newest(std::make_unique<UntimedSource>());
+  std::uint64_t last = 0;
+  while (const FramePtr frame = *newest.next()) last = frame->sequence;
+  EXPECT_EQ(last, 3U);
+  EXPECT_GE(Clock::now() - begin, std::chrono::milliseconds(80));
+}
+
 }  // namespace
 }  // namespace alltact::test

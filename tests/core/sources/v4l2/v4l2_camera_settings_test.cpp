@@ -135,5 +135,21 @@ TEST(ChooseFormat, TakesTheLargestThatIsFastEnoughAndLosesLeast) {
   EXPECT_THAT(chosen({"H264", 0, 0, 0}), HasSubstr("no such format"));
 }
 
+TEST(V4l2Camera, AutomaticModesThatAreOnAreNamedUntilTheLockSwitchesThemOff) {
+  FakeCamera fake(raw(true));
+  const auto camera = opened(fake);
+  const auto names = [&] {
+    std::vector<std::uint32_t> ids;
+    for (const CameraControl& control : automatic_modes_on(camera->controls().value()))
+      ids.push_back(control.id);
+    return ids;
+  };
+  fake.set_from_outside(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_APERTURE_PRIORITY);
+  EXPECT_THAT(names(), Contains(V4L2_CID_EXPOSURE_AUTO));
+  EXPECT_THAT(names(), testing::Not(Contains(V4L2_CID_GAIN)));
+  ASSERT_TRUE(camera->lock().ok());
+  EXPECT_THAT(names(), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace alltact::test

@@ -1,0 +1,229 @@
+#include "app/commands/commands.h"
+#include "app/commands/kept_settings.h"
+#include "app/commands/result_files.h"
+#include "app/commands/serve_messages.h"
+#include "app/console/command_names.h"
+#include "app/console/flags.h"
+#include "calibration/live/followed_finger.h"
+#include "calibration/reference/settings_record.h"
+#include "core/sensing/result_json.h"
+#include "core/sources/newest_source.h"
+#include "core/sources/open/open_source.h"
+#include "core/sources/v4l2/v4l2_camera.h"
+#include "core/stream/stream_schema.h"
+#include "core/stream/stream_server.h"
+#include "core/stream/stream_socket.h"
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+/// What a finger's frames are measured by, now and after it was calibrated anew.
+FollowedFinger::MakePipeline pipeline_maker(const ServeOptions& options) {
+  return [options](const FingerSnapshot& finger, const Job& job) -> Result<Pipeline> {
+    if (!finger.mapping)
+      return Error{en::say("the finger is not calibrated yet"),
+                   (options.finger / Finger::kFileName).string(),
+                   en::say("alltact calibrate with ball presses")};
+    const auto settings = options.settings();
+    if (!settings) return settings.error();
+    return Pipeline::create(finger, *settings, job);
+  };
+}
+
+/// Measures the newest frame again and again, for whoever listens.
+class Serving {
+ public:
+  Serving(FollowedFinger& finger,
+          std::unique_ptr<Source> source,
+          const ServedSource& about,
+          StreamServer& server,
+          Console& console)
+      : finger_(finger),
+        about_(about),
+        newest_(std::move(source)),
+        server_(server),
+        console_(console) {}
+
+  /// Why it came to its end.
+  Message run() {
+    describe();
+    while (!console_.job().stop_requested()) {
+      follow();
+      const auto frame = newest_.next();
+      if (console_.job().stop_requested()) break;
+      if (frame && !*frame) return en::say("the source ended");
+      if (frame)
+        measure(*frame);
+      else
+        tell(frame.error());
+    }
+    return en::say("stopped by hand");
+  }
+
+  [[nodiscard]] std::size_t measured() const { return index_; }
+  [[nodiscard]] std::size_t failed() const { return failed_; }
+  [[nodiscard]] std::uint64_t skipped() const { return newest_.skipped(); }
+
+ private:
+  void describe() { server_.publish(finger_message(finger_.finger(), finger_.pipeline(), about_)); }
+
+  void follow() {
+    if (const auto problem = finger_.take_problem()) tell(*problem);
+    if (!finger_.take_news()) return;
+    console_.warn("The finger has changed; it is measured as it is now.");
+    describe();
+  }
+
+  void measure(const FramePtr& frame) {
+    last_problem_.clear();
+    warn_of_settings(*frame);
+    Pipeline& pipeline = finger_.pipeline();
+    const FingerSnapshot& finger = finger_.finger();
+    if (const auto result = pipeline(frame)) {
+      failed_ += result->depth ? 0 : 1;
+      server_.publish(frame_message(*result,
+                                    result_line(*result, index_, pipeline.settings().reference),
+                                    finger,
+                                    server_.wanted()));
+    } else {
+      ++failed_;
+      const std::string line = failure_line(frame->name, index_, {as_sentence(result.error())});
+      server_.publish(unmeasured_message(*frame, line, finger, server_.wanted()));
+      warn_once(result.error());
+    }
+    ++index_;
+  }
+
+  /// Each difference once.
+  void warn_of_settings(const Frame& frame) {
+    const Message other = other_settings_than_stored(frame, finger_.finger().finger);
+    if (!other.empty() && other != told_) console_.warn(fmt::format("Warning: {}", other));
+    told_ = other;
+  }
+
+  void tell(const Error& problem) {
+    server_.publish(problem_message(problem));
+    warn_once(problem);
+  }
+
+  /// A camera that is unplugged says so again and again.
+  void warn_once(const Error& problem) {
+    const std::string sentence = problem.sentence();
+    if (std::exchange(last_problem_, sentence) != sentence) console_.warn(sentence);
+  }
+
+  FollowedFinger& finger_;
+  ServedSource about_;
+  NewestSource newest_;
+  StreamServer& server_;
+  Console& console_;
+  std::size_t index_ = 0, failed_ = 0;
+  Message told_;
+  std::string last_problem_;
+};
+
+Status tell_of_format(Console& console) {
+  if (!console.json()) return console.put(stream_schema_text());
+  console.answer() = Console::Json::parse(stream_schema_json());
+  return {};
+}
+
+}  // namespace
+
+Status run_serve(const ServeOptions& options, Console& console) {
+  const auto snapshot = open_finger(options.finger, console);
+  if (!snapshot) return snapshot.error();
+  const Path socket = options.socket.value_or(usual_socket((*snapshot)->finger.name));
+  // First, so that nothing is loaded for nothing; nobody gets anything until all is ready.
+  auto server = StreamServer::start(socket, "serving " + options.finger.string());
+  if (!server) return server.error();
+  SourceOptions how;
+  how.pace = Pace::kRecorded;
+  how.job = &console.job();
+  auto source = open_source(options.inputs, how);
+  if (!source) return source.error();
+  auto finger = FollowedFinger::open(options.finger, pipeline_maker(options), console.job());
+  if (!finger) return finger.error();
+  const ServedSource about{options.inputs.front().string(),
+                           (*source)->frames_per_s(),
+                           dynamic_cast<CameraSource*>(source->get()) != nullptr};
+  console.say(
+      fmt::format("Serving {} at {}, to programs of this user on this computer; nothing is "
+                  "listening beyond it. "
+                  "Ctrl-C ends it.",
+                  (*snapshot)->finger.name,
+                  (*server)->path().string()));
+  Serving serving(**finger, std::move(*source), about, **server, console);
+  const Message reason = serving.run();
+  (*server)->end(end_json(reason));
+  const StreamCounts counts = (*server)->counts();
+  console.say(
+      fmt::format("{} frames, {} of them without depth; {} skipped to keep up; {} programs "
+                  "were served, which were too slow for {} frames.",
+                  serving.measured(),
+                  serving.failed(),
+                  serving.skipped(),
+                  counts.served,
+                  counts.lost));
+  Console::Json& answer = console.answer();
+  answer["socket"] = (*server)->path().string();
+  answer["frames"] = serving.measured();
+  answer["failed"] = serving.failed();
+  answer["skipped"] = serving.skipped();
+  answer["clients"] = counts.served;
+  answer["refused"] = counts.refused;
+  answer["lost"] = counts.lost;
+  return {};
+}
+
+void add_serve(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<ServeOptions>();
+  auto preset = std::make_shared<std::string>();
+  CLI::App* command = add_command(program, "serve");
+  CLI::Option* finger = command->add_option("FINGER", options->finger, "The finger's folder");
+  CLI::Option* inputs = command->add_option(
+      "SOURCE", options->inputs, "A camera, a video, pictures or a folder of them, or a scene");
+  CLI::Option* socket =
+      command
+          ->add_option("--socket",
+                       options->socket,
+                       "Where programs connect: a Unix socket in a folder that is yours alone "
+                       "(default alltact/NAME.sock in $XDG_RUNTIME_DIR)")
+          ->type_name("PATH");
+  CLI::Option* kept =
+      command
+          ->add_option("--preset",
+                       *preset,
+                       "Measure with settings that a study found for this finger (alltact study "
+                       "FINGER --save), or as it was calibrated (default: what the finger uses)")
+          ->type_name("fast|balanced|finest|calibrated");
+  CLI::Option* schema = command->add_flag(
+      "--schema",
+      options->schema,
+      "Instead: tells what a program sends and gets, for people or (--json) programs");
+  for (CLI::Option* option : {finger, inputs, socket, kept}) option->excludes(schema);
+  SettingFlags<PipelineSettings> pipeline;
+  pipeline.add_to(*command, pipeline_settings());
+  command->callback([=, &chosen] {
+    if (options->schema) {
+      chosen = tell_of_format;
+      return;
+    }
+    for (const CLI::Option* option : {finger, inputs})
+      if (option->empty()) throw CLI::RequiredError(option->get_name());
+    options->settings = [=]() -> Result<PipelineSettings> {
+      const auto settings = kept_settings(options->finger, *preset);
+      return settings ? Result(pipeline.applied_to(*settings)) : settings.error();
+    };
+    chosen = [=](Console& console) -> Status {
+      const auto settings = kept_settings(options->finger, *preset);
+      if (!settings) return settings.error();
+      warn_of_other_settings(*settings, pipeline.applied_to(*settings), console);
+      return run_serve(*options, console);
+    };
+  });
+}
+
+}  // namespace alltact

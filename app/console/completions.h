@@ -1,0 +1,28 @@
+// What a shell needs to complete a command line, made from the tables that the command line itself
+// is read with.
+#pragma once
+
+#include "core/result.h"
+
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+namespace alltact {
+
+/// The script that `shell` (bash, zsh or fish) loads for `program`. Error: another shell.
+[[nodiscard]] Result<std::string> completions(const CLI::App& program, std::string_view shell);
+
+/// Of one shell each; completions() chooses.
+[[nodiscard]] std::string bash_completions(const CLI::App& program);
+[[nodiscard]] std::string zsh_completions(const CLI::App& program);
+[[nodiscard]] std::string fish_completions(const CLI::App& program);
+
+/// A text for a shell, as one word between single quotes.
+[[nodiscard]] std::string single_quoted(std::string_view text);
+
+/// "_alltact_studio" for alltact-studio, as functions are named.
+[[nodiscard]] std::string function_name(const CLI::App& program);
+
+}  // namespace alltact

@@ -1,0 +1,30 @@
+// What `alltact-studio` is told when it is started.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace alltact {
+
+struct StudioArguments {
+  std::string finger, source;
+};
+
+inline void describe_studio(CLI::App& program, StudioArguments& arguments, std::string version) {
+  program.name("alltact-studio");
+  program.description("AllTact Studio: a clear silicone finger as a measuring instrument.");
+  program.set_version_flag("--version", "alltact-studio " + std::move(version));
+  program.add_option("FINGER",
+                     arguments.finger,
+                     "The finger's folder to open; a scene or a video is taken as the source");
+  program
+      .add_option("--source",
+                  arguments.source,
+                  "Where pictures come from: a camera (by a name that 'alltact devices' tells), a "
+                  "video, a folder of pictures, or a scene (a simulated finger)")
+      ->type_name("SOURCE");
+  program.footer("Exit status: 0 closed by hand, 1 there is no display, 2 wrong usage.");
+}
+
+}  // namespace alltact

@@ -1,0 +1,71 @@
+// Before anything is recorded: is the picture worth recording? Focus at base and tip, light that is
+// neither too bright nor unsteady, dots that are found, each with what to do.
+#pragma once
+
+#include "core/message.h"
+#include "core/sensing/pipeline.h"
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace alltact {
+
+enum class RigItem { kFocusBase = 1, kFocusTip, kBrightness, kLamp, kDots };
+enum class RigState {
+  kWaiting = 1,  ///< not known yet
+  kFine,
+  kDoubtful,  ///< works, with less than one could have
+  kBad,
+};
+struct RigFinding {
+  RigItem item = RigItem::kDots;
+  RigState state = RigState::kWaiting;
+  Message sentence;  ///< the figure, without a full stop
+  Message advice;    ///< an imperative; empty: nothing is to be done
+};
+
+/// Width of the face's edges, px: the contrast across over the steepest slope, median over the
+/// third of the finger at its base, or at its tip. nullopt: too few edges are seen there. A sharp
+/// picture has about 1.5 to 2.5.
+[[nodiscard]] std::optional<double> edge_sharpness_px(const FrameResult& result, bool at_tip);
+
+/// Fed with the frames of a live source. One thread.
+class RigCheck {
+ public:
+  static constexpr double kLamp_s = 10;  ///< for so long the lamp is watched
+  static constexpr double kSharp_px = 3.5, kBlurred_px = 6;
+  /// Of the face's pixels: as bright as the camera can tell.
+  static constexpr double kFewSaturated = 0.001, kManySaturated = 0.02;
+  static constexpr double kDark = 60, kTooDark = 35;  ///< mean grey of the face's brightest tenth
+  /// Change of the skin's mean brightness over kLamp_s, as a part of it.
+  static constexpr double kSteady = 0.01, kUnsteady = 0.03;
+
+  void begin() { *this = RigCheck(); }
+  /// time_s: of any clock. A finger that moves begins the watch over the lamp anew.
+  void add(const FrameResult& result, double time_s);
+  /// In the order of RigItem. `expected_dots`: how many the finger has; 0: none, or not known.
+  [[nodiscard]] std::vector<RigFinding> findings(int expected_dots) const;
+  /// Part of the watch over the lamp, [0, 1].
+  [[nodiscard]] double lamp_part() const;
+
+ private:
+  struct Light {
+    double time_s, mean;
+  };
+  void watch_lamp(const FrameResult& result, double time_s);
+  [[nodiscard]] RigFinding focus(RigItem item, const std::optional<double>& width_px) const;
+  [[nodiscard]] RigFinding brightness() const;
+  [[nodiscard]] RigFinding lamp() const;
+  [[nodiscard]] RigFinding dots(int expected) const;
+
+  bool has_frame_ = false, has_face_ = false;
+  std::optional<double> base_px_, tip_px_;  // smoothed over frames
+  double saturated_ = 0, bright_ = 0;
+  int seen_dots_ = 0;
+  std::deque<Light> lights_;
+  Markers last_markers_;
+  std::optional<Eigen::Vector2d> last_end_;  // where the face ends, where there are no markers
+};
+
+}  // namespace alltact

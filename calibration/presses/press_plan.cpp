@@ -1,0 +1,104 @@
+#include "calibration/presses/press_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+constexpr double kAcross = 1.0 / 7;  // of the face's width, to either side
+constexpr double kEnough = 0.85, kTooDeep = 1.4, kMostOfLayer = 0.8;
+
+struct Planned {
+  double along, across, depth;  // parts of the seen length, of kAcross, of the layer
+};
+constexpr std::array<Planned, 6> kPlan{{{0.50, 1, 0.55},
+                                        {0.20, -1, 0.55},
+                                        {0.80, 1, 0.40},
+                                        {0.50, -1, 0.70},
+                                        {0.20, 1, 0.40},
+                                        {0.80, -1, 0.70}}};
+
+/// First and last column that show the face.
+std::optional<std::pair<int, int>> seen_columns(const FaceShape& shape) {
+  const auto& columns = shape.columns();
+  const auto is_valid = [](const FaceColumn& column) { return column.valid; };
+  const auto first = std::find_if(columns.begin(), columns.end(), is_valid);
+  if (first == columns.end()) return std::nullopt;
+  const auto last = std::find_if(columns.rbegin(), columns.rend(), is_valid);
+  return std::pair(static_cast<int>(first - columns.begin()),
+                   static_cast<int>(columns.rend() - last) - 1);
+}
+
+double width_mm(const FaceShape& shape, int u) {
+  const auto rows = shape.rows(u, 0);
+  if (rows.first > rows.last) return 0;
+  return std::abs(shape.place_mm(u, rows.last).y() - shape.place_mm(u, rows.first).y());
+}
+
+/// Where a function that only grows or only falls between `from` and `to` has a value; its nearest
+/// end where it has none.
+template <class Function>
+double where_it_is(double value, double from, double to, const Function& function) {
+  if (function(from) > function(to)) std::swap(from, to);
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (from + to);
+    (function(middle) < value ? from : to) = middle;
+  }
+  return 0.5 * (from + to);
+}
+
+}  // namespace
+
+std::vector<PressTarget> first_presses(const FaceShape& shape) {
+  const auto seen = seen_columns(shape);
+  if (!seen) return {};
+  const double a = shape.length_at(seen->first), b = shape.length_at(seen->second);
+  const double from = std::min(a, b), length = std::abs(b - a);
+  const double width = width_mm(shape, (seen->first + seen->second) / 2);
+  std::vector<PressTarget> targets;
+  for (const Planned& one : kPlan)
+    targets.push_back({{from + one.along * length, one.across * kAcross * width},
+                       one.depth * shape.face().layer_mm});
+  return targets;
+}
+
+std::optional<PressTarget> next_press(const std::vector<PressTarget>& targets,
+                                      const std::vector<Eigen::Vector2d>& made_mm) {
+  std::vector<bool> is_made(targets.size(), false);
+  for (const Eigen::Vector2d& made : made_mm) {
+    const auto nearest = std::min_element(
+        targets.begin(), targets.end(), [&](const PressTarget& a, const PressTarget& b) {
+          return (a.place_mm - made).squaredNorm() < (b.place_mm - made).squaredNorm();
+        });
+    if (nearest != targets.end())
+      is_made[static_cast<std::size_t>(nearest - targets.begin())] = true;
+  }
+  const auto next = std::find(is_made.begin(), is_made.end(), false);
+  if (next == is_made.end()) return std::nullopt;
+  return targets[static_cast<std::size_t>(next - is_made.begin())];
+}
+
+std::optional<Eigen::Vector2d> pixel_of_place(const FaceShape& shape,
+                                              const Eigen::Vector2d& place_mm) {
+  const auto seen = seen_columns(shape);
+  if (!seen) return std::nullopt;
+  const double u = where_it_is(place_mm.x(), seen->first, seen->second, [&](double column) {
+    return shape.length_at(column);
+  });
+  const auto rows = shape.rows(static_cast<int>(std::lround(u)), 0);
+  if (rows.first > rows.last) return std::nullopt;
+  const double v = where_it_is(
+      place_mm.y(), rows.first, rows.last, [&](double row) { return shape.place_mm(u, row).y(); });
+  return Eigen::Vector2d(u, v);
+}
+
+PressedSoFar pressed_so_far(double depth_mm, double target_mm, double layer_mm) {
+  if (depth_mm > std::min(kTooDeep * target_mm, kMostOfLayer * layer_mm) &&
+      depth_mm > kEnough * target_mm)
+    return PressedSoFar::kTooDeep;
+  return depth_mm >= kEnough * target_mm ? PressedSoFar::kEnough : PressedSoFar::kDeeper;
+}
+
+}  // namespace alltact

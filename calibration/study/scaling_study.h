@@ -1,0 +1,65 @@
+// How time and memory grow with what is measured: pixels, recorded frames, markers, presses, the
+// length of recordings.
+//
+// Times are of processors, not of clocks: what else the computer does is not in them. The exponent
+// is the slope of log(time) over log(size), by least squares over the upper half of the sizes: 1
+// where twice as much takes twice as long.
+#pragma once
+
+#include "core/finger/finger_store.h"
+#include "core/job.h"
+#include "core/message.h"
+#include "core/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace alltact {
+
+struct ScalingPoint {
+  double size = 0;
+  double time_ms = 0;
+  std::optional<std::size_t> memory_bytes;  ///< that is held while it works
+};
+
+struct ScalingCurve {
+  std::string key;                   ///< in files: "pixels"
+  Message what;                      ///< a phrase: what takes so long
+  Message of;                        ///< a phrase: what the sizes count
+  std::vector<ScalingPoint> points;  ///< sizes ascending
+  std::optional<double> exponent;    ///< of time; absent: fewer than two sizes
+  Message note;                      ///< what else was seen, a sentence; empty: nothing
+};
+
+struct ScalingStudy {
+  Message about;
+  std::vector<ScalingCurve> curves;
+};
+
+struct ScalingOptions {
+  std::uint64_t seed = 1;
+  bool quick = false;  ///< a part of the sizes
+  int threads = 1;     ///< that a recording is measured with
+};
+
+/// Of a calibrated finger's own pictures, made larger and smaller, and of made-up layouts of
+/// markers. Errors: those of untouched_pictures() and Pipeline; stopped.
+[[nodiscard]] Result<ScalingStudy> study_scaling(const FingerPtr& finger,
+                                                 const ScalingOptions& options,
+                                                 const Job& job);
+
+/// Slope of log(y) over log(x) by least squares, over the points with x from the geometric mean of
+/// the least and the greatest on. nullopt: fewer than two of them, or a value that is not positive.
+[[nodiscard]] std::optional<double> exponent_of(const std::vector<double>& x,
+                                                const std::vector<double>& y);
+
+[[nodiscard]] std::string text_of(const ScalingStudy& study);
+[[nodiscard]] std::string csv_of(const ScalingStudy& study);
+[[nodiscard]] nlohmann::json json_of(const ScalingStudy& study);
+
+}  // namespace alltact

@@ -1,0 +1,90 @@
+// Depth of a whole recording in one file: 16-bit grey pictures without loss, FFV1 in Matroska.
+//
+// Pixels are depth_steps() (depth_file.h): depth_mm = 0.001 (value - 10000), 0 where there is none.
+// The file says so itself, in its tag kDepthVideoTag, so that no other file is needed to read it:
+//   ffmpeg -i depth.mkv -pix_fmt gray16le -f rawvideo depth.raw      ffprobe -show_format depth.mkv
+// Picture n is that of the recording's frame n; one without depth is 0 everywhere.
+#pragma once
+
+#include "core/result.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+inline constexpr const char* kDepthVideoTag = "ALLTACT_DEPTH";
+inline constexpr const char* kDepthVideoFile = "depth.mkv";
+
+/// Compresses pictures, each by itself: any of several makers, one a thread, makes the same bytes
+/// of the same picture.
+class DepthPackets {
+ public:
+  /// Error: this system's libavcodec cannot write FFV1.
+  [[nodiscard]] static Result<DepthPackets> create(cv::Size size);
+  DepthPackets(DepthPackets&&) noexcept;
+  DepthPackets& operator=(DepthPackets&&) noexcept;
+  ~DepthPackets();
+
+  /// steps: CV_16UC1 of the size, as depth_steps() makes them.
+  [[nodiscard]] Result<std::string> packet(const cv::Mat& steps);
+
+ private:
+  friend class DepthVideoWriter;
+  struct State;
+  explicit DepthPackets(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// Not for several threads at once.
+class DepthVideoWriter {
+ public:
+  /// What was in the file is gone. Pictures come 1 / frames_per_s apart. Errors: it cannot be
+  /// written; that of DepthPackets.
+  [[nodiscard]] static Result<DepthVideoWriter> create(const std::filesystem::path& file,
+                                                       cv::Size size,
+                                                       double frames_per_s);
+  DepthVideoWriter(DepthVideoWriter&&) noexcept;
+  DepthVideoWriter& operator=(DepthVideoWriter&&) noexcept;
+  ~DepthVideoWriter();
+
+  /// The next picture, of DepthPackets::packet(). Error: it could not be written, and then the file
+  /// takes no more.
+  [[nodiscard]] Status add(std::string_view packet);
+  /// Writes what makes the file complete, and waits until all is on the disk.
+  [[nodiscard]] Status finish();
+
+ private:
+  struct State;
+  explicit DepthVideoWriter(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// Reads such a file, one picture after the other.
+class DepthVideo {
+ public:
+  /// Errors: not there, damaged, or a video that does not say that it holds depth.
+  [[nodiscard]] static Result<DepthVideo> open(const std::filesystem::path& file);
+  DepthVideo(DepthVideo&&) noexcept;
+  DepthVideo& operator=(DepthVideo&&) noexcept;
+  ~DepthVideo();
+
+  [[nodiscard]] cv::Size size() const;
+  [[nodiscard]] double frames_per_s() const;
+  /// CV_32FC1 in mm, NaN where there is none; empty after the last. Error: it is damaged.
+  [[nodiscard]] Result<cv::Mat> next_mm();
+  /// The same as it is compressed, for another file of the same size; empty after the last.
+  [[nodiscard]] std::string next_packet();
+
+ private:
+  struct State;
+  explicit DepthVideo(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,17 @@
+// Meshes to be looked at: what write_surface() wrote, with its depth, and those of other programs.
+#pragma once
+
+#include "core/io/triangles.h"
+#include "core/result.h"
+
+#include <filesystem>
+
+namespace alltact {
+
+/// Reads .ply, .vtp and .glb of write_surface() with their depth; other PLY, STL, OBJ and binary
+/// glTF files (through assimp) without: Triangles::depth_mm is empty then. Errors, with the file as
+/// `where`: another kind, damaged, no triangles, points that are no numbers, more than 4 million
+/// triangles, more than 512 MB.
+[[nodiscard]] Result<Triangles> read_triangles(const std::filesystem::path& file);
+
+}  // namespace alltact

@@ -1,0 +1,203 @@
+// Calibrating a finger with presses of a ball, and what a study kept with it.
+#include "calibration/finger/calibrate_finger.h"
+#include "calibration/finger/measuring_presets.h"
+#include "calibration/presses/press_sayings.h"
+#include "core/program.h"
+
+#include <map>
+
+#include "packaging/python/src/arrays.h"
+#include "packaging/python/src/documented.h"
+#include "packaging/python/src/failure.h"
+#include "packaging/python/src/settings.h"
+#include "packaging/python/src/sources.h"
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+namespace alltact::python {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Long work that tells Python how far it is, and that Ctrl-C stops.
+class WatchedJob {
+ public:
+  explicit WatchedJob(py::object progress)
+      : progress_(std::move(progress)),
+        job_([this](double fraction, const Message& what) { tell(fraction, what); }) {}
+  [[nodiscard]] const Job& job() const { return job_; }
+  /// What Python said while it was told: to be raised once the work has stopped.
+  void raise() {
+    if (raised_) throw py::error_already_set(std::move(*raised_));
+  }
+
+ private:
+  void tell(double fraction, const Message& what) {
+    const py::gil_scoped_acquire python;
+    if (raised_) return;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!progress_.is_none()) progress_(fraction, what.english());
+    } catch (py::error_already_set& raised) {
+      raised_ = std::make_unique<py::error_already_set>(std::move(raised));
+      job_.request_stop();
+    }
+  }
+
+  py::object progress_;
+  Job job_;
+  std::unique_ptr<py::error_already_set> raised_;
+};
+
+const char* word_of(Grade grade) {
+  switch (grade) {
+    case Grade::kGood:
+      return "good";
+    case Grade::kUsable:
+      return "usable";
+    case Grade::kUnproven:
+      return "unproven";
+    default:
+      return "unfit";
+  }
+}
+
+py::list presses_of(const FingerCalibration& done) {
+  py::list presses;
+  for (const BallFit& ball : done.calibration.balls) {
+    py::dict press;
+    press["name"] = ball.press;
+    press["radius_mm"] = ball.radius_mm;
+    press["centre_mm"] = std::vector<double>(ball.centre_mm.begin(), ball.centre_mm.end());
+    press["centre_sd_mm"] = std::vector<double>(ball.centre_sd_mm.begin(), ball.centre_sd_mm.end());
+    press["depth_mm"] = ball.depth_mm;
+    press["residual_mm"] = ball.residual_mm;
+    press["held_out_mm"] = ball.held_out_mm > 0 ? py::cast(ball.held_out_mm) : py::none();
+    presses.append(std::move(press));
+  }
+  return presses;
+}
+
+/// Files, or frames that are at hand.
+PressInput press_input(const py::object& given, bool bursts) {
+  PressInput input;
+  input.bursts = bursts;
+  if (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given))
+    for (const py::handle& one : given)
+      if (py::isinstance<Frame>(one)) input.frames.push_back(one.cast<std::shared_ptr<Frame>>());
+  if (input.frames.empty()) input.files = paths_of(given);
+  return input;
+}
+
+void take_settings(const py::kwargs& settings, FingerCalibrationInput& input) {
+  for (const auto& [key, value] : settings) {
+    const auto name = py::str(key).cast<std::string>(), words = py::str(value).cast<std::string>();
+    if (value_of(take_setting(calibration_settings(), name, words, input.calibration)) ||
+        value_of(take_setting(pipeline_settings(), name, words, input.pipeline)))
+      continue;
+    std::vector<std::string> names = names_of(calibration_settings());
+    const std::vector<std::string> more = names_of(pipeline_settings());
+    names.insert(names.end(), more.begin(), more.end());
+    throw Failure(no_setting(name, names));
+  }
+}
+
+void take_sayings(const std::map<std::string, std::vector<std::string>>& say, PressSet& said) {
+  for (const auto& [flag, texts] : say) {
+    const auto& kinds = press_sayings();
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const PressSaying& known) {
+      return flag_of(flag) == known.flag;
+    });
+    if (kind == kinds.end()) {
+      std::vector<std::string> names;
+      for (const PressSaying& known : kinds) names.emplace_back(known.flag);
+      throw Failure({en::say("nothing of this kind can be said of a press: '{}', but {}",
+                             flag,
+                             one_of(names, flag)),
+                     "",
+                     ""});
+    }
+    for (const std::string& text : texts) check(say_of_press(*kind, text, said));
+  }
+}
+
+using Say = std::map<std::string, std::vector<std::string>>;
+
+std::shared_ptr<FingerCalibration> calibrate(const fs::path& folder,
+                                             const py::object& presses,
+                                             double ball_radius_mm,
+                                             const std::optional<fs::path>& reference,
+                                             bool bursts,
+                                             const std::string& operator_name,
+                                             const std::string& date,
+                                             const Say& say,
+                                             py::object progress,
+                                             const py::kwargs& settings) {
+  FingerCalibrationInput input;
+  input.folder = folder;
+  input.presses = press_input(presses, bursts);
+  input.said.ball_radius_mm = ball_radius_mm;
+  input.said.operator_name = operator_name;
+  take_sayings(say, input.said);
+  take_settings(settings, input);
+  input.reference = reference;
+  input.date = date;
+  input.program_version = program_version();
+  WatchedJob watched(std::move(progress));
+  std::optional<Result<FingerCalibration>> done;
+  {
+    const py::gil_scoped_release others_may_run;
+    done = calibrate_finger(input, watched.job());
+  }
+  watched.raise();
+  return std::make_shared<FingerCalibration>(value_of(std::move(*done)));
+}
+
+py::dict presets_in(const fs::path& folder) {
+  const MeasuringPresets kept = value_of(presets_of_finger(folder));
+  py::dict presets;
+  for (const MeasuringPreset& preset : kept.presets) {
+    py::dict told;
+    told["frame_ms"] = preset.frame_ms;
+    told["median_mm"] = preset.median_mm;
+    told["p95_mm"] = preset.p95_mm;
+    told["settings"] = settings_dict(pipeline_settings(), preset.settings);
+    presets[preset.name.c_str()] = std::move(told);
+  }
+  return presets;
+}
+
+}  // namespace
+
+void bind_calibration(py::module_& module) {
+  using Done = FingerCalibration;
+  Documented<Done>(module, "Calibration")
+      .property("verdict", [](const Done& c) { return c.verdict.sentence.english(); })
+      .property("grade", [](const Done& c) { return word_of(c.verdict.grade); })
+      .property("expected_error_mm", [](const Done& c) { return c.verdict.error_mm; })
+      .property("residual_mm", [](const Done& c) { return c.calibration.residual_mm; })
+      .property("presses", &presses_of)
+      .property("left_out", [](const Done& c) { return english(c.calibration.left_out); })
+      .property("remarks", [](const Done& c) { return english(c.calibration.remarks); })
+      .property("warnings", [](const Done& c) {
+        std::vector<std::string> all = english(c.warnings), more = english(c.about_settings);
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+      });
+  function(module,
+           "calibrate",
+           &calibrate,
+           py::arg("folder"),
+           py::arg("presses"),
+           py::arg("ball_radius_mm"),
+           py::kw_only(),
+           py::arg("reference") = py::none(),
+           py::arg("bursts") = false,
+           py::arg("operator") = "",
+           py::arg("date") = "",
+           py::arg("say") = Say(),
+           py::arg("progress") = py::none());
+  function(module, "presets", &presets_in, py::arg("folder"));
+}
+
+}  // namespace alltact::python

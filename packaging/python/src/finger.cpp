@@ -1,0 +1,285 @@
+// A finger that measures: single pictures, recordings as the command line does, live sources.
+#include "calibration/export/description_json.h"
+#include "calibration/finger/measuring_presets.h"
+#include "calibration/live/followed_finger.h"
+#include "core/batch/frames_in_turn.h"
+#include "core/sources/newest_source.h"
+
+#include "packaging/python/src/arrays.h"
+#include "packaging/python/src/documented.h"
+#include "packaging/python/src/failure.h"
+#include "packaging/python/src/results.h"
+#include "packaging/python/src/settings.h"
+#include "packaging/python/src/sources.h"
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+namespace alltact::python {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Which settings a finger is measured with, as they stand in its folder now.
+struct WantedSettings {
+  fs::path folder;
+  std::string preset;
+  std::vector<std::pair<std::string, std::string>> given;
+
+  [[nodiscard]] Result<PipelineSettings> now() const {
+    PipelineSettings settings;
+    if (preset.empty()) {
+      auto presets = presets_of_finger(folder);
+      if (!presets) return presets.error();
+      settings = presets->now;
+    } else {
+      auto named = preset_settings(folder, preset);
+      if (!named) return named.error();
+      settings = *named;
+    }
+    for (const auto& [name, value] : given) {
+      const auto taken = take_setting(pipeline_settings(), name, value, settings);
+      if (!taken) return taken.error();
+      if (!*taken) return no_setting(name, names_of(pipeline_settings()));
+    }
+    return settings;
+  }
+  [[nodiscard]] Result<Pipeline> pipeline(const FingerSnapshot& finger, const Job& job) const {
+    const auto settings = now();
+    if (!settings) return settings.error();
+    return finger.finger.reference ? Pipeline::create(finger, *settings, job)
+                                   : Pipeline::before_reference(finger, *settings);
+  }
+};
+
+/// A finger as it was when it was loaded.
+struct OpenFinger {
+  WantedSettings wanted;
+  FingerPtr finger;
+  std::mutex measuring;  // over:
+  std::optional<Pipeline> pipeline;
+  std::size_t index = 0;
+};
+using OpenFingerPtr = std::shared_ptr<OpenFinger>;
+
+std::string words_of(const py::handle& value) {
+  return py::str(value).cast<std::string>();
+}
+
+OpenFingerPtr load(const fs::path& folder, const std::string& preset, const py::kwargs& settings) {
+  auto open = std::make_shared<OpenFinger>();
+  open->wanted = {folder, preset, {}};
+  for (const auto& [name, value] : settings)
+    open->wanted.given.emplace_back(words_of(name), words_of(value));
+  const py::gil_scoped_release others_may_run;
+  open->finger = value_of(alltact::open_finger(folder));
+  open->pipeline = value_of(open->wanted.pipeline(*open->finger, Job()));
+  return open;
+}
+
+/// A frame of its own or one made over an array.
+FramePtr frame_to_measure(OpenFinger& open,
+                          const py::object& picture,
+                          std::int64_t time_ns,
+                          const std::string& name) {
+  if (py::isinstance<Frame>(picture)) return picture.cast<std::shared_ptr<Frame>>();
+  auto frame = frame_over(picture);
+  // What is averaged must stay what it is; the array is the caller's.
+  if (open.pipeline->settings().average_frames > 1) frame->grey = frame->grey.clone();
+  frame->time_ns = time_ns;
+  frame->sequence = open.index;
+  frame->name = name.empty() ? fmt::format("frame_{:05}", open.index) : name;
+  return frame;
+}
+
+MeasuredResultPtr measure(OpenFinger& open,
+                          const py::object& picture,
+                          std::int64_t time_ns,
+                          const std::string& name) {
+  FramePtr frame = frame_to_measure(open, picture, time_ns, name);
+  const py::gil_scoped_release others_may_run;
+  const std::lock_guard lock(open.measuring);
+  auto result = value_of((*open.pipeline)(frame));
+  return measured(
+      open.finger, std::move(result), open.index++, open.pipeline->settings().reference);
+}
+
+/// Every frame of a source, as `alltact reconstruct` measures it.
+class EveryFrame {
+ public:
+  EveryFrame(const OpenFinger& open, OpenSourcePtr source)
+      : finger_(open.finger),
+        source_(std::move(source)),
+        frames_(value_of(open.wanted.pipeline(*open.finger, Job())),
+                source_->get().is_continuous()) {}
+
+  /// Null after the last one.
+  MeasuredResultPtr next() {
+    const std::lock_guard lock(source_->reading);
+    const auto frame = source_->get().next();
+    if (frame && !*frame) return nullptr;
+    const std::size_t index = index_++;
+    if (!frame) {
+      frames_.skip();
+      return not_measured(finger_, nullptr, index, frame.error());
+    }
+    auto result = frames_(*frame);
+    if (!result) return not_measured(finger_, *frame, index, result.error());
+    return measured(finger_, std::move(*result), index, frames_.pipeline().settings().reference);
+  }
+
+ private:
+  FingerPtr finger_;
+  OpenSourcePtr source_;
+  FramesInTurn frames_;
+  std::size_t index_ = 0;
+};
+
+/// The newest frame of a source again and again, measured by the finger as it is then.
+class NewestFrame {
+ public:
+  NewestFrame(const OpenFinger& open, const OpenSourcePtr& source)
+      : source_(source),
+        finger_(value_of(FollowedFinger::open(
+            open.wanted.folder,
+            [wanted = open.wanted](const FingerSnapshot& finger, const Job& job) {
+              return wanted.pipeline(finger, job);
+            },
+            Job()))) {
+    static_cast<void>(source->get());  // or throws
+    newest_.emplace(std::move(source->source));
+  }
+  ~NewestFrame() { close(); }
+
+  MeasuredResultPtr next() {
+    const std::lock_guard lock(reading_);
+    if (!newest_) return nullptr;
+    static_cast<void>(finger_->take_news());
+    const auto now = std::make_shared<const FingerSnapshot>(finger_->finger());
+    const auto frame = newest_->next();
+    if (frame && !*frame) return nullptr;
+    const std::size_t index = index_++;
+    if (!frame) return not_measured(now, nullptr, index, frame.error());
+    auto result = finger_->pipeline()(*frame);
+    if (!result) return not_measured(now, *frame, index, result.error());
+    return measured(now, std::move(*result), index, finger_->pipeline().settings().reference);
+  }
+  [[nodiscard]] std::uint64_t skipped() const { return newest_ ? newest_->skipped() : skipped_; }
+  void close() {
+    source_->job.request_stop();
+    const std::lock_guard lock(reading_);
+    skipped_ = skipped();
+    newest_.reset();
+  }
+
+ private:
+  OpenSourcePtr source_;  // its job
+  std::unique_ptr<FollowedFinger> finger_;
+  std::mutex reading_;
+  std::optional<NewestSource> newest_;
+  std::size_t index_ = 0;
+  std::uint64_t skipped_ = 0;
+};
+
+/// Ends with nobody waiting for the interpreter meanwhile.
+template <class T>
+std::shared_ptr<T> ended_apart(std::unique_ptr<T> frames) {
+  return std::shared_ptr<T>(frames.release(), [](T* ending) {
+    const py::gil_scoped_release others_may_run;
+    delete ending;
+  });
+}
+
+template <class T>
+MeasuredResultPtr next_result(T& frames) {
+  MeasuredResultPtr result;
+  {
+    const py::gil_scoped_release others_may_run;
+    result = frames.next();
+  }
+  if (!result) throw py::stop_iteration();
+  return result;
+}
+
+py::object parsed(const nlohmann::ordered_json& json) {
+  return py::module_::import("json").attr("loads")(json.dump());
+}
+
+void bind_frames(py::module_& module) {
+  Documented<EveryFrame>(module, "Reconstruction")
+      .iterates_over_itself()
+      .method("__next__", &next_result<EveryFrame>);
+  Documented<NewestFrame>(module, "Stream")
+      .iterates_over_itself()
+      .method("__next__", &next_result<NewestFrame>)
+      .property("skipped", &NewestFrame::skipped)
+      .method("close", &NewestFrame::close, py::call_guard<py::gil_scoped_release>())
+      .method("__enter__", [](const std::shared_ptr<NewestFrame>& f) { return f; })
+      .method("__exit__", [](NewestFrame& f, const py::args&) {
+        const py::gil_scoped_release others_may_run;
+        f.close();
+      });
+}
+
+void bind_facts(Documented<OpenFinger>& finger) {
+  finger.property("folder", [](const OpenFinger& f) { return f.wanted.folder; })
+      .property("name", [](const OpenFinger& f) { return f.finger->finger.name; })
+      .property("revision", [](const OpenFinger& f) { return f.finger->revision; })
+      .property("is_calibrated", [](const OpenFinger& f) { return f.finger->mapping.has_value(); })
+      .property("has_reference", [](const OpenFinger& f) { return f.pipeline->has_reference(); })
+      .property("marker_count", [](const OpenFinger& f) { return f.finger->finger.marker_count(); })
+      .property(
+          "camera",
+          [](const OpenFinger& f) { return parsed(camera_json(f.pipeline->finger().camera)); })
+      .property("face",
+                [](const OpenFinger& f) { return parsed(face_json(f.finger->finger.face)); })
+      .property("provenance", [](const OpenFinger& f) { return f.finger->finger.provenance; })
+      .property("settings",
+                [](const OpenFinger& f) {
+                  return settings_dict(pipeline_settings(), f.pipeline->settings());
+                })
+      .property("warnings", [](const OpenFinger& f) { return english(f.finger->warnings); });
+}
+
+void bind_measuring(Documented<OpenFinger>& finger) {
+  finger
+      .method("measure",
+              &measure,
+              py::arg("picture"),
+              py::kw_only(),
+              py::arg("time_ns") = 0,
+              py::arg("name") = "")
+      .method("forget",
+              [](OpenFinger& f) {
+                const py::gil_scoped_release others_may_run;
+                const std::lock_guard lock(f.measuring);
+                f.pipeline->forget();
+              })
+      .method(
+          "reconstruct",
+          [](const OpenFinger& f, const py::object& source) {
+            const OpenSourcePtr opened = source_of(source, Pace::kAsked);
+            const py::gil_scoped_release others_may_run;
+            return std::make_shared<EveryFrame>(f, opened);
+          },
+          py::arg("source"))
+      .method(
+          "stream",
+          [](const OpenFinger& f, const py::object& source) {
+            const OpenSourcePtr opened = source_of(source, Pace::kRecorded);
+            const py::gil_scoped_release others_may_run;
+            return ended_apart(std::make_unique<NewestFrame>(f, opened));
+          },
+          py::arg("source"));
+}
+
+}  // namespace
+
+void bind_finger(py::module_& module) {
+  bind_frames(module);
+  Documented<OpenFinger> finger(module, "Finger");
+  bind_facts(finger);
+  bind_measuring(finger);
+  function(module, "load", &load, py::arg("folder"), py::arg("preset") = "");
+}
+
+}  // namespace alltact::python

@@ -1,0 +1,45 @@
+// The module _alltact: core and calibration for Python. What it says of itself stands in
+// alltact/_alltact.pyi.
+#include "core/program.h"
+
+#include "packaging/python/src/documented.h"
+#include "packaging/python/src/failure.h"
+#include <opencv2/core/utils/logger.hpp>
+#include <pybind11/pybind11.h>
+
+namespace alltact::python {
+
+void bind_failure(py::module_& module) {
+  static const py::handle error =
+      PyErr_NewExceptionWithDoc("alltact.Error", doc_of("Error"), nullptr, nullptr);
+  module.attr("Error") = error;
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const Failure& failure) {
+      const py::object told = error(failure.what());
+      told.attr("what") = failure.error().what.english();
+      told.attr("where") = failure.error().where.english();
+      told.attr("advice") = failure.error().advice.english();
+      PyErr_SetObject(error.ptr(), told.ptr());
+    }
+  });
+}
+
+}  // namespace alltact::python
+
+PYBIND11_MODULE(_alltact, module) {
+  using namespace alltact;
+  using namespace alltact::python;
+  // Decoders' own messages would stand beside our sentences and say less.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  py::options docstrings;
+  docstrings.disable_function_signatures();  // the stub has them, in Python's own types
+  module.attr("__version__") = program_version();
+  bind_failure(module);
+  bind_sources(module);
+  bind_results(module);
+  bind_finger(module);
+  bind_simulation(module);
+  bind_calibration(module);
+}

@@ -1,0 +1,1 @@
+"""What `alltact serve` measures, as ROS 2 messages."""

@@ -1,0 +1,1 @@
+../../../clients/alltact_client.py

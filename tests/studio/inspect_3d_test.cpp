@@ -1,0 +1,133 @@
+// What only a screen with OpenGL shows of the place Inspect: the probe in 3D against the depth that
+// is exported, and pictures to look at.
+#include "tests/studio/two_fingers.h"
+#include "widgets/inspect/face_places.h"
+#include "widgets/inspect/reading_text.h"
+
+#include <QComboBox>
+#include <QLabel>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+using testing::StartsWith;
+
+class InspectIn3DView : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!VtkView::is_supported()) GTEST_SKIP() << "needs a screen with OpenGL: xvfb-run";
+    StudioOptions options;
+    options.finger = MadeFingers::get().calibrated();
+    studio_.emplace(options);
+    studio_->window().go_to("inspect");
+  }
+  InspectPlace& place() { return *studio_->window().findChild<InspectPlace*>(); }
+  const InspectedFrame& frame() { return *place().inspection().frame(); }
+  bool open(const std::filesystem::path& recording) {
+    place().open(recording);
+    const bool is_shown = wait_until(
+        [&] {
+          auto* view = studio_->window().findChild<FacePane*>();
+          return view != nullptr && view->isVisible() && view->renders() > 0;
+        },
+        20000);
+    QTest::qWait(500);  // what comes around it takes its room
+    return is_shown;
+  }
+  FacePane& view() { return *studio_->window().findChild<FacePane*>(); }
+  void save(const std::string& name) {
+    QTest::qWait(400);
+    std::filesystem::create_directories(ALLTACT_SCREENS);
+    studio_->window().grab().save(
+        QString::fromStdString(std::string(ALLTACT_SCREENS) + "/" + name + ".png"));
+  }
+  std::optional<Studio> studio_;
+};
+
+TEST_F(InspectIn3DView, TellsUnderThePointerTheDepthThatIsExported) {
+  ASSERT_TRUE(open(MadeFingers::get().touched_pictures()));
+  const cv::Mat& depth_mm = frame().result.depth->depth_mm;  // what the command line writes
+  const QRect room = view().rect();
+  int told = 0;
+  for (int k = 0; k < 40; ++k) {
+    const QPoint at(room.width() * (10 + 2 * k) / 100, room.height() * (30 + k % 20) / 100);
+    const double ratio = view().devicePixelRatioF();
+    const auto pixel = view().scene().pixel_at(at.x() * ratio, at.y() * ratio);
+    QTest::mouseMove(&view(), at);
+    QTest::qWait(60);
+    const std::string text =
+        studio_->find<QLabel>(QStringLiteral("Under the pointer"))->text().toStdString();
+    if (!pixel) {
+      EXPECT_THAT(text, StartsWith("Point at the face"));
+      continue;
+    }
+    const float depth = depth_mm.at<float>(cv::Point(whole_pixel(*pixel)));
+    if (!std::isfinite(depth)) continue;
+    ++told;
+    EXPECT_THAT(text, StartsWith("depth " + QLocale().toString(depth, 'f', 2).toStdString()));
+  }
+  EXPECT_GT(told, 8);
+}
+
+TEST_F(InspectIn3DView, AClickPutsAPointThatStaysOnTheFinger) {
+  ASSERT_TRUE(open(TwoFingers::get().left_video()));
+  const auto middle = view().scene().place_of({450, 270});
+  ASSERT_TRUE(middle);
+  const double ratio = view().devicePixelRatioF();
+  QTest::mouseClick(
+      &view(),
+      Qt::LeftButton,
+      {},
+      QPoint(static_cast<int>(middle->x / ratio), static_cast<int>(middle->y / ratio)));
+  ASSERT_TRUE(place().options().a);
+  EXPECT_LT(cv::norm(*pixel_of(frame(), place().options().a) - cv::Point2d(450, 270)), 3);
+}
+
+/// Light, dark and high contrast, small and large: to look at.
+TEST_F(InspectIn3DView, Pictures) {
+  ASSERT_TRUE(open(MadeFingers::get().touched_pictures()));
+  ASSERT_TRUE(wait_until([&] { return place().inspection().summaries().size() == 6; }, 20000));
+  for (const char* button : {"deepest", "across"})
+    place().findChild<QPushButton*>(QLatin1String(button))->click();
+  Dresser dresser;
+  for (const auto& [size, name] : {std::pair{QSize(1024, 700), "1024"},
+                                   {QSize(1280, 800), "1280"},
+                                   {QSize(1440, 900), "1440"}})
+    for (const auto& [theme, look] : {std::pair{Theme::kLight, "light"}, {Theme::kDark, "dark"}}) {
+      dresser.wear({theme, QStringLiteral("en")});
+      studio_->window().resize(size);
+      save(std::string("inspect_3d_") + name + "_" + look);
+    }
+  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  studio_->window().resize(1280, 800);
+  InspectOptions options = place().options();
+  options.scene.times = 5;
+  place().restore(options, 0);
+  for (const Standpoint standpoint :
+       {Standpoint::kCamera, Standpoint::kOutside, Standpoint::kSide}) {
+    options.standpoint = standpoint;
+    place().restore(options, 0);
+    save("inspect_3d_from_" + std::to_string(static_cast<int>(standpoint)));
+  }
+  options.standpoint = Standpoint::kTilted;
+  options.comparison = Comparison::kDifference;
+  place().restore(options, 0);
+  ASSERT_TRUE(wait_until([&] { return frame().other.has_value(); }, 20000));
+  save("inspect_3d_difference");
+  options.comparison = Comparison::kSideBySide;
+  options.with = {OtherMethod::kSetting, "smoothing-px", "0"};
+  place().restore(options, 0);
+  ASSERT_TRUE(wait_until([&] { return frame().other.has_value(); }, 20000));
+  save("inspect_3d_beside");
+  options.comparison = Comparison::kNone;
+  place().restore(options, 0);
+  studio_->window().open_finger(MadeFingers::get().described());
+  ASSERT_TRUE(wait_until([&] { return frame().bare.has_value(); }, 20000));
+  save("inspect_3d_uncalibrated");
+}
+
+}  // namespace
+}  // namespace alltact::test

@@ -1,0 +1,92 @@
+// What the place Record offers once a recording is there.
+#include "tests/studio/studio_rig.h"
+
+#include <QFileDialog>
+#include <QLineEdit>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+using testing::HasSubstr;
+
+class RecordOffer : public testing::Test {
+ protected:
+  void open() {
+    std::filesystem::copy(MadeFingers::get().described(), folder_ / "finger");
+    StudioOptions options;
+    options.source = {MadeFingers::get().bending()};
+    options.finger = folder_ / "finger";
+    studio_ = std::make_unique<Studio>(options);
+    ASSERT_TRUE(studio_->wait_for_picture());
+    ASSERT_TRUE(wait_until(
+        [&] { return studio_->session().status().finger.state == FingerState::kReady; }));
+    studio_->window().go_to("record");
+  }
+  void record(const std::filesystem::path& file) {
+    auto* place = studio_->window().findChild<RecordPlace*>();
+    place->set_file(QString::fromStdString(file.string()));
+    studio_->click("Start recording");
+    const auto& recording = studio_->session().status().recording;
+    ASSERT_TRUE(wait_until([&] { return recording.counts.recorded >= 45; }, 30000));
+    studio_->click("Stop recording");
+    ASSERT_TRUE(wait_until([&] { return recording.state == RecordingState::kDone; }, 20000));
+  }
+  bool wait_for_words(const char* words) {
+    return wait_until(
+        [&] {
+          for (const QLabel* label : studio_->window().findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(QLatin1String(words))) return true;
+          return false;
+        },
+        60000);
+  }
+  TemporaryFolder folder_;
+  std::unique_ptr<Studio> studio_;
+};
+
+TEST_F(RecordOffer, SaysWhatItWouldBringAndLeavesTheFingerAlone) {
+  open();
+  record(folder_ / "bend.mkv");
+  ASSERT_TRUE(wait_for_words("It would bring: half of the references off by less than 0."));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "finger/reference.mkv"));
+  EXPECT_NE(studio_->find<QPushButton>("Install as this finger's reference"), nullptr);
+  studio_->click("Keep for later");
+  EXPECT_TRUE(wait_for_words("Kept: bend.mkv"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "bend.mkv"));
+  // And later.
+  studio_->click("Install a video that is there…");
+  auto* dialog = studio_->window().findChild<QFileDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+  ASSERT_NE(name, nullptr);
+  name->setText(QString::fromStdString((folder_ / "bend.mkv").string()));
+  QTest::keyClick(name, Qt::Key_Return);
+  studio_->click("Install as this finger's reference");
+  ASSERT_TRUE(wait_until([&] { return studio_->session().status().finger.has_reference; }, 60000))
+      << studio_->problems();
+}
+
+TEST_F(RecordOffer, RecordingAgainTakesTheVideoAway) {
+  open();
+  record(folder_ / "first.mkv");
+  studio_->click("Record again");
+  const auto& recording = studio_->session().status().recording;
+  ASSERT_TRUE(wait_until([&] { return recording.counts.recorded > 3; }, 20000))
+      << studio_->problems();
+  EXPECT_NE(recording.file, folder_ / "first.mkv");
+  studio_->click("Stop recording");
+  ASSERT_TRUE(wait_until([&] { return recording.state == RecordingState::kDone; }, 20000));
+}
+
+TEST_F(RecordOffer, TheListBeforeTheFirstRecordingStandsThere) {
+  open();
+  EXPECT_TRUE(wait_for_words("Focus at the base: edges at the base are "));
+  EXPECT_TRUE(wait_for_words("Dots: 12 of 12 dots are found."));
+  EXPECT_TRUE(wait_for_words("Brightness: the face is "));
+}
+
+}  // namespace
+}  // namespace alltact::test

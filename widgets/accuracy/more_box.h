@@ -1,0 +1,43 @@
+// What one more press, more pictures of each and one more minute would bring to a calibration.
+#pragma once
+
+#include "calibration/study/calibrating_study.h"
+#include "widgets/background_work.h"
+#include "widgets/plots/presses_plot.h"
+#include "widgets/translated.h"
+
+#include <QGroupBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <memory>
+#include <optional>
+
+namespace alltact {
+
+class MoreBox : public Translated<QGroupBox> {
+  Q_OBJECT
+ public:
+  explicit MoreBox(QWidget* parent = nullptr);
+
+  /// Of which it is told; null: none is calibrated. What was worked out of another calibration
+  /// goes.
+  void set_finger(const FingerPtr& finger);
+  /// Null as long as nothing is worked out.
+  [[nodiscard]] const std::shared_ptr<const CalibratingStudy>& study() const { return study_; }
+
+ private:
+  void start();
+  void show_state();
+
+  FingerPtr finger_;
+  std::shared_ptr<const CalibratingStudy> study_;
+  std::optional<Error> problem_;
+  QLabel* words_;
+  PressesPlot* plot_;
+  QPushButton* start_;
+  QProgressBar* bar_;
+  BackgroundWork work_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,44 @@
+// Which board, and what lies between lens and finger that the board was not seen through.
+#pragma once
+
+#include "calibration/lens/calibrate_lens.h"
+#include "core/camera/flat_port.h"
+#include "widgets/translated.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <QWidget>
+
+namespace alltact {
+
+class LensForm : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit LensForm(QWidget* parent = nullptr);
+  [[nodiscard]] Board board() const;
+  [[nodiscard]] LensSettings settings() const;
+  /// nullopt: there is no window.
+  [[nodiscard]] std::optional<FlatPort> port() const;
+
+ Q_SIGNALS:
+  /// Another board.
+  void board_changed();
+
+ private:
+  void name_parts();
+  void show_port();
+
+  QFormLayout* form_;
+  QComboBox *pattern_, *model_;
+  QSpinBox *columns_, *rows_;
+  QDoubleSpinBox *square_, *distance_, *gap_, *plate_, *plate_index_, *medium_index_;
+  QCheckBox* has_port_;
+  QLabel *pattern_label_, *size_label_, *square_label_, *by_label_, *model_label_, *distance_label_;
+  QLabel *gap_label_, *plate_label_, *plate_index_label_, *medium_index_label_;
+};
+
+}  // namespace alltact

@@ -1,0 +1,188 @@
+#include "widgets/calibrating/press_guide.h"
+
+#include "calibration/presses/placed_ball.h"
+#include "core/geometry/disc_depth.h"
+#include "widgets/calibrating/press_model.h"
+#include "widgets/picture/overlays.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+const QColor kWanted(255, 255, 255);
+const QColor kHeld(47, 199, 155);    // bluish green, as what is measured of a contact
+const QColor kTooFar(240, 145, 90);  // orange
+constexpr double kHoldRing = 26;     // logical pixels
+constexpr int kCapPoints = 60;
+
+struct GuideWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::GuideWords)
+ public:
+  static QString press_here(double depth_mm) {
+    return tr("Press here, %1 mm deep").arg(local_mm(depth_mm, 1));
+  }
+  static QString enough_presses() { return tr("Enough presses: another would hardly help."); }
+  static QString now(double depth_mm, PressedSoFar so_far) {
+    const QString depth = local_mm(depth_mm, 1);
+    switch (so_far) {
+      case PressedSoFar::kDeeper:
+        return tr("now %1 mm: deeper").arg(depth);
+      case PressedSoFar::kEnough:
+        return tr("now %1 mm: enough, hold still").arg(depth);
+      case PressedSoFar::kTooDeep:
+        break;
+    }
+    return tr("now %1 mm: too deep").arg(depth);
+  }
+};
+
+/// Along the normal, about: of a calibrated finger as it measures, else by the size of the disc.
+std::optional<double> depth_now(const FrameResult& result,
+                                const std::optional<DarkPatch>& contact,
+                                double radius_mm) {
+  if (!contact) return std::nullopt;
+  if (result.depth) {
+    const auto local = result.shape->at(contact->pixel.x(), contact->pixel.y());
+    return local ? std::optional(contact->darkness * local->cos_incline) : std::nullopt;
+  }
+  if (!(radius_mm > 0) || !(contact->disc_radius_mm > 0)) return std::nullopt;
+  return disc_depth_mm(contact->disc_radius_mm, radius_mm);
+}
+
+/// The rim of a ball pressed in there, as the picture will show it.
+std::vector<Eigen::Vector2d> cap_outline(const FaceShape& shape,
+                                         const Eigen::Vector2d& at_px,
+                                         double depth_mm,
+                                         double radius_mm) {
+  const auto local = shape.at(at_px.x(), at_px.y());
+  if (!local || !(radius_mm > depth_mm)) return {};
+  const Face& face = shape.face();
+  const Eigen::Vector3d top = untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal);
+  const auto contact =
+      ball_on_face(shape, face, top + (radius_mm - depth_mm) * local->normal, radius_mm);
+  return contact ? contact_rim_px(shape.camera(), *contact, kCapPoints)
+                 : std::vector<Eigen::Vector2d>();
+}
+
+/// Along and across the face, of the presses that can be used.
+std::vector<Eigen::Vector2d> places_of(const PressDesk& desk) {
+  std::vector<Eigen::Vector2d> places;
+  for (const DeskPress& press : desk.presses()) {
+    if (!press.looked.shape || !desk.is_usable(press)) continue;
+    const auto& by_hand = desk.said().of(press.name).ball_mm;
+    const auto& centre = by_hand ? by_hand : press.looked.found_mm;
+    const auto pixel =
+        centre ? press.looked.shape->camera().project(*centre) : std::optional<Eigen::Vector2d>();
+    if (pixel) places.push_back(press.looked.shape->place_mm(pixel->x(), pixel->y()));
+  }
+  return places;
+}
+
+Overlay target_overlay(const GuidedFrame& frame) {
+  return [frame, words = GuideWords::press_here(frame.target->depth_mm)](
+             QPainter& painter, const ImageTransform& transform) {
+    QPolygonF rim;
+    for (const auto& p : frame.outline_px) rim << transform.to_widget({p.x(), p.y()});
+    const QPointF at = transform.to_widget({frame.at_px->x(), frame.at_px->y()});
+    QPainterPath path;
+    if (rim.isEmpty())
+      path.addEllipse(at, kHoldRing, kHoldRing);
+    else
+      path.addPolygon(rim), path.closeSubpath();
+    path.moveTo(at - QPointF(8, 0));
+    path.lineTo(at + QPointF(8, 0));
+    path.moveTo(at - QPointF(0, 8));
+    path.lineTo(at + QPointF(0, 8));
+    stroke_over(painter, path, kWanted, 1.8, Qt::DashLine);
+    const QRectF box = path.boundingRect();
+    write_beside(painter, QPointF(box.left(), box.bottom() + 6), words, kWanted);
+  };
+}
+
+/// A ring around the contact that fills from the top, and how deep it is.
+Overlay hold_overlay(const GuidedFrame& frame) {
+  std::optional<PressedSoFar> so_far;
+  QString words;
+  if (frame.depth_mm && frame.target) {
+    so_far = pressed_so_far(*frame.depth_mm, frame.target->depth_mm, frame.layer_mm);
+    words = GuideWords::now(*frame.depth_mm, *so_far);
+  }
+  return [frame, so_far, words](QPainter& painter, const ImageTransform& transform) {
+    const QPointF at = transform.to_widget({frame.contact->pixel.x(), frame.contact->pixel.y()});
+    const QRectF ring(at - QPointF(kHoldRing, kHoldRing), QSizeF(2 * kHoldRing, 2 * kHoldRing));
+    QPainterPath whole;
+    whole.addEllipse(ring);
+    stroke_over(painter, whole, QColor(150, 150, 150), 2);
+    const QColor colour = so_far == PressedSoFar::kTooDeep ? kTooFar : kHeld;
+    if (frame.held > 0) {
+      QPainterPath part;
+      part.arcMoveTo(ring, 90);
+      part.arcTo(ring, 90, -360 * frame.held);
+      stroke_over(painter, part, colour, 5);
+    }
+    if (!words.isEmpty())
+      write_beside(painter, QPointF(at.x() + kHoldRing + 8, at.y() - 10), words, colour);
+  };
+}
+
+}  // namespace
+
+std::optional<PressTarget> wanted_press(const PressDesk& desk,
+                                        const PressForecast& forecast,
+                                        const FaceShape& shape) {
+  const auto first = next_press(first_presses(shape), places_of(desk));
+  const FingerCalibration* known = forecast.to_compare_with();
+  if (const auto& newest = forecast.result()) known = newest.get();
+  const bool is_settled = known != nullptr && known->calibration.next_press &&
+                          (!first || known->calibration.next_press->enough);
+  if (!is_settled) return first;
+  const PressAdvice& advice = *known->calibration.next_press;
+  if (advice.enough) return std::nullopt;
+  if (!(advice.depth_mm > 0)) return first;
+  return PressTarget{{advice.along_mm, advice.across_mm}, advice.depth_mm};
+}
+
+GuidedFrame guided_frame(const FrameResult& result,
+                         const PressDesk& desk,
+                         const PressForecast& forecast,
+                         double held) {
+  GuidedFrame frame;
+  if (!result.shape) return frame;
+  const double radius_mm = desk.said().ball_radius_mm;
+  frame.layer_mm = result.shape->face().layer_mm;
+  frame.held = held;
+  frame.target = wanted_press(desk, forecast, *result.shape);
+  if (frame.target) {
+    frame.at_px = pixel_of_place(*result.shape, frame.target->place_mm);
+    if (frame.at_px && radius_mm > 0)
+      frame.outline_px =
+          cap_outline(*result.shape, *frame.at_px, frame.target->depth_mm, radius_mm);
+  }
+  frame.contact = dark_patch(result);
+  frame.depth_mm = depth_now(result, frame.contact, radius_mm);
+  return frame;
+}
+
+QString guide_words(const GuidedFrame& frame) {
+  if (!frame.target) return GuideWords::enough_presses();
+  QString words = GuideWords::press_here(frame.target->depth_mm);
+  if (frame.depth_mm)
+    words +=
+        QStringLiteral(", ") +
+        GuideWords::now(*frame.depth_mm,
+                        pressed_so_far(*frame.depth_mm, frame.target->depth_mm, frame.layer_mm));
+  return words + QLatin1Char('.');
+}
+
+std::vector<Overlay> guide_overlays(const GuidedFrame& frame) {
+  std::vector<Overlay> overlays;
+  if (frame.target && frame.at_px) overlays.push_back(target_overlay(frame));
+  if (frame.contact) overlays.push_back(hold_overlay(frame));
+  return overlays;
+}
+
+}  // namespace alltact

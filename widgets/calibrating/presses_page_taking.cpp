@@ -1,0 +1,138 @@
+// How the step Presses takes presses: by a click, a key, a pedal, or by itself.
+#include "core/live/source_runner.h"
+#include "widgets/calibrating/presses_page.h"
+#include "widgets/report/report_words.h"
+
+#include <QApplication>
+
+namespace alltact {
+namespace {
+
+constexpr std::size_t kBurst = 16;  // frames of one press; see HeldFrames
+
+}  // namespace
+
+QString PressesPage::why_not_take() const {
+  if (!session_.view()) return tr("There is no live picture: choose a source.");
+  if (!desk_.is_ready()) return tr("The presses are being read.");
+  if (!desk_.looker()) return tr("The finger cannot be compared with its reference.");
+  const FramePtr& frame = session_.view()->result.frame;
+  if (!frame || session_.view()->problem) return tr("The live picture does not fit this finger.");
+  return {};
+}
+
+void PressesPage::take() {
+  if (!why_not_take().isEmpty()) return;
+  const FramePtr& frame = session_.view()->result.frame;
+  const auto alike = frame == newest_held_ ? held_.alike() : std::vector<FramePtr>{frame};
+  refused_.reset();
+  taken_name_ = desk_.add({mean_frame(alike)});
+  taken_of_ = alike.size();
+  live_->freeze(false);
+  show_press({});
+  live_->flash(tr("Press %1").arg(desk_.presses().size()));
+  QApplication::beep();
+  show_problems();
+  show_take();
+}
+
+void PressesPage::hold(const FramePtr& frame) {
+  if (!frame || frame == newest_held_) return;
+  const bool goes_on = newest_held_ && frame->origin == newest_held_->origin &&
+                       frame->sequence > newest_held_->sequence;
+  if (!goes_on) held_.clear();  // another source, or the same from its beginning
+  held_.add(frame);
+  newest_held_ = frame;
+  alike_ = held_.alike().size();
+}
+
+double PressesPage::held_part() const {
+  // The first frame is always like itself.
+  const double burst = alike_ < 2 ? 0.0 : static_cast<double>(alike_) / kBurst;
+  return by_itself_->isChecked() ? still_.hold().part : std::min(1.0, burst);
+}
+
+void PressesPage::forget_held() {
+  held_.clear();
+  newest_held_.reset();
+  alike_ = 0;
+}
+
+void PressesPage::hideEvent(QHideEvent* event) {
+  forget_held();
+  forecast_.set_watched(false);
+  StepPage::hideEvent(event);
+}
+
+void PressesPage::showEvent(QShowEvent* event) {
+  StepPage::showEvent(event);
+  forecast_.set_watched(true);
+}
+
+void PressesPage::press_pedal() {
+  if (take_->isEnabled()) take();
+}
+
+void PressesPage::watch_contact() {
+  if (!isVisible()) return;
+  const FrameResult& result = session_.view()->result;
+  hold(result.frame);
+  show_take();
+  const bool can_take = why_not_take().isEmpty();
+  guided_ = can_take ? guided_frame(result, desk_, forecast_, 0) : GuidedFrame();
+  const bool is_still =
+      still_.add(guided_.contact, 1e-9 * static_cast<double>(monotonic_ns())) && can_take;
+  guided_.held = held_part();
+  show_guide();
+  if (is_still && by_itself_->isChecked()) take();
+}
+
+QString PressesPage::why_not_by_itself() const {
+  if (!by_itself_->isChecked() || !why_not_take().isEmpty()) return {};
+  const FaceTouch touch = session_.view()->result.touch;
+  switch (still_.hold().state) {
+    case HoldState::kNothing:
+      return touch == FaceTouch::kUnknown
+                 ? tr("Waiting: it cannot be seen whether the face is touched.")
+                 : tr("Waiting: nothing presses yet.");
+    case HoldState::kMoves:
+      return tr("Waiting: the contact still moves, or is pressed in deeper.");
+    case HoldState::kTaken:
+      return tr("Taken. Lift the ball, or move it by 2 mm, for the next one.");
+    case HoldState::kHolds:
+      break;
+  }
+  return tr("Holds still.");
+}
+
+void PressesPage::show_guide() {
+  const bool is_face_seen = guided_.layer_mm > 0;
+  guide_->setText(is_face_seen ? guide_words(guided_) : QString());
+  guide_->setVisible(is_face_seen);
+  const QString why = why_not_by_itself();
+  why_waiting_->setText(why);
+  why_waiting_->setVisible(!why.isEmpty());
+}
+
+void PressesPage::show_take() {
+  const QString reason = why_not_take();
+  take_->setEnabled(reason.isEmpty());
+  take_reason_->setText(reason);
+  take_reason_->setVisible(!reason.isEmpty());
+  show_taken();
+}
+
+void PressesPage::show_taken() {
+  const bool is_there = desk_.find(taken_name_) != nullptr && desk_.is_kept(taken_name_);
+  taken_->setVisible(is_there);
+  if (!is_there) return;
+  const QString name = as_text(taken_name_);
+  taken_->setText(
+      taken_of_ > 1
+          ? tr("%1 is taken: the mean of %2 pictures held still.").arg(name).arg(taken_of_)
+          : tr("%1 is taken from a single picture; hold ball and finger still for half "
+               "a second, and its noise falls to a quarter.")
+                .arg(name));
+}
+
+}  // namespace alltact

@@ -1,0 +1,15 @@
+// What a camera is called among others.
+#pragma once
+
+#include "core/sources/v4l2/camera_list.h"
+
+#include <QString>
+#include <vector>
+
+namespace alltact {
+
+/// The maker's name; where another camera has the same, with the USB port that it is plugged into.
+[[nodiscard]] QString camera_label(const FoundCamera& camera,
+                                   const std::vector<FoundCamera>& cameras);
+
+}  // namespace alltact

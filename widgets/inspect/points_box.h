@@ -1,0 +1,53 @@
+// The two points that one measures with: where they are, and what is read there.
+#pragma once
+
+#include "widgets/inspect/inspect_options.h"
+#include "widgets/inspect/inspected_frame.h"
+#include "widgets/translated.h"
+
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <array>
+#include <memory>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+class PointsBox : public Translated<QGroupBox> {
+  Q_OBJECT
+ public:
+  explicit PointsBox(QWidget* parent = nullptr);
+
+  void set_options(const InspectOptions& options);
+  /// Null: nothing can be measured.
+  void show_frame(const std::shared_ptr<const InspectedFrame>& frame);
+
+ Q_SIGNALS:
+  /// As of ViewBox.
+  void changed(const alltact::InspectOptions& options, const QString& what, int merge_id);
+
+ private:
+  struct Point {
+    std::optional<FacePlace> InspectOptions::*member;
+    QLabel* label;
+    std::array<QDoubleSpinBox*, 2> boxes;  // along, across
+  };
+  void connect_points();
+  void change_part(const Point& point, Eigen::Index part, int merge_id);
+  void name_parts();
+  void lay_line(bool is_across);
+  [[nodiscard]] std::optional<cv::Point2d> deepest() const;
+  void show_points();
+  void show_reading();
+
+  InspectOptions options_;
+  std::shared_ptr<const InspectedFrame> frame_;
+  std::array<Point, 2> points_;
+  QPushButton *deepest_, *across_, *along_, *clear_;
+  QLabel* reading_;
+};
+
+}  // namespace alltact

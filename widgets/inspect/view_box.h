@@ -1,0 +1,60 @@
+// How the face is shown: where from, in which colours, beside what.
+#pragma once
+
+#include "widgets/inspect/inspect_options.h"
+#include "widgets/translated.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QSpinBox>
+#include <vector>
+
+namespace alltact {
+
+class ViewBox : public Translated<QGroupBox> {
+  Q_OBJECT
+ public:
+  explicit ViewBox(QWidget* parent = nullptr);
+
+  void set_options(const InspectOptions& options);
+  /// Of the recording that is shown; 0: none is, so that there is no other frame.
+  void set_frame_count(std::size_t count);
+
+ Q_SIGNALS:
+  /// merge_id: of changes that are one step when they follow each other; -1: none.
+  void changed(const alltact::InspectOptions& options, const QString& what, int merge_id);
+
+ private:
+  struct Row {
+    QLabel* label;
+    QWidget* widget;
+    QString (*text)();
+  };
+  void add_row(QWidget* widget, QString (*text)());
+  void connect_view();
+  void connect_comparison();
+  void fill_settings();
+  void show_rows();
+  [[nodiscard]] QLabel* label_of(const QWidget* widget) const;
+
+  InspectOptions options_;
+  std::size_t frame_count_ = 0;
+  QComboBox *shown_as_, *standpoint_, *comparison_, *with_, *setting_;
+  QSpinBox* frame_;
+  QDoubleSpinBox *top_, *difference_top_, *times_;
+  std::vector<Row> rows_;
+  struct Part {
+    QCheckBox* box;
+    bool SceneOptions::*member;
+    QString (*text)();
+  };
+  std::vector<Part> parts_;
+};
+
+/// What a frame is compared with, in words, to stand over its picture.
+[[nodiscard]] QString comparand_text(const Comparand& other);
+
+}  // namespace alltact

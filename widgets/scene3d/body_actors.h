@@ -1,0 +1,48 @@
+// The finger's body in the scene: walls, base, edges, dots. Inside this folder only.
+#pragma once
+
+#include "widgets/scene3d/face_scene.h"
+#include "widgets/scene3d/finger_body.h"
+
+#include <array>
+#include <vector>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+class vtkActor;
+class vtkMatrix4x4;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace alltact {
+
+/// Opaque, and yet never in the way: seen from the camera's side of the face only the inner sides
+/// of the walls behind it are drawn, from outside only the outer ones, and no edge of the back
+/// crosses the face.
+class BodyActors {
+ public:
+  /// The renderer outlives them.
+  explicit BodyActors(vtkRenderer* renderer);
+  ~BodyActors();
+  BodyActors(const BodyActors&) = delete;
+  BodyActors& operator=(const BodyActors&) = delete;
+
+  void draw(const FingerBody& body, const std::vector<SurfaceMarker>& markers);
+  void show(bool is_shown);
+  void place(vtkMatrix4x4* scene_from_camera);
+  void dress(const SceneColours& colours, double pixels_per_unit);
+  /// From where one looks now: from outside the face, and from behind the base.
+  void look_from(bool is_outside, bool is_behind_base);
+
+ private:
+  void show_edges();
+
+  bool is_shown_ = false, is_outside_ = false;
+  [[nodiscard]] std::array<vtkActor*, 6> all() const;
+
+  vtkNew<vtkPolyData> walls_data_, base_data_, edges_data_, back_data_, seen_data_, guessed_data_;
+  vtkSmartPointer<vtkActor> walls_, base_, edges_, back_, seen_, guessed_;
+};
+
+}  // namespace alltact
