@@ -1,7 +1,8 @@
 // Every place and every step of Calibrate in every size, language and theme: no text is cut,
 // nothing lies over another, pictures take the room, and no half of a page stands empty.
 // One theme and a few sizes by default; everything with ALLTACT_SLOW, at three scales of the
-// screen.
+// screen, with pictures of all below the build's folder, screens/pages. ALLTACT_RENEW_GALLERY=1
+// keeps them, reduced, a sheet a page in tests/gallery/pages: look at them before committing.
 #include "app/studio/session_file.h"
 #include "core/io/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
@@ -15,9 +16,8 @@
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/settings_dialog.h"
 
-#include <QGridLayout>
+#include <QPainter>
 #include <QProcess>
-#include <QTextBrowser>
 #include <set>
 
 #include <fmt/format.h>
@@ -33,6 +33,8 @@ using testing::SizeIs;
 
 constexpr double kLeastPictured = 0.6, kMostEmpty = 1.0 / 3;
 constexpr int kSettling_ms = 40, kPatience_ms = 1200;
+constexpr int kSizes = 4;  // on a sheet beside each other
+constexpr QSize kTile(320, 200);
 
 struct Dress {
   QSize size;
@@ -82,6 +84,10 @@ class Geometry : public testing::Test {
     double least = 1, most = 0;
     std::string where_least, where_most;
     Dresser dresser;
+    QImage sheet(kSizes * kTile.width(),
+                 static_cast<int>(dresses().size()) / kSizes * kTile.height(),
+                 QImage::Format_RGB32);
+    sheet.fill(Qt::white);
     for (const Dress& dress : dresses()) {
       dresser.wear({dress.theme, QLatin1String(dress.language)});
       studio.window().resize(dress.size);
@@ -99,8 +105,9 @@ class Geometry : public testing::Test {
         most = part;
         where_most = dress.name();
       }
-      keep_picture(studio.window(), name, dress);
+      if (is_slow_run()) keep_picture(studio.window(), name, dress, sheet);
     }
+    if (is_slow_run()) keep_sheet(name, sheet);
     std::printf("[ figures  ] %-20s pictured %.2f (%s), empty %.2f (%s)\n",
                 name,
                 least,
@@ -135,13 +142,28 @@ class Geometry : public testing::Test {
     QTest::qWait(kSettling_ms);
     wait_until([&] { return cut_texts(window).empty() && overlaps(window).empty(); }, kPatience_ms);
   }
-  static void keep_picture(QWidget& window, const char* name, const Dress& dress) {
-    if (!is_slow_run()) return;
+  /// Each as it is, and all reduced on one sheet: sizes beside each other, languages and themes
+  /// below.
+  static void keep_picture(QWidget& window, const char* name, const Dress& dress, QImage& sheet) {
+    const QImage picture = window.grab().toImage();
     const std::filesystem::path folder = std::filesystem::path(ALLTACT_SCREENS) / "pages";
     std::filesystem::create_directories(folder);
     std::string file = fmt::format("{} {}.png", name, dress.name());
     std::replace(file.begin(), file.end(), ' ', '_');
-    ASSERT_TRUE(window.grab().save(QString::fromStdString((folder / file).string())));
+    ASSERT_TRUE(picture.save(QString::fromStdString((folder / file).string())));
+    const auto at = static_cast<int>(&dress - dresses().data());
+    const QImage tile = picture.scaled(kTile, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    QPainter(&sheet).drawImage(QPoint(at % kSizes * kTile.width(), at / kSizes * kTile.height()),
+                               tile);
+  }
+  static void keep_sheet(const char* name, const QImage& sheet) {
+    if (!qEnvironmentVariableIsSet("ALLTACT_RENEW_GALLERY")) return;
+    const std::filesystem::path folder =
+        std::filesystem::path(ALLTACT_SOURCE_DIR) / "tests/gallery/pages";
+    std::filesystem::create_directories(folder);
+    constexpr int kQuality = 70;
+    ASSERT_TRUE(sheet.save(
+        QString::fromStdString((folder / (std::string(name) + ".jpg")).string()), "JPG", kQuality));
   }
   const SameEverywhere same_;
 };
