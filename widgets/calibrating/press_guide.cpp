@@ -38,7 +38,24 @@ struct GuideWords {
     }
     return tr("now %1 mm: too deep").arg(depth);
   }
+  static QString elsewhere(double depth_mm, double off_mm) {
+    return tr("now %1 mm, %2 mm away from there").arg(local_mm(depth_mm, 1), local_mm(off_mm, 0));
+  }
 };
+
+/// Nothing where that is not known.
+std::optional<PressedSoFar> so_far_of(const GuidedFrame& frame) {
+  constexpr double kThere_mm = 8;  // of where it is wanted: near enough for its depth to count
+  if (!frame.depth_mm || !frame.target || frame.off_mm > kThere_mm) return std::nullopt;
+  return pressed_so_far(*frame.depth_mm, frame.target->depth_mm, frame.layer_mm);
+}
+
+QString words_of(const GuidedFrame& frame) {
+  if (!frame.depth_mm || !frame.target) return {};
+  const auto so_far = so_far_of(frame);
+  return so_far ? GuideWords::now(*frame.depth_mm, *so_far)
+                : GuideWords::elsewhere(*frame.depth_mm, frame.off_mm);
+}
 
 /// Along the normal, about: of a calibrated finger as it measures, else by the size of the disc.
 std::optional<double> depth_now(const FrameResult& result,
