@@ -46,7 +46,7 @@ FingerSummary::FingerSummary(const LiveSession& session, const Workspace& work, 
   look_.start(kBetweenLooks_ms);
   connect(due_, &QPushButton::clicked, this, [this] {
     const bool is_recording = card_ && card_->due == FingerDue::kRecording;
-    Q_EMIT place_wanted(is_recording ? "record" : "calibrate");
+    Q_EMIT due_wanted(is_recording ? "record" : "calibrate");
   });
   say([this] {
     text_->setAccessibleName(tr("What is known of this finger"));

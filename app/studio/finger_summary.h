@@ -22,8 +22,8 @@ class FingerSummary : public Translated<QWidget> {
   [[nodiscard]] const std::optional<FingerCard>& card() const { return card_; }
 
  Q_SIGNALS:
-  /// By its name.
-  void place_wanted(const std::string& name);
+  /// Done at the place of that name.
+  void due_wanted(const std::string& place);
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -4,6 +4,7 @@
 #include "app/studio/finger_menu.h"
 #include "app/studio/header_bar.h"
 #include "app/studio/help_menu.h"
+#include "app/studio/menu_keys.h"
 #include "app/studio/place_hint.h"
 #include "app/studio/problem_bar.h"
 #include "app/studio/rail.h"
@@ -108,7 +109,11 @@ void MainWindow::put_together() {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(10, 8, 10, 4);
   auto* header = new HeaderBar(session_, work_, *finger_menu_, *source_menu_);
-  connect(&header->summary(), &FingerSummary::place_wanted, this, &MainWindow::go_to);
+  connect(&header->summary(), &FingerSummary::due_wanted, this, [this](const std::string& place) {
+    go_to(place);
+    if (auto* calibrate = dynamic_cast<CalibratePlace*>(&shown_place()))
+      calibrate->go_to_next_to_do();
+  });
   column->addWidget(header);
   column->addWidget(problems_);
   column->addWidget(guide_);
@@ -195,6 +200,7 @@ void MainWindow::make_menus() {
   connect(hint_, &PlaceHint::help_wanted, help, &HelpMenu::show_help);
   connect(help, &HelpMenu::failed, problems_, &ProblemBar::tell);
   menuBar()->addMenu(help);
+  new MenuKeys(*menuBar(), *this);
 }
 
 void MainWindow::make_file_menu() {

@@ -12,6 +12,7 @@
 #include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QTextDocument>
 #include <QUrl>
 
@@ -21,16 +22,18 @@ namespace {
 // In the order of a finger's day.
 const char* const kGuided[] = {"live", "record", "calibrate", "inspect", "accuracy"};
 constexpr int kColumns = 2, kPages = 2;
-constexpr double kLargest_pt = 9.5, kSmallest_pt = 6.5, kStep_pt = 0.25;
+constexpr double kLargest_pt = 12, kSmallest_pt = 6.5, kStep_pt = 0.25;
 constexpr double kMm = 1 / 25.4 * 96;  // px: the document is laid out at 96 to the inch
 constexpr double kMargin = 12 * kMm, kBetween = 7 * kMm, kHead = 14 * kMm, kFoot = 8 * kMm;
 const QSizeF kPaper(210 * kMm, 297 * kMm);
 const QSizeF kColumn((kPaper.width() - 2 * kMargin - kBetween) / kColumns,
                      kPaper.height() - 2 * kMargin - kHead - kFoot);
 
-QString html_of(const QString& markdown) {
+/// Paper leads nowhere: links become plain words.
+QString html_of(QString markdown) {
+  static const QRegularExpression link(QStringLiteral("\\[([^\\]]*)\\]\\([^)]*\\)"));
   QTextDocument document;
-  document.setMarkdown(markdown);
+  document.setMarkdown(markdown.replace(link, QStringLiteral("\\1")));
   const QString html = document.toHtml();
   const qsizetype begin = html.indexOf(QLatin1String("<p")),
                   end = html.indexOf(QLatin1String("</body>"));

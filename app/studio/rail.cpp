@@ -5,11 +5,12 @@
 #include <QRegularExpression>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace alltact {
 namespace {
 
-constexpr int kRailIcon = 28;
+constexpr int kRailIcon = 28, kRailWidth = 76;
 
 /// "&Live" and "实时(&L)" without the letter that chooses it.
 QString without_letter(QString menu_text) {
@@ -45,7 +46,7 @@ QAbstractButton* Rail::make_button() {
   button->setCheckable(true);
   button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   button->setIconSize({kRailIcon, kRailIcon});
-  button->setMinimumSize(76, 64);
+  button->setMinimumHeight(64);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   button->setFocusPolicy(Qt::TabFocus);
   button->setAutoRaise(true);
@@ -56,6 +57,7 @@ void Rail::name_buttons() {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     QAbstractButton* button = buttons_->button(static_cast<int>(i));
     button->setText(places_[i]->title());
+    button->setMinimumWidth(std::max(kRailWidth, button->sizeHint().width()));
     button->setToolTip(tr("%1 (Ctrl+%2)").arg(without_letter(places_[i]->menu_text())).arg(i + 1));
   }
 }

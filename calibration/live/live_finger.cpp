@@ -126,7 +126,9 @@ void LiveFinger::measure(const std::stop_token& stop) {
   Pipeline pipeline = Pipeline::of_unknown_finger();
   FramePtr last;
   while (!stop.stop_requested()) {
-    const FramePtr frame = reader_.next(std::chrono::milliseconds(50));
+    FramePtr frame = reader_.next(std::chrono::milliseconds(50));
+    // Of a source that has ended the last one is shown; a finger opened since measures it, too.
+    if (!frame && has_news_for_last()) frame = last;
     if (!frame) continue;
     WantedLayers layers;
     auto view = std::make_shared<LiveView>();
@@ -158,6 +160,11 @@ void LiveFinger::measure(const std::stop_token& stop) {
     }
     if (is_news) news_();
   }
+}
+
+bool LiveFinger::has_news_for_last() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->next.has_value();
 }
 
 void LiveFinger::set_layers(WantedLayers layers) {

@@ -69,6 +69,8 @@ class LiveFinger {
   struct Loading;
   struct State;
   void load(const std::filesystem::path& folder, const std::filesystem::path& scene);
+  /// A finger has been loaded since the last frame was measured.
+  [[nodiscard]] bool has_news_for_last() const;
   void measure(const std::stop_token& stop);
 
   std::shared_ptr<State> state_;

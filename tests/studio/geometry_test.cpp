@@ -108,6 +108,7 @@ class Geometry : public testing::Test {
       if (is_slow_run()) keep_picture(studio.window(), name, dress, sheet);
     }
     if (is_slow_run()) keep_sheet(name, sheet);
+    dresser.wear({Theme::kLight, QStringLiteral("en")});
     std::printf("[ figures  ] %-20s pictured %.2f (%s), empty %.2f (%s)\n",
                 name,
                 least,
@@ -124,7 +125,7 @@ class Geometry : public testing::Test {
     for (const char* language : {"en", "de", "zh_CN"}) {
       dresser.wear({Theme::kLight, QLatin1String(language)});
       dialog.show();
-      dialog.resize(dialog.sizeHint().expandedTo(dialog.minimumSize()));
+      dialog.adjustSize();
       settle(dialog);
       EXPECT_THAT(cut_texts(dialog), IsEmpty()) << name << ", " << language;
       EXPECT_THAT(overlaps(dialog), IsEmpty()) << name << ", " << language;

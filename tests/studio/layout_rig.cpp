@@ -214,7 +214,8 @@ bool shows_picture(const QWidget& widget) {
   return qobject_cast<const ImageView*>(&widget) != nullptr ||
          qobject_cast<const Plot*>(&widget) != nullptr ||
          qobject_cast<const CoverageView*>(&widget) != nullptr ||
-         qobject_cast<const QOpenGLWidget*>(&widget) != nullptr;
+         qobject_cast<const QOpenGLWidget*>(&widget) != nullptr ||
+         widget.property("alltact_drawing").toBool();
 }
 
 bool is_in_a_picture(const QWidget& widget) {

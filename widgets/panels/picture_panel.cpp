@@ -21,7 +21,7 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
       strip_(new QHBoxLayout),
       title_(new QLabel),
       view_(new ImageView),
-      readout_(new QLabel),
+      readout_(new OneLine),
       zoom_(new QLabel),
       freeze_(new QToolButton),
       snapshot_(new QToolButton),
@@ -35,7 +35,6 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
   column_->addWidget(title_);
   column_->addWidget(view_, 1);
   readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  readout_->setMinimumWidth(1);  // long texts do not widen the window
   zoom_->setMinimumWidth(zoom_->fontMetrics().horizontalAdvance(QStringLiteral("6400 %")));
   zoom_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   strip_->addWidget(readout_, 1);
@@ -172,8 +171,8 @@ void PicturePanel::show_readout() {
   const bool is_inside =
       probe && shown &&
       QRect(0, 0, shown->result.grey.cols, shown->result.grey.rows).contains(*probe);
-  readout_->setText(is_inside ? readout_text(*shown, *probe)
-                              : tr("Point at a pixel, or press Shift and an arrow key."));
+  readout_->set_text(is_inside ? readout_text(*shown, *probe)
+                               : tr("Point at a pixel, or press Shift and an arrow key."));
 }
 
 void PicturePanel::show_zoom() {

@@ -4,6 +4,7 @@
 
 #include "widgets/live/live_session.h"
 #include "widgets/panels/view_options.h"
+#include "widgets/shell/one_line.h"
 #include "widgets/translated.h"
 
 #include <QBoxLayout>
@@ -61,7 +62,7 @@ class PicturePanel : public Translated<QWidget> {
   QHBoxLayout* strip_;
   QLabel* title_;
   ImageView* view_;
-  QLabel* readout_;
+  OneLine* readout_;  // long texts do not widen the window
   QLabel* zoom_;
   QToolButton *freeze_, *snapshot_, *closer_, *further_, *fit_, *actual_;
 };

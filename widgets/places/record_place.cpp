@@ -90,6 +90,7 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
 }
 
 void RecordPlace::connect_parts() {
+  connect(file_, &QLineEdit::textChanged, file_, &QWidget::setToolTip);  // a path may be long
   connect(rest_, &QPushButton::clicked, this, &RecordPlace::set_rest);
   connect(record_, &QPushButton::clicked, this, &RecordPlace::start_or_stop);
   connect(browse_, &QPushButton::clicked, this, &RecordPlace::choose_file);

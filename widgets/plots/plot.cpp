@@ -35,6 +35,7 @@ Plot::Plot(QWidget* parent) : QWidget(parent), chart_(new QCustomPlot(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(chart_);
+  chart_->setFocusPolicy(Qt::NoFocus);  // the plot around it has the name and the keys
   setMinimumSize(220, 160);
   chart_->setNotAntialiasedElements(QCP::aeNone);
 }

@@ -183,6 +183,7 @@ void ExportDialog::choose_folder() {
 void ExportDialog::show_command() {
   const bool is_whole = !forms().empty() && !folder_->text().trimmed().isEmpty();
   command_->setText(is_whole ? command_line() : QString());
+  command_->setToolTip(command_->text());
   command_->setCursorPosition(0);
   copy_->setEnabled(is_whole);
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kCardColumns = 2;
 constexpr QSize kCardPicture(128, 72);
-constexpr int kCardWidth = 330, kCardSymbol = 22;
+constexpr int kCardWidth = 290, kCardSymbol = 22;
 constexpr int kBesideCardText = kCardPicture.width() + 30;  // px of a card
 
 /// The picture with the verdict's symbol in its corner.

@@ -14,6 +14,8 @@ const QSizeF kDrawingRoom(640, 320);
 const QPointF kBaseTop(130, 96), kTip(602, 188), kBaseBottom(130, 262);
 constexpr double kLayer = 13, kBallRadius = 40, kBallAlong = 0.52, kPressed = 17;
 
+const QColor kLampLight("#f2c14e");  // on light ground and on dark
+
 struct Inks {
   QColor line, body, layer, light, ball, mark, ground;
 };
@@ -28,7 +30,7 @@ Inks inks_of(const QPalette& palette) {
   return {text,
           faint(series_colour(0, palette), 46),
           faint(text, 150),
-          faint(series_colour(4, palette), 60),
+          faint(kLampLight, 90),
           faint(text, 70),
           series_colour(1, palette),
           palette.color(QPalette::Base)};
@@ -104,7 +106,7 @@ void draw_camera(QPainter& painter, const Inks& inks) {
   painter.drawRect(QRectF(86, 164, 22, 36));
   painter.drawEllipse(QPointF(108, 182), 6, 18);
   for (const double y : {138.0, 226.0}) {
-    painter.setBrush(series_colour(4, QPalette(inks.ground)));
+    painter.setBrush(kLampLight);
     painter.drawEllipse(QPointF(112, y), 9, 9);
   }
   painter.setPen(QPen(inks.line, 1, Qt::DashLine));

@@ -56,7 +56,7 @@ QVBoxLayout* StartPanel::make_left() {
 }
 
 QVBoxLayout* StartPanel::make_right() {
-  constexpr int kWidth = 250;
+  constexpr int kWidth = 220;
   auto* sources = new QVBoxLayout(sources_);
   sources->addLayout(cameras_);
   for (QPushButton* button : {simulated_, video_, folder_}) sources->addWidget(button);

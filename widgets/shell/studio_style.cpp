@@ -115,9 +115,6 @@ void StudioStyle::drawPrimitive(PrimitiveElement element,
   QProxyStyle::drawPrimitive(element, option, painter, widget);
   if (element == PE_PanelButtonTool && option->state.testFlag(State_On))
     draw_chosen(*painter, *option);
-  const bool is_button = element == PE_PanelButtonCommand || element == PE_PanelButtonTool;
-  if (is_button && has_focus(*option))
-    draw_outline(*painter, option->rect, option->palette.color(QPalette::Highlight), kFocusWidth);
   if (!is_dark(option->palette)) return;
   // Part of a box that has an outline itself.
   const QWidget* parent = widget == nullptr ? nullptr : widget->parentWidget();
