@@ -39,7 +39,7 @@ std::optional<Numbers> numbers_of(const Json& json, const char* key, std::size_t
 
 std::optional<FacePlace> place_of(const Json& json, const char* key) {
   const auto at = numbers_of(json, key, 2);
-  return at ? std::optional(FacePlace((*at)[0], (*at)[1])) : std::nullopt;
+  return at ? std::optional(FacePlace{(*at)[0], (*at)[1]}) : std::nullopt;
 }
 
 Comparand comparand_of(const Json& json) {
@@ -109,8 +109,8 @@ Json inspect_to_json(const InspectState& state) {
   json["depth_top_mm"] = options.scene.top_mm;
   json["difference_top_mm"] = options.scene.difference_top_mm;
   json["depth_times"] = options.scene.times;
-  if (options.a) json["a_mm"] = {options.a->x(), options.a->y()};
-  if (options.b) json["b_mm"] = {options.b->x(), options.b->y()};
+  if (options.a) json["a_mm"] = {options.a->along_mm, options.a->across_mm};
+  if (options.b) json["b_mm"] = {options.b->along_mm, options.b->across_mm};
   return json;
 }
 

@@ -59,10 +59,12 @@ void turned_in_3d(benchmark::State& state) {
   InspectPane pane(PaneContent::kFirst);
   show(pane);
   pane.show_frame(made_frame(state.range(0), 0.8));
+  FacePane& face = *pane.face_pane();
   const auto turn = [&] {
-    pane.face_pane()->change().turn(1, 0.2);
-    const int before = pane.face_pane()->renders();
-    while (pane.face_pane()->renders() == before) QCoreApplication::processEvents();
+    const int before = face.renders();
+    QKeyEvent key(QEvent::KeyPress, Qt::Key_Left, Qt::NoModifier);
+    QCoreApplication::sendEvent(&face, &key);
+    while (face.renders() == before) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
   };
   for (int i = 0; i < 5; ++i) turn();
   double longest_ms = 0;

@@ -19,7 +19,7 @@ class InspectAfterACrash : public testing::Test {
     options.recording = TwoFingers::get().left_video();
     options.second = SecondFinger{TwoFingers::get().right(), TwoFingers::get().right_video()};
     options.scene.top_mm = 0.7;
-    options.a = FacePlace(43.5, -1.25);
+    options.a = FacePlace{43.5, -1.25};
     options.with = {OtherMethod::kSetting, "smoothing-px", "0"};
     options.scene.body = false;
     options.scene.difference_top_mm = 0.02;

@@ -127,8 +127,8 @@ TEST_F(Inspect, TellsHowFarTwoPointsAreApart) {
   set("Point A, across it", -2.5);
   set("Point B, along the finger", 47.25);
   set("Point B, across it", 3);
-  EXPECT_EQ(place().options().a, FacePlace(30, -2.5));
-  EXPECT_EQ(place().options().b, FacePlace(47.25, 3));
+  EXPECT_EQ(place().options().a, (FacePlace{30, -2.5}));
+  EXPECT_EQ(place().options().b, (FacePlace{47.25, 3}));
   const auto a = pixel_of(frame(), place().options().a), b = pixel_of(frame(), place().options().b);
   ASSERT_TRUE(a && b);
   const auto distance = distance_between(frame().result, frame().face, *a, *b);

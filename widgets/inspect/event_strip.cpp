@@ -176,20 +176,26 @@ void EventStrip::paint_lane(QPainter& painter,
   painter.setPen(QPen(faint, 1));
   painter.drawLine(room.bottomLeft(), room.bottomRight());
   QPainterPath path;
-  std::optional<QPointF> last;  // of the path; nullopt: it is interrupted
+  QPointF last;
+  bool is_down = false;  // the path goes on from there
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     const auto value = frames_[i] ? (*frames_[i]).*lane.member : std::nullopt;
     if (!value) {
-      last.reset();
+      is_down = false;
       continue;
     }
     const QPointF at(x_of(static_cast<double>(i)),
                      room.bottom() - *value / lane.top * (room.height() - 3));
     // Of many frames in one pixel the highest is drawn.
-    if (last && at.x() - last->x() < 0.5 && at.y() >= last->y()) continue;
-    last ? path.lineTo(at) : path.moveTo(at);
-    if (!last) path.lineTo(at + QPointF(0.5, 0));  // one frame alone shows, too
+    if (is_down && at.x() - last.x() < 0.5 && at.y() >= last.y()) continue;
+    if (is_down) {
+      path.lineTo(at);
+    } else {
+      path.moveTo(at);
+      path.lineTo(at + QPointF(0.5, 0));  // one frame alone shows, too
+    }
     last = at;
+    is_down = true;
   }
   painter.setPen(QPen(series_colour(colour, palette()), 1.5));
   painter.drawPath(path);

@@ -29,6 +29,13 @@ FacePane::FacePane(QWidget* parent)
   constexpr int kBetweenLooks_ms = 25;
   pointing_.setSingleShot(true);
   pointing_.setInterval(kBetweenLooks_ms);
+  constexpr int kAtRest_ms = 250;
+  resting_.setSingleShot(true);
+  resting_.setInterval(kAtRest_ms);
+  connect(&resting_, &QTimer::timeout, this, [this] {
+    if (scene_->set_moving(false)) draw_later();
+  });
+  connect(this, &FacePane::looked, this, &FacePane::begin_to_move);
   connect(&pointing_, &QTimer::timeout, this, &FacePane::tell_pointed_at);
   say([this] { setAccessibleName(tr("Face in 3D")); });
 }
@@ -44,6 +51,11 @@ std::optional<QPointF> FacePane::pixel_at(QPointF place) const {
   const double ratio = devicePixelRatioF();
   const auto pixel = scene_->pixel_at(place.x() * ratio, place.y() * ratio);
   return pixel ? std::optional(QPointF(pixel->x, pixel->y)) : std::nullopt;
+}
+
+void FacePane::begin_to_move() {
+  scene_->set_moving(true);
+  resting_.start();
 }
 
 void FacePane::point_again() {

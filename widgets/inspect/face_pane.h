@@ -50,11 +50,12 @@ class FacePane : public Translated<VtkView> {
 
  private:
   void dress();
+  void begin_to_move();
   void tell_pointed_at();
   [[nodiscard]] std::optional<QPointF> pixel_at(QPointF place) const;
   std::unique_ptr<FaceScene> scene_;
   std::optional<QPointF> pointer_;  // where it is, without a button
-  QTimer pointing_;
+  QTimer pointing_, resting_;
   struct Press {
     QPointF at;
     Look look;

@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <optional>
 
-#include <Eigen/Core>
-
 namespace alltact {
 
 enum class ShownAs { k3d = 1, kHeightMap };
@@ -16,7 +14,10 @@ enum class Comparison { kNone = 1, kSideBySide, kDifference };
 
 /// Along the face from its base and across it from its middle, mm (FaceShape::place_mm): it stays
 /// where it is on the finger while that moves.
-using FacePlace = Eigen::Vector2d;
+struct FacePlace {
+  double along_mm = 0, across_mm = 0;
+  bool operator==(const FacePlace&) const = default;
+};
 
 /// Another finger of the same gripper, with its own recording.
 struct SecondFinger {

@@ -67,11 +67,10 @@ PointsBox::PointsBox(QWidget* parent)
 void PointsBox::connect_points() {
   int id = kPointA;
   for (const Point& point : points_)
-    for (const Eigen::Index part : {0, 1}) {
-      connect(point.boxes[static_cast<std::size_t>(part)],
-              &QDoubleSpinBox::valueChanged,
-              this,
-              [this, point, part, id] { change_part(point, part, id); });
+    for (const std::size_t part : {0U, 1U}) {
+      connect(point.boxes[part], &QDoubleSpinBox::valueChanged, this, [this, point, part, id] {
+        change_part(point, part, id);
+      });
       ++id;
     }
   connect(deepest_, &QPushButton::clicked, this, [this] {
@@ -92,13 +91,13 @@ void PointsBox::connect_points() {
 }
 
 /// The other coordinate stays exactly what it was; of a point that was not there it is the middle.
-void PointsBox::change_part(const Point& point, Eigen::Index part, int merge_id) {
+void PointsBox::change_part(const Point& point, std::size_t part, int merge_id) {
   InspectOptions next = options_;
   auto& place = next.*point.member;
-  if (!place) place = FacePlace(0, 0);
-  const double value = point.boxes[static_cast<std::size_t>(part)]->value();
+  if (!place) place = FacePlace();
+  const double value = point.boxes[part]->value();
   constexpr double kBarelyAbove = kNotChosen_mm + 10;  // one step up from "not chosen"
-  (*place)[part] = value < kBarelyAbove ? 0.0 : value;
+  (part == 0 ? place->along_mm : place->across_mm) = value < kBarelyAbove ? 0.0 : value;
   Q_EMIT changed(
       next, point.member == &InspectOptions::a ? tr("move point A") : tr("move point B"), merge_id);
 }
@@ -131,14 +130,14 @@ void PointsBox::lay_line(bool is_across) {
   InspectOptions next = options_;
   if (is_across) {
     const auto rows = shape.rows(u, 0);
-    next.a = shape.place_mm(u, rows.first);
-    next.b = shape.place_mm(u, rows.last);
+    next.a = place_of(*frame_, cv::Point2d(u, rows.first));
+    next.b = place_of(*frame_, cv::Point2d(u, rows.last));
   } else {
     int first = u, last = u;
     while (first > 0 && holds(first - 1)) --first;
     while (last + 1 < shape.width_px() && holds(last + 1)) ++last;
-    next.a = shape.place_mm(first, v);
-    next.b = shape.place_mm(last, v);
+    next.a = place_of(*frame_, cv::Point2d(first, v));
+    next.b = place_of(*frame_, cv::Point2d(last, v));
   }
   Q_EMIT changed(next, is_across ? tr("cut across") : tr("cut along"), -1);
 }
@@ -183,10 +182,11 @@ void PointsBox::set_options(const InspectOptions& options) {
 void PointsBox::show_points() {
   for (const Point& point : points_) {
     const auto& place = options_.*point.member;
+    const std::array now{place ? place->along_mm : kNotChosen_mm,
+                         place ? place->across_mm : kNotChosen_mm};
     for (std::size_t part = 0; part < 2; ++part) {
       const QSignalBlocker quiet(point.boxes[part]);
-      point.boxes[part]->setValue(place ? (*place)[static_cast<Eigen::Index>(part)]
-                                        : kNotChosen_mm);
+      point.boxes[part]->setValue(now[part]);
     }
   }
 }

@@ -36,7 +36,7 @@ class PointsBox : public Translated<QGroupBox> {
     std::array<QDoubleSpinBox*, 2> boxes;  // along, across
   };
   void connect_points();
-  void change_part(const Point& point, Eigen::Index part, int merge_id);
+  void change_part(const Point& point, std::size_t part, int merge_id);
   void name_parts();
   void lay_line(bool is_across);
   [[nodiscard]] std::optional<cv::Point2d> deepest() const;

@@ -102,6 +102,7 @@ BodyActors::BodyActors(vtkRenderer* renderer)
   for (const auto& dots : {seen_, guessed_}) dots->GetProperty()->SetRenderPointsAsSpheres(true);
   seen_->GetProperty()->SetColor(kSeen[0], kSeen[1], kSeen[2]);
   guessed_->GetProperty()->SetColor(kGuessed[0], kGuessed[1], kGuessed[2]);
+  base_->GetProperty()->BackfaceCullingOn();
   for (vtkActor* actor : all()) renderer->AddActor(actor);
   look_from(false, false);
 }
@@ -141,11 +142,12 @@ void BodyActors::draw(const FingerBody& body, const std::vector<SurfaceMarker>& 
 void BodyActors::show(bool is_shown) {
   is_shown_ = is_shown;
   for (vtkActor* actor : all()) actor->SetVisibility(is_shown);
-  show_edges();
+  show_parts();
 }
 
-void BodyActors::show_edges() {
+void BodyActors::show_parts() {
   back_->SetVisibility(is_shown_ && is_outside_);
+  base_->SetVisibility(is_shown_ && !is_behind_base_);
 }
 
 void BodyActors::place(vtkMatrix4x4* scene_from_camera) {
@@ -168,9 +170,8 @@ void BodyActors::look_from(bool is_outside, bool is_behind_base) {
   is_outside_ = is_outside;
   walls_->GetProperty()->SetFrontfaceCulling(!is_outside);
   walls_->GetProperty()->SetBackfaceCulling(is_outside);
-  base_->GetProperty()->SetFrontfaceCulling(is_behind_base);
-  base_->GetProperty()->SetBackfaceCulling(!is_behind_base);
-  show_edges();
+  is_behind_base_ = is_behind_base;
+  show_parts();
 }
 
 }  // namespace alltact

@@ -18,8 +18,8 @@ class vtkRenderer;
 namespace alltact {
 
 /// Opaque, and yet never in the way: seen from the camera's side of the face only the inner sides
-/// of the walls behind it are drawn, from outside only the outer ones, and no edge of the back
-/// crosses the face.
+/// of the walls behind it are drawn, from outside only the outer ones; no edge of the back crosses
+/// the face, and from behind the base there is none.
 class BodyActors {
  public:
   /// The renderer outlives them.
@@ -36,9 +36,9 @@ class BodyActors {
   void look_from(bool is_outside, bool is_behind_base);
 
  private:
-  void show_edges();
+  void show_parts();
 
-  bool is_shown_ = false, is_outside_ = false;
+  bool is_shown_ = false, is_outside_ = false, is_behind_base_ = false;
   [[nodiscard]] std::array<vtkActor*, 6> all() const;
 
   vtkNew<vtkPolyData> walls_data_, base_data_, edges_data_, back_data_, seen_data_, guessed_data_;

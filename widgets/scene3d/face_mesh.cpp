@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -34,17 +35,45 @@ void FaceMesh::make_topology(cv::Size size) {
                               static_cast<vtkDataArray*>(colours_)})
     array->SetNumberOfTuples(count);
   drawn_ = cv::Mat(size, CV_32FC3, places_->GetPointer(0));
-  const vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(2 * (size.width - 1) * (size.height - 1), 3);
-  for (int j = 0; j + 1 < size.height; ++j) {
-    for (int i = 0; i + 1 < size.width; ++i) {
-      const vtkIdType a = j * size.width + i, below = a + size.width;
-      triangles->InsertNextCell({a, below, a + 1});
-      triangles->InsertNextCell({a + 1, below, below + 1});
-    }
-  }
-  data_->SetPolys(triangles);
+  make_triangles();
   ++topologies_;
+}
+
+bool FaceMesh::set_stride(int stride) {
+  if (stride == stride_) return false;
+  stride_ = stride;
+  if (!drawn_.empty()) make_triangles();
+  return true;
+}
+
+/// Block by block: who draws in software works out a vertex once for the triangles that follow each
+/// other, not once a row.
+void FaceMesh::make_triangles() {
+  const auto steps = [this](int count) {
+    std::vector<int> all;
+    for (int i = 0; i < count - 1; i += stride_) all.push_back(i);
+    all.push_back(count - 1);
+    return all;
+  };
+  const std::vector<int> columns = steps(drawn_.cols), rows = steps(drawn_.rows);
+  const std::size_t last_column = columns.size() - 1, last_row = rows.size() - 1;
+  const vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(static_cast<vtkIdType>(2 * last_column * last_row),
+                           static_cast<vtkIdType>(6 * last_column * last_row));
+  constexpr std::size_t kBlock = 16;
+  for (std::size_t top = 0; top < last_row; top += kBlock)
+    for (std::size_t left = 0; left < last_column; left += kBlock)
+      for (std::size_t j = top; j < std::min(top + kBlock, last_row); ++j)
+        for (std::size_t i = left; i < std::min(left + kBlock, last_column); ++i) {
+          const auto id = [&](std::size_t row, std::size_t column) {
+            return static_cast<vtkIdType>(rows[row]) * drawn_.cols + columns[column];
+          };
+          const vtkIdType a = id(j, i), below = id(j + 1, i);
+          const vtkIdType right = id(j, i + 1), over = id(j + 1, i + 1);
+          triangles->InsertNextCell({a, below, right});
+          triangles->InsertNextCell({right, below, over});
+        }
+  data_->SetPolys(triangles);
 }
 
 void FaceMesh::update(const cv::Mat& untouched_mm,

@@ -36,14 +36,18 @@ class FaceMesh {
               const cv::Mat& value,
               const ColourScale& scale);
 
+  /// Draws every so manieth vertex of the grid alone, and those at its rims.
+  /// True: that is another stride than before.
+  bool set_stride(int stride);
   [[nodiscard]] vtkPolyData* data() const { return data_; }
   /// As drawn, CV_32FC3, of the grid's size: shares VTK's memory until the size changes.
   [[nodiscard]] const cv::Mat& drawn_mm() const { return drawn_; }
-  /// How often the topology was made.
+  /// How often the topology of a grid was made.
   [[nodiscard]] int topologies() const { return topologies_; }
 
  private:
   void make_topology(cv::Size size);
+  void make_triangles();
   void place(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm, float times);
   void turn_normals(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm, float times);
   void colour(const cv::Mat& value, const ColourScale& scale);
@@ -53,7 +57,7 @@ class FaceMesh {
   vtkNew<vtkFloatArray> places_, normals_;
   vtkNew<vtkUnsignedCharArray> colours_;
   cv::Mat drawn_;
-  int topologies_ = 0;
+  int topologies_ = 0, stride_ = 1;
 };
 
 }  // namespace alltact

@@ -234,6 +234,14 @@ void FaceScene::look_from(Standpoint standpoint) {
   state_->look();
 }
 
+bool FaceScene::set_moving(bool is_moving) {
+  constexpr int kMostVertices = 30000;  // 30 pictures a second, drawn in software
+  bool is_changed = false;
+  for (PlacedFace* face : {&state_->first, &state_->second})
+    is_changed = face->set_moving(is_moving, kMostVertices) || is_changed;
+  return is_changed;
+}
+
 void FaceScene::fit() {
   state_->bar.place(state_->window->GetSize(), state_->scale);
   if (state_->view.is_as_set()) state_->look();

@@ -77,6 +77,10 @@ class FaceScene {
   void set_scale(double pixels_per_unit);
 
   void look_from(Standpoint standpoint);
+  /// While somebody turns it, a face of very many vertices is drawn with a part of them, so that
+  /// the picture follows the hand; all of them as soon as it rests. Places and pixels are told of
+  /// all of them in any case. True: it is drawn otherwise now.
+  bool set_moving(bool is_moving);
   /// Looks so that all is in the window, which may have another size now; nothing once somebody
   /// turned or moved it.
   void fit();

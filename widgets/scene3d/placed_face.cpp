@@ -138,6 +138,13 @@ void PlacedFace::draw_face() {
   face_->VisibilityOn();
 }
 
+bool PlacedFace::set_moving(bool is_moving, int most_vertices) {
+  int stride = 1;
+  while (is_moving && surface_.columns() * surface_.rows() / (stride * stride) > most_vertices)
+    ++stride;
+  return mesh_.set_stride(stride);
+}
+
 void PlacedFace::draw_body() {
   const bool is_drawn = is_shown() && options_.body && !body_.sections.empty();
   if (is_drawn) body_actors_.draw(body_, surface_.markers);

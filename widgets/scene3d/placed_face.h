@@ -42,6 +42,9 @@ class PlacedFace {
   void dress(const SceneColours& colours, double pixels_per_unit);
   [[nodiscard]] Axes& axes() { return axes_; }
 
+  /// While one turns it, no finer than about `most_vertices`.
+  /// True: it is drawn otherwise now.
+  bool set_moving(bool is_moving, int most_vertices);
   /// One is about to look at it from here.
   void seen_from(const Eigen::Vector3d& eye);
 
