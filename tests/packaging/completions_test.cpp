@@ -42,6 +42,14 @@ Words flags_in(const std::string& help) {
   return flags;
 }
 
+/// Flags of a command's help, asked for once.
+const Words& flags_of(const std::string& command) {
+  static std::map<std::string, Words> known;
+  const auto [at, is_new] = known.emplace(command, Words());
+  if (is_new) at->second = flags_in(run_alltact({command, "--help"}).output);
+  return at->second;
+}
+
 Words commands() {
   Words names;
   static const std::regex line_form(R"(^  ([a-z]+) +[A-Z].*$)");
@@ -176,7 +184,7 @@ TEST_P(Completions, HaveEveryCommandAndEveryFlagOfItsHelp) {
   const Offers offers = GetParam().ask("alltact", lines);
   EXPECT_THAT(offers.at("alltact "), IsSupersetOf(names));
   for (const std::string& name : names) {
-    const Words flags = flags_in(run_alltact({name, "--help"}).output);
+    const Words& flags = flags_of(name);
     ASSERT_THAT(flags, IsSupersetOf({"-h", "--help", "--json"})) << name;
     Words offered = offers.at("alltact " + name + " -");
     const Words& with_two = offers.at("alltact " + name + " --");
@@ -190,7 +198,7 @@ TEST_P(Completions, HaveEveryWordThatASettingTakes) {
   for (const auto& setting : pipeline_settings())
     if (!setting.range.words.empty()) {
       lines.push_back("alltact reconstruct --" + setting.name + " ");
-      lines.push_back("alltact calibrate --" + setting.name + "=");
+      lines.push_back("alltact reconstruct --" + setting.name + "=");
     }
   ASSERT_GE(lines.size(), 6U);
   const Offers offers = GetParam().ask("alltact", lines);
@@ -199,7 +207,7 @@ TEST_P(Completions, HaveEveryWordThatASettingTakes) {
     EXPECT_THAT(offers.at("alltact reconstruct --" + setting.name + " "),
                 UnorderedElementsAreArray(setting.range.words))
         << setting.name;
-    Words with_sign = offers.at("alltact calibrate --" + setting.name + "=");
+    Words with_sign = offers.at("alltact reconstruct --" + setting.name + "=");
     for (std::string& word : with_sign) word = word.substr(word.find('=') + 1);  // fish says both
     EXPECT_THAT(with_sign, UnorderedElementsAreArray(setting.range.words)) << setting.name;
   }
