@@ -17,7 +17,7 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kBatch = 8;  // choices that take turns with the base
+constexpr std::size_t kBatch = 5;  // choices that take turns with the base
 
 std::optional<ErrorSpread> spread_of(std::vector<float>& errors) {
   if (errors.empty()) return std::nullopt;
