@@ -17,7 +17,7 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kBatch = 8;  // choices that take turns with the base
+constexpr std::size_t kBatch = 5;  // choices that take turns with the base
 
 std::optional<ErrorSpread> spread_of(std::vector<float>& errors) {
   if (errors.empty()) return std::nullopt;
@@ -131,15 +131,29 @@ class AccuracyStudyRun {
   AccuracyStudyRun(const StudyWorld& world, const StudyOptions& options, const Job& job)
       : world_(world), options_(options), job_(job) {}
 
-  /// Reads the libraries of all resolutions that are asked for.
+  /// Reads the libraries of all pictures that are asked for. Those in which the recording shows no
+  /// face (too small ones) are passed over, but for the first choice's.
   [[nodiscard]] Status read_libraries(const std::vector<PipelineSettings>& choices) {
     for (const PipelineSettings& choice : choices) {
       if (pictures_of(choice) == pictures_of({}) || others_.contains(pictures_of(choice))) continue;
       auto library = world_.library_for(choice, job_);
-      if (!library) return library.error();
-      others_.emplace(pictures_of(choice), std::move(library).value());
+      if (library)
+        others_.emplace(pictures_of(choice), std::move(library).value());
+      else if (job_.stop_requested() || pictures_of(choice) == pictures_of(choices.front()))
+        return library.error();
     }
     return {};
+  }
+
+  [[nodiscard]] bool has_library(const PipelineSettings& choice) const {
+    return pictures_of(choice) == pictures_of({}) || others_.contains(pictures_of(choice));
+  }
+  /// Of a choice that no picture can be measured with.
+  [[nodiscard]] StudyRow without_depth(const PipelineSettings& choice) const {
+    StudyRow row;
+    row.settings = choice;
+    row.frames = row.frames_missing = static_cast<int>(world_.frames.size());
+    return row;
   }
 
   [[nodiscard]] Status find_answers() {
@@ -259,8 +273,17 @@ Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
     });
   };
   std::vector<PipelineSettings> left;
-  for (const PipelineSettings& choice : choices)
-    if (row_of(choice) == rows.end()) left.push_back(choice);
+  std::vector<StudyRow> without;
+  for (const PipelineSettings& choice : choices) {
+    if (row_of(choice) != rows.end()) continue;
+    if (run.has_library(choice))
+      left.push_back(choice);
+    else
+      without.push_back(run.without_depth(choice));
+  }
+  if (keep && !without.empty())
+    if (const Status kept = keep(without); !kept) return kept.error();
+  rows.insert(rows.end(), without.begin(), without.end());
   for (std::size_t at = 0; at < left.size();) {
     std::vector<PipelineSettings> batch{options.base};
     const std::size_t begin = at;

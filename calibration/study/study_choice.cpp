@@ -7,6 +7,9 @@
 namespace alltact {
 namespace {
 
+/// In no study's pictures the light is other than in the recording that they come from.
+const std::pair<std::string, std::string> kUnproven{"light-change", "ignored"};
+
 /// One value of one setting.
 struct TriedValue {
   const Setting<PipelineSettings>* setting;
@@ -85,6 +88,14 @@ std::string flags_of(const PipelineSettings& choice, const PipelineSettings& bas
     if (setting.get(choice) != setting.get(base))
       flags += (flags.empty() ? "--" : " --") + setting.name + ' ' + setting.get(choice);
   return flags;
+}
+
+bool is_proven(const PipelineSettings& choice, const PipelineSettings& base) {
+  const auto& all = pipeline_settings();
+  return std::none_of(all.begin(), all.end(), [&](const Setting<PipelineSettings>& setting) {
+    return setting.name == kUnproven.first && setting.get(choice) == kUnproven.second &&
+           setting.get(base) != kUnproven.second;
+  });
 }
 
 std::string key_of(const PipelineSettings& choice) {

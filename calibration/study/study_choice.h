@@ -27,6 +27,10 @@ enum class StudyExtent {
 /// The same as flags of the command line: "--reference-method nearest --smoothing-px 0".
 [[nodiscard]] std::string flags_of(const PipelineSettings& choice, const PipelineSettings& base);
 
+/// False: the study's pictures do not show what a value in it, other than the base's, loses: their
+/// light is that of the recording.
+[[nodiscard]] bool is_proven(const PipelineSettings& choice, const PipelineSettings& base);
+
 /// All settings with their values, by which choices are told apart.
 [[nodiscard]] std::string key_of(const PipelineSettings& choice);
 

@@ -118,7 +118,7 @@ Json phrases_json(const std::vector<Message>& phrases) {
 std::string text_line(const AccuracyStudy& study, std::size_t number) {
   const StudyRow& row = study.rows[number];
   std::string line = fmt::format(
-      "{:>8.2f} {:>8.2f} {:>8.2f}", frame_ms(study, row), row.time_p95_ms, row.time_ratio);
+      "{:>8.2f} {:>8.2f} {:>8.2f}", frame_ms(study, row), frame_p95_ms(study, row), row.time_ratio);
   const auto add = [&](const std::optional<double>& mm) {
     line += fmt::format(" {:>8}", micrometres(mm));
   };
@@ -186,6 +186,7 @@ Json json_of(const AccuracyStudy& study) {
     const StudyBalance balance = balance_of(study, row);
     entry["loses"] = phrases_json(balance.loses);
     entry["brings"] = phrases_json(balance.brings);
+    entry["proven"] = is_proven(row.settings, study.rows.front().settings);
     if (const auto better = dominated_by(study, front, i))
       entry["dominated_by"] =
           words_of(study.rows[*better].settings, study.rows.front().settings).english();
@@ -215,7 +216,7 @@ std::string csv_of(const AccuracyStudy& study) {
     for (const auto& setting : pipeline_settings()) csv += setting.get(row.settings) + ',';
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        frame_ms(study, row),
-                       row.time_p95_ms,
+                       frame_p95_ms(study, row),
                        row.time_ratio,
                        median(row.depth),
                        number(row.depth ? std::optional(row.depth->p95_mm) : std::nullopt),
@@ -269,7 +270,9 @@ std::string text_of(const AccuracyStudy& study) {
     const StudyBalance balance = balance_of(study, study.rows[i]);
     if (!balance.loses.empty())
       text += fmt::format("   (loses: {})", en::list(balance.loses).english());
-    if (const auto better = dominated_by(study, front, i))
+    if (!is_proven(study.rows[i].settings, study.rows.front().settings))
+      text += "   (what it loses is not in these pictures)";
+    else if (const auto better = dominated_by(study, front, i))
       text += fmt::format(
           "   (worse than {})",
           words_of(study.rows[*better].settings, study.rows.front().settings).english());

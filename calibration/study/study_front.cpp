@@ -32,6 +32,11 @@ bool is_better(const AccuracyStudy& study, const StudyRow& a, const StudyRow& b)
   return is_less;
 }
 
+/// A row that may be chosen.
+bool counts(const AccuracyStudy& study, const StudyRow& row) {
+  return median_error_mm(row) != kNever && is_proven(row.settings, study.rows.front().settings);
+}
+
 bool keeps_place(const StudyRow& row, const std::optional<double>& limit_mm) {
   return !limit_mm || place_error_mm(row) <= *limit_mm;
 }
@@ -57,14 +62,18 @@ double frame_ms(const AccuracyStudy& study, const StudyRow& row) {
   return study.rows.front().time_ms * row.time_ratio;
 }
 
+double frame_p95_ms(const AccuracyStudy& study, const StudyRow& row) {
+  return row.time_ms > 0 ? frame_ms(study, row) * row.time_p95_ms / row.time_ms : row.time_p95_ms;
+}
+
 std::vector<std::size_t> pareto_front(const AccuracyStudy& study) {
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const StudyRow& row = study.rows[i];
-    if (median_error_mm(row) == kNever) continue;
+    if (!counts(study, row)) continue;
     const bool is_dominated =
         std::any_of(study.rows.begin(), study.rows.end(), [&](const StudyRow& other) {
-          return is_better(study, other, row);
+          return counts(study, other) && is_better(study, other, row);
         });
     if (!is_dominated) front.push_back(i);
   }
@@ -119,7 +128,8 @@ std::optional<std::size_t> as_fast_as_keeps(const AccuracyStudy& study,
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const StudyRow& row = study.rows[i];
     const auto kept_mm = kept_error_mm(study, row);
-    if (!kept_mm || *kept_mm > error_mm || !keeps_place(row, place_mm)) continue;
+    if (!counts(study, row) || !kept_mm || *kept_mm > error_mm || !keeps_place(row, place_mm))
+      continue;
     if (!best || frame_ms(study, row) < frame_ms(study, study.rows[*best])) best = i;
   }
   return best;

@@ -20,9 +20,13 @@ namespace alltact {
 /// AccuracyStudy::mapping_p95_mm; independent errors). nullopt: no depth, or frames without.
 [[nodiscard]] std::optional<double> kept_error_mm(const AccuracyStudy& study, const StudyRow& row);
 
+/// 95 % of a row's frames take at most so long, on the same footing as frame_ms().
+[[nodiscard]] double frame_p95_ms(const AccuracyStudy& study, const StudyRow& row);
+
 /// Rows (by index, fastest first) that no other is better than: nothing is at most as slow, at most
 /// as wrong in depth (median) and in place (median), and less in one of these. Rows without depth
-/// are never among them; a row without a place is worse than any with one.
+/// are never among them; a row without a place is worse than any with one. Rows that are not proven
+/// (is_proven()) take no part, and are never chosen by what follows.
 [[nodiscard]] std::vector<std::size_t> pareto_front(const AccuracyStudy& study);
 
 /// A row of the front that is better than this one in all three: that with the least error of

@@ -62,6 +62,8 @@ QString AccuracyModel::standing(const AccuracyPoint& point) const {
   QString words;
   if (point.is_on_front)
     words = tr("best for its time");
+  else if (!point.is_proven)
+    words = tr("what it loses is not in these pictures");
   else if (point.worse_than)
     words = tr("worse than: %1").arg(points_[*point.worse_than].words);
   else

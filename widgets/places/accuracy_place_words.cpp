@@ -46,6 +46,8 @@ QString AccuracyPlace::figures_of(const StudyRow& row) const {
 
 QString AccuracyPlace::hint_of(const StudyRow& row) const {
   QStringList lines{figures_of(row)};
+  if (!is_proven(row.settings, shown_->study.rows.front().settings))
+    lines << tr("What it loses is not in these pictures, whose light is that of the recording.");
   const QString other = difference_words(row.settings, run_.settings_in_use());
   if (other.isEmpty()) {
     lines << tr("In use now.");
@@ -84,6 +86,7 @@ AccuracyPoint AccuracyPlace::point_of(std::size_t number) const {
   point.place_mm = row.place_mm;
   point.is_on_front = std::find(front_.begin(), front_.end(), number) != front_.end();
   point.is_in_use = run_.row_in_use() == number;
+  point.is_proven = is_proven(row.settings, study.rows.front().settings);
   if (const auto better = dominated_by(study, front_, number))
     point.worse_than = point_of_row(*better);
   return point;

@@ -19,6 +19,7 @@ struct AccuracyPoint {
   std::optional<double> place_mm;
   bool is_on_front = false;  ///< nothing measured is both faster and more accurate
   bool is_in_use = false;
+  bool is_proven = true;  ///< false: what it loses is not in the pictures, and it is never chosen
   std::optional<std::size_t> worse_than;  ///< a point that is better in both
 };
 
