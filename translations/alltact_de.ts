@@ -1527,6 +1527,10 @@
         <source>now %1 mm: too deep</source>
         <translation>jetzt %1 mm: zu tief</translation>
     </message>
+    <message>
+        <source>now %1 mm, %2 mm away from there</source>
+        <translation>jetzt %1 mm, %2 mm von dort entfernt</translation>
+    </message>
 </context>
 <context>
     <name>alltact::HeaderBar</name>
@@ -3299,8 +3303,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&lt;b&gt;Dieser Eindruck:&lt;/b&gt; Fehler %1</translation>
     </message>
     <message>
-        <source>as the program has it: %1</source>
-        <translation>wie das Programm ihn hat: %1</translation>
+        <source>as the calibration puts it: %1</source>
+        <translation>wie die Kalibrierung ihn ansetzt: %1</translation>
     </message>
 </context>
 <context>
@@ -11029,10 +11033,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Nur {} Gruppen ließen sich auslassen: Fehler und Intervalle sind grob.</translation>
     </message>
     <message>
-        <source>the markers tell from which side the finger is pushed, but not how far from its base: that hangs on how its stiffness falls towards the tip</source>
-        <translation>die Marker sagen, von welcher Seite der Finger gedrückt wird, aber nicht, wie weit von seiner Basis: das hängt davon ab, wie seine Steifigkeit zur Spitze hin abnimmt</translation>
-    </message>
-    <message>
         <source>without a depth there is no place on the contact face</source>
         <translation>ohne Tiefe gibt es keinen Ort auf der Kontaktfläche</translation>
     </message>
@@ -12951,6 +12951,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>shorten the numbered lists of the help pages</source>
         <translation>die nummerierten Listen der Hilfeseiten kürzen</translation>
+    </message>
+    <message>
+        <source>the markers tell from which side the finger is pushed, but not how far from its base: a push on a side moves them alike wherever it is</source>
+        <translation>die Marken verraten, von welcher Seite der Finger gedrückt wird, aber nicht, wie weit von seiner Basis: ein Druck auf eine Seite bewegt sie gleich, wo immer er ist</translation>
+    </message>
+    <message>
+        <source>the push on the back moves the markers too little to tell how far from the base it is</source>
+        <translation>der Druck auf den Rücken bewegt die Marken zu wenig, um zu sagen, wie weit von der Basis er ist</translation>
     </message>
 </context>
 </TS>

@@ -1516,6 +1516,10 @@
         <source>now %1 mm: too deep</source>
         <translation>现在 %1 mm：太深</translation>
     </message>
+    <message>
+        <source>now %1 mm, %2 mm away from there</source>
+        <translation>现在 %1 mm，距该处 %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>alltact::HeaderBar</name>
@@ -3284,8 +3288,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&lt;b&gt;此次按压：&lt;/b&gt;误差 %1</translation>
     </message>
     <message>
-        <source>as the program has it: %1</source>
-        <translation>程序的结果：%1</translation>
+        <source>as the calibration puts it: %1</source>
+        <translation>标定给出的位置：%1</translation>
     </message>
 </context>
 <context>
@@ -10985,10 +10989,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>只能留出 {} 组：误差和区间较粗略。</translation>
     </message>
     <message>
-        <source>the markers tell from which side the finger is pushed, but not how far from its base: that hangs on how its stiffness falls towards the tip</source>
-        <translation>标记能说明手指从哪一侧被推，但不能说明离根部多远：这取决于手指刚度向指尖如何减小</translation>
-    </message>
-    <message>
         <source>without a depth there is no place on the contact face</source>
         <translation>没有深度就没有接触面上的位置</translation>
     </message>
@@ -12900,6 +12900,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>shorten the numbered lists of the help pages</source>
         <translation>缩短帮助页中的编号列表</translation>
+    </message>
+    <message>
+        <source>the markers tell from which side the finger is pushed, but not how far from its base: a push on a side moves them alike wherever it is</source>
+        <translation>标记点能说明手指从哪一侧被推，但不能说明距根部多远：对侧面的推压无论在何处，都以同样方式移动它们</translation>
+    </message>
+    <message>
+        <source>the push on the back moves the markers too little to tell how far from the base it is</source>
+        <translation>对背面的推压使标记点移动太少，无法说明距根部多远</translation>
     </message>
 </context>
 </TS>

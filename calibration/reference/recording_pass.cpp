@@ -5,6 +5,7 @@
 #include "core/recording/video_writer.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/face_shape.h"
+#include "core/sensing/pipeline_settings.h"
 
 #include <system_error>
 
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kProfileDegree = 7;
+const int kProfileDegree = PipelineSettings{}.profile_degree;
 constexpr std::size_t kMostKeptBytes = std::size_t{512} << 20;
 
 // The reference video, made with its first frame.

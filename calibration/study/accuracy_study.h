@@ -3,7 +3,8 @@
 //
 // ERRORS are those of a frame by itself. They hang on pictures and settings alone: the same to the
 // bit on any computer, with any number of threads.
-// TIMES are of a frame that follows one of nearly the same pose, as live ones do. Every choice is
+// TIMES are of a frame that follows one of nearly the same pose, as live ones do: of the processor
+// where OpenCV has one thread, else of the clock. Every choice is
 // measured turn by turn with the base, frame by frame, so that both meet the same computer; what is
 // compared is the median of the ratios.
 #pragma once

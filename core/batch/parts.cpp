@@ -216,8 +216,12 @@ Status join_videos(const std::vector<fs::path>& videos, const fs::path& whole) {
       if (!made) return made.error();
       writer = std::move(*made);
     }
-    for (std::string packet = video->next_packet(); !packet.empty(); packet = video->next_packet())
-      if (Status status = writer->add(packet); !status) return status;
+    while (true) {
+      const auto packet = video->next_packet();
+      if (!packet) return packet.error();
+      if (packet->empty()) break;
+      if (Status status = writer->add(*packet); !status) return status;
+    }
   }
   return writer ? writer->finish() : Status();
 }

@@ -250,7 +250,8 @@ double Mapping::depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const {
   const double x_max = parameters_.x_max;
   const double inside = at_most(x_max, pressed);
   const double excess = pressed - inside;
-  Eigen::VectorXd gradient(covariance.rows());  // of the depth in each coefficient
+  // Of the depth in each coefficient.
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxCoefficients + 2, 1> gradient(covariance.rows());
   const Eigen::Index numbers = gradient.size() - (parameters_.variation.is_none() ? 0 : 2);
   if (parameters_.kind == MappingKind::kMoebius) {
     const double a = parameters_.a_mm, b = parameters_.b;
@@ -272,7 +273,10 @@ double Mapping::depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const {
     gradient.head(numbers) *= parameters_.variation.at(place_mm);
     gradient.tail<2>() = depth_mm(x) * parameters_.variation.within(place_mm);
   }
-  return std::sqrt(std::max(0.0, gradient.dot(covariance * gradient)));
+  double variance = 0;
+  for (Eigen::Index i = 0; i < gradient.size(); ++i)
+    variance += gradient[i] * covariance.col(i).dot(gradient);
+  return std::sqrt(std::max(0.0, variance));
 }
 
 double Mapping::difference_at(double depth_mm) const {

@@ -16,6 +16,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
+// A source that gives its frames more slowly than their times say falls behind for good, which does
+// not make the pictures old: what came soonest of late tells where its clock is now.
+constexpr std::int64_t kClock_ns = kSecond_ns / 2;
 std::atomic<int> unfinished{0};
 constexpr std::chrono::milliseconds kAfterFault{20};  // a source that fails at once must not spin
 
@@ -48,6 +51,10 @@ struct SourceRunner::Run {
   std::optional<LightStamp> light;
   // Added to a frame's time it is the monotonic clock; empty before the first frame with a time.
   std::optional<std::int64_t> clock_offset_ns;
+  struct SeenOffset {
+    std::int64_t arrived_ns, offset_ns;
+  };
+  std::deque<SeenOffset> offsets;  // of the last kClock_ns, ascending
 
   // The recording. The recorder itself may be used from any thread.
   struct Wanted {
@@ -173,7 +180,10 @@ struct SourceRunner::Run {
     while (arrivals_ns.front() < now_ns - kSecond_ns) arrivals_ns.pop_front();
     if (frame.time_ns == 0 || camera) return;
     const std::int64_t offset = now_ns - frame.time_ns;
-    if (!clock_offset_ns || offset < *clock_offset_ns) clock_offset_ns = offset;
+    while (!offsets.empty() && offsets.back().offset_ns >= offset) offsets.pop_back();
+    offsets.push_back({now_ns, offset});
+    while (offsets.front().arrived_ns < now_ns - kClock_ns) offsets.pop_front();
+    clock_offset_ns = offsets.front().offset_ns;
   }
 
   void record(Recorder& into, const FramePtr& frame, bool is_live) {

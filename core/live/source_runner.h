@@ -86,7 +86,7 @@ class SourceRunner {
   [[nodiscard]] static int unfinished_recordings();
   /// How long ago a frame was taken, at `now_ns` of the monotonic clock; empty where the source's
   /// pictures have no times. Times that are not this computer's clock are placed on it by the frame
-  /// that came soonest.
+  /// that came soonest of the last half second.
   [[nodiscard]] std::optional<double> age_ms(const Frame& frame, std::int64_t now_ns) const;
 
  private:

@@ -1,6 +1,7 @@
 // Loops over pixels without a rest that runs one by one.
 #pragma once
 
+#include <array>
 #include <type_traits>
 
 namespace alltact {
@@ -21,6 +22,20 @@ template <class Body>
   int first = 0;
   for (; first + kBlock <= n; first += kBlock) body(first, kWhole);
   if (first < n) body(n - kBlock, kWhole);
+}
+
+/// The largest and the least of what a loop gathered by place in a block, in vectors.
+template <class Number>
+[[gnu::always_inline]] inline Number largest_of(const std::array<Number, kBlock>& numbers) {
+  Number largest = numbers[0];
+  for (const Number number : numbers) largest = number > largest ? number : largest;
+  return largest;
+}
+template <class Number>
+[[gnu::always_inline]] inline Number least_of(const std::array<Number, kBlock>& numbers) {
+  Number least = numbers[0];
+  for (const Number number : numbers) least = number < least ? number : least;
+  return least;
 }
 
 }  // namespace alltact

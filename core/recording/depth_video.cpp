@@ -2,6 +2,10 @@
 
 #include "core/io/depth_file.h"
 #include "core/recording/matroska_file.h"
+#include "core/recording/matroska_index.h"
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace alltact {
 namespace {
@@ -144,8 +148,26 @@ struct DepthVideo::State {
   std::filesystem::path file;
   VideoInput input;
   AvPtr<AVCodecContext> decoder;
+  MatroskaIndex index;
+  std::size_t next = 0;  // block
+  int check = -1;        // the open file, for check sums
   AvPtr<AVPacket> packet{av_packet_alloc()};
   AvPtr<AVFrame> picture{av_frame_alloc()};
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (check >= 0) ::close(check);
+  }
+  /// The next packet; false: there is none. Error: it is not what was written.
+  [[nodiscard]] Result<bool> read() {
+    if (next == index.blocks.size()) return false;
+    const MatroskaIndex::Block& block = index.blocks[next++];
+    if (!input.read(*packet) || packet->pos != block.data_bytes_at || !is_undamaged(check, block))
+      return damaged_depth(file);
+    return true;
+  }
 };
 
 DepthVideo::DepthVideo(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -171,6 +193,10 @@ Result<DepthVideo> DepthVideo::open(const std::filesystem::path& file) {
   state->file = file;
   state->input = std::move(*input);
   state->decoder = std::move(decoder);
+  auto index = index_matroska(file);
+  state->check = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (!index || !index->is_walkable || state->check < 0) return damaged_depth(file);
+  state->index = std::move(index).value();
   return DepthVideo(std::move(state));
 }
 
@@ -184,15 +210,20 @@ double DepthVideo::frames_per_s() const {
   return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 30.0;
 }
 
-std::string DepthVideo::next_packet() {
-  State& s = *state_;
-  if (!s.input.read(*s.packet)) return {};
-  return {reinterpret_cast<const char*>(s.packet->data), static_cast<std::size_t>(s.packet->size)};
+Result<std::string> DepthVideo::next_packet() {
+  const auto is_there = state_->read();
+  if (!is_there) return is_there.error();
+  if (!*is_there) return std::string();
+  const AVPacket& packet = *state_->packet;
+  return std::string(reinterpret_cast<const char*>(packet.data),
+                     static_cast<std::size_t>(packet.size));
 }
 
 Result<cv::Mat> DepthVideo::next_mm() {
   State& s = *state_;
-  if (!s.input.read(*s.packet)) return cv::Mat();
+  const auto is_there = s.read();
+  if (!is_there) return is_there.error();
+  if (!*is_there) return cv::Mat();
   if (avcodec_send_packet(s.decoder.get(), s.packet.get()) < 0 ||
       avcodec_receive_frame(s.decoder.get(), s.picture.get()) < 0)
     return damaged_depth(s.file);

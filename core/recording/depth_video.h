@@ -79,7 +79,7 @@ class DepthVideo {
   /// CV_32FC1 in mm, NaN where there is none; empty after the last. Error: it is damaged.
   [[nodiscard]] Result<cv::Mat> next_mm();
   /// The same as it is compressed, for another file of the same size; empty after the last.
-  [[nodiscard]] std::string next_packet();
+  [[nodiscard]] Result<std::string> next_packet();
 
  private:
   struct State;

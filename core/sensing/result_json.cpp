@@ -85,9 +85,9 @@ Json contact_json(const FingerContact& contact) {
   if (const auto& place = contact.place) {
     put(entry, "along_mm", place->along_mm, 3);
     if (place->along_sd_mm) put(entry, "along_sd_mm", *place->along_sd_mm, 4);
-    put(entry, "across_mm", place->across_mm, 3);
+    if (place->across_mm) put(entry, "across_mm", *place->across_mm, 3);
     if (place->across_sd_mm) put(entry, "across_sd_mm", *place->across_sd_mm, 4);
-    put(entry, "depth_mm", place->depth_mm, 4);
+    if (place->depth_mm) put(entry, "depth_mm", *place->depth_mm, 4);
     if (place->depth_sd_mm) put(entry, "depth_sd_mm", *place->depth_sd_mm, 4);
   }
   if (!contact.no_place.empty()) entry["no_place"] = contact.no_place.english();

@@ -47,6 +47,8 @@ target_compile_options(
             -Wno-subobject-linkage
             # What is in one library is called as directly as in a static one.
             -fno-semantic-interposition
+            # Files are named as they lie in the sources: the same bytes from any folder, and nobody's folders in a program.
+            -ffile-prefix-map=${CMAKE_SOURCE_DIR}/=
             # Unless the target only calls what was built for speed (property ALLTACT_QUICK_BUILD).
             $<$<CONFIG:Release>:-O$<IF:$<BOOL:$<TARGET_PROPERTY:ALLTACT_QUICK_BUILD>>,1,3>>)
 if(ALLTACT_SANITIZE)

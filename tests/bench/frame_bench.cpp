@@ -1,5 +1,7 @@
 // What one frame costs: the whole pipeline and its parts, each beside a copy of the same bytes.
+#include "calibration/force/train_force.h"
 #include "calibration/reference/reference_recording.h"
+#include "core/finger/force_model.h"
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"
 #include "core/sources/source.h"
@@ -19,7 +21,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kReferenceFrames = 60;
+constexpr int kReferenceFrames = 60, kForceRows = 120;
 
 void replace(std::string& text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -31,6 +33,7 @@ void replace(std::string& text, const std::string& from, const std::string& to) 
 struct Rig {
   Finger finger;
   std::vector<FramePtr> frames;
+  std::vector<Truth> truths;  ///< of more frames than are measured
   std::filesystem::path folder;
 
   explicit Rig(int scale) {
@@ -66,6 +69,7 @@ struct Rig {
     finger.mapping = mapping;
     PlanSource live(touched, 24);
     for (auto frame = live.next(); *frame; frame = live.next()) frames.push_back(*frame);
+    for (int i = 0; i < kForceRows; ++i) truths.push_back(touched.truth(i));
   }
   ~Rig() { std::filesystem::remove_all(folder); }
 };
@@ -129,18 +133,48 @@ double processor_time_ms(Pipeline& pipeline, const FramePtr& frame, bool& told) 
   const std::clock_t begin = std::clock();
   const auto result = pipeline(frame);
   const std::clock_t end = std::clock();
-  told = result && result->depth && !result->regions.empty() && result->contact;
+  told = result && result->depth && !result->regions.empty() && result->contact && result->force;
   return 1e3 * static_cast<double>(end - begin) / CLOCKS_PER_SEC;
 }
 
-/// What contact, pose and place add to a frame: each frame is measured with them and by a pipeline
-/// that only tells depth, in turns within one run; of ten turns the best of each make a pair. Of
-/// the pairs' differences come the median and what eight of ten lie between.
+/// The dearest kind of model, learnt from forces that are in proportion to how the markers moved.
+std::shared_ptr<const ForceModel> force_model_of(const Rig& rig) {
+  ForceTable table;
+  table.marker_count = rig.finger.marker_count();
+  table.layouts.resize(kForceRows, 2 * table.marker_count);
+  table.seen = Eigen::MatrixXd::Ones(kForceRows, table.marker_count);
+  table.force_N.resize(kForceRows, table.axes);
+  table.place_mm.resize(kForceRows, 2);
+  for (Eigen::Index row = 0; row < kForceRows; ++row) {
+    const Truth& truth = rig.truths[static_cast<std::size_t>(row)];
+    for (Eigen::Index m = 0; m < table.marker_count; ++m) {
+      const Truth::Dot& dot = truth.markers[static_cast<std::size_t>(m)];
+      table.layouts.row(row).segment<2>(2 * m) << dot.u, dot.v;
+    }
+    for (Eigen::Index axis = 0; axis < table.axes; ++axis)
+      table.force_N(row, axis) =
+          0.01 * table.layouts(row, Eigen::seqN(axis, table.marker_count, 2)).sum();
+    const ContactTruth& contact = truth.contacts.at(0);
+    table.place_mm.row(row) << contact.along_mm, contact.across_mm;
+    table.block.push_back(fmt::format("part {}", row / 20));
+  }
+  ForceTraining training;
+  training.kind = ForceKind::kNetwork;
+  training.comparison_only = true;
+  auto trained = train_force(table, rig.finger.contact.value().rest_markers, training, Job());
+  if (!trained) throw std::runtime_error(trained.error().sentence());
+  return std::make_shared<const ForceModel>(std::move(trained->model));
+}
+
+/// What contact, pose, place and force add to a frame: each frame is measured with them and by a
+/// pipeline that only tells depth, in turns within one run; of ten turns the best of each make a
+/// pair. Of the pairs' differences come the median and what eight of ten lie between.
 void contact_beside_none(benchmark::State& state) {
   cv::setNumThreads(1);
   constexpr int kTurns = 10;
   const Rig rig(static_cast<int>(state.range(0)));
-  const auto finger = FingerSnapshot::of(rig.folder, rig.finger).value();
+  auto finger = FingerSnapshot::of(rig.folder, rig.finger).value();
+  finger.force = force_model_of(rig);
   auto with = Pipeline::create(finger, {}, Job());
   PipelineSettings nothing_touches;
   nothing_touches.contact_threshold_mm = 1.9;  // no region is as deep

@@ -3,6 +3,7 @@
 #include "core/io/depth_file.h"
 #include "core/io/surface_file.h"
 #include "core/io/zip_file.h"
+#include "tests/packaging/quoted.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/program.h"
 
@@ -18,12 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const fs::path kTop = ALLTACT_SOURCE_DIR;
 const fs::path kDesktop = kTop / "packaging/desktop";
-
-std::string quoted(const fs::path& file) {
-  return "'" + file.string() + "'";
-}
 
 TEST(Desktop, EntryAndMetadataAreValid) {
   const ProgramRun entry =

@@ -1,4 +1,5 @@
 // An installed tree may be moved, finds what it brings, and lets other programs measure.
+#include "tests/packaging/quoted.h"
 #include "tests/support/program.h"
 
 #include <regex>
@@ -13,12 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
-
-const fs::path kTop = ALLTACT_SOURCE_DIR;
-
-std::string quoted(const fs::path& file) {
-  return "'" + file.string() + "'";
-}
 
 /// Installed once for all tests of this file, and moved since.
 class Installed : public testing::Test {

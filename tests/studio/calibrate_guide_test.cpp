@@ -66,12 +66,12 @@ TEST(CalibrateGuide, DraggingShowsAtOnceWhatTheBallsPlaceMeans) {
   list->setCurrentIndex(list->model()->index(0, 0));
   const std::string before = label_text(rig.studio(), "Error of this press");
   EXPECT_THAT(before, HasSubstr("This press:"));
-  EXPECT_THAT(before, testing::Not(HasSubstr("as the program has it")));
+  EXPECT_THAT(before, testing::Not(HasSubstr("as the calibration puts it")));
   auto* editor = rig.studio().find<OutlineEditor>("Picture with the ball's outline");
   editor->setFocus();
   for (int i = 0; i < 5; ++i) QTest::keyClick(editor, Qt::Key_Right, Qt::ShiftModifier);
   const std::string after = label_text(rig.studio(), "Error of this press");
-  EXPECT_THAT(after, HasSubstr("as the program has it"));
+  EXPECT_THAT(after, HasSubstr("as the calibration puts it"));
   EXPECT_NE(before, after);
 }
 
@@ -82,7 +82,7 @@ TEST(CalibrateGuide, TheLivePictureSaysWhereToPressAndHowDeepItIs) {
   rig.type_radius("4");
   ASSERT_TRUE(rig.wait_for_press());
   ASSERT_TRUE(wait_until([&] {
-    return label_text(rig.studio(), "Where to press next").find(": ") != std::string::npos;
+    return label_text(rig.studio(), "Where to press next").find(", now ") != std::string::npos;
   }));
   EXPECT_THAT(label_text(rig.studio(), "Where to press next"),
               HasSubstr("Press here, 0.8 mm deep"));

@@ -147,8 +147,8 @@ TEST(LiveTouch, TellsWhereTheBallTouches) {
   const FingerContact contact = *studio.session().view()->result.contact;
   EXPECT_EQ(contact.face, PushedFace::kContact);
   EXPECT_NEAR(contact.place->along_mm, 46.0, 1.0);  // as the scene says
-  EXPECT_NEAR(contact.place->across_mm, 0.0, 0.2);
-  EXPECT_NEAR(contact.place->depth_mm, 0.8, 0.1);
+  EXPECT_NEAR(contact.place->across_mm.value(), 0.0, 0.2);
+  EXPECT_NEAR(contact.place->depth_mm.value(), 0.8, 0.1);
   ASSERT_TRUE(wait_until(
       [&] { return said(studio, "What touches the finger").find("Along") != std::string::npos; }));
   const std::string words = said(studio, "What touches the finger");

@@ -73,6 +73,8 @@ Overlay unseen_cells_overlay(const BoardCollector::Cells& cells, QSize picture) 
 Overlay lens_grid_overlay(const Camera& camera) {
   return [camera](QPainter& painter, const ImageTransform& transform) {
     if (!camera.is_perspective()) return;
+    const cv::Size size = camera.size();
+    painter.setClipRect(transform.covered({size.width, size.height}));
     QPainterPath path;
     for (int line = -kGridLines; line <= kGridLines; ++line)
       for (const bool is_upright : {true, false})

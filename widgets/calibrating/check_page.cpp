@@ -114,6 +114,9 @@ CheckPage::CheckPage(LiveSession& session,
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(problems_);
+  ViewOptions options;
+  options.direction = options.markers = false;  // nothing lies over the contact but its depth
+  live_->set_options(options);
   auto* row = new QHBoxLayout;
   row->addWidget(live_, 1);
   row->addWidget(make_side());

@@ -67,7 +67,7 @@ void PressFitPane::show_fit(const PressFit* fit,
   data.is_small = true;
   plot_->set_data(std::move(data));
   QStringList lines{tr("<b>This press:</b> error %1").arg(error_text(*fit))};
-  if (before != nullptr) lines << tr("as the program has it: %1").arg(error_text(*before));
+  if (before != nullptr) lines << tr("as the calibration puts it: %1").arg(error_text(*before));
   if (!forecast.isEmpty()) lines << forecast.toHtmlEscaped();
   words_->setText(lines.join(QStringLiteral("<br>")));
 }

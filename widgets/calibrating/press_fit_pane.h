@@ -21,7 +21,7 @@ class PressFitPane : public Translated<QWidget> {
  public:
   explicit PressFitPane(QWidget* parent = nullptr);
 
-  /// fit: with the ball where it is now; before: where the program has it, if a hand moved it.
+  /// fit: with the ball where it is now; before: where the calibration puts it, if a hand moved it.
   /// Null: nothing to compare with, and the pane is hidden. `forecast`: a sentence about the whole.
   void show_fit(const PressFit* fit,
                 const PressFit* before,

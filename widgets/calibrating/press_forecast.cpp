@@ -39,6 +39,8 @@ bool PressForecast::is_wanted() const {
 }
 
 void PressForecast::follow() {
+  if (folder_ != desk_.folder()) last_.reset();
+  folder_ = desk_.folder();
   const bool is_wanted_now = is_wanted();
   if (!is_wanted_now || present() != asked_) {
     const bool was_known = result_ || problem_;
@@ -67,7 +69,7 @@ void PressForecast::begin() {
           if (asked != asked_) return;
           if (is_stopped) return void(asked_ = {});
           if (*made)
-            result_ = std::make_shared<const FingerCalibration>(std::move(**made));
+            result_ = last_ = std::make_shared<const FingerCalibration>(std::move(**made));
           else
             problem_ = made->error();
           Q_EMIT changed();
@@ -77,7 +79,7 @@ void PressForecast::begin() {
 }
 
 const FingerCalibration* PressForecast::to_compare_with() const {
-  return run_.result() ? run_.result().get() : result_.get();
+  return run_.result() ? run_.result().get() : last_.get();
 }
 
 }  // namespace alltact

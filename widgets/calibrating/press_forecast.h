@@ -26,7 +26,7 @@ class PressForecast : public QObject {
   /// Why these presses give no calibration.
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
 
-  /// The one in use or, before there is one, the one that is forecast; null: none.
+  /// The one in use or, before there is one, the one that was forecast last; null: none.
   [[nodiscard]] const FingerCalibration* to_compare_with() const;
 
  Q_SIGNALS:
@@ -48,7 +48,8 @@ class PressForecast : public QObject {
   const CalibrationRun& run_;
   bool is_watched_ = false;
   Presses asked_;  // of result_, problem_ or the work that runs
-  std::shared_ptr<const FingerCalibration> result_;
+  std::shared_ptr<const FingerCalibration> result_, last_;
+  std::filesystem::path folder_;  // of last_
   std::optional<Error> problem_;
   QTimer rest_;
   BackgroundWork work_;

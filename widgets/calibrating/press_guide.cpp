@@ -38,7 +38,24 @@ struct GuideWords {
     }
     return tr("now %1 mm: too deep").arg(depth);
   }
+  static QString elsewhere(double depth_mm, double off_mm) {
+    return tr("now %1 mm, %2 mm away from there").arg(local_mm(depth_mm, 1), local_mm(off_mm, 0));
+  }
 };
+
+/// Nothing where that is not known.
+std::optional<PressedSoFar> so_far_of(const GuidedFrame& frame) {
+  constexpr double kThere_mm = 8;  // of where it is wanted: near enough for its depth to count
+  if (!frame.depth_mm || !frame.target || frame.off_mm > kThere_mm) return std::nullopt;
+  return pressed_so_far(*frame.depth_mm, frame.target->depth_mm, frame.layer_mm);
+}
+
+QString words_of(const GuidedFrame& frame) {
+  if (!frame.depth_mm || !frame.target) return {};
+  const auto so_far = so_far_of(frame);
+  return so_far ? GuideWords::now(*frame.depth_mm, *so_far)
+                : GuideWords::elsewhere(*frame.depth_mm, frame.off_mm);
+}
 
 /// Along the normal, about: of a calibrated finger as it measures, else by the size of the disc.
 std::optional<double> depth_now(const FrameResult& result,
@@ -105,12 +122,8 @@ Overlay target_overlay(const GuidedFrame& frame) {
 
 /// A ring around the contact that fills from the top, and how deep it is.
 Overlay hold_overlay(const GuidedFrame& frame) {
-  std::optional<PressedSoFar> so_far;
-  QString words;
-  if (frame.depth_mm && frame.target) {
-    so_far = pressed_so_far(*frame.depth_mm, frame.target->depth_mm, frame.layer_mm);
-    words = GuideWords::now(*frame.depth_mm, *so_far);
-  }
+  const auto so_far = so_far_of(frame);
+  const QString words = words_of(frame);
   return [frame, so_far, words](QPainter& painter, const ImageTransform& transform) {
     const QPointF at = transform.to_widget({frame.contact->pixel.x(), frame.contact->pixel.y()});
     const QRectF ring(at - QPointF(kHoldRing, kHoldRing), QSizeF(2 * kHoldRing, 2 * kHoldRing));
@@ -125,7 +138,7 @@ Overlay hold_overlay(const GuidedFrame& frame) {
       stroke_over(painter, part, colour, 5);
     }
     if (!words.isEmpty())
-      write_beside(painter, QPointF(at.x() + kHoldRing + 8, at.y() - 10), words, colour);
+      write_beside(painter, QPointF(at.x() - kHoldRing, at.y() - kHoldRing - 32), words, colour);
   };
 }
 
@@ -164,17 +177,15 @@ GuidedFrame guided_frame(const FrameResult& result,
   }
   frame.contact = dark_patch(result);
   frame.depth_mm = depth_now(result, frame.contact, radius_mm);
+  if (frame.contact && frame.target)
+    frame.off_mm = (frame.contact->place_mm - frame.target->place_mm).norm();
   return frame;
 }
 
 QString guide_words(const GuidedFrame& frame) {
   if (!frame.target) return GuideWords::enough_presses();
   QString words = GuideWords::press_here(frame.target->depth_mm);
-  if (frame.depth_mm)
-    words +=
-        QStringLiteral(", ") +
-        GuideWords::now(*frame.depth_mm,
-                        pressed_so_far(*frame.depth_mm, frame.target->depth_mm, frame.layer_mm));
+  if (frame.depth_mm) words += QStringLiteral(", ") + words_of(frame);
   return words + QLatin1Char('.');
 }
 

@@ -20,7 +20,8 @@ struct GuidedFrame {
   std::optional<DarkPatch> contact;
   std::optional<double> depth_mm;  ///< of the contact now, about, along the normal
   double layer_mm = 0;
-  double held = 0;  ///< part of a burst that is there, [0, 1]
+  double off_mm = 0;  ///< of the contact from where the press is wanted, along the face
+  double held = 0;    ///< part of a burst that is there, [0, 1]
 };
 
 /// Where to press next: as a calibration, made or forecast, advises, else by the plan of a first
@@ -35,7 +36,7 @@ struct GuidedFrame {
                                        const PressForecast& forecast,
                                        double held);
 
-/// "Press here, 0.8 mm deep: now 0.5 mm, deeper." One sentence, for the picture and for readers.
+/// "Press here, 0.8 mm deep, now 0.5 mm: deeper." One sentence, for the picture and for readers.
 [[nodiscard]] QString guide_words(const GuidedFrame& frame);
 
 [[nodiscard]] std::vector<Overlay> guide_overlays(const GuidedFrame& frame);

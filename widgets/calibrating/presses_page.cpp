@@ -145,11 +145,8 @@ void PressesPage::make_taking(QVBoxLayout& column) {
 void PressesPage::make_press(QVBoxLayout& column) {
   auto* inside = new QVBoxLayout(press_group_);
   inside->addWidget(press_text_);
-  auto* row = new QHBoxLayout;
-  row->addWidget(find_);
-  row->addWidget(more_);
-  row->addStretch();
-  inside->addLayout(row);
+  inside->addWidget(find_);
+  inside->addWidget(more_);
   more_->setCheckable(true);
   more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   inside->addWidget(form_);

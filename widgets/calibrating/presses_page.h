@@ -75,6 +75,8 @@ class PressesPage : public StepPage {
   [[nodiscard]] std::optional<ShownBall> ball_of(const DeskPress& press) const;
   [[nodiscard]] std::optional<PressFit> fit_at(const DeskPress& press,
                                                const Eigen::Vector3d& centre_mm) const;
+  /// Where the calibration to compare with puts its ball.
+  [[nodiscard]] std::optional<Eigen::Vector3d> solved_ball(const DeskPress& press) const;
   [[nodiscard]] QString advice_for(const DeskPress& press) const;
 
   LiveSession& session_;

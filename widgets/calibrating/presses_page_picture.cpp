@@ -140,19 +140,23 @@ void PressesPage::show_picture(const DeskPress& press) {
   show_place();
 }
 
+std::optional<Eigen::Vector3d> PressesPage::solved_ball(const DeskPress& press) const {
+  const FingerCalibration* known = forecast_.to_compare_with();
+  if (known == nullptr) return std::nullopt;
+  for (const BallFit& ball : known->calibration.balls)
+    if (ball.press == press.name) return ball.centre_mm;
+  return press.looked.found_mm;
+}
+
 void PressesPage::show_fit(const DeskPress& press) {
-  const bool is_known = editor_->ball() && desk_.has_ball(press);
-  fit_ = is_known ? fit_at(press, editor_->ball()->centre_mm) : std::nullopt;
-  std::optional<PressFit> before;
-  if (fit_ && editor_->ball()->is_by_hand) {
-    const bool is_current = run_.state() == CalibrationState::kCurrent;
-    const BallFit* fitted = is_current ? fitted_ball(run_, press.name) : nullptr;
-    const auto found = fitted != nullptr ? std::optional(fitted->centre_mm) : press.looked.found_mm;
-    if (found) before = fit_at(press, *found);
-  }
+  // What the program found is where a solution begins; the solution itself is what counts.
+  const bool is_by_hand = editor_->ball() && editor_->ball()->is_by_hand;
+  const auto solved = desk_.has_ball(press) ? solved_ball(press) : std::nullopt;
+  const auto before = solved ? fit_at(press, *solved) : std::nullopt;
+  fit_ = is_by_hand ? fit_at(press, editor_->ball()->centre_mm) : before;
   const FingerCalibration* known = forecast_.to_compare_with();
   fit_pane_->show_fit(fit_ ? &*fit_ : nullptr,
-                      before ? &*before : nullptr,
+                      is_by_hand && before ? &*before : nullptr,
                       known != nullptr ? &known->calibration : nullptr,
                       forecast_text(forecast_, run_));
 }

@@ -43,7 +43,8 @@ Overlay ghost_overlay(const BentOutline& outline, const QString& words) {
     inside.setAlpha(45);
     painter.fillPath(path, inside);
     stroke_over(painter, path, kGhost, 2, Qt::DashLine);
-    write_beside(painter, QPointF(painter.viewport().center().x() - 60, 12), words, kGhost);
+    const QRectF box = path.boundingRect();
+    write_beside(painter, QPointF(box.center().x() - 80, box.center().y() - 12), words, kGhost);
   };
 }
 

@@ -50,8 +50,8 @@ struct ContactWords {
     if (contact.place) {
       const PlaceOnFinger& at = *contact.place;
       rows += row(tr("Along"), millimetres(at.along_mm, at.along_sd_mm, 2));
-      rows += row(tr("Across"), millimetres(at.across_mm, at.across_sd_mm, 2));
-      rows += row(tr("Depth"), millimetres(at.depth_mm, at.depth_sd_mm, 2));
+      if (at.across_mm) rows += row(tr("Across"), millimetres(*at.across_mm, at.across_sd_mm, 2));
+      if (at.depth_mm) rows += row(tr("Depth"), millimetres(*at.depth_mm, at.depth_sd_mm, 2));
     }
     if (!contact.direction) return rows;
     const Eigen::Vector3d& way = *contact.direction;

@@ -13,16 +13,6 @@
 namespace alltact {
 namespace {
 
-double whole_length_mm(const FaceShape& shape) {
-  return shape.length_at(shape.base_at_low_u() ? shape.width_px() - 1.0 : 0.0);
-}
-
-PushedFace face_of_way(const Eigen::Vector2d& way_mm) {
-  if (std::abs(way_mm.x()) >= std::abs(way_mm.y()))
-    return way_mm.x() > 0 ? PushedFace::kContact : PushedFace::kBack;
-  return way_mm.y() > 0 ? PushedFace::kUpper : PushedFace::kLower;
-}
-
 void tell_direction(const TipWay& way, FingerContact& contact) {
   const double length = way.way_mm.norm();
   if (!(length > 0)) return;
@@ -47,7 +37,22 @@ PlaceOnFinger place_of_region(const ContactRegion& region, const FaceShape& shap
   return place;
 }
 
+PlaceOnFinger place_of_push(const AlongFinger& along, const FaceShape& shape) {
+  PlaceOnFinger place;
+  place.along_mm = along.mm;
+  if (const auto base_sd_mm = shape.base_sd_mm())
+    place.along_sd_mm = std::hypot(along.sd_mm, *base_sd_mm);
+  return place;
+}
+
 }  // namespace
+
+PushedFace face_of_way(const TipWay& way) {
+  const Eigen::Vector2d& mm = way.way_mm;
+  if (std::abs(mm.x()) >= std::abs(mm.y()))
+    return mm.x() > 0 ? PushedFace::kContact : PushedFace::kBack;
+  return mm.y() > 0 ? PushedFace::kUpper : PushedFace::kLower;
+}
 
 std::optional<Eigen::Matrix2d> place_covariance_on_face_mm2(const ContactRegion& region,
                                                             const FaceShape& shape) {
@@ -82,7 +87,7 @@ FingerContact finger_contact(const ContactSigns& signs,
       has_region && (signs.depth_strength() > 1 || before == PushedFace::kContact);
   const bool is_pushed = signs.way && signs.push_strength() > ContactState::kRelease;
   contact.face = is_pressed  ? PushedFace::kContact
-                 : is_pushed ? face_of_way(signs.way->way_mm)
+                 : is_pushed ? face_of_way(*signs.way)
                              : before.value_or(PushedFace::kContact);
   if (is_pushed) tell_direction(*signs.way, contact);
   if (is_pressed) {
@@ -90,9 +95,15 @@ FingerContact finger_contact(const ContactSigns& signs,
     contact.place = place_of_region(region, shape);
     if (!contact.direction && region.normal) contact.direction = -*region.normal;
   } else if (contact.face != PushedFace::kContact) {
-    contact.no_place = en::say(
-        "the markers tell from which side the finger is pushed, but not how far from its "
-        "base: that hangs on how its stiffness falls towards the tip");
+    if (contact.face != PushedFace::kBack)
+      contact.no_place = en::say(
+          "the markers tell from which side the finger is pushed, but not how far from its base: a "
+          "push on a side moves them alike wherever it is");
+    else if (is_pushed && signs.along_back)
+      contact.place = place_of_push(*signs.along_back, shape);
+    else
+      contact.no_place = en::say(
+          "the push on the back moves the markers too little to tell how far from the base it is");
   } else if (signs.regions == nullptr) {
     contact.no_place = en::say("without a depth there is no place on the contact face");
   } else {

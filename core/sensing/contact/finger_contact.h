@@ -4,6 +4,7 @@
 #include "core/message.h"
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/contact/push.h"
+#include "core/sensing/contact/push_along.h"
 #include "core/sensing/contact/tip_way.h"
 #include "core/sensing/face/face_shape.h"
 
@@ -14,13 +15,15 @@
 
 namespace alltact {
 
-/// On the finger, mm: the skin that is pressed deepest (ContactRegion::deepest_on_face_mm).
-/// Standard deviations hold the picture's noise, where the face's end at the base is seen, and how
-/// well the face's distance and the depth are known; not the lens.
+/// On the finger, mm. On the contact face that of the skin which is pressed deepest
+/// (ContactRegion::deepest_on_face_mm); on the back where the markers' motion tells that it is
+/// pushed (push_along.h), which tells neither across nor depth. Standard deviations hold the
+/// picture's noise, where the face's end at the base is seen, and how well the face's distance and
+/// the depth are known; not the lens.
 struct PlaceOnFinger {
-  double along_mm = 0;   ///< along the face from its base (FaceShape::length_at)
-  double across_mm = 0;  ///< from its middle line towards +y
-  double depth_mm = 0;   ///< the deepest, along z
+  double along_mm = 0;              ///< along the face from its base (FaceShape::length_at)
+  std::optional<double> across_mm;  ///< from its middle line towards +y
+  std::optional<double> depth_mm;   ///< the deepest, along z
   /// Absent where the region tells no covariance; along_sd_mm also where the base's end is not
   /// seen, so that along_mm counts from the first column that shows the face.
   std::optional<double> along_sd_mm, across_sd_mm, depth_sd_mm;
@@ -47,6 +50,7 @@ struct ContactSigns {
   const Push* push = nullptr;  ///< null: no marker tells one
   double push_threshold_px = 0;
   std::optional<TipWay> way;
+  std::optional<AlongFinger> along_back;                ///< of a push on the back
   const std::vector<ContactRegion>* regions = nullptr;  ///< null: no depth was told
   /// 1 where a push begins to be one (push.h) or a region is as deep as face_touch.h asks for, the
   /// larger of both.
@@ -60,12 +64,12 @@ struct ContactSigns {
 [[nodiscard]] std::optional<Eigen::Matrix2d> place_covariance_on_face_mm2(
     const ContactRegion& region, const FaceShape& shape);
 
+/// From which face the finger gave way.
+[[nodiscard]] PushedFace face_of_way(const TipWay& way);
+
 /// Of a frame with a contact. `before`: the face of the same contact in the frame before, which is
-/// kept where this one does not tell it. The place is that of the largest region; of the other
-/// faces there is none, since how the markers' motion is shared between the modes of bending hangs
-/// as much on how the finger's stiffness falls towards its tip, which nobody measured, as on where
-/// it is pushed: of a stiffness that is even and one that falls to an eighth, the same shares
-/// belong to places up to a third of the length apart.
+/// kept where this one does not tell it. The place on the contact face is that of the largest
+/// region; on the sides there is none (push_along.h).
 [[nodiscard]] FingerContact finger_contact(const ContactSigns& signs,
                                            const FaceShape& shape,
                                            std::optional<PushedFace> before);

@@ -9,9 +9,12 @@ ContactSigns signs_of(const FingerContactTracker::FrameSigns& frame) {
   if (frame.push == nullptr) return signs;
   signs.push = frame.push;
   signs.push_threshold_px = frame.settings->threshold_px;
-  if (signs.push_strength() > ContactState::kRelease)
-    signs.way =
-        tip_way(*frame.markers, frame.settings->rest_markers, *frame.shape, *frame.ways_px2);
+  if (!(signs.push_strength() > ContactState::kRelease)) return signs;
+  const auto& rest = frame.settings->rest_markers;
+  signs.way = tip_way(*frame.markers, rest, *frame.shape, *frame.ways_px2);
+  if (signs.way && face_of_way(*signs.way) == PushedFace::kBack && !(signs.depth_strength() > 1))
+    signs.along_back =
+        push_along_back(*frame.markers, rest, *frame.shape, *frame.ways_px2, *signs.way);
   return signs;
 }
 

@@ -108,19 +108,26 @@ double DepthError::level_at(int u, int v) {
 }
 
 /// The same without the table, which costs as much as some hundred single depths: x to a millionth
-/// of the domain.
+/// of the domain, by Newton's method between what is known to be below and above.
 DepthError::At DepthError::single_at(double depth_mm) const {
   const double end = mapping_.x_max(), end_mm = step_mm_ * kTable;
   if (depth_mm >= end_mm) {
     const double slope_mm = mapping_.slope_mm(end);
     return {end + (depth_mm - end_mm) / slope_mm, slope_mm};
   }
-  double low = 0, high = end;
-  for (int halving = 0; halving < 20; ++halving) {
-    const double middle = 0.5 * (low + high);
-    (mapping_.depth_mm(middle) < depth_mm ? low : high) = middle;
+  double low = 0, high = end, x = end * std::max(0.0, depth_mm) / end_mm;
+  double slope_mm = mapping_.slope_mm(x);
+  for (int step = 0; step < 20; ++step) {
+    const double off_mm = mapping_.depth_mm(x) - depth_mm;
+    (off_mm < 0 ? low : high) = x;
+    double next = x - off_mm / slope_mm;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const bool is_near = std::abs(next - x) < 1e-6 * end;
+    x = next;
+    slope_mm = mapping_.slope_mm(x);
+    if (is_near) break;
   }
-  return {high, mapping_.slope_mm(high)};
+  return {x, slope_mm};
 }
 
 DepthCauses DepthError::causes(int u, int v, double level, double depth_mm, ReadCurve read) {

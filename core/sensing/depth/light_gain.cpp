@@ -1,8 +1,7 @@
 #include "core/sensing/depth/light_gain.h"
 
-#include "core/grey_range.h"
 #include "core/numerics/median.h"
-#include "core/sensing/reference/grey_steps.h"
+#include "core/sensing/depth/light_blocks.h"
 
 #include <algorithm>
 #include <array>
@@ -29,13 +28,7 @@ constexpr double kBrighter = 0.05;  // than any halo around a contact
 // face on it is looked for, such a part of that must agree on it, and it must leave no more over.
 constexpr double kMuchBrighter = 0.1, kAgreeing = 0.6, kLeftBrighter = 0.02;
 
-using Terms = Eigen::Matrix<double, LightGain::kTerms, 1>;
-
-struct Block {
-  Terms basis;
-  double ratio, noise;  // live over reference, and its white noise
-  double sd;            // with what references are off by apart from it
-};
+using Terms = LightTerms;
 
 cv::Rect bounds_of(const FaceRuns& face) {
   if (face.runs.empty()) return {};
@@ -46,54 +39,13 @@ cv::Rect bounds_of(const FaceRuns& face) {
   return {left, top, right - left, face.runs.back().row + 1 - top};
 }
 
-Terms basis_at(double s, double t) {
-  Terms basis;
-  basis << 1.0, s, t, s * s, s * t, t * t;
-  return basis;
-}
-
-std::vector<Block> blocks_of(const cv::Mat& grey,
-                             const ReferencePicture& reference,
-                             const FaceRuns& face,
-                             const cv::Rect& bounds,
-                             double noise_sd,
-                             double noise_gain) {
-  std::vector<Block> blocks;
-  const int step = std::max(2, static_cast<int>(std::sqrt(face.pixels() / kBlocks)));
-  const double half_u = 0.5 * bounds.width, half_v = 0.5 * bounds.height;
-  ReferencePicture::Reader reader(reference);
-  for (int v = bounds.y + step / 2; v < bounds.br().y; v += step) {
-    const auto runs = face.of_row(v);
-    if (runs.empty()) continue;
-    const std::int16_t* untouched = reader.row(v, runs);
-    const auto* live = grey.ptr<std::uint8_t>(v);
-    for (const FaceRun& run : runs)
-      for (int first = run.first; first + step <= run.end; first += step) {
-        int sum = 0, reference_sum = 0, count = 0;
-        for (int u = first; u < first + step; ++u) {
-          if (live[u] >= kClippedFrom || untouched[u] < kTooDarkBelow * kGreySteps ||
-              untouched[u] >= kClippedFrom * kGreySteps)
-            continue;
-          sum += live[u];
-          reference_sum += untouched[u];
-          ++count;
-        }
-        if (2 * count < step) continue;
-        const double level = static_cast<double>(reference_sum) / kGreySteps;
-        const double sd = noise_sd * std::sqrt(count * (1.0 + noise_gain * noise_gain)) / level;
-        const double s = (first + 0.5 * (step - 1) - bounds.x) / half_u - 1.0;
-        blocks.push_back({basis_at(s, (v - bounds.y) / half_v - 1.0),
-                          sum / level,
-                          sd,
-                          std::sqrt(sd * sd + kFloor * kFloor)});
-      }
-  }
-  return blocks;
+double change_at(const LightBlock& block, const Terms& terms) {
+  return light_basis(block.s, block.t).dot(terms);
 }
 
 /// Sorts numbers most of which lie close together: into narrow bins first, then each of these.
 std::vector<double> ascending(const std::vector<double>& values) {
-  constexpr std::size_t kBins = 4096;
+  constexpr std::size_t kBins = 1024;
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double low = *least, per_value = (kBins - 1) / std::max(*most - low, 1e-12);
   const auto bin_of = [&](double value) {
@@ -113,11 +65,8 @@ std::vector<double> ascending(const std::vector<double>& values) {
 /// The middle and half the length of the brightest stretch of ratios that holds a fifth of them and
 /// is not much longer than the shortest that does: untouched skin looks alike, and what presses on
 /// it, however wide, is darker.
-std::pair<double, double> untouched_ratio(const std::vector<Block>& blocks) {
-  std::vector<double> ratios;
-  ratios.reserve(blocks.size());
-  for (const Block& block : blocks) ratios.push_back(block.ratio);
-  ratios = ascending(ratios);
+std::pair<double, double> untouched_ratio(const LightBlocks& blocks) {
+  const std::vector<double> ratios = ascending(blocks.ratios());
   const std::size_t held = ratios.size() / 5;
   const auto length = [&](std::size_t first) { return ratios[first + held] - ratios[first]; };
   std::size_t shortest = 0, brightest = 0;
@@ -133,26 +82,12 @@ double ramp(double value, double from, double to) {
 }
 
 /// One step of the re-weighted least squares; gives the part of the blocks that is believed.
-double refit(const std::vector<Block>& blocks,
+double refit(const LightBlocks& blocks,
              double widening,
              double believed,
              Terms* terms,
              LightGain::Covariance* covariance) {
-  LightGain::Covariance normal;
-  Terms pull = Terms::Zero();
-  normal.setZero();
-  double weights = 0;
-  for (const Block& block : blocks) {
-    const double sd = std::sqrt(block.sd * block.sd + widening * widening);
-    const double off = 1.0 - block.ratio * (1.0 + block.basis.dot(*terms));
-    const double z = off / (kTukey * sd);
-    if (std::abs(z) >= 1.0) continue;
-    const double share = (1.0 - z * z) * (1.0 - z * z), weight = share / (sd * sd);
-    const Terms row = block.ratio * block.basis;
-    for (int k = 0; k < LightGain::kTerms; ++k) normal.col(k) += weight * row[k] * row;
-    pull += weight * (1.0 - block.ratio) * row;
-    weights += share;
-  }
+  auto [normal, pull, weights] = blocks.equations(*terms, kTukey, widening);
   normal.diagonal()[0] += 1.0 / (kConstantSd * kConstantSd);
   const double tilt_sd = kShapeSd * ramp(believed, 0.2, 0.5),
                bow_sd = kShapeSd * ramp(believed, 0.35, 0.65);
@@ -169,10 +104,11 @@ double refit(const std::vector<Block>& blocks,
 /// From the skin that is brighter than its reference, where no contact is: half of a normal
 /// distribution's magnitudes lie below 0.6745 sd. What references are off by is taken off.
 /// `promised`: how noisy it is said to be, as a part of the blocks' noise.
-double noise_ratio(const std::vector<Block>& blocks, const Terms& terms, double promised) {
+double noise_ratio(const LightBlocks& blocks, const Terms& terms, double promised) {
   std::vector<double> above, floors;
-  for (const Block& block : blocks) {
-    const double z = (block.ratio * (1.0 + block.basis.dot(terms)) - 1.0) / block.noise;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const LightBlock block = blocks[i];
+    const double z = (block.ratio * (1.0 + change_at(block, terms)) - 1.0) / block.noise;
     if (!(z > 0.0)) continue;
     above.push_back(z);
     floors.push_back(kFloor / block.noise);
@@ -185,9 +121,8 @@ double noise_ratio(const std::vector<Block>& blocks, const Terms& terms, double 
 /// By what the covariance of a fit to independent blocks, as noisy as they were weighed, falls
 /// short: noise is `ratio` times that, and what references are off by is alike over patches of the
 /// face.
-double shortfall(const std::vector<Block>& blocks, double ratio) {
-  std::vector<double> noises;
-  for (const Block& block : blocks) noises.push_back(block.noise);
+double shortfall(const LightBlocks& blocks, double ratio) {
+  std::vector<double> noises = blocks.noises();
   const double more = std::max(1.0, ratio), one = upper_median(noises);
   const double noise = ratio * one, weighed = more * one;
   const double shared = std::max(1.0, static_cast<double>(blocks.size()) / kPatches);
@@ -196,11 +131,12 @@ double shortfall(const std::vector<Block>& blocks, double ratio) {
 }
 
 /// The blocks that are clearly brighter than their reference under the light of `terms`.
-std::vector<Block> brighter_blocks(const std::vector<Block>& blocks, const Terms& terms) {
-  std::vector<Block> brighter;
-  for (const Block& block : blocks) {
-    const double above = block.ratio * (1.0 + block.basis.dot(terms)) - 1.0;
-    if (above > kBrighter + 5.0 * block.sd) brighter.push_back(block);
+LightBlocks brighter_blocks(const LightBlocks& blocks, const Terms& terms) {
+  LightBlocks brighter;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const LightBlock block = blocks[i];
+    const double above = block.ratio * (1.0 + change_at(block, terms)) - 1.0;
+    if (above > kBrighter + 5.0 * block.sd) brighter.add(block);
   }
   return brighter;
 }
@@ -208,14 +144,13 @@ std::vector<Block> brighter_blocks(const std::vector<Block>& blocks, const Terms
 struct LightFit {
   Terms terms = Terms::Zero();
   LightGain::Covariance covariance = LightGain::Covariance::Zero();
-  double believed = 0.5;        ///< part of the blocks
-  std::vector<Block> brighter;  ///< see brighter_blocks()
-  double brighter_part = 0;     ///< of the blocks
+  double believed = 0.5;     ///< part of the blocks
+  LightBlocks brighter;      ///< see brighter_blocks()
+  double brighter_part = 0;  ///< of the blocks
 };
 
 /// Fits all `blocks`, starting from the ratio that `untouched` have in common.
-std::optional<LightFit> fit_light(const std::vector<Block>& blocks,
-                                  const std::vector<Block>& untouched) {
+std::optional<LightFit> fit_light(const LightBlocks& blocks, const LightBlocks& untouched) {
   const auto [ratio, spread] = untouched_ratio(untouched);
   if (!(ratio > 0.0)) return std::nullopt;
   LightFit fit;
@@ -234,7 +169,7 @@ std::optional<LightFit> fit_light(const std::vector<Block>& blocks,
 /// What presses only darkens. Where the light that most of the face tells makes another part
 /// brighter, and that part agrees on a light of its own, that one is the light and most of the face
 /// is pressed. On another finger the brighter parts do not agree.
-LightFit brightest_light(const std::vector<Block>& blocks, LightFit first) {
+LightFit brightest_light(const LightBlocks& blocks, LightFit first) {
   if (first.brighter_part < kMuchBrighter || static_cast<int>(first.brighter.size()) < kLeastBlocks)
     return first;
   const auto second = fit_light(blocks, first.brighter);
@@ -273,11 +208,11 @@ std::array<float, 3> LightGain::of_row(int v) const {
 
 double LightGain::at(double u, double v) const {
   const double s = (u - middle_u_) / half_u_, t = (v - middle_v_) / half_v_;
-  return 1.0 + basis_at(s, t).dot(Eigen::Map<const Terms>(terms_.data()));
+  return 1.0 + light_basis(s, t).dot(Eigen::Map<const Terms>(terms_.data()));
 }
 
 double LightGain::sd_at(double u, double v) const {
-  const Terms basis = basis_at((u - middle_u_) / half_u_, (v - middle_v_) / half_v_);
+  const Terms basis = light_basis((u - middle_u_) / half_u_, (v - middle_v_) / half_v_);
   return std::sqrt(std::max(0.0, basis.dot(covariance_ * basis)));
 }
 
@@ -290,7 +225,8 @@ LightGain light_gain(const cv::Mat& grey,
   CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.size());
   const cv::Rect bounds = bounds_of(face);
   if (bounds.empty()) return {};
-  const auto blocks = blocks_of(grey, reference, face, bounds, noise_sd, noise_gain);
+  const LightBlocks blocks =
+      light_blocks(grey, reference, face, bounds, kBlocks, noise_sd, noise_gain, kFloor);
   if (static_cast<int>(blocks.size()) < kLeastBlocks) return {};
   auto first = fit_light(blocks, blocks);
   if (!first) return {};

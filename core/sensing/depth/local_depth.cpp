@@ -1,10 +1,9 @@
 #include "core/sensing/depth/local_depth.h"
 
 #include "core/grey_range.h"
-#include "core/numerics/blocks.h"
-#include "core/numerics/dispatch.h"
 #include "core/sensing/depth/depth_along_z.h"
 #include "core/sensing/depth/depth_cells.h"
+#include "core/sensing/depth/depth_rows.h"
 #include "core/sensing/depth/depth_scale.h"
 #include "core/sensing/depth/reference_noise.h"
 #include "core/sensing/depth/row_smoother.h"
@@ -22,133 +21,6 @@
 
 namespace alltact {
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr std::int16_t kCeiling = kClippedFrom * kGreySteps;
-
-/// Both brightnesses of a row in steps; true when every pixel of it can be measured, as nearly all
-/// rows can.
-ALLTACT_WIDE bool copy_row(const std::uint8_t* __restrict grey,
-                           const std::int16_t* __restrict reference,
-                           std::int16_t darkest,
-                           int count,
-                           std::int16_t* __restrict live_out,
-                           std::int16_t* __restrict reference_out) {
-  std::int16_t brightest_seen = 0, darkest_seen = kCeiling;
-  in_blocks(
-      count, [&](int first, auto size) __attribute__((always_inline)) {
-        std::int16_t brightest = 0, darkest_here = kCeiling;
-        for (int i = 0; i < size; ++i) {
-          const int u = first + i;
-          const auto live = static_cast<std::int16_t>(grey[u] * kGreySteps);
-          const std::int16_t ref = reference[u];
-          live_out[u] = live;
-          reference_out[u] = ref;
-          const std::int16_t brighter = live > ref ? live : ref;
-          brightest = brighter > brightest ? brighter : brightest;
-          darkest_here = ref < darkest_here ? ref : darkest_here;
-        }
-        brightest_seen = std::max(brightest_seen, brightest);
-        darkest_seen = std::min(darkest_seen, darkest_here);
-      });
-  return brightest_seen < kCeiling && darkest_seen >= darkest;
-}
-
-/// Says of each pixel of a row whether it can be measured, and sets both to 0 where not.
-ALLTACT_WIDE void mark_row(std::int16_t darkest,
-                           int count,
-                           std::int16_t* __restrict live,
-                           std::int16_t* __restrict reference,
-                           std::uint8_t* __restrict flags) {
-  constexpr std::int16_t measured = kMeasured, unknown = kNoReference, dark = kTooDark,
-                         clipped = kSaturated;
-  for (int u = 0; u < count; ++u) {
-    const std::int16_t ref = reference[u];
-    // The last reason wins; each pixel takes the same steps, so that the loop runs in vectors.
-    std::int16_t flag = live[u] >= kCeiling ? clipped : measured;
-    flag = ref >= kCeiling ? clipped : flag;
-    flag = ref < darkest ? dark : flag;
-    flag = ref == kNoGrey ? unknown : flag;
-    flags[u] = static_cast<std::uint8_t>(flag);
-    live[u] = flag == measured ? live[u] : std::int16_t{0};
-    reference[u] = flag == measured ? ref : std::int16_t{0};
-  }
-}
-
-/// `light`: what live pixels are to be multiplied with, in powers of u - first_column. `raw`: the
-/// reference before it was smoothed. Amid pixels that could not be measured hardly any
-/// of the kernel is left, and its outer weights are negative: such a pixel takes the reason of
-/// those around it, by whether it is nearer to black or to clipped. What is measured and
-/// beyond x_max is flagged as such.
-ALLTACT_WIDE void divide_row(const std::int16_t* __restrict live,
-                             const std::int16_t* __restrict reference,
-                             const std::int16_t* __restrict raw,
-                             std::uint8_t* __restrict flags,
-                             const std::array<float, 3>& light,
-                             int first_column,
-                             float x_max,
-                             int count,
-                             float* __restrict x) {
-  constexpr float measured = kMeasured, clipped = kSaturated, dark = kTooDark,
-                  extrapolated = kExtrapolated;
-  constexpr float kLeastPart = 0.2F;  // of the kernel: in a corner of the face 0.3 is left
-  constexpr float kMiddle = 0.5F * kCeiling;
-  const float constant = light[0], slope = light[1], bow = light[2];
-  in_blocks(
-      count, [=](int first, auto size) __attribute__((always_inline)) {
-        for (int u = first; u < first + size; ++u) {
-          const auto before = static_cast<float>(static_cast<std::int32_t>(flags[u]));
-          const float flag = before == extrapolated ? measured : before;  // of a place done twice
-          const auto column = static_cast<float>(first_column + u);
-          const float correction = constant + column * (slope + column * bow);
-          const auto here = static_cast<float>(raw[u]), smooth = static_cast<float>(reference[u]);
-          const float thin = here > kMiddle ? clipped : dark;
-          const float reason = flag == measured && !(smooth > kLeastPart * here) ? thin : flag;
-          const float below = reason == measured ? smooth : 1.0F;
-          const float value = (below - correction * static_cast<float>(live[u])) / below;
-          const float told = reason == measured ? value : kNaN;
-          x[u] = told;
-          const float final = told > x_max ? extrapolated : reason;
-          flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(final));
-        }
-      });
-}
-
-ALLTACT_WIDE void flag_row(const float* __restrict x,
-                           float x_max,
-                           int count,
-                           std::uint8_t* __restrict flags) {
-  constexpr float beyond = kExtrapolated;
-  in_blocks(
-      count, [=](int first, auto size) __attribute__((always_inline)) {
-        for (int u = first; u < first + size; ++u) {
-          const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
-          flags[u] =
-              static_cast<std::uint8_t>(static_cast<std::int32_t>(x[u] > x_max ? beyond : flag));
-        }
-      });
-}
-
-/// A layer cannot be pressed in further than it is thick.
-ALLTACT_WIDE void bound_row(const float* __restrict most_mm,
-                            int count,
-                            float* __restrict depth_mm,
-                            std::uint8_t* __restrict flags) {
-  constexpr float beyond = kBeyondLayer;
-  in_blocks(
-      count, [=](int first, auto size) __attribute__((always_inline)) {
-        int deeper = 0;
-        for (int u = first; u < first + size; ++u) deeper |= depth_mm[u] > most_mm[u] ? 1 : 0;
-        if (deeper == 0) return;  // as nearly everywhere
-        for (int u = first; u < first + size; ++u) {
-          const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
-          const float depth = depth_mm[u], most = most_mm[u];
-          flags[u] =
-              static_cast<std::uint8_t>(static_cast<std::int32_t>(depth > most ? beyond : flag));
-          depth_mm[u] = depth > most ? most : depth;
-        }
-      });
-}
 
 /// How far the layer can be pressed in at most, by column, in the direction of the mapping's depth.
 std::vector<float> layer_by_column(const MappingParameters& mapping, const FaceShape& shape) {
@@ -196,7 +68,8 @@ class Mapper {
     for (const FaceRun& run : runs) {
       mapping_.depths_mm(x + run.first, depth + run.first, run.size());
       if (!scale_.is_one()) scale_.scale(row, run.first, run.size(), depth + run.first);
-      bound_row(most_mm_.data() + run.first, run.size(), depth + run.first, flags + run.first);
+      depth_rows::bound(
+          most_mm_.data() + run.first, run.size(), depth + run.first, flags + run.first);
     }
     clear_outside(runs, map_.depth_mm.cols, depth, fill_nan);
     cells_.add_row(row, runs, depth);
@@ -239,6 +112,9 @@ void compare(const cv::Mat& grey,
   ReferencePicture::Reader reader(reference.picture);
   const auto darkest =
       static_cast<std::int16_t>(std::lround(kGreySteps * too_dark_below(options.noise_sd)));
+  std::vector<char> is_measured(
+      static_cast<std::size_t>(grey.rows) + static_cast<std::size_t>(live.radius()),
+      1);  // all of a row
   const auto select = [&](int row) {
     const auto runs = row < grey.rows ? face.of_row(row) : std::span<const FaceRun>();
     std::int16_t* live_row = live.fresh_row(row, runs);
@@ -249,15 +125,17 @@ void compare(const cv::Mat& grey,
       std::int16_t* live_run = live_row + run.first;
       std::int16_t* untouched_run = untouched_row + run.first;
       std::uint8_t* flags_run = flags.ptr<std::uint8_t>(row) + run.first;
-      if (copy_row(grey.ptr<std::uint8_t>(row) + run.first,
-                   reference_row + run.first,
-                   darkest,
-                   run.size(),
-                   live_run,
-                   untouched_run))
+      if (depth_rows::copy(grey.ptr<std::uint8_t>(row) + run.first,
+                           reference_row + run.first,
+                           darkest,
+                           run.size(),
+                           live_run,
+                           untouched_run)) {
         std::fill_n(flags_run, run.size(), std::uint8_t{kMeasured});
-      else
-        mark_row(darkest, run.size(), live_run, untouched_run, flags_run);
+      } else {
+        depth_rows::mark(darkest, run.size(), live_run, untouched_run, flags_run);
+        is_measured[static_cast<std::size_t>(row)] = 0;
+      }
     }
   };
   for (int row = 0; row < live.radius(); ++row) select(row);
@@ -267,16 +145,18 @@ void compare(const cv::Mat& grey,
     float* x = row_of_x(row);
     auto* row_flags = flags.ptr<std::uint8_t>(row);
     const std::array<float, 3> light_here = light.of_row(row);
-    for (const FaceRun& run : runs)
-      divide_row(live.smoothed(row, run),
-                 untouched.smoothed(row, run),
-                 untouched.raw(row, run),
-                 row_flags + run.first,
-                 light_here,
-                 run.first,
-                 x_max,
-                 run.size(),
-                 x + run.first);
+    for (const FaceRun& run : runs) {
+      const depth_rows::SmoothRow smooth{
+          live.smoothed(row, run), untouched.smoothed(row, run), untouched.raw(row, run)};
+      depth_rows::divide(smooth,
+                         is_measured[static_cast<std::size_t>(row)] != 0,
+                         light_here,
+                         run.first,
+                         x_max,
+                         run.size(),
+                         row_flags + run.first,
+                         x + run.first);
+    }
     clear_outside(runs, grey.cols, row_flags, fill_off_face);
     done(row);
   }
@@ -345,7 +225,8 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
   for (int row = 0; row < difference.x.rows; ++row) {
     const float* x = difference.x.ptr<float>(row);
     for (const FaceRun& run : difference.face.of_row(row))
-      flag_row(x + run.first, x_max, run.size(), map.flags.ptr<std::uint8_t>(row) + run.first);
+      depth_rows::flag_beyond(
+          x + run.first, x_max, run.size(), map.flags.ptr<std::uint8_t>(row) + run.first);
     mapper(row, x);
   }
   mapper.finish();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -24,8 +25,9 @@ struct Neighbours {
 };
 
 /// out = the middle and its neighbours weighed and added in one pass. What is smoothed is such that
-/// a pair's sum fits; all sums may wrap around on the way. Gives the largest, at least 0.
-template <std::size_t... kPair>
+/// a pair's sum fits; all sums may wrap around on the way. Gives the largest where that is wanted,
+/// at least 0.
+template <bool kLargest, std::size_t... kPair>
 [[gnu::always_inline]] inline std::int16_t weigh_pairs(const Neighbours& given,
                                                        int count,
                                                        std::int16_t* __restrict out,
@@ -35,39 +37,55 @@ template <std::size_t... kPair>
     return (... + times(static_cast<std::int16_t>(near.before[kPair][i] + near.behind[kPair][i]),
                         near.weights[kPair]));
   };
-  std::int16_t largest = 0;
   if (near.middle == nullptr) {
+    std::int16_t largest = 0;
     for (int i = 0; i < count; ++i) {
       out[i] = static_cast<std::int16_t>(out[i] + pairs_at(i));
       largest = out[i] > largest ? out[i] : largest;
     }
     return largest;
   }
+  // By place in a block: brought together once, not in every block.
+  std::array<std::int16_t, kBlock> most{};
   in_blocks(
       count, [&](int first, auto size) __attribute__((always_inline)) {
-        std::int16_t largest_here = 0;
-        for (int i = first; i < first + size; ++i) {
+        for (int k = 0; k < size; ++k) {
+          const int i = first + k;
           const auto sum = static_cast<std::int16_t>(times(near.middle[i], near.own) + pairs_at(i));
           out[i] = sum;
-          largest_here = sum > largest_here ? sum : largest_here;
+          std::int16_t& here = most[static_cast<std::size_t>(k)];
+          if constexpr (kLargest) here = sum > here ? sum : here;
         }
-        largest = std::max(largest, largest_here);
       });
-  return largest;
+  return kLargest ? largest_of(most) : std::int16_t{0};
 }
 
-ALLTACT_WIDE std::int16_t weigh_some(const Neighbours& near,
-                                     int pairs,
-                                     int count,
-                                     std::int16_t* out) {
+template <bool kLargest>
+[[gnu::always_inline]] inline std::int16_t weigh_count(const Neighbours& near,
+                                                       int pairs,
+                                                       int count,
+                                                       std::int16_t* out) {
   switch (pairs) {
     case 2:
-      return weigh_pairs(near, count, out, std::make_index_sequence<2>());
+      return weigh_pairs<kLargest>(near, count, out, std::make_index_sequence<2>());
     case 4:
-      return weigh_pairs(near, count, out, std::make_index_sequence<4>());
+      return weigh_pairs<kLargest>(near, count, out, std::make_index_sequence<4>());
     default:
-      return weigh_pairs(near, count, out, std::make_index_sequence<kMostPairs>());
+      return weigh_pairs<kLargest>(near, count, out, std::make_index_sequence<kMostPairs>());
   }
+}
+
+ALLTACT_WIDE std::int16_t weigh_columns(const Neighbours& near,
+                                        int pairs,
+                                        int count,
+                                        std::int16_t* out) {
+  return weigh_count<true>(near, pairs, count, out);
+}
+ALLTACT_WIDE std::int16_t weigh_row(const Neighbours& near,
+                                    int pairs,
+                                    int count,
+                                    std::int16_t* out) {
+  return weigh_count<false>(near, pairs, count, out);
 }
 
 /// A kernel's weights, of 2^-15, of the middle and of an even number of distances from it. Outer
@@ -99,12 +117,13 @@ ALLTACT_WIDE void twice(std::int16_t* smooth, int count) {
   for (int i = 0; i < count; ++i) smooth[i] = static_cast<std::int16_t>(2 * smooth[i]);
 }
 
-/// neighbours(k): the pixels k before and k behind the first of `middle`. Gives the largest.
-template <class At>
+/// neighbours(k): the pixels k before and k behind the first of `middle`. Gives what `some` gives.
+template <class Some, class At>
 std::int16_t weigh(const std::vector<std::int16_t>& weights,
                    const std::int16_t* middle,
                    int count,
                    std::int16_t* out,
+                   Some some,
                    At neighbours) {
   const int radius = static_cast<int>(weights.size()) - 1;
   std::int16_t largest = 0;
@@ -116,7 +135,7 @@ std::int16_t weigh(const std::vector<std::int16_t>& weights,
       std::tie(near.before[i], near.behind[i]) = neighbours(done + k + 1);
       near.weights[i] = weights[static_cast<std::size_t>(done + k + 1)];
     }
-    largest = weigh_some(near, pairs, count, out);
+    largest = some(near, pairs, count, out);
   }
   return largest;
 }
@@ -128,15 +147,26 @@ RowSmoother::RowSmoother(const Smoothing& smoothing, int width)
       radius_(static_cast<int>(weights_.size()) - 1),
       width_(width),
       step_(width + 2 * radius_),
-      rows_(static_cast<std::size_t>((2 * radius_ + 1) * step_), 0),
-      filled_(static_cast<std::size_t>(2 * radius_ + 1)),
+      slots_(std::bit_ceil(static_cast<std::size_t>(2 * radius_ + 1))),
+      rows_(slots_ * static_cast<std::size_t>(step_), 0),
+      filled_(slots_),
       sums_(static_cast<std::size_t>(step_), 0),
       smooth_(static_cast<std::size_t>(width)) {}
 
 std::int16_t* RowSmoother::fresh_row(int number, std::span<const FaceRun> runs) {
   std::vector<FaceRun>& old = filled_[slot(number)];
   std::int16_t* begin = line(number);
-  for (const FaceRun& run : old) std::fill(begin + run.first, begin + run.end, std::int16_t{0});
+  const auto clear = [&](int first, int end) {
+    if (first < end) std::fill(begin + first, begin + end, std::int16_t{0});
+  };
+  for (const FaceRun& was : old) {
+    int from = was.first;
+    for (const FaceRun& run : runs) {
+      clear(from, std::min(was.end, run.first));
+      from = std::max(from, run.end);
+    }
+    clear(from, was.end);
+  }
   old.assign(runs.begin(), runs.end());
   return begin;
 }
@@ -148,22 +178,17 @@ const std::int16_t* RowSmoother::smoothed(int number, const FaceRun& run) {
   std::fill(sums + run.first - radius_, sums + from, std::int16_t{0});
   std::fill(sums + to, sums + run.end + radius_, std::int16_t{0});
   const std::int16_t largest =
-      weigh(weights_, line(number) + from, to - from, sums + from, [&](int k) {
+      weigh(weights_, line(number) + from, to - from, sums + from, weigh_columns, [&](int k) {
         return std::pair(line(number - k) + from, line(number + k) + from);
       });
   const bool fits = largest <= kMostOfPair;
   if (!fits) halve(sums + from, to - from);
   std::int16_t* smooth = smooth_.data() + run.first;
-  weigh(weights_, sums + run.first, run.size(), smooth, [&](int k) {
+  weigh(weights_, sums + run.first, run.size(), smooth, weigh_row, [&](int k) {
     return std::pair(sums + run.first - k, sums + run.first + k);
   });
   if (!fits) twice(smooth, run.size());
   return smooth;
-}
-
-std::size_t RowSmoother::slot(int number) const {
-  const int count = 2 * radius_ + 1;
-  return static_cast<std::size_t>((number % count + count) % count);
 }
 
 }  // namespace alltact

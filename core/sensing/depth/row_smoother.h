@@ -21,7 +21,8 @@ class RowSmoother {
   /// Rows below one that its smoothing needs.
   [[nodiscard]] int radius() const { return radius_; }
 
-  /// The row, all 0, to be filled within the face's runs. Every row is to be asked for in turn.
+  /// The row, 0 but within the face's runs, where every pixel is to be written. Every row is to be
+  /// asked for in turn.
   std::int16_t* fresh_row(int number, std::span<const FaceRun> runs);
 
   /// A run of row `number` as it was given.
@@ -32,13 +33,17 @@ class RowSmoother {
   const std::int16_t* smoothed(int number, const FaceRun& run);
 
  private:
-  [[nodiscard]] std::size_t slot(int number) const;
+  /// Also of rows before the first.
+  [[nodiscard]] std::size_t slot(int number) const {
+    return static_cast<std::size_t>(number) & (slots_ - 1);
+  }
   std::int16_t* line(int number) {
     return rows_.data() + slot(number) * static_cast<std::size_t>(step_) + radius_;
   }
 
   std::vector<std::int16_t> weights_;  // of the middle and of each distance from it, of 2^-15
   int radius_, width_, step_;
+  std::size_t slots_;               // a power of two
   std::vector<std::int16_t> rows_;  // a ring, each with radius_ zeros on both sides
   std::vector<std::vector<FaceRun>> filled_;
   std::vector<std::int16_t> sums_, smooth_;

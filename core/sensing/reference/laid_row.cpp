@@ -10,6 +10,8 @@ namespace alltact {
 namespace {
 
 constexpr int kPlaceBits = 11;  // of a place's fraction
+constexpr int kRowsAhead =
+    5;  // fetched before they are needed: a picture is larger than the caches
 constexpr int kFractionMask = (1 << kPlaceBits) - 1;
 
 /// What lies side by side in one picture nearly does so in the other. So the places of a piece are
@@ -97,6 +99,7 @@ int last_place(int count) {
     const PieceSteps piece =
         find_piece(constant + i, slope + i, bow + i, places.row, places.origin, last, per_place);
     const std::int16_t* from = picture + (per_place != 0 ? 0 : i) + piece.least * step;
+    if (per_place == 0) __builtin_prefetch(from + (piece.most - piece.least + kRowsAhead) * step);
     take_piece(from, step, piece, out + i);
   }
 }

@@ -2,6 +2,7 @@
 
 #include "core/numerics/farthest_points.h"
 #include "core/sensing/face/face_edges.h"
+#include "core/sensing/pipeline_settings.h"
 
 #include <numeric>
 #include <queue>
@@ -10,7 +11,7 @@ namespace alltact {
 namespace {
 
 constexpr double kBeyondRest = 0.15;  // of the rest frame's face: how much more others may show
-constexpr int kProfileDegree = 7;
+const int kProfileDegree = PipelineSettings{}.profile_degree;
 constexpr std::size_t kMostPoses = 160;  // that the finger's twist is learnt from
 
 // Faces of a recording within a limit: where it is passed, the frame that covers least goes first.

@@ -54,7 +54,8 @@ class DrawnFingers : public testing::Test {
 };
 
 TEST_F(DrawnFingers, PlacesAreTheSameInEveryRoomAndAsNearAsAskedFor) {
-  for (const int number : {1}) {
+  const int fingers = std::getenv("ALLTACT_SLOW") == nullptr ? 1 : 8;
+  for (int number = 1; number <= fingers; ++number) {
     const ExperimentBench one = bench(number);
     std::array<ErrorSamples, kRoomLevels.size()> rooms;
     for (std::size_t room = 0; room < kRoomLevels.size(); ++room) {

@@ -100,9 +100,9 @@ TEST_F(DepthVideoOfFive, IsTheSameByAnyNumberOfMakersAndJoined) {
   write(folder / "last.mkv", 2, 2);
   auto writer = DepthVideoWriter::create(folder / "joined.mkv", size, 25);
   auto whole = DepthVideo::open(file), last = DepthVideo::open(folder / "last.mkv");
-  for (int i = 0; i < 2; ++i) ASSERT_TRUE(writer->add(whole->next_packet()).ok());
-  for (auto packet = last->next_packet(); !packet.empty(); packet = last->next_packet())
-    ASSERT_TRUE(writer->add(packet).ok());
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(writer->add(whole->next_packet().value()).ok());
+  for (auto packet = last->next_packet(); packet && !packet->empty(); packet = last->next_packet())
+    ASSERT_TRUE(writer->add(*packet).ok());
   ASSERT_TRUE(writer->finish().ok());
   EXPECT_EQ(text_of(folder / "joined.mkv"), text_of(file));
 }
@@ -128,7 +128,8 @@ TEST_F(DepthVideoOfFive, OtherAndDamagedFilesAreNotTakenForDepth) {
   std::string flipped = bytes;
   flipped[bytes.size() / 2] = static_cast<char>(flipped[bytes.size() / 2] ^ 0x10);
   EXPECT_LT(pictures_in(flipped), 5);
-  EXPECT_LT(pictures_in(bytes.substr(0, bytes.size() / 2)), 5);
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 20)
+    EXPECT_LT(pictures_in(bytes.substr(0, size)), 5) << size;
 }
 
 }  // namespace

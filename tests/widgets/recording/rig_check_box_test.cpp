@@ -34,13 +34,14 @@ TEST(RigCheckBox, NamesWhatIsToBeDoneAndTheControlToLock) {
   RigCheckBox box;
   box.show();
   box.set_needed(true);
-  box.show_findings({{RigItem::kFocusTip,
-                      RigState::kBad,
-                      en::say("edges at the {} are {:.1f} px wide", en::say("tip"), 7.0),
-                      en::say("turn the lens until the {} is sharp, and let the other end stay so",
-                              en::say("tip"))},
-                     {RigItem::kDots, RigState::kFine, en::say("{} of {} dots are found", 12, 12)}},
-                    {exposure(3)});
+  box.show_findings(
+      {{RigItem::kFocusTip,
+        RigState::kBad,
+        en::say("edges at the {} are {:.1f} px wide", en::say("tip"), 7.0),
+        en::say("turn the lens until the {} is sharp, and let the other end stay so",
+                en::say("tip"))},
+       {RigItem::kDots, RigState::kFine, en::say("{} of {} dots are found", 12, 12), ""}},
+      {exposure(3)});
   EXPECT_THAT(words_of(box), HasSubstr("Focus at the tip: edges at the tip are 7.0 px wide."));
   EXPECT_THAT(words_of(box), HasSubstr("Turn the lens until the tip is sharp"));
   EXPECT_THAT(words_of(box), HasSubstr("Dots: 12 of 12 dots are found."));

@@ -185,8 +185,9 @@ PlaceErrors place_errors(unsigned first_seed, int runs, double from, double to) 
     EXPECT_GT(contact.direction->dot(truth.direction), std::cos(0.05));
     const PlaceOnFinger& place = *contact.place;
     errors.along.add(place.along_mm - truth.along_mm, place.along_sd_mm.value());
-    errors.across.add(place.across_mm - truth.across_mm, place.across_sd_mm.value());
-    errors.depth.add(place.depth_mm - greatest_depth_mm(finger.truth), place.depth_sd_mm.value());
+    errors.across.add(place.across_mm.value() - truth.across_mm, place.across_sd_mm.value());
+    errors.depth.add(place.depth_mm.value() - greatest_depth_mm(finger.truth),
+                     place.depth_sd_mm.value());
   }
   return errors;
 }

@@ -1,5 +1,5 @@
-// The axis of bars that are pressed into a finger, from picture to angle: bent fingers, noise of a
-// grey level, every bar elsewhere and turned otherwise.
+// The axis of bars that are pressed into a finger, from picture to angle: bent fingers drawn at
+// random, noise of a grey level, every bar elsewhere and turned otherwise.
 // ALLTACT_NEES_RUNS=200 makes as many runs as a figure needs; without it fewer are made, and what
 // few runs scatter by is allowed for.
 #include "core/io/picture.h"
@@ -23,26 +23,41 @@ int bar_runs() {
   return text != nullptr ? std::max(10, std::atoi(text)) : 16;
 }
 
-constexpr double kScatterPerMm = 0.6, kLayerMm = 1.5;
+/// What bars are pressed into; each run another one.
+struct BarFinger {
+  double focal_px, width_mm, layer_mm, x_mm, z_mm, incline_deg, length_mm, scatter_per_mm, light;
+};
 
-Plan bar_plan(const std::string& bend, const std::string& pressed, int run) {
+Plan bar_plan(const BarFinger& finger,
+              const std::string& bend,
+              const std::string& pressed,
+              int run) {
   const std::string text = fmt::format(
       "name: bars\nwhy: to learn what an axis is worth\nframes: 1\n"
       "finger:\n"
-      "  camera: {{model: pinhole, size: [960, 540], fx: 523.9, fy: 523.9, cx: 479.5, cy: 269.5}}\n"
-      "  face: {{kind: fin_ray, width_mm: 24.0, layer_mm: 1.5}}\n"
-      "untouched: {{x_mm: -25.0, z_mm: 28.0, incline_deg: 34.0, length_mm: 116.0}}\n"
-      "effects:\n{}{}"
-      "  - {{use: layer, scatter_per_mm: {}, along: normal}}\n"
+      "  camera: {{model: pinhole, size: [960, 540], fx: {0}, fy: {0}, cx: 479.5, cy: 269.5}}\n"
+      "  face: {{kind: fin_ray, width_mm: {1}, layer_mm: {2}}}\n"
+      "untouched: {{x_mm: {3}, z_mm: {4}, incline_deg: {5}, length_mm: {6}}}\n"
+      "effects:\n{7}{8}"
+      "  - {{use: layer, scatter_per_mm: {9}, along: normal}}\n"
       "  - {{use: sides, albedo: 0.12, depth_mm: 14.0}}\n"
       "  - use: leds\n    lamps:\n"
-      "      - {{at_mm: [0.0, -3.0, 0.0], power: 270000.0}}\n"
-      "      - {{at_mm: [0.0, 3.0, 0.0], power: 270000.0}}\n"
-      "      - {{at_mm: [4.0, 0.0, -20.0], power: 3300000.0, aim_mm: [71.0, 0.0, 93.0], lobe: 8}}\n"
+      "      - {{at_mm: [0.0, -3.0, 0.0], power: {10}}}\n"
+      "      - {{at_mm: [0.0, 3.0, 0.0], power: {10}}}\n"
+      "      - {{at_mm: [4.0, 0.0, -20.0], power: {11}, aim_mm: [71.0, 0.0, 93.0], lobe: 8}}\n"
       "  - {{use: read, sd: 1.0}}\n  - {{use: quantisation}}\n",
+      finger.focal_px,
+      finger.width_mm,
+      finger.layer_mm,
+      finger.x_mm,
+      finger.z_mm,
+      finger.incline_deg,
+      finger.length_mm,
       bend,
       pressed,
-      kScatterPerMm);
+      finger.scatter_per_mm,
+      270000 * finger.light,
+      3300000 * finger.light);
   const auto scene = Scene::parse(text, "bars");
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
   auto plan = Plan::compile(*scene, static_cast<std::uint64_t>(run));
@@ -52,12 +67,12 @@ Plan bar_plan(const std::string& bend, const std::string& pressed, int run) {
 
 /// What the finger's calibration would be at its best: without absorption the layer's brightness
 /// is d = t (1 + s) x / (1 + s x) exactly.
-MappingParameters true_mapping() {
-  const double s = kScatterPerMm * kLayerMm;
+MappingParameters true_mapping(const BarFinger& finger) {
+  const double s = finger.scatter_per_mm * finger.layer_mm;
   MappingParameters mapping;
   mapping.kind = MappingKind::kMoebius;
   mapping.along = MappingAlong::kProjected;
-  mapping.a_mm = kLayerMm * (1 + s), mapping.b = s;
+  mapping.a_mm = finger.layer_mm * (1 + s), mapping.b = s;
   mapping.x_max = 0.9;
   return mapping;
 }
@@ -72,6 +87,15 @@ struct BarWorld {
                     q1 + 1e-9,
                     q2,
                     q2 + 1e-9);
+    finger_ = {between(490, 540),
+               between(20, 26),
+               between(1.3, 2.0),
+               between(-25, -21),
+               between(27, 31),
+               between(30, 37),
+               between(105, 120),
+               between(0.4, 0.8),
+               between(0.7, 1.0)};
   }
   double between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
@@ -87,9 +111,10 @@ struct BarWorld {
         between(-3, 3),
         between(0.5, 1.0),
         turn);
-    const Plan untouched = bar_plan(bend_, "", run_), plan = bar_plan(bend_, pressed, 5000 + run_);
+    const Plan untouched = bar_plan(finger_, bend_, "", run_),
+               plan = bar_plan(finger_, bend_, pressed, 5000 + run_);
     Finger finger = plan.finger();
-    finger.mapping = true_mapping();
+    finger.mapping = true_mapping(finger_);
     Pipeline pipeline = Pipeline::over(ReferenceLibrary::single(untouched.render(0, 2)).value(),
                                        FingerSnapshot::of({}, finger).value(),
                                        {});
@@ -105,6 +130,7 @@ struct BarWorld {
   std::mt19937 random_;
   int run_;
   std::string bend_;
+  BarFinger finger_;
 };
 
 struct AxisErrors {

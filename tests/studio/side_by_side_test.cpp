@@ -1,0 +1,115 @@
+// The live picture with two settings, and what more presses would bring, as a person sees them.
+#include "widgets/accuracy/side_by_side.h"
+
+#include "calibration/finger/measuring_settings.h"
+#include "tests/studio/calibrate_rig.h"
+#include "tests/studio/measured_finger.h"
+#include "widgets/accuracy/more_box.h"
+#include "widgets/places/accuracy_place.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SideBySidePlace : testing::Test {
+  TemporaryFolder folder;
+  std::unique_ptr<Studio> studio;
+
+  [[nodiscard]] AccuracyPlace& place() { return *studio->window().findChild<AccuracyPlace*>(); }
+  void open() {
+    fs::copy(MeasuredFinger::get().folder(), folder / "finger", fs::copy_options::recursive);
+    StudioOptions options;
+    options.finger = folder / "finger";
+    options.source = {MadeFingers::get().touched()};
+    studio = std::make_unique<Studio>(options);
+    studio->window().go_to("accuracy");
+    ASSERT_TRUE(wait_until([&] { return place().run().study() != nullptr; }, 120000));
+    auto* tabs = place().findChild<QTabWidget*>();
+    tabs->setCurrentWidget(&place().sides());
+  }
+};
+
+TEST_F(SideBySidePlace, ShowsBothDepthsOfTheSameFrameAndWhatTheyDifferBy) {
+  open();
+  // The row that stands above is one without smoothing.
+  const auto& rows = place().run().study()->study.rows;
+  const auto row = std::find_if(rows.begin(), rows.end(), [](const StudyRow& each) {
+    return each.settings.smoothing_px == 0;
+  });
+  ASSERT_NE(row, rows.end());
+  auto* table = place().findChild<AccuracyTable*>();
+  Q_EMIT table->point_picked(static_cast<std::size_t>(row - rows.begin()));
+  SideBySide& sides = place().sides();
+  ASSERT_TRUE(wait_until([&] { return sides.compared() && sides.compared()->median_mm; }, 60000));
+  const ComparedFrame& both = *sides.compared();
+  EXPECT_EQ(both.now.frame, both.other.frame);
+  ASSERT_TRUE(both.now.depth && both.other.depth);
+  // What is shown as the difference is that of the two depths, pixel by pixel.
+  int compared = 0;
+  for (int v = 0; v < both.difference_mm.rows; v += 3)
+    for (int u = 0; u < both.difference_mm.cols; u += 3) {
+      const float off = both.difference_mm.at<float>(v, u);
+      if (!std::isfinite(off)) continue;
+      ++compared;
+      ASSERT_FLOAT_EQ(
+          off,
+          both.other.depth->depth_mm.at<float>(v, u) - both.now.depth->depth_mm.at<float>(v, u));
+    }
+  EXPECT_GT(compared, 10000);
+  EXPECT_GT(*both.p95_mm, *both.median_mm);
+  EXPECT_GT(*both.median_mm, 0.0005) << "without smoothing depth is noisier";
+  EXPECT_LT(*both.p95_mm, 0.2);
+  EXPECT_TRUE(says(*studio, "This picture:"));
+  for (const char* name : {"Depth with the setting in use now",
+                           "Depth with the chosen setting",
+                           "Difference of the two depths"})
+    EXPECT_NE(studio->find<ImageView>(name), nullptr) << name;
+  // Used, it is the one in use: the calibration's stands beside it then.
+  place().run().use(static_cast<std::size_t>(row - rows.begin()));
+  EXPECT_TRUE(wait_until(
+      [&] {
+        return sides.compared() && sides.compared()->other.depth &&
+               says(*studio, "In use now: no smoothing");
+      },
+      60000));
+  EXPECT_EQ(studio->problems(), "");
+}
+
+TEST_F(SideBySidePlace, SaysWhatToDoWhereThereIsNothingToCompare) {
+  open();
+  auto* table = place().findChild<AccuracyTable*>();
+  Q_EMIT table->point_picked(0);
+  EXPECT_EQ(place().sides().compared(), nullptr);
+}
+
+TEST(MoreThanThereIs, IsToldOfTheCalibrationAndGoesWithIt) {
+  MoreBox box;
+  EXPECT_FALSE(box.isVisibleTo(nullptr) && box.study());
+  box.show();
+  box.set_finger(open_finger(MadeFingers::get().calibrated()).value());
+  auto* start = box.findChild<QPushButton*>();
+  ASSERT_TRUE(start && start->isVisible());
+  start->click();
+  ASSERT_TRUE(wait_until([&] { return box.study() != nullptr; }, 300000));
+  const CalibratingStudy& study = *box.study();
+  const int now = study.rows.front().choice.presses;
+  EXPECT_EQ(now,
+            choice_of_finger(open_finger(MadeFingers::get().calibrated()).value()->finger).presses);
+  QString words;
+  for (const QLabel* label : box.findChildren<QLabel*>()) words += label->text();
+  for (const Message& sentence : what_more_brings(study, study.rows.front().choice))
+    EXPECT_TRUE(words.contains(QString::fromStdString(sentence.english()).mid(1)))
+        << sentence.english();
+  EXPECT_FALSE(what_more_brings(study, study.rows.front().choice).empty());
+  EXPECT_FALSE(start->isVisible());
+  box.set_finger(nullptr);
+  EXPECT_EQ(box.study(), nullptr);
+  EXPECT_FALSE(box.isVisible());
+}
+
+}  // namespace
+}  // namespace alltact::test
