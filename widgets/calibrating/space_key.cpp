@@ -35,6 +35,8 @@ bool SpaceKey::is_needed_by(const QWidget& widget) const {
 }
 
 bool SpaceKey::eventFilter(QObject* receiver, QEvent* event) {
+  if (event->type() == QEvent::MouseButtonPress && qobject_cast<QWidget*>(receiver) != nullptr)
+    by_mouse_ = receiver;  // which may have the focus already
   if (event->type() == QEvent::FocusIn) {
     const auto reason = static_cast<QFocusEvent*>(event)->reason();
     if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason)
