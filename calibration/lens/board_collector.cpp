@@ -11,18 +11,39 @@
 namespace alltact {
 namespace {
 
-/// Median way of the corners that both show, px; infinite where they share too few to tell.
-double corner_way_px(const BoardView& a, const BoardView& b) {
-  std::map<std::pair<double, double>, Eigen::Vector2d> places;
-  for (std::size_t i = 0; i < a.board_mm.size(); ++i)
-    places[{a.board_mm[i].x(), a.board_mm[i].y()}] = a.pixels[i];
+using Places = std::map<std::pair<double, double>, Eigen::Vector2d>;
+
+/// Of the corners that both show, px; infinite where they share too few to tell.
+double median_way_px(const Places& a, const Places& b) {
   std::vector<double> ways;
-  for (std::size_t i = 0; i < b.board_mm.size(); ++i) {
-    const auto same = places.find({b.board_mm[i].x(), b.board_mm[i].y()});
-    if (same != places.end()) ways.push_back((same->second - b.pixels[i]).norm());
+  for (const auto& [place, pixel] : b) {
+    const auto same = a.find(place);
+    if (same != a.end()) ways.push_back((same->second - pixel).norm());
   }
   constexpr std::size_t kFewest = 4;
   return ways.size() < kFewest ? std::numeric_limits<double>::infinity() : upper_median(ways);
+}
+
+/// By their numbers along and across; `turned`: as of a board that is turned by half a circle.
+Places places_of(const BoardView& view, const Board& board, bool turned) {
+  Places places;
+  for (std::size_t i = 0; i < view.board_mm.size(); ++i) {
+    double column = std::round(view.board_mm[i].x() / board.square_mm);
+    double row = std::round(view.board_mm[i].y() / board.square_mm);
+    if (turned) {
+      column = board.columns - 1 - column;
+      row = board.rows - 1 - row;
+    }
+    places[{column, row}] = view.pixels[i];
+  }
+  return places;
+}
+
+/// Many boards look the same turned by half a circle, and are found either way.
+double corner_way_px(const BoardView& a, const BoardView& b, const Board& board) {
+  const Places first = places_of(a, board, false);
+  return std::min(median_way_px(first, places_of(b, board, false)),
+                  median_way_px(first, places_of(b, board, true)));
 }
 
 }  // namespace
@@ -38,9 +59,9 @@ BoardLook BoardCollector::look(const FramePtr& frame) {
   }
   const double least = kNew_part * frame->grey.cols;
   look.is_new = std::all_of(views_.begin(), views_.end(), [&](const BoardView& kept) {
-    return corner_way_px(kept, *found) > least;
+    return corner_way_px(kept, *found, board_) > least;
   });
-  look.is_still = last_ && corner_way_px(*last_, *found) <= kStill_px;
+  look.is_still = last_ && corner_way_px(*last_, *found, board_) <= kStill_px;
   look.is_sharp = found->edge_px <= kSharp_px;
   last_ = *found;
   look.view = std::move(*found);

@@ -35,6 +35,10 @@ bool SpaceKey::is_needed_by(const QWidget& widget) const {
 }
 
 bool SpaceKey::eventFilter(QObject* receiver, QEvent* event) {
+  const auto* clicked = qobject_cast<const QWidget*>(receiver);
+  if (event->type() == QEvent::MouseButtonPress && clicked != nullptr &&
+      (clicked->focusPolicy() & Qt::ClickFocus) != 0)
+    by_mouse_ = receiver;  // which may have the focus already
   if (event->type() == QEvent::FocusIn) {
     const auto reason = static_cast<QFocusEvent*>(event)->reason();
     if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason)

@@ -42,12 +42,14 @@ TEST(RigCheckBox, NamesWhatIsToBeDoneAndTheControlToLock) {
                 en::say("tip"))},
        {RigItem::kDots, RigState::kFine, en::say("{} of {} dots are found", 12, 12), ""}},
       {exposure(3)});
+  QTest::qWait(20);  // new rows show themselves with the next turn of the event loop
   EXPECT_THAT(words_of(box), HasSubstr("Focus at the tip: edges at the tip are 7.0 px wide."));
   EXPECT_THAT(words_of(box), HasSubstr("Turn the lens until the tip is sharp"));
   EXPECT_THAT(words_of(box), HasSubstr("Dots: 12 of 12 dots are found."));
   EXPECT_THAT(words_of(box), HasSubstr("Automatic exposure is on"));
   EXPECT_THAT(box.findChild<QToolButton*>()->text().toStdString(), HasSubstr("2"));
   box.show_findings({}, {exposure(1)});
+  QTest::qWait(20);
   EXPECT_THAT(words_of(box), HasSubstr("nothing sets itself"));
   box.set_needed(false);
   EXPECT_EQ(words_of(box), "") << "folded away";
