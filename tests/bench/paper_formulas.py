@@ -97,8 +97,8 @@ class PaperFinger:
         return np.dstack([x, (v - c["cy_px"]) / c["fy_px"] * z, z + layer - depth]).astype(np.float32)
 
     def __call__(self, grey):
-        laps, took = [("begin", time.perf_counter())], {}
-        lap = lambda step: laps.append((step, time.perf_counter()))
+        laps, took = [("begin", time.process_time())], {}
+        lap = lambda step: laps.append((step, time.process_time()))
         columns, upper, lower = self.edges(grey)
         lap("edges")
         z, along_z = self.shape(columns, upper, lower)
