@@ -74,6 +74,10 @@
         <source>in use now; %1</source>
         <translation>jetzt verwendet; %1</translation>
     </message>
+    <message>
+        <source>what it loses is not in these pictures</source>
+        <translation>was sie verliert, zeigen diese Bilder nicht</translation>
+    </message>
 </context>
 <context>
     <name>alltact::AccuracyPlace</name>
@@ -283,6 +287,10 @@
     <message>
         <source>Figure, table or the live picture with two settings</source>
         <translation>Abbildung, Tabelle oder das Livebild mit zwei Einstellungen</translation>
+    </message>
+    <message>
+        <source>What it loses is not in these pictures, whose light is that of the recording.</source>
+        <translation>Was sie verliert, zeigen diese Bilder nicht, deren Licht das der Aufnahme ist.</translation>
     </message>
 </context>
 <context>

@@ -74,6 +74,10 @@
         <source>in use now; %1</source>
         <translation>正在使用;%1</translation>
     </message>
+    <message>
+        <source>what it loses is not in these pictures</source>
+        <translation>它的损失在这些图像中看不出</translation>
+    </message>
 </context>
 <context>
     <name>alltact::AccuracyPlace</name>
@@ -282,6 +286,10 @@
     <message>
         <source>Figure, table or the live picture with two settings</source>
         <translation>图、表格，或用两种设置的实时图像</translation>
+    </message>
+    <message>
+        <source>What it loses is not in these pictures, whose light is that of the recording.</source>
+        <translation>它的损失在这些图像中看不出，因为图像的光照就是录像时的光照。</translation>
     </message>
 </context>
 <context>
