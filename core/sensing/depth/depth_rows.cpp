@@ -162,20 +162,20 @@ ALLTACT_WIDE void bound_row(const float* __restrict most_mm,
                             int count,
                             float* __restrict depth_mm,
                             std::uint8_t* __restrict flags) {
-  constexpr float beyond = kBeyondLayer;
+  std::array<std::int32_t, kBlock> deeper{};
   in_blocks(
-      count, [=](int first, auto size) __attribute__((always_inline)) {
-        int deeper = 0;
-        for (int u = first; u < first + size; ++u) deeper |= depth_mm[u] > most_mm[u] ? 1 : 0;
-        if (deeper == 0) return;  // as nearly everywhere
-        for (int u = first; u < first + size; ++u) {
-          const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
-          const float depth = depth_mm[u], most = most_mm[u];
-          flags[u] =
-              static_cast<std::uint8_t>(static_cast<std::int32_t>(depth > most ? beyond : flag));
-          depth_mm[u] = depth > most ? most : depth;
-        }
+      count, [&](int first, auto size) __attribute__((always_inline)) {
+        for (int k = 0; k < size; ++k)
+          deeper[static_cast<std::size_t>(k)] |= depth_mm[first + k] > most_mm[first + k] ? 1 : 0;
       });
+  if (largest_of(deeper) == 0) return;  // as nearly everywhere
+  constexpr float beyond = kBeyondLayer;
+  for (int u = 0; u < count; ++u) {
+    const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+    const float depth = depth_mm[u], most = most_mm[u];
+    flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(depth > most ? beyond : flag));
+    depth_mm[u] = depth > most ? most : depth;
+  }
 }
 
 }  // namespace

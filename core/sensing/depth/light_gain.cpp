@@ -86,7 +86,7 @@ double refit(const LightBlocks& blocks,
              double widening,
              double believed,
              Terms* terms,
-             LightGain::Covariance* covariance) {
+             LightGain::Covariance* information) {
   auto [normal, pull, weights] = blocks.equations(*terms, kTukey, widening);
   normal.diagonal()[0] += 1.0 / (kConstantSd * kConstantSd);
   const double tilt_sd = kShapeSd * ramp(believed, 0.2, 0.5),
@@ -95,9 +95,8 @@ double refit(const LightBlocks& blocks,
     const double sd = k < 3 ? tilt_sd : bow_sd;
     normal.diagonal()[k] += 1.0 / (sd * sd);
   }
-  const auto solver = normal.selfadjointView<Eigen::Lower>().ldlt();
-  *terms = solver.solve(pull);
-  *covariance = solver.solve(LightGain::Covariance::Identity());
+  *terms = normal.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
+  *information = normal;
   return weights / static_cast<double>(blocks.size());
 }
 
@@ -154,12 +153,15 @@ std::optional<LightFit> fit_light(const LightBlocks& blocks, const LightBlocks& 
   const auto [ratio, spread] = untouched_ratio(untouched);
   if (!(ratio > 0.0)) return std::nullopt;
   LightFit fit;
+  LightGain::Covariance information;
   fit.terms[0] = 1.0 / ratio - 1.0;
   // From wide to narrow: a change that tilts over the face must not look like a contact.
   for (double widening = spread; widening > 0.5 * kFloor; widening *= 0.5)
-    fit.believed = refit(blocks, widening, fit.believed, &fit.terms, &fit.covariance);
+    fit.believed = refit(blocks, widening, fit.believed, &fit.terms, &information);
   for (int last = 0; last < 2; ++last)
-    fit.believed = refit(blocks, 0.0, fit.believed, &fit.terms, &fit.covariance);
+    fit.believed = refit(blocks, 0.0, fit.believed, &fit.terms, &information);
+  fit.covariance =
+      information.selfadjointView<Eigen::Lower>().ldlt().solve(LightGain::Covariance::Identity());
   if (!fit.terms.allFinite() || !fit.covariance.allFinite()) return std::nullopt;
   fit.brighter = brighter_blocks(blocks, fit.terms);
   fit.brighter_part = static_cast<double>(fit.brighter.size()) / static_cast<double>(blocks.size());
