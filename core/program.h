@@ -11,9 +11,9 @@ namespace alltact {
 /// "0.1.0"
 [[nodiscard]] std::string program_version();
 
-/// A file of the resources, "scenes/NAME.yaml", in share/alltact beside the folder that this library
-/// was loaded from, so that an installed tree may be moved; in a build's tree that is a link to the
-/// sources. Error: it is not there.
+/// A file of the resources, "scenes/NAME.yaml", in share/alltact beside the folder that this
+/// library was loaded from, so that an installed tree may be moved; in a build's tree that is a
+/// link to the sources. Error: it is not there.
 [[nodiscard]] Result<std::filesystem::path> find_resource(const std::filesystem::path& name);
 
 }  // namespace alltact

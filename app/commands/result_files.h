@@ -34,7 +34,6 @@ class ResultFiles {
 /// As results.jsonl names it.
 [[nodiscard]] ReferenceMethod reference_method(const ReconstructOptions& options);
 
-
 /// Tells in a line, as `name`, where its depth in whole steps (depth_file.h) is, and what they
 /// mean.
 ///   where: members of a JSON object

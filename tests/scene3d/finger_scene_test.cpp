@@ -139,7 +139,8 @@ TEST_F(FingerSceneTest, FillsTheView) {
     show(MadeFinger().make());
     look_at_it("finger_" + std::to_string(static_cast<int>(standpoint)));
     const cv::Rect box = drawn();
-    const double across = box.width / (kFingerView.width - 78.0), up = box.height / (kFingerView.height + 0.0);
+    const double across = box.width / (kFingerView.width - 78.0),
+                 up = box.height / (kFingerView.height + 0.0);
     EXPECT_GT(std::max(across, up), 0.88) << static_cast<int>(standpoint);
     if (standpoint == Standpoint::kCamera) continue;  // side faces reach out of what it sees
     EXPECT_GT(box.x, 0) << "nothing is cut off";

@@ -62,8 +62,7 @@ TEST_F(FrameMeasurerTest, MeasuresFramesInAnyOrderWithTheirSd) {
   EXPECT_EQ(recording.count, std::size_t{kFrames});
   EXPECT_FALSE(recording.times_ns) << "pictures have none";
   for (const int number : {2, 0, 1, 1}) {
-    const auto frame =
-        measurer_.measure(static_cast<std::size_t>(number), {}, job_);
+    const auto frame = measurer_.measure(static_cast<std::size_t>(number), {}, job_);
     ASSERT_TRUE(frame.ok());
     EXPECT_EQ(frame.value().number, static_cast<std::size_t>(number));
     EXPECT_TRUE(frame.value().is_calibrated);
@@ -75,8 +74,7 @@ TEST_F(FrameMeasurerTest, MeasuresFramesInAnyOrderWithTheirSd) {
     const double sd_mm = frame.value().sd_mm.at<float>(ball);
     EXPECT_TRUE(sd_mm > 0 && sd_mm < 0.05) << sd_mm;
   }
-  EXPECT_EQ(measurer_.measure(99, {}, job_).value().number,
-            std::size_t{kFrames - 1});
+  EXPECT_EQ(measurer_.measure(99, {}, job_).value().number, std::size_t{kFrames - 1});
 }
 
 TEST_F(FrameMeasurerTest, ComparesWithTheOtherMethod) {
@@ -104,8 +102,7 @@ TEST_F(FrameMeasurerTest, CompletesALiveFrameAsIfItWereRecorded) {
   open();
   const MeasuredFrame recorded = measurer_.measure(1, {OtherMethod::kPaper}, job_).value();
   FrameMeasurer live;
-  const auto alone =
-      live.complete(recorded.result, finger_, folder_.path(), {}, job_);
+  const auto alone = live.complete(recorded.result, finger_, folder_.path(), {}, job_);
   ASSERT_TRUE(alone.ok());
   EXPECT_FALSE(alone.value().other);
   EXPECT_EQ(cv::norm(alone.value().sd_mm, recorded.sd_mm, cv::NORM_INF), 0);
