@@ -21,14 +21,14 @@ int side_of(const std::vector<ResidualSample>& samples) {
 }  // namespace
 
 Result<FingerCalibration> forecast_calibration(const Finger& finger,
-                                               const std::vector<MeasuredPress>& presses,
+                                               const std::vector<ReferencedPress>& presses,
                                                const CalibrationInputs& inputs,
                                                const Job& job) {
   FingerCalibration done;
   done.finger = finger;
   done.inputs = inputs;
   std::vector<std::optional<Reference>> references;
-  for (const MeasuredPress& one : presses) {
+  for (const ReferencedPress& one : presses) {
     done.presses.push_back(one.taken);
     take_what_is_said(inputs.said, done.presses.back());
     references.push_back(one.reference);

@@ -13,7 +13,7 @@
 namespace alltact {
 
 /// A press as it was measured once; what is said of it is taken when it is used.
-struct MeasuredPress {
+struct ReferencedPress {
   TakenPress taken;
   std::optional<Reference> reference;  ///< what it was compared with
 };
@@ -23,7 +23,7 @@ struct MeasuredPress {
 /// said of the presses. Errors: those of solve_presses().
 [[nodiscard]] Result<FingerCalibration> forecast_calibration(
     const Finger& finger,
-    const std::vector<MeasuredPress>& presses,
+    const std::vector<ReferencedPress>& presses,
     const CalibrationInputs& inputs,
     const Job& job);
 

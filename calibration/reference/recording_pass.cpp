@@ -5,7 +5,7 @@
 #include "core/recording/video_writer.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/face_shape.h"
-#include "core/sensing/pipeline_settings.h"
+#include "core/sensing/face/profile_degree.h"
 
 #include <system_error>
 
@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const int kProfileDegree = PipelineSettings{}.profile_degree;
 constexpr std::size_t kMostKeptBytes = std::size_t{512} << 20;
 
 // The reference video, made with its first frame.
@@ -46,7 +45,7 @@ FrameDots look_at(const cv::Mat& grey, const Camera& camera, const Finger& finge
     found.problem = edges.error().what;
     return found;
   }
-  const auto shape = FaceShape::fit(*edges, camera, finger.face, kProfileDegree);
+  const auto shape = FaceShape::fit(*edges, camera, finger.face, kUsualProfileDegree);
   if (!shape) {
     found.problem = shape.error().what;
     return found;

@@ -2,6 +2,7 @@
 
 #include "core/finger/reduced_finger.h"
 #include "core/printable.h"
+#include "core/sensing/face/profile_degree.h"
 
 #include <algorithm>
 #include <charconv>
@@ -10,6 +11,9 @@
 #include <fmt/format.h>
 
 namespace alltact {
+
+static_assert(PipelineSettings{}.profile_degree == kUsualProfileDegree);
+
 namespace {
 
 using S = PipelineSettings;

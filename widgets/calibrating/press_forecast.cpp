@@ -61,7 +61,7 @@ void PressForecast::begin() {
   work_.start(
       [this, asked = asked_, inputs = run_.next_inputs(), finger = desk_.looker()->finger()](
           const Job& job) {
-        std::vector<MeasuredPress> presses;
+        std::vector<ReferencedPress> presses;
         for (const auto& press : asked.measured) presses.push_back(*press);
         auto made = std::make_shared<Result<FingerCalibration>>(
             forecast_calibration(finger, presses, inputs, job));

@@ -35,7 +35,7 @@ class PressForecast : public QObject {
  private:
   /// All that the figures depend on.
   struct Presses {
-    std::vector<std::shared_ptr<const MeasuredPress>> measured;
+    std::vector<std::shared_ptr<const ReferencedPress>> measured;
     PressSet said;
     bool operator==(const Presses&) const = default;
   };

@@ -26,7 +26,7 @@ LookedAt PressLooker::operator()(const FramePtr& frame, double radius_mm) {
     return looked;
   }
   looked.grey = result->grey;
-  auto measured = std::make_shared<MeasuredPress>();
+  auto measured = std::make_shared<ReferencedPress>();
   measured->taken = press_of(frame->name, *result);
   measured->reference = std::move(result->reference);
   looked.measured = measured;

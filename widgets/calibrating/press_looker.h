@@ -18,7 +18,7 @@ struct LookedAt {
   std::optional<Eigen::Vector3d> found_mm;  ///< the ball's centre
   std::optional<Error> problem;             ///< why there is no ball
   /// What a calibration reads of it; null where the picture could not be used.
-  std::shared_ptr<const MeasuredPress> measured;
+  std::shared_ptr<const ReferencedPress> measured;
 };
 
 /// Used by one thread at a time.

@@ -1,8 +1,8 @@
 #include "widgets/inspect/view_box.h"
 
 #include "core/sensing/pipeline_settings.h"
-#include "widgets/accuracy/settings_words.h"
 #include "widgets/scene3d/vtk_view.h"
+#include "widgets/settings_words.h"
 
 #include <QCoreApplication>
 #include <QGridLayout>

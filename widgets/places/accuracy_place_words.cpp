@@ -1,8 +1,8 @@
 // What the place Accuracy shows and says.
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/study/study_front.h"
-#include "widgets/accuracy/settings_words.h"
 #include "widgets/places/accuracy_place.h"
+#include "widgets/settings_words.h"
 
 #include <QDateTime>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "core/numerics/farthest_points.h"
 #include "core/sensing/face/face_edges.h"
-#include "core/sensing/pipeline_settings.h"
+#include "core/sensing/face/profile_degree.h"
 
 #include <numeric>
 #include <queue>
@@ -10,8 +10,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kBeyondRest = 0.15;  // of the rest frame's face: how much more others may show
-const int kProfileDegree = PipelineSettings{}.profile_degree;
+constexpr double kBeyondRest = 0.15;     // of the rest frame's face: how much more others may show
 constexpr std::size_t kMostPoses = 160;  // that the finger's twist is learnt from
 
 // Faces of a recording within a limit: where it is passed, the frame that covers least goes first.
@@ -124,7 +123,7 @@ class Reader {
   [[nodiscard]] std::optional<Looked> look_at(const cv::Mat& grey) const {
     const auto edges = finder_(grey);
     if (!edges) return std::nullopt;
-    const auto shape = FaceShape::fit(*edges, camera_, finger_.face, kProfileDegree);
+    const auto shape = FaceShape::fit(*edges, camera_, finger_.face, kUsualProfileDegree);
     if (!shape) return std::nullopt;
     auto chart = chart_of(*shape);
     if (!chart) return std::nullopt;

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 struct Forecast {
   Finger finger;
-  std::vector<MeasuredPress> presses;
+  std::vector<ReferencedPress> presses;
   CalibrationInputs inputs;
   std::vector<Press> as_solved;
   std::vector<Eigen::Vector3d> centres_mm;
@@ -35,7 +35,7 @@ Forecast four_presses() {
     made.as_solved.push_back(one.press);
     made.as_solved.back().ball_radius_mm = 4.0;
     made.centres_mm.push_back(one.centre_mm);
-    MeasuredPress press;
+    ReferencedPress press;
     press.taken.name = one.press.name;
     press.taken.press = std::move(one.press);
     press.taken.press->ball_radius_mm = 0;  // told by what is said

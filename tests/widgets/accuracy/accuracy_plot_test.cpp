@@ -3,8 +3,8 @@
 #include "widgets/plots/accuracy_plot.h"
 
 #include "widgets/accuracy/accuracy_table.h"
-#include "widgets/accuracy/settings_words.h"
 #include "widgets/plots/label_places.h"
+#include "widgets/settings_words.h"
 
 #include <QAbstractItemModelTester>
 #include <QAccessible>

@@ -1,4 +1,4 @@
-#include "widgets/accuracy/settings_words.h"
+#include "widgets/settings_words.h"
 
 #include <QCoreApplication>
 #include <QLocale>
