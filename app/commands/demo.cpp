@@ -5,6 +5,8 @@
 #include "core/io/atomic_file.h"
 #include "core/program.h"
 
+#include <cstdlib>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -232,6 +234,24 @@ class Demo {
   std::vector<const char*> scenes_{"reference", "presses", "objects"};
 };
 
+/// Where windows are to be shown, as this program was told: what draws reports says otherwise.
+class ToldPlatform {
+ public:
+  ToldPlatform() {
+    if (const char* told = std::getenv(kName)) told_ = told;
+  }
+  void restore() const {
+    if (told_)
+      setenv(kName, told_->c_str(), 1);
+    else
+      unsetenv(kName);
+  }
+
+ private:
+  static constexpr const char* kName = "QT_QPA_PLATFORM";
+  std::optional<std::string> told_;
+};
+
 /// Becomes the Studio, on a simulated finger that the calibrated one measures; comes back only with
 /// an error.
 Status become_studio(const Path& finger) {
@@ -254,7 +274,9 @@ Status become_studio(const Path& finger) {
 
 Status run_demo(const DemoOptions& options, Console& console) {
   if (!options.studio) return Demo(options, console).run();
+  const ToldPlatform platform;
   const Status made = Demo(options, console).make_calibrated_finger();
+  platform.restore();
   return made ? become_studio(options.folder / "finger") : made;
 }
 

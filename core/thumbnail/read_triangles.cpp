@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{512} << 20;
 constexpr std::size_t kMostTriangles = 4'000'000;
+constexpr std::string_view kPlyEnd = "end_header\n";
 using Json = nlohmann::json;
 
 /// `count` values as they lie in a file, little end first; nullopt beyond its end.
@@ -45,8 +46,7 @@ std::optional<std::size_t> number_behind(std::string_view text, std::string_view
 }
 
 std::optional<Triangles> from_ply(std::string_view bytes) {
-  constexpr std::string_view kEnd = "end_header\n";
-  const std::size_t end = bytes.find(kEnd);
+  const std::size_t end = bytes.find(kPlyEnd);
   if (end == std::string_view::npos) return std::nullopt;
   const std::string_view header = bytes.substr(0, end);
   constexpr std::string_view kVertex =
@@ -57,7 +57,7 @@ std::optional<Triangles> from_ply(std::string_view bytes) {
   if (!points || !faces || !header.starts_with("ply\nformat binary_little_endian") ||
       header.find(kVertex) == std::string_view::npos || !header.ends_with(kFace))
     return std::nullopt;
-  std::size_t at = end + kEnd.size();
+  std::size_t at = end + kPlyEnd.size();
   const auto rows = values_at<std::array<float, 4>>(bytes, at, *points);
   if (!rows) return std::nullopt;
   at += rows->size() * sizeof(rows->front());
@@ -202,7 +202,9 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
                    : kind == ".vtp" ? from_vtp(*bytes)
                    : kind == ".glb" ? from_glb(*bytes)
                                     : std::nullopt;
-  if (!triangles && kind != ".vtp") triangles = by_assimp(*bytes, kind.substr(1));
+  // assimp never comes back from a PLY that ends in its header.
+  const bool is_cut = kind == ".ply" && bytes->find(kPlyEnd) == std::string::npos;
+  if (!triangles && kind != ".vtp" && !is_cut) triangles = by_assimp(*bytes, kind.substr(1));
   if (!triangles) return refuse(en::say("the mesh cannot be read"));
   if (triangles->corners.empty()) return refuse(en::say("the mesh has no triangles"));
   if (triangles->corners.size() > kMostTriangles)
