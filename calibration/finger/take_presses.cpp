@@ -72,7 +72,7 @@ Status measure_presses(CalibrationWork& work,
   input.pictures_per_press = static_cast<std::size_t>(done.inputs.calibration.pictures_per_press);
   auto source = open_presses(input);
   if (!source) return source.error();
-  if (!work.is_repetition) done.inputs.is_continuous = (*source)->is_continuous();
+  if (!work.is_repetition) done.inputs.is_continuous = is_one_video(**source);
   const double count = static_cast<double>((*source)->count().value_or(0));
   std::set<std::string> names;
   while (true) {

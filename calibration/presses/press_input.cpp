@@ -22,6 +22,12 @@ Result<std::unique_ptr<Source>> open_presses(const PressInput& input) {
   return several;
 }
 
+bool is_one_video(const Source& presses) {
+  const bool is_pictures = dynamic_cast<const PictureSource*>(&presses) != nullptr ||
+                           dynamic_cast<const FrameSource*>(&presses) != nullptr;
+  return presses.is_continuous() && !is_pictures;
+}
+
 std::vector<Message> made_of(const Source& presses) {
   const auto* bursts = dynamic_cast<const BurstSource*>(&presses);
   return bursts == nullptr ? std::vector<Message>() : bursts->made_of();

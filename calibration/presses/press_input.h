@@ -23,6 +23,10 @@ struct PressInput {
 /// Errors: those of open_source.
 [[nodiscard]] Result<std::unique_ptr<Source>> open_presses(const PressInput& input);
 
+/// Whether markers can be followed from one press to the next: in a video of them. Pictures are
+/// each of a press of its own, however they are numbered.
+[[nodiscard]] bool is_one_video(const Source& presses);
+
 /// What the bursts that were read were made of, a sentence each.
 [[nodiscard]] std::vector<Message> made_of(const Source& presses);
 

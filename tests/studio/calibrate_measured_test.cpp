@@ -109,6 +109,8 @@ class CalibrateMeasured : public testing::Test {
     auto* list = rig_.studio().find<QListView>("Presses");
     list->setCurrentIndex(list->model()->index(row, 0));
   }
+  /// Most presses need nothing but their ball: what is measured of one waits folded away.
+  void unfold() { rig_.studio().click("Measured, or another ball"); }
   QDoubleSpinBox* field(const char* name) { return rig_.studio().find<QDoubleSpinBox>(name); }
   void type(const char* name, const QString& text) {
     auto* box = field(name);
@@ -135,6 +137,7 @@ class CalibrateMeasured : public testing::Test {
 TEST_F(CalibrateMeasured, DepthAndStepAreSaidUndoneAndKept) {
   open();
   show(0);
+  unfold();
   EXPECT_EQ(field(kDepth)->text().toStdString(), "not measured");
   EXPECT_FALSE(field(kSd)->isEnabled());
   type(kDepth, "0.67");
@@ -181,6 +184,7 @@ TEST_F(CalibrateMeasured, PunchesAloneAreNotEnough) {
 TEST_F(CalibrateMeasured, GiveTheSameBytesAsTheCommandThatIsCopied) {
   open();
   show(0);
+  unfold();
   type(kDepth, "0.67");
   show(6);
   type(kStep, "0.5");

@@ -28,15 +28,15 @@ std::string repeated(const std::vector<double>& values, int times) {
 
 }  // namespace
 
-std::string pressing_scene() {
+std::string pressing_scene(int frames_each) {
   std::string scene = small_scene(true);
   const std::string moving =
       fmt::format("{{use: ball, radius_mm: 4.0, s_mm: {}, y_mm: {}, depth_mm: {}}}",
-                  repeated({24, 36, 48, 58, 70, 82}, 15),
-                  repeated({-4, 3, 0, -2, 4, 1}, 15),
-                  repeated({0.8, 0.5, 1.1, 0.6, 1.0, 0.9}, 15));
+                  repeated({24, 36, 48, 58, 70, 82}, frames_each),
+                  repeated({-4, 3, 0, -2, 4, 1}, frames_each),
+                  repeated({0.8, 0.5, 1.1, 0.6, 1.0, 0.9}, frames_each));
   replace_all(scene, kStillBall, moving);
-  replace_all(scene, "frames: 60", "frames: 90");
+  replace_all(scene, "frames: 60", fmt::format("frames: {}", 6 * frames_each));
   return scene;
 }
 

@@ -18,8 +18,9 @@
 
 namespace alltact::test {
 
-/// A scene of the small finger with a ball at six places and depths, half a second each.
-[[nodiscard]] std::string pressing_scene();
+/// A scene of the small finger with a ball at six places and depths, 30 frames a second; so many at
+/// each: from the first to the last of 15 it is a little less than half a second.
+[[nodiscard]] std::string pressing_scene(int frames_each = 15);
 
 /// Such a finger that holds still, with the ball pressed in by 0.8 mm.
 [[nodiscard]] std::string still_scene();

@@ -152,7 +152,7 @@ TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
               static_cast<int>(newcomer.actions().size()),
               newcomer.actions().join("; ").toUtf8().constData(),
               verdict_read_by(newcomer).toUtf8().constData());
-  EXPECT_FALSE(verdict_read_by(newcomer).isEmpty());
+  EXPECT_FALSE(verdict_read_by(newcomer).isEmpty()) << studio.problems();
   EXPECT_LE(newcomer.actions().size(), kMostActions);
   // And it measures where the scene presses its ball in, by 0.9 mm along the face's normal. Near
   // the tip, which half a minute of recording does not cover well, it may see what is not there.

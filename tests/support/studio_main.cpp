@@ -8,14 +8,16 @@
 
 #include <QApplication>
 #include <QLocale>
+#include <cstdlib>
+#include <memory>
 
 int main(int argc, char** argv) {
   alltact::test::show_qt_messages();
-  const alltact::test::TemporaryFolder home;
+  auto home = std::make_unique<alltact::test::TemporaryFolder>();
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
-  setenv("XDG_CONFIG_HOME", (home / "config").c_str(), 1);
-  setenv("XDG_DATA_HOME", (home / "data").c_str(), 1);
-  setenv("XDG_RUNTIME_DIR", home.path().c_str(), 1);
+  setenv("XDG_CONFIG_HOME", (*home / "config").c_str(), 1);
+  setenv("XDG_DATA_HOME", (*home / "data").c_str(), 1);
+  setenv("XDG_RUNTIME_DIR", home->path().c_str(), 1);
   setenv("LANGUAGE", "en", 1);
   QLocale::setDefault(QLocale(QLocale::English));
   QApplication::setStyle(new alltact::StudioStyle);
@@ -23,5 +25,8 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QCoreApplication::setOrganizationName("alltact");
   QCoreApplication::setApplicationName("alltact-studio-tests");
-  return alltact::test::run_all_tests(argc, argv);
+  const int status = alltact::test::run_all_tests(argc, argv);
+  home.reset();
+  // As in the Studio: work that still runs must not meet objects that are being destroyed.
+  std::quick_exit(status);
 }

@@ -134,6 +134,7 @@ void FingerPage::name_parts() {
 
 /// What somebody typed stays until it is taken.
 void FingerPage::show_sizes() {
+  if (is_read_again()) return change_->setEnabled(false);  // there, and waits
   sizes_->setVisible(is_own());
   if (!is_own()) return;
   const Face& face = session_.status().finger.finger->face;
@@ -171,14 +172,18 @@ bool FingerPage::is_own() const {
   return finger.state == FingerState::kReady && !finger.folder.empty() && finger.finger;
 }
 
+bool FingerPage::is_read_again() const {
+  return was_complete_ && session_.status().finger.state == FingerState::kLoading;
+}
+
 StepState FingerPage::state() const {
   return missing().isEmpty() ? StepState::kDone : StepState::kToDo;
 }
 
 QString FingerPage::missing() const {
   const FingerStatus& finger = session_.status().finger;
-  if (finger.state == FingerState::kLoading)
-    return was_complete_ ? QString() : tr("The finger is being loaded.");
+  if (is_read_again()) return {};
+  if (finger.state == FingerState::kLoading) return tr("The finger is being loaded.");
   if (!is_own()) return tr("The finger needs a folder of its own: make one, or open one.");
   if (finger.has_reference) return {};
   return finger.finger->face.kind == FaceKind::kFlat
@@ -188,7 +193,7 @@ QString FingerPage::missing() const {
 
 void FingerPage::show_status() {
   const FingerStatus& finger = session_.status().finger;
-  if (finger.state == FingerState::kLoading && was_complete_) return;  // again, after a change
+  if (is_read_again()) return show_sizes();
   if (finger.state != FingerState::kLoading) was_complete_ = missing().isEmpty();
   make_->setVisible(!is_own());
   geometry_->setText(

@@ -37,6 +37,8 @@ class FingerPage : public StepPage {
 
  private:
   [[nodiscard]] bool is_own() const;
+  /// After a change of a finger that was complete: what is shown stays.
+  [[nodiscard]] bool is_read_again() const;
   [[nodiscard]] QWidget* make_side();
   void connect_parts();
   void name_parts();

@@ -1,5 +1,6 @@
 #include "calibration/presses/held_frames.h"
 
+#include "calibration/presses/press_input.h"
 #include "core/io/picture.h"
 #include "tests/support/temporary_folder.h"
 
@@ -131,6 +132,28 @@ TEST(BurstSource, AFingerThatNeverHoldsStillIsRefused) {
   ASSERT_FALSE(frame.ok());
   EXPECT_THAT(frame.error().sentence(), HasSubstr("the finger moves"));
   EXPECT_THAT(frame.error().sentence(), HasSubstr("press_1"));
+}
+
+/// A film of whatever.
+class Film final : public Source {
+ public:
+  [[nodiscard]] Result<FramePtr> next() override { return FramePtr(); }
+  [[nodiscard]] std::optional<std::size_t> count() const override { return 0; }
+  [[nodiscard]] bool is_continuous() const override { return true; }
+};
+
+TEST(PressInput, PicturesAreEachOfAPressHoweverTheyAreNumbered) {
+  PressInput input;
+  for (const char* name : {"press_01", "press_02"}) {
+    auto frame = std::make_shared<Frame>();
+    frame->name = name;
+    input.frames.push_back(std::move(frame));
+  }
+  const auto source = open_presses(input);
+  ASSERT_TRUE(source.ok());
+  EXPECT_TRUE((*source)->is_continuous()) << "by their numbers they might be a film";
+  EXPECT_FALSE(is_one_video(**source));
+  EXPECT_TRUE(is_one_video(Film()));
 }
 
 }  // namespace
