@@ -72,10 +72,11 @@ TEST_F(InspectMore, NeverShowsOrdinaryDepthUnderTheTitleOfADifference) {
   auto* map = studio_.find<ImageView>("Picture");
   change([](InspectOptions& options) { options.comparison = Comparison::kDifference; });
   if (!frame().other) {
+    EXPECT_TRUE(map->picture().empty());
     EXPECT_THAT(map->accessibleDescription().toStdString(), HasSubstr("being measured"));
   }
   ASSERT_TRUE(wait_until([&] { return frame().other.has_value(); }));
-  EXPECT_THAT(map->accessibleDescription().toStdString(), testing::Not(HasSubstr("measured")));
+  EXPECT_FALSE(map->picture().empty());
 }
 
 TEST_F(InspectMore, ComparesWithAnotherSetting) {
@@ -197,7 +198,6 @@ TEST_F(InspectMore, ShowsTheShapeOfAFingerThatNobodyCalibrated) {
   place().open(MadeFingers::get().touched_pictures());
   ASSERT_TRUE(wait_until(
       [&] { return place().inspection().frame() && place().inspection().frame()->bare; }, 20000));
-  EXPECT_EQ(studio_.problems(), "");
   EXPECT_FALSE(frame().is_calibrated);
   EXPECT_TRUE(frame().bare->has_body);
   // Dots 4 mm behind the inner side of a layer of 1.5 mm, as the scene says.
