@@ -69,7 +69,7 @@ py::object array_of(const cv::Mat& picture, std::shared_ptr<const void> owner) {
   const py::capsule base(held.release(), [](void* all) { delete static_cast<Held*>(all); });
   py::array array(dtype_of(picture.depth()), shape, strides, data, base);
   array.attr("flags").attr("writeable") = false;
-  return std::move(array);
+  return array;
 }
 
 std::shared_ptr<Frame> frame_over(const py::object& picture) {

@@ -54,7 +54,7 @@ py::object markers_of(const MeasuredResult& r) {
     at(m, 0) = markers[static_cast<std::size_t>(m)].u;
     at(m, 1) = markers[static_cast<std::size_t>(m)].v;
   }
-  return std::move(places);
+  return places;
 }
 
 py::object seen_of(const MeasuredResult& r) {
@@ -63,7 +63,7 @@ py::object seen_of(const MeasuredResult& r) {
   py::array_t<bool> seen(static_cast<py::ssize_t>(markers.size()));
   auto at = seen.mutable_unchecked<1>();
   for (py::ssize_t m = 0; m < at.shape(0); ++m) at(m) = markers[static_cast<std::size_t>(m)].seen;
-  return std::move(seen);
+  return seen;
 }
 
 py::object grey_of(const ResultPtr& r) {

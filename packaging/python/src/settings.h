@@ -18,13 +18,12 @@ namespace alltact::python {
   return name;
 }
 
-/// Takes one setting. False: the table has none of this name. Throws Failure for values out of
-/// range.
+/// Takes one setting. False: the table has none of this name. Error: a value out of range.
 template <class S>
-bool take_setting(const std::vector<Setting<S>>& table,
-                  const std::string& name,
-                  const std::string& value,
-                  S& settings) {
+[[nodiscard]] Result<bool> take_setting(const std::vector<Setting<S>>& table,
+                                        const std::string& name,
+                                        const std::string& value,
+                                        S& settings) {
   for (const Setting<S>& setting : table) {
     if (setting.name != flag_of(name)) continue;
     const Status status = setting.set(settings, value);
