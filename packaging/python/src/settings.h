@@ -18,7 +18,7 @@ namespace alltact::python {
   return name;
 }
 
-/// Takes one setting. False: the table has none of this name. Error: a value out of range.
+/// Takes one setting. False: the table has none of this name. Error: the value is out of range.
 template <class S>
 [[nodiscard]] Result<bool> take_setting(const std::vector<Setting<S>>& table,
                                         const std::string& name,
@@ -27,7 +27,8 @@ template <class S>
   for (const Setting<S>& setting : table) {
     if (setting.name != flag_of(name)) continue;
     const Status status = setting.set(settings, value);
-    return status ? Result(true) : status.error();
+    if (!status) return status.error();
+    return true;
   }
   return false;
 }
