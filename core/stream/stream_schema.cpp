@@ -2,10 +2,38 @@
 
 #include "core/stream/stream_format.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace alltact {
+namespace {
+
+constexpr std::size_t kWidth = 100;
+
+/// Words in lines of at most kWidth letters, each but the first behind so many blanks.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  std::string lines;
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    const bool begins = lines.empty();
+    if (!begins && column + 1 + word.size() > kWidth) {
+      lines += '\n' + std::string(indent, ' ');
+      column = indent;
+    } else if (!begins) {
+      lines += ' ';
+      ++column;
+    }
+    lines += word;
+    column += word.size();
+  }
+  return lines;
+}
+
+}  // namespace
 
 const std::vector<StreamKey>& stream_keys() {
   static const std::vector<StreamKey> keys = {
@@ -109,37 +137,47 @@ const std::vector<StreamKey>& stream_keys() {
 
 std::string stream_schema_text() {
   std::string text = fmt::format(
-      "{}: results and pictures over a Unix socket, for programs of one user on one computer.\n\n"
-      "The client sends one line, ended by a line break, of at most {} bytes: {}, then the parts "
-      "that\n"
-      "it wants, with blanks between. Then it reads messages. The first tells what the finger is, "
-      "the\n"
-      "others what each frame tells, as soon as it was measured. Whoever reads too slowly misses\n"
-      "frames; its headers count them. Numbers are little-endian.\n\n"
-      "A message: header, table of its parts, JSON, parts. The JSON ends at a multiple of 16 "
-      "bytes\n"
-      "(with blanks), and so does each part (with zeros).\n\n",
-      kStreamFormat,
-      kLongestStreamRequest,
+      "{}: results and pictures over a Unix socket, for programs of one user on one computer.\n\n",
       kStreamFormat);
+  text += wrapped(
+      fmt::format(
+          "The client sends one line, ended by a line break, of at most {} bytes: {}, then the "
+          "parts that it wants, with blanks between. Then it reads messages. The first tells what "
+          "the finger is, the others what each frame tells, as soon as it was measured. Whoever "
+          "reads too slowly misses frames; its headers count them.",
+          kLongestStreamRequest,
+          kStreamFormat),
+      0);
+  text += "\n\n";
+  text += wrapped(
+      fmt::format(
+          "A message: header, table of its parts, JSON, parts. Numbers are little-endian. The JSON "
+          "ends at a multiple of {} bytes (with blanks), and so does each part (with zeros).",
+          kStreamAlignment),
+      0);
+  text += "\n\n";
   const auto add_fields =
       [&](const char* title, std::size_t size, const std::vector<StreamField>& fields) {
         text += fmt::format("{}, {} bytes\n", title, size);
         for (const StreamField& field : fields)
-          text += fmt::format(
-              "  {:>2}  {:<10} {:<9} {}\n", field.offset, field.name, field.type, field.what);
+          text += fmt::format("  {:>2}  {:<10} {:<9} {}\n",
+                              field.offset,
+                              field.name,
+                              field.type,
+                              wrapped(field.what, 27));
         text += "\n";
       };
   add_fields("header", sizeof(StreamHeader), stream_header_fields());
   add_fields("entry of the table", sizeof(StreamPartEntry), stream_part_fields());
   text += "parts: rows of pixels [v, u]\n";
   for (const StreamPartKind& kind : kStreamParts)
-    text += fmt::format("  {:<8} {} x {}  {}\n", kind.name, kind.dtype, kind.channels, kind.what);
+    text += fmt::format(
+        "  {:<8} {} x {}  {}\n", kind.name, kind.dtype, kind.channels, wrapped(kind.what, 20));
   std::string_view message;
   for (const StreamKey& key : stream_keys()) {
     if (key.message != message) text += fmt::format("\nJSON of a {} message\n", key.message);
     message = key.message;
-    text += fmt::format("  {:<32} {}\n", key.path, key.what);
+    text += fmt::format("  {:<32} {}\n", key.path, wrapped(key.what, 35));
   }
   return text;
 }

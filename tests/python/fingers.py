@@ -15,13 +15,13 @@ def alltact(*arguments, status: int = 0) -> str:
     return run.stdout
 
 
-def scene(name: str, **changes) -> Path:
+def scene(which: str, **changes) -> Path:
     """A scene that comes with the program, with lines (by what they begin with) in place of its own."""
     lines = []
-    for line in (TOP / f"resources/scenes/{name}.yaml").read_text().splitlines():
+    for line in (TOP / f"resources/scenes/{which}.yaml").read_text().splitlines():
         key = next((key for key in changes if line.strip().startswith(key.replace("_", " ") + ":")), None)
         lines.append(line[: len(line) - len(line.lstrip())] + changes[key] if key else line)
-    file = FOLDER / f"{name}-{abs(hash(tuple(changes.items())))}.yaml"
+    file = FOLDER / f"{which}-{abs(hash(tuple(changes.items())))}.yaml"
     file.write_text("\n".join(lines) + "\n")
     return file
 
