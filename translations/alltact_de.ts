@@ -1958,11 +1958,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>MCP2221A, pin GP2</source>
-        <translation>MCP2221A, Anschluss GP2</translation>
+        <translation>MCP2221A, Pin GP2</translation>
     </message>
     <message>
         <source>MCP2221A, pin GP3</source>
-        <translation>MCP2221A, Anschluss GP3</translation>
+        <translation>MCP2221A, Pin GP3</translation>
     </message>
     <message>
         <source>A report, described</source>

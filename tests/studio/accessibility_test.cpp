@@ -27,9 +27,11 @@ bool is_part_of_whole(const QWidget& widget) {
          parent->inherits("QTabBar") || parent->inherits("QHeaderView");
 }
 
-/// What somebody does something with, or looks at.
+/// What somebody does something with, or looks at. Whoever hands the focus on, as pages with tabs
+/// do to the tabs, is met there.
 bool is_met(const QWidget& widget) {
-  return widget.isVisible() && !is_part_of_whole(widget) && !widget.inherits("QMenuBar") &&
+  return widget.isVisible() && widget.focusProxy() == nullptr && !is_part_of_whole(widget) &&
+         !widget.inherits("QMenuBar") &&
          ((widget.focusPolicy() & Qt::TabFocus) != 0 || qobject_cast<const ImageView*>(&widget) ||
           qobject_cast<const QAbstractButton*>(&widget));
 }

@@ -74,6 +74,8 @@ struct Wanted {
   double empty = kMostEmpty;
 };
 
+constexpr const char* kLong = "long: set ALLTACT_SLOW";
+
 class Geometry : public testing::Test {
  protected:
   ~Geometry() override { Dresser().wear({Theme::kLight, QStringLiteral("en")}); }
@@ -210,6 +212,7 @@ TEST_F(Geometry, OfRecord) {
 }
 
 TEST_F(Geometry, OfInspect) {
+  if (!is_slow_run()) GTEST_SKIP() << kLong;
   StudioOptions options;
   options.finger = MadeFingers::get().calibrated();
   Studio studio(options);
@@ -232,6 +235,7 @@ TEST_F(Geometry, OfAccuracy) {
 }
 
 TEST_F(Geometry, OfTheFirstSteps) {
+  if (!is_slow_run()) GTEST_SKIP() << kLong;
   Studio studio;
   studio.click("Simulated finger");
   ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.finger.has_value(); }));
@@ -246,6 +250,7 @@ TEST_F(Geometry, OfTheFirstSteps) {
 }
 
 TEST_F(Geometry, OfTheStepsWithPresses) {
+  if (!is_slow_run()) GTEST_SKIP() << kLong;
   CalibrateStudio rig(6);
   rig.open();
   look(rig.studio(), "presses_first", open_step(rig, "Presses"));
@@ -264,6 +269,7 @@ TEST_F(Geometry, OfTheStepsWithPresses) {
 }
 
 TEST_F(Geometry, OfDialogs) {
+  if (!is_slow_run()) GTEST_SKIP() << kLong;
   NewFingerDialog finger([](const NewFinger&) { return Status(); });
   look_at_dialog("new finger", finger);
   SettingsDialog settings({}, nullptr);
@@ -278,6 +284,7 @@ TEST_F(Geometry, OfDialogs) {
 
 /// The same at other scales of the screen, which a program takes on when it starts.
 TEST_F(Geometry, AtOtherScales) {
+  if (!is_slow_run()) GTEST_SKIP() << kLong;
   if (!is_slow_run()) GTEST_SKIP() << "takes minutes: set ALLTACT_SLOW";
   if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) GTEST_SKIP() << "is at another scale";
   for (const char* scale : {"1.5", "2"}) {
