@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QRegularExpression>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -119,6 +120,7 @@ QString verdict_read_by(const Newcomer& newcomer) {
 }
 
 TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
+  if (std::getenv("ALLTACT_SLOW") == nullptr) GTEST_SKIP() << "long: set ALLTACT_SLOW";
   Studio studio;
   Newcomer newcomer(studio.window());
   Watcher watcher;
