@@ -34,7 +34,7 @@ std::vector<std::string> descriptions_in(const std::string& help) {
   std::vector<std::string> descriptions;
   std::istringstream lines(help.substr(help.find("Options:")));
   for (std::string line; std::getline(lines, line) && !line.starts_with("Exit status");)
-    if (line.size() > kColumn && line[kColumn - 1] == ' ' && line[kColumn] != ' ')
+    if (line.size() > kColumn && line.substr(kColumn - 2, 2) == "  " && line[kColumn] != ' ')
       descriptions.push_back(line.substr(kColumn));
   EXPECT_GE(descriptions.size(), 2U);
   return descriptions;
