@@ -5396,7 +5396,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Com&amp;pare</source>
-        <translation>&amp;Vergleichen</translation>
+        <translation>&amp;Vergleich</translation>
     </message>
     <message>
         <source>&amp;With</source>
@@ -5420,7 +5420,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Draw depth</source>
-        <translation>&amp;Tiefe gezeichnet</translation>
+        <translation>&amp;Tiefe zeichnen</translation>
     </message>
     <message>
         <source>Fin&amp;ger&apos;s body</source>

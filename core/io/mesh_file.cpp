@@ -74,8 +74,9 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& file) {
   if (size > kLargestFile)
     return refuse(en::say("the mesh's file is larger than 512 MB"), en::say("export it coarser"));
   Assimp::Importer importer;
-  const aiScene* scene =
-      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  const aiScene* scene = importer.ReadFile(
+      file.string(),
+      aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_PreTransformVertices);
   if (!scene)
     return refuse(en::say("the mesh cannot be read"),
                   en::say("export it again, e.g. as binary STL"));

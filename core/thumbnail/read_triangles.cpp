@@ -94,7 +94,8 @@ std::optional<std::vector<T>> vtp_array(std::string_view bytes, std::string_view
 
 std::optional<Triangles> from_vtp(std::string_view bytes) {
   if (bytes.find("type=\"PolyData\"") == std::string_view::npos ||
-      bytes.find("header_type=\"UInt64\"") == std::string_view::npos)
+      bytes.find("header_type=\"UInt64\"") == std::string_view::npos ||
+      bytes.rfind("</AppendedData>") == std::string_view::npos)  // cut
     return std::nullopt;
   auto points = vtp_array<cv::Vec3f>(bytes, "points_mm");
   auto depth = vtp_array<float>(bytes, "depth_mm");
@@ -141,13 +142,13 @@ std::optional<Triangles> from_glb(std::string_view bytes) {
   }
 }
 
+/// Validated, since its steps follow corners that are not there.
 std::optional<Triangles> by_assimp(const std::string& bytes, const std::string& kind) {
+  constexpr unsigned kSteps =
+      aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_PreTransformVertices;
   Assimp::Importer importer;
   const aiScene* scene =
-      importer.ReadFileFromMemory(bytes.data(),
-                                  bytes.size(),
-                                  aiProcess_Triangulate | aiProcess_PreTransformVertices,
-                                  kind.c_str());
+      importer.ReadFileFromMemory(bytes.data(), bytes.size(), kSteps, kind.c_str());
   if (scene == nullptr) return std::nullopt;
   Triangles triangles;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
@@ -202,8 +203,11 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
                    : kind == ".vtp" ? from_vtp(*bytes)
                    : kind == ".glb" ? from_glb(*bytes)
                                     : std::nullopt;
-  // assimp never comes back from a PLY that ends in its header.
-  const bool is_cut = kind == ".ply" && bytes->find(kPlyEnd) == std::string::npos;
+  // assimp never comes back from a PLY that ends in its header, and takes one of ours that ends
+  // among its faces for a whole one.
+  const bool is_cut =
+      kind == ".ply" && (bytes->find(kPlyEnd) == std::string::npos ||
+                         bytes->find("property float depth_mm") != std::string::npos);
   if (!triangles && kind != ".vtp" && !is_cut) triangles = by_assimp(*bytes, kind.substr(1));
   if (!triangles) return refuse(en::say("the mesh cannot be read"));
   if (triangles->corners.empty()) return refuse(en::say("the mesh has no triangles"));

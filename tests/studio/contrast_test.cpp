@@ -89,6 +89,7 @@ TEST_P(Painted, WhatHasTheFocusStandsOut) {
   window.resize(240, 240);
   window.show();
   QApplication::setActiveWindow(&window);
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
   for (QWidget* widget : {static_cast<QWidget*>(plain),
                           static_cast<QWidget*>(next),
                           static_cast<QWidget*>(tool),

@@ -109,7 +109,9 @@ TEST(InspectUncalibrated, ShowsTheWholeFaceAndNoPoints) {
   Studio studio(options);
   studio.window().go_to("inspect");
   auto& place = *studio.window().findChild<InspectPlace*>();
-  EXPECT_EQ(studio.find<QDoubleSpinBox>("Point A, u")->text().toStdString(), "u \xE2\x80\x93");
+  auto* along = studio.find<QDoubleSpinBox>("Point A, along the finger");
+  ASSERT_NE(along, nullptr);
+  EXPECT_EQ(along->text().toStdString(), "\xE2\x80\x93");
   place.open(MadeFingers::get().touched_pictures());
   ASSERT_TRUE(wait_until([&] { return place.inspection().frame() != nullptr; }, 30000));
   const auto& frame = place.inspection().frame();
@@ -123,7 +125,7 @@ TEST(InspectUncalibrated, ShowsTheWholeFaceAndNoPoints) {
   }
   // The scene's finger is 116 mm long and goes away from the camera at 34 degrees.
   EXPECT_NEAR(longest - shortest, 116 * std::sin(34 * 3.14159265 / 180), 2);
-  EXPECT_TRUE(says(studio, "the whole face's shape"));
+  EXPECT_TRUE(says(studio, "the shape of the whole finger"));
 }
 
 TEST(Start, OffersTheFingersOfBeforeAndAWholeDay) {

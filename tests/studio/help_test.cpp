@@ -110,7 +110,7 @@ TEST_P(Help, ShowsItsPictureAndLeavesNoMarkBehind) {
                 loaded.toByteArray().isEmpty(),
             false)
       << picture.toStdString();
-  EXPECT_LT(fs::file_size(GetParam().file(".png")), 60'000U);
+  EXPECT_LT(fs::file_size(GetParam().file(".png")), 80'000U);
   EXPECT_FALSE(page->toPlainText().contains(QLatin1Char('*'))) << "emphasis that is none";
   page->window()->resize(880, 720);
   QTest::qWait(100);

@@ -6,10 +6,12 @@
 #include "widgets/picture/overlays.h"
 #include "widgets/places/record_place.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QPainter>
 #include <QPainterPath>
+#include <QStandardPaths>
 #include <cmath>
 
 namespace alltact {
@@ -90,6 +92,8 @@ void RecordPlace::keep_take() {
 void RecordPlace::record_again() {
   const auto video = std::exchange(recorded_, {});
   judge_.forget();
+  // The bin lies there; where that is missing, Qt 6.4 makes one in whatever folder is the current.
+  QDir().mkpath(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation));
   // Only what was recorded just now, and not what was installed: that has been copied.
   if (video == session_.status().recording.file)
     for (const auto& file : {video, std::filesystem::path(video).replace_extension(".frames.csv")})
