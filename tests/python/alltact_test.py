@@ -298,7 +298,7 @@ class Calibrating(unittest.TestCase):
         self.assertIn(done.grade, ("good", "usable"))
         self.assertLess(done.expected_error_mm, 0.15)
         self.assertEqual([press["name"] for press in done.presses], [file.stem for file in fingers.flat_presses()])
-        self.assertEqual(told, sorted(told))
+        self.assertTrue(all(0 <= part <= 1 for part in told))
         other = Path(self.temporary.name, "g")
         shutil.copytree(fingers.flat_finger(), other)
         fingers.alltact("calibrate", other, *fingers.flat_presses(), "--reference", fingers.flat_reference(), "--ball-radius-mm", 4,

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kCheckSideWidth = 330, kCheckSymbol = 28;
+constexpr int kCheckSideWidth = 390, kCheckSymbol = 28;
 
 QString verdict_text(CheckVerdict verdict) {
   switch (verdict) {
