@@ -7,13 +7,10 @@
 #include <QComboBox>
 #include <QLabel>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace alltact::test {
 namespace {
-
-using testing::StartsWith;
 
 class InspectIn3DView : public testing::Test {
  protected:
@@ -57,17 +54,19 @@ TEST_F(InspectIn3DView, TellsUnderThePointerTheDepthThatIsExported) {
     const double ratio = view().devicePixelRatioF();
     const auto pixel = view().scene().pixel_at(at.x() * ratio, at.y() * ratio);
     QTest::mouseMove(&view(), at);
-    QTest::qWait(60);
-    const std::string text =
-        studio_->find<QLabel>(QStringLiteral("Under the pointer"))->text().toStdString();
+    const auto* label = studio_->find<QLabel>(QStringLiteral("Under the pointer"));
+    const auto is_told = [&](const QString& beginning) {
+      return wait_until([&] { return label->text().startsWith(beginning); }, 3000);
+    };
     if (!pixel) {
-      EXPECT_THAT(text, StartsWith("Point at the face"));
+      EXPECT_TRUE(is_told(QStringLiteral("Point at the face"))) << label->text().toStdString();
       continue;
     }
     const float depth = depth_mm.at<float>(cv::Point(whole_pixel(*pixel)));
     if (!std::isfinite(depth)) continue;
     ++told;
-    EXPECT_THAT(text, StartsWith("depth " + QLocale().toString(depth, 'f', 2).toStdString()));
+    EXPECT_TRUE(is_told(QStringLiteral("depth ") + QLocale().toString(depth, 'f', 2)))
+        << label->text().toStdString() << " instead of " << depth;
   }
   EXPECT_GT(told, 8);
 }

@@ -212,6 +212,7 @@ void EventStrip::paintEvent(QPaintEvent*) {
                      Qt::AlignLeft | Qt::AlignVCenter,
                      known_ > 0 ? tr("Depth over time needs a calibration.")
                                 : tr("The recording is being looked through."));
+    return;
   }
   paint_events(painter);
   const int height = lane_height(fontMetrics());

@@ -93,7 +93,7 @@ Inspection::Inspection(QObject* parent) : QObject(parent), shared_(std::make_sha
       lock.lock();
       shared->is_working = false;
       if (is_wished) shared->last_wish_at = Clock::now();
-      if (!goes_on) shared->is_at_end = true;
+      shared->is_at_end = !goes_on;  // a wish may have brought another recording
       if (shared->add(std::move(news)))
         QMetaObject::invokeMethod(this, &Inspection::take_summaries, Qt::QueuedConnection);
       if (!answer) continue;

@@ -111,7 +111,6 @@ Status save_film(const FilmOptions& options, const std::filesystem::path& file, 
 }
 
 void FilmQueue::add(FilmMoment moment) {
-  constexpr std::size_t kMost = 4;
   const std::lock_guard lock(mutex_);
   moments_.push_back(std::move(moment));
   if (moments_.size() > kMost) {
@@ -141,7 +140,8 @@ Status save_live_film(FilmQueue& queue,
                       const Job& job) {
   constexpr double kFramesPerS = 30;  // where frames have no times of their own
   FilmWriter writer(file, view);
-  while (!job.stop_requested())
+  // What has come by the time it is stopped is written all the same.
+  for (std::size_t left = FilmQueue::kMost; left > 0; left -= job.stop_requested() ? 1 : 0)
     if (const auto moment = queue.next())
       if (const Status status = writer.add(*moment, kFramesPerS); !status) return status;
   return writer.finish();

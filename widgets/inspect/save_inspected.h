@@ -50,6 +50,7 @@ struct FilmOptions {
 /// follow is left out and counted.
 class FilmQueue {
  public:
+  static constexpr std::size_t kMost = 4;
   void add(FilmMoment moment);
   /// Waits a while; nullopt: nothing came.
   [[nodiscard]] std::optional<FilmMoment> next();

@@ -144,7 +144,7 @@ void FaceScene::State::look() {
 }
 
 void FaceScene::State::shown(bool is_first) {
-  bar.show(true);
+  bar.show(first.has_depth());
   draw_marks();
   if (is_first && !is_looked_at) look();
   view.keep_in_sight();

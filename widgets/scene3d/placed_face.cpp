@@ -60,6 +60,7 @@ void PlacedFace::show(const FaceSurface& surface, const cv::Mat& other_mm) {
   surface_ = surface;
   other_mm_ = other_mm;
   body_ = body_of(surface);
+  has_depth_ = cv::countNonZero(surface.depth_mm == surface.depth_mm) > 0;
   draw_face();
   draw_body();
   draw_ghost();
@@ -150,7 +151,7 @@ void PlacedFace::draw_body() {
   if (is_drawn) body_actors_.draw(body_, surface_.markers);
   body_actors_.show(is_drawn);
   if (is_shown() && options_.ruler)
-    ruler_.draw(surface_, options_.times, place_);
+    ruler_.draw(surface_, has_depth_ ? options_.times : 0, place_);
   else
     ruler_.hide();
 }

@@ -30,6 +30,8 @@ class PlacedFace {
   void show(const FaceSurface& surface, const cv::Mat& other_mm);
   void hide();
   [[nodiscard]] bool is_shown() const { return !surface_.untouched_mm.empty(); }
+  /// Of a finger without calibration nothing is.
+  [[nodiscard]] bool has_depth() const { return has_depth_; }
   [[nodiscard]] bool is_difference() const { return !other_mm_.empty(); }
   /// Of what is shown.
   [[nodiscard]] ColourScale colours() const;
@@ -82,7 +84,7 @@ class PlacedFace {
   BodyActors body_actors_;
   Ruler ruler_;
   Axes axes_;
-  bool is_camera_shown_ = true;
+  bool is_camera_shown_ = true, has_depth_ = false;
 };
 
 }  // namespace alltact

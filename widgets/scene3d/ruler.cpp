@@ -92,7 +92,19 @@ void Ruler::draw(const FaceSurface& surface,
     lines.push_back({place(0.3), place(is_long ? kLongTick_mm : kTick_mm)});
     if (is_long) write(place(kText_mm), fmt::format("{:.0f}", mark + 0.0));
   }
-  // At the tip's end of the same edge.
+  if (times > 0) draw_stick(surface, times, scene_from_camera, lines);
+  set_lines(data_, lines);
+  lines_->VisibilityOn();
+}
+
+/// At the tip's end of the edge that is ticked.
+void Ruler::draw_stick(const FaceSurface& surface,
+                       double times,
+                       const RigidTransform& scene_from_camera,
+                       std::vector<std::vector<Eigen::Vector3d>>& lines) {
+  const cv::Mat& face = surface.untouched_mm;
+  const auto& along = surface.along_mm;
+  const int last_row = face.rows - 1;
   const int tip = along.front() <= along.back() ? face.cols - 1 : 0;
   const Eigen::Vector3d corner = vertex(face, 0, tip), other = vertex(face, last_row, tip);
   const Eigen::Vector3d out = (corner - other).normalized();
@@ -100,7 +112,7 @@ void Ruler::draw(const FaceSurface& surface,
   const int inner = tip == 0 ? face.cols / 8 : face.cols - 1 - face.cols / 8;
   // A little inside, so that its words end where the finger ends.
   const Eigen::Vector3d back = (vertex(face, 0, inner) - corner).normalized();
-  const Eigen::Vector3d foot = corner + 2.0 * kText_mm * out + kText_mm * back;
+  const Eigen::Vector3d foot = corner + 2.0 * kText_mm * out + 2.5 * kText_mm * back;
   const Eigen::Vector3d head = foot - Eigen::Vector3d(0, 0, times * height_mm);
   const Eigen::Vector3d serif = 0.6 * out;
   const auto placed = [&](const Eigen::Vector3d& p) { return scene_from_camera.point(p); };
@@ -110,8 +122,6 @@ void Ruler::draw(const FaceSurface& surface,
   write(placed(foot + 0.8 * kText_mm * out),
         times == 1 ? fmt::format("{:g} mm", height_mm)
                    : fmt::format("{:g} mm \u00d7{:g}", height_mm, times));
-  set_lines(data_, lines);
-  lines_->VisibilityOn();
 }
 
 void Ruler::dress(const SceneColours& colours, double pixels_per_unit) {

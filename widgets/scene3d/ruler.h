@@ -27,7 +27,7 @@ class Ruler {
   Ruler(const Ruler&) = delete;
   Ruler& operator=(const Ruler&) = delete;
 
-  /// `times`: that heights are drawn larger.
+  /// `times`: that heights are drawn larger; 0: there are none.
   void draw(const FaceSurface& surface, double times, const RigidTransform& scene_from_camera);
   void hide();
   void dress(const SceneColours& colours, double pixels_per_unit);
@@ -35,6 +35,10 @@ class Ruler {
   [[nodiscard]] const std::vector<Eigen::Vector3d>& corners() const { return corners_; }
 
  private:
+  void draw_stick(const FaceSurface& surface,
+                  double times,
+                  const RigidTransform& scene_from_camera,
+                  std::vector<std::vector<Eigen::Vector3d>>& lines);
   void write(const Eigen::Vector3d& at, const std::string& text);
 
   vtkNew<vtkPolyData> data_;
