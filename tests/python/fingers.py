@@ -2,11 +2,14 @@
 import atexit, functools, os, shutil, subprocess, tempfile
 from pathlib import Path
 
+from alltact import calibrate  # as the command line does (alltact_test.py), but for the report
+
 TOP = Path(__file__).parents[2]
 PROGRAM = os.environ["ALLTACT_PROGRAM"]
 FOLDER = Path(tempfile.mkdtemp(prefix="alltact-python-"))
 atexit.register(shutil.rmtree, FOLDER, ignore_errors=True)
 BALL_MM = 4.0
+BENDING = 120  # frames of the reference recording
 
 
 def alltact(*arguments, status: int = 0) -> str:
@@ -36,7 +39,7 @@ def flat_finger() -> Path:
     camera.write_text("model: orthographic\nsize: [480, 360]\nmm_per_px: 0.05\ncx: 239.5\ncy: 179.5\ndistortion: []\n"
                       "orientation: none\n")
     alltact("new", folder, "--camera", camera, "--layer-mm", 1.5, "--kind", "flat", "--plane-z-mm", 30)
-    alltact("calibrate", folder, *flat_presses(), "--reference", flat_reference(), "--ball-radius-mm", BALL_MM)
+    calibrate(folder, flat_presses(), BALL_MM, reference=flat_reference())
     return folder
 
 
@@ -48,8 +51,8 @@ def flat_reference() -> Path:
     return FOLDER / "flat_reference/frame_00000.png"
 
 
-def flat_scene(frames: int = 30) -> Path:
-    return scene("flat_press", frames=f"frames: {frames}", s_mm="s_mm: {from: -6.0, to: 6.0}", y_mm="y_mm: {from: -4.0, to: 4.0}",
+def flat_scene(frames: int = 30, frames_per_s: float = 30) -> Path:
+    return scene("flat_press", frames=f"frames: {frames}\nframes_per_s: {frames_per_s}", s_mm="s_mm: {from: -6.0, to: 6.0}", y_mm="y_mm: {from: -4.0, to: 4.0}",
                  depth_mm="depth_mm: {from: 0.3, to: 1.1}")
 
 
@@ -60,19 +63,19 @@ SMALL = "camera: {model: pinhole, size: [480, 270], fx: 261.95, fy: 261.95, cx: 
 def fin_ray() -> Path:
     """A Fin Ray finger with a reference recording, calibrated; pictures of 480 x 270 px."""
     folder = FOLDER / "left-07"
-    alltact("simulate", scene("demo_reference", camera=SMALL, frames="frames: 120"), "-o", FOLDER / "bending", "--video", "--threads", 2)
+    alltact("simulate", scene("demo_reference", camera=SMALL, frames=f"frames: {BENDING}"), "-o", FOLDER / "bending", "--video", "--threads", 2)
     alltact("simulate", scene("demo_presses", camera=SMALL), "-o", FOLDER / "presses", "--threads", 2)
     camera = FOLDER / "camera.yaml"
     camera.write_text(f"model: pinhole\nsize: [480, 270]\nfx: 261.95\nfy: 261.95\ncx: 239.5\ncy: 134.5\ndistortion: []\n"
                       "orientation: none\n")
     alltact("new", folder, "--camera", camera, "--width-mm", 24, "--layer-mm", 1.5, "--per-row", 6)
     alltact("reference", folder, FOLDER / "bending/frames.mkv")
-    alltact("calibrate", folder, *sorted((FOLDER / "presses").glob("frame_*.png")), "--ball-radius-mm", BALL_MM)
+    calibrate(folder, FOLDER / "presses", BALL_MM)
     return folder
 
 
-def touched_scene(frames: int) -> Path:
+def touched_scene(frames: int, frames_per_s: float = 30) -> Path:
     """The Fin Ray finger bending, with a ball that wanders over it."""
-    return scene("demo_presses", camera=SMALL, frames=f"frames: {frames}", name="name: touched",
+    return scene("demo_presses", camera=SMALL, frames=f"frames: {frames}\nframes_per_s: {frames_per_s}", name="name: touched",
                  motion="motion: {kind: wander, frames_per_move: 8}", s_mm="s_mm: {from: 24.0, to: 84.0}",
                  depth_mm="depth_mm: {from: 0.2, to: 1.1}")

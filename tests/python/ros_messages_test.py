@@ -1,5 +1,5 @@
 """The ROS 2 messages, against their definitions as ROS' common_interfaces have them; no ROS is needed."""
-import math, struct, sys, types, unittest
+import math, struct, sys, time, types, unittest
 
 import numpy as np
 
@@ -147,7 +147,62 @@ class Messages(unittest.TestCase):
         self.assertEqual(messages.stamp_ns({"time_ns": 0}, "monotonic", 1_000_000, 7_000), 1_000_000)
 
 
+class FakeNode:
+    """What the node asks of rclpy; keeps what is published, by topic."""
+
+    def __init__(self, name):
+        self.published = {}
+
+    def declare_parameter(self, name, usual):
+        return types.SimpleNamespace(value=self.parameters.get(name, usual))
+
+    def create_publisher(self, kind, topic, qos):
+        all_of_it = self.published.setdefault(topic, [])
+
+        def publish(message):
+            assert type(message) is kind, topic
+            all_of_it.append(message)
+        return types.SimpleNamespace(publish=publish)
+
+    def get_clock(self):
+        return types.SimpleNamespace(now=lambda: types.SimpleNamespace(nanoseconds=1_700_000_000_000_000_000))
+
+
+def node_without_ros():
+    """The node's module, with stand-ins for everything that it imports of ROS."""
+    fakes = {"rclpy": dict(ok=lambda: FakeNode.is_running), "rclpy.node": dict(Node=FakeNode), "rclpy.qos": dict(qos_profile_sensor_data=10)}
+    for module, names in (("sensor_msgs", "CameraInfo Image PointCloud2 PointField"), ("geometry_msgs", "WrenchStamped"),
+                          ("diagnostic_msgs", "DiagnosticArray DiagnosticStatus KeyValue"), ("std_msgs", "Header")):
+        fakes |= {module: {}, f"{module}.msg": {name: getattr(MSG, name) for name in names.split()}}
+    for name, content in fakes.items():
+        sys.modules[name] = types.ModuleType(name)
+        vars(sys.modules[name]).update(content)
+    from alltact_ros import node
+    return node
+
+
 class WithAServer(unittest.TestCase):
+    def test_the_node_publishes_what_is_served_and_says_when_it_ends(self):
+        import serve_test
+        node = node_without_ros()
+        with serve_test.serving(fingers.fin_ray(), fingers.touched_scene(serve_test.FRAMES)) as (path, process):
+            FakeNode.parameters, FakeNode.is_running = {"socket": str(path), "frame_id": "left"}, True
+            finger = node.Finger()
+            end = time.monotonic() + 60
+            while len(finger.published["~/points"]) < 3 and time.monotonic() < end:
+                time.sleep(0.01)
+            serve_test.stop(process)
+            states = finger.published["/diagnostics"]
+            while not any(state.status[0].level == messages.ERROR for state in states) and time.monotonic() < end:
+                time.sleep(0.01)
+            FakeNode.is_running = False
+        for topic in ("~/image", "~/camera_info", "~/points"):
+            self.assertGreaterEqual(len(finger.published[topic]), 3, topic)
+            self.assertEqual(finger.published[topic][0].header.frame_id, "left")
+        self.assertEqual(finger.published["~/wrench"], [])  # it has no force model
+        self.assertEqual(states[0].status[0].name, "alltact: left-07")
+        self.assertIn("stopped by hand", " ".join(state.status[0].message for state in states))
+
     def test_what_is_served_becomes_messages(self):
         import serve_test
         with serve_test.serving(fingers.fin_ray(), fingers.touched_scene(serve_test.FRAMES)) as (path, process):

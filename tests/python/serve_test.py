@@ -62,7 +62,8 @@ class Serve(unittest.TestCase):
         cls.finger, cls.scene = fingers.flat_finger(), fingers.flat_scene(FRAMES)
 
     def reconstructed(self, frames: int) -> Path:
-        """What the command line makes of the scene's first frames."""
+        """What the command line makes of the scene's first frames, some more than so many."""
+        frames = -(-frames // 50) * 50
         out = fingers.FOLDER / f"served-{frames}"
         if not out.exists():
             fingers.alltact("simulate", self.scene, "-o", out / "in", "--frames", frames)
@@ -89,23 +90,25 @@ class Serve(unittest.TestCase):
                                ("points", f"{name}.points.tiff"), ("depth", f"{name}.depth.tiff")):
                 np.testing.assert_array_equal(arrays[part], cv2.imread(str(truth / file), cv2.IMREAD_UNCHANGED), f"{name} {part}")
             self.assertEqual(without_times(told), without_times(lines[told["sequence"]]))
-        self.assertEqual([told["index"] for told, _ in frames], list(range(frames[0][0]["index"], frames[0][0]["index"] + 12)))
+        first = frames[0][0]
+        for count, (told, _) in enumerate(frames):  # whatever this client was too slow for is counted
+            self.assertEqual(told["index"] - first["index"], count + told["lost"] - first["lost"])
 
     def test_a_bending_finger_arrives_as_it_is_reconstructed(self):
-        finger, scene = fingers.fin_ray(), fingers.touched_scene(FRAMES)
+        finger, scene = fingers.fin_ray(), fingers.touched_scene(FRAMES, frames_per_s=8)
         with serving(finger, scene) as (path, process):
-            _, frames = frames_of(path, 10, "depth16", "depth")
+            _, frames = frames_of(path, 10, "depth16", "depth", "flags")
             stop(process)
+        # Markers are followed from frame to frame: the same bits come where the server, too, has measured every frame.
+        frames = [(told, arrays) for told, arrays in frames if told["index"] == told["sequence"]]
+        self.assertGreater(len(frames), 4)
         out = fingers.FOLDER / "bent"
         fingers.alltact("simulate", scene, "-o", out / "in", "--frames", frames[-1][0]["sequence"] + 1, "--threads", 2)
-        fingers.alltact("reconstruct", finger, out / "in", "-o", out, "--format", "depth,depth16")
+        fingers.alltact("reconstruct", finger, out / "in", "-o", out, "--format", "depth,depth16,flags")
         for told, arrays in frames:
-            depth = cv2.imread(str(out / f"{told['frame']}.depth.tiff"), cv2.IMREAD_UNCHANGED)
-            depth16 = cv2.imread(str(out / f"{told['frame']}.depth16.png"), cv2.IMREAD_UNCHANGED)
-            # Frames that were skipped can move a marker by what its search stops at: less than a micrometre of depth.
-            self.assertLess(np.nanmax(np.abs(arrays["depth"] - depth)), 0.001)
-            self.assertLessEqual(np.abs(arrays["depth16"].astype(int) - depth16).max(), 1)
-            np.testing.assert_array_equal(np.isnan(arrays["depth"]), np.isnan(depth))
+            for part, file in (("depth", "depth.tiff"), ("depth16", "depth16.png"), ("flags", "flags.png")):
+                written = cv2.imread(str(out / f"{told['frame']}.{file}"), cv2.IMREAD_UNCHANGED)
+                np.testing.assert_array_equal(arrays[part], written, f"{told['frame']} {part}")
 
     def test_the_schema_tells_every_key_that_arrives(self):
         schema = json.loads(fingers.alltact("serve", "--schema", "--json"))
@@ -191,7 +194,8 @@ class Serve(unittest.TestCase):
                         dates.append(told["calibration_date"])
                         revisions.append(told["finger_revision"])
                         if len(revisions) == 1:
-                            fingers.alltact("calibrate", Path(folder, "f"), "--again", "--exclude", "frame_00003")
+                            fingers.calibrate(Path(folder, "f"), fingers.flat_presses()[:3], fingers.BALL_MM,
+                                              reference=fingers.flat_reference())
                     elif kind == "frame":
                         self.assertEqual(told["finger_revision"], revisions[-1])
                         if len(revisions) > 1:

@@ -275,7 +275,7 @@ def calibrate(folder: Path_, presses: Path_ | Sequence[Path_] | Sequence[Frame],
               **settings: object) -> Calibration:
     """Learns depth from presses of a ball and saves it with the finger. reference: of a flat sensor, its untouched picture. say: of
     single presses as the command line says it, {"depth": ["press_2=1.2+-0.01"], "exclude": ["press_3=glove"]}. progress: is told
-    the fraction done and what is being done. settings: those of `alltact calibrate --help`."""
+    what is being done and the fraction of it that is done. settings: those of `alltact calibrate --help`."""
 
 def presets(folder: Path_) -> dict[str, dict[str, Any]]:
     """What a study kept with the finger: by name frame_ms, median_mm, p95_mm (of depth), settings."""

@@ -78,7 +78,7 @@ class Peer {
     if (!take(heard.body.data(), heard.body.size())) return std::nullopt;
     heard.table.resize(heard.header.parts);
     const std::size_t table = heard.table.size() * sizeof(StreamPartEntry);
-    std::memcpy(heard.table.data(), heard.body.data(), table);
+    if (table > 0) std::memcpy(heard.table.data(), heard.body.data(), table);
     heard.told = json::parse(heard.body.substr(table, heard.header.json_bytes));
     return heard;
   }

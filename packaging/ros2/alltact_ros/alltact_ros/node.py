@@ -1,8 +1,9 @@
 """ros2 run alltact_ros finger --ros-args -p socket:=/run/user/1000/alltact/left-07.sock -p frame_id:=left_finger_optical
 
-Publishes, below its own name: image, camera_info, points, wrench; and /diagnostics. Parts that nobody subscribes to are asked for
+Without `socket` the first finger that is served by this user. Publishes, below its own name: image, camera_info, points, wrench; and /diagnostics. Parts that nobody subscribes to are asked for
 all the same: they cost the server, not the network.
 """
+import glob
 import os
 import threading
 import time
@@ -27,8 +28,8 @@ BETWEEN_TRIES_S, BETWEEN_DIAGNOSTICS_S = 1.0, 1.0
 class Finger(Node):
     def __init__(self):
         super().__init__("finger")
-        usual = os.path.join(os.environ.get("XDG_RUNTIME_DIR", ""), "alltact", "finger.sock")
-        self.path = self.declare_parameter("socket", usual).value
+        served = sorted(glob.glob(os.path.join(os.environ.get("XDG_RUNTIME_DIR", ""), "alltact", "*.sock")))
+        self.path = self.declare_parameter("socket", served[0] if served else "").value
         self.frame_id = self.declare_parameter("frame_id", "finger_optical").value
         self.image = self.create_publisher(Image, "~/image", qos_profile_sensor_data)
         self.camera_info = self.create_publisher(CameraInfo, "~/camera_info", qos_profile_sensor_data)
