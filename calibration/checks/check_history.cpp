@@ -97,6 +97,15 @@ CheckEntry entry_of(const PressCheck& check,
   return entry;
 }
 
+const CheckEntry* latest_check(const std::vector<CheckEntry>& history, const Finger& finger) {
+  if (history.empty()) return nullptr;
+  const std::string& checked = history.back().calibration_date;
+  const auto made = finger.provenance.find("calibration_date");
+  const bool is_of_this =
+      checked.empty() || made == finger.provenance.end() || checked == made->second;
+  return is_of_this ? &history.back() : nullptr;
+}
+
 Result<std::vector<CheckEntry>> load_checks(const fs::path& folder,
                                             std::vector<Message>* warnings) {
   const fs::path file = folder / kCheckFile;

@@ -38,6 +38,11 @@ inline constexpr const char* kCheckFile = "checks.csv";
 [[nodiscard]] Result<std::vector<CheckEntry>> load_checks(const std::filesystem::path& folder,
                                                           std::vector<Message>* warnings);
 
+/// The last of them where it is of the calibration that the finger has now, else null. Where either
+/// does not tell its date, as old files do not, it is taken for one of this calibration.
+[[nodiscard]] const CheckEntry* latest_check(const std::vector<CheckEntry>& history,
+                                             const Finger& finger);
+
 /// Adds a line to the file, whole or not at all; whatever else stands in it stays.
 [[nodiscard]] Status append_check(const std::filesystem::path& folder, const CheckEntry& entry);
 

@@ -4,6 +4,7 @@
 #include "core/utc_time.h"
 #include "widgets/calibrating/space_key.h"
 #include "widgets/language.h"
+#include "widgets/panels/side_panel.h"
 #include "widgets/report/report_words.h"
 #include "widgets/shell/icons.h"
 #include "widgets/theme.h"
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kCheckSideWidth = 390, kCheckSymbol = 28;
+constexpr int kCheckSideWidth = 330, kCheckSymbol = 28;
 
 QString verdict_text(CheckVerdict verdict) {
   switch (verdict) {
@@ -152,16 +153,9 @@ CheckPage::CheckPage(LiveSession& session,
 }
 
 QWidget* CheckPage::make_side() {
-  auto* side = new QWidget;
-  side->setFixedWidth(kCheckSideWidth);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(6, 0, 0, 0);
+  const SidePanel side(kCheckSideWidth);
   auto* take = new QVBoxLayout(take_group_);
   take->addWidget(how_);
-  QFont bold = take_->font();
-  bold.setBold(true);
-  take_->setFont(bold);
-  take_->setMinimumHeight(44);
   take->addWidget(take_);
   take->addWidget(count_);
   auto* row = new QHBoxLayout;
@@ -170,7 +164,7 @@ QWidget* CheckPage::make_side() {
   row->addWidget(bar_, 1);
   row->addStretch();
   take->addLayout(row);
-  column->addWidget(take_group_);
+  side.column->addWidget(take_group_);
   auto* inside = new QVBoxLayout(verdict_group_);
   auto* head = new QHBoxLayout;
   head->addWidget(symbol_);
@@ -182,17 +176,12 @@ QWidget* CheckPage::make_side() {
   inside->addLayout(head);
   inside->addWidget(sentence_);
   inside->addWidget(plot_, 1);
-  column->addWidget(verdict_group_, 1);
-  return side;
+  side.column->addWidget(verdict_group_, 1);
+  return side.whole;
 }
 
 const CheckEntry* CheckPage::latest() const {
-  if (history_.empty() || !run_.finger()) return nullptr;
-  const auto& provenance = run_.finger()->finger.provenance;
-  const auto date = provenance.find("calibration_date");
-  const bool is_of_this =
-      date == provenance.end() || history_.back().calibration_date == date->second;
-  return is_of_this ? &history_.back() : nullptr;
+  return run_.finger() ? latest_check(history_, run_.finger()->finger) : nullptr;
 }
 
 StepState CheckPage::state() const {

@@ -20,16 +20,6 @@ fs::path picture_of(const fs::path& folder, const Finger& finger) {
   return {};
 }
 
-/// The latest that is of this calibration; an old file does not tell which it was of.
-std::optional<CheckEntry> latest_check(const fs::path& folder, const std::string& calibrated_on) {
-  const auto checks = load_checks(folder, nullptr);
-  if (!checks || checks->empty()) return std::nullopt;
-  const CheckEntry& latest = checks->back();
-  if (!latest.calibration_date.empty() && latest.calibration_date != calibrated_on)
-    return std::nullopt;
-  return latest;
-}
-
 FingerDue due_of(const Finger& finger,
                  const std::optional<CheckEntry>& check,
                  const std::string& now) {
@@ -58,7 +48,8 @@ std::optional<FingerCard> read_finger_card(const fs::path& folder, const std::st
     if (const auto date = finger.provenance.find("calibration_date");
         date != finger.provenance.end())
       card.calibrated_on = date->second;
-    check = latest_check(folder, card.calibrated_on);
+    if (const auto history = load_checks(folder, nullptr))
+      if (const CheckEntry* latest = latest_check(*history, finger)) check = *latest;
   }
   if (check) {
     card.checked_on = check->time;

@@ -52,6 +52,19 @@ TEST(CheckHistory, ACutOffFileKeepsItsWholeLinesAndGoesOn) {
   }
 }
 
+TEST(CheckHistory, TheLastCheckCountsForTheCalibrationThatItWasOf) {
+  Finger finger;
+  EXPECT_EQ(latest_check({}, finger), nullptr);
+  std::vector<CheckEntry> history{some_entry(0), some_entry(1)};
+  EXPECT_EQ(latest_check(history, finger), &history.back()) << "the finger does not tell its date";
+  finger.provenance["calibration_date"] = history.back().calibration_date;
+  EXPECT_EQ(latest_check(history, finger), &history.back());
+  finger.provenance["calibration_date"] = "2026-02-01T12:00:00Z";
+  EXPECT_EQ(latest_check(history, finger), nullptr);
+  history.back().calibration_date.clear();
+  EXPECT_EQ(latest_check(history, finger), &history.back()) << "an old file does not tell it";
+}
+
 RC_GTEST_PROP(CheckHistory, AnythingElseIsLeftOutAndNamed, ()) {
   const test::TemporaryFolder folder;
   const auto junk = *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', 127));
