@@ -38,15 +38,7 @@ struct DepthPackets::State {
 
   [[nodiscard]] Status fill(const cv::Mat& steps) {
     AVFrame& to = *picture;
-    int status = 0;
-    if (to.buf[0] == nullptr) {
-      to.format = AV_PIX_FMT_GRAY16LE;
-      to.width = steps.cols;
-      to.height = steps.rows;
-      status = av_frame_get_buffer(&to, 0);
-    } else {
-      status = av_frame_make_writable(&to);
-    }
+    const int status = make_room(to, AV_PIX_FMT_GRAY16LE, steps.size());
     if (status < 0) return av_error(compressing_depth(), {}, status);
     for (int v = 0; v < steps.rows; ++v) {
       auto* row = to.data[0] + std::ptrdiff_t{v} * to.linesize[0];

@@ -54,6 +54,14 @@ void stretch(cv::Mat& grey) {
 
 }  // namespace
 
+int make_room(AVFrame& picture, AVPixelFormat format, cv::Size size) {
+  if (picture.buf[0] != nullptr) return av_frame_make_writable(&picture);
+  picture.format = format;
+  picture.width = size.width;
+  picture.height = size.height;
+  return av_frame_get_buffer(&picture, 0);
+}
+
 void quiet_libav() {
   static std::once_flag once;
   std::call_once(once, [] { av_log_set_level(AV_LOG_QUIET); });

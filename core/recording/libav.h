@@ -29,6 +29,10 @@ using AvPtr = std::unique_ptr<T, AvDeleter>;
 /// libav's own messages would stand beside our sentences and say less. Before its first use.
 void quiet_libav();
 
+/// Room of its own for a picture that goes to an encoder, which reads a little beyond the last
+/// pixel: made with the first, and not what an encoder still holds. Below 0: libav's error.
+[[nodiscard]] int make_room(AVFrame& picture, AVPixelFormat format, cv::Size size);
+
 /// What an input is read with.
 struct AvInputDeleter {
   void operator()(AVFormatContext* context) const { avformat_close_input(&context); }

@@ -67,18 +67,9 @@ class Encoder {
   }
 
  private:
-  /// Rows of our own: encoders read a little beyond the last pixel.
   Status fill(const cv::Mat& grey) {
     AVFrame& picture = *picture_;
-    int status = 0;
-    if (picture.buf[0] == nullptr) {
-      picture.format = AV_PIX_FMT_GRAY8;
-      picture.width = grey.cols;
-      picture.height = grey.rows;
-      status = av_frame_get_buffer(&picture, 0);
-    } else {
-      status = av_frame_make_writable(&picture);
-    }
+    const int status = make_room(picture, AV_PIX_FMT_GRAY8, grey.size());
     if (status < 0) return av_error(encoding(), {}, status);
     for (int v = 0; v < grey.rows; ++v)
       std::copy_n(grey.ptr<std::uint8_t>(v),
