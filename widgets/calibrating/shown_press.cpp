@@ -4,6 +4,7 @@
 #include "core/geometry/ball.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/verdict_words.h"
+#include "widgets/grey_image.h"
 #include "widgets/picture/overlays.h"
 #include "widgets/shell/icons.h"
 
@@ -115,11 +116,7 @@ QImage press_thumbnail(const cv::Mat& grey,
   place.translate(corner.x(), corner.y());
   place.scale(scale, scale);
   place.translate(-cut.x(), -cut.y());
-  const QImage image(grey.data,
-                     grey.cols,
-                     grey.rows,
-                     static_cast<qsizetype>(grey.step),
-                     QImage::Format_Grayscale8);
+  const QImage image = grey_image(grey);
   // Drawn smaller in one step it would be made of single pixels.
   const QRectF target = place.mapRect(QRectF(inside));
   painter.drawImage(

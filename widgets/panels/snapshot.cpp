@@ -1,5 +1,7 @@
 #include "widgets/panels/snapshot.h"
 
+#include "widgets/grey_image.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -23,14 +25,6 @@ struct SnapshotWords {
   }
 };
 
-QImage wrapped(const cv::Mat& grey) {
-  return {grey.data,
-          grey.cols,
-          grey.rows,
-          static_cast<qsizetype>(grey.step),
-          QImage::Format_Grayscale8};
-}
-
 QString proposed_file() {
   const QDir pictures(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
   const QDir where = pictures.exists() ? pictures : QDir::home();
@@ -42,7 +36,7 @@ QString proposed_file() {
 }  // namespace
 
 QImage drawn_picture(const cv::Mat& grey, const std::vector<Overlay>& overlays) {
-  QImage picture = wrapped(grey).convertToFormat(QImage::Format_RGB32);
+  QImage picture = grey_image(grey).convertToFormat(QImage::Format_RGB32);
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
   for (const Overlay& overlay : overlays) {
@@ -59,7 +53,7 @@ void choose_snapshot(const cv::Mat& grey, const std::vector<Overlay>& overlays, 
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("png"));
   dialog->setNameFilters({SnapshotWords::drawn(), SnapshotWords::bare()});
-  const QImage drawn = drawn_picture(grey, overlays), bare = wrapped(grey).copy();
+  const QImage drawn = drawn_picture(grey, overlays), bare = grey_image(grey).copy();
   QObject::connect(dialog,
                    &QFileDialog::fileSelected,
                    &parent,

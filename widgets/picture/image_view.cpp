@@ -1,6 +1,7 @@
 #include "widgets/picture/image_view.h"
 
 #include "widgets/accessible.h"
+#include "widgets/grey_image.h"
 
 #include <QImage>
 #include <QKeyEvent>
@@ -123,11 +124,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, message_);
   } else {
     // Wrapped: grey_ keeps the pixels alive.
-    const QImage image(grey_.data,
-                       grey_.cols,
-                       grey_.rows,
-                       static_cast<qsizetype>(grey_.step),
-                       QImage::Format_Grayscale8);
+    const QImage image = grey_image(grey_);
     painter.setRenderHint(QPainter::SmoothPixmapTransform,
                           transform_.scale * devicePixelRatioF() < 1);
     painter.drawImage(transform_.covered(picture_size()), image);

@@ -2,6 +2,7 @@
 
 #include "core/geometry/ball.h"
 #include "widgets/accessible.h"
+#include "widgets/grey_image.h"
 #include "widgets/picture/overlays.h"
 
 #include <QKeyEvent>
@@ -286,11 +287,7 @@ void OutlineEditor::paint_magnifier(QPainter& painter) const {
   clip.addRoundedRect(loupe, 6, 6);
   painter.setClipPath(clip);
   painter.fillPath(clip, palette().window());
-  const QImage image(grey.data,
-                     grey.cols,
-                     grey.rows,
-                     static_cast<qsizetype>(grey.step),
-                     QImage::Format_Grayscale8);
+  const QImage image = grey_image(grey);
   // Only the pixels that show: scaling them all would cost more than everything else.
   const QRect shown =
       QRectF(closer.to_picture(loupe.topLeft()), closer.to_picture(loupe.bottomRight()))

@@ -1,6 +1,7 @@
 #include "widgets/report/press_picture.h"
 
 #include "core/geometry/ball.h"
+#include "widgets/grey_image.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -11,15 +12,6 @@ namespace alltact {
 namespace {
 
 constexpr double kRoom = 1.45;  // what is shown, in sizes of the outline
-
-/// Shares the pixels; to be used while `grey` lives.
-QImage as_image(const cv::Mat& grey) {
-  return QImage(grey.data,
-                grey.cols,
-                grey.rows,
-                static_cast<qsizetype>(grey.step),
-                QImage::Format_Grayscale8);
-}
 
 /// The hull of all pixels.
 QPolygonF border_of(const std::vector<Eigen::Vector2d>& pixels) {
@@ -68,7 +60,7 @@ QImage press_picture(const cv::Mat& grey,
   to_image.scale(scale, scale);
   to_image.translate(-ball_box.center().x(), -ball_box.center().y());
   painter.setTransform(to_image);
-  painter.drawImage(QPointF(-0.5, -0.5), as_image(grey));
+  painter.drawImage(QPointF(-0.5, -0.5), grey_image(grey));
   painter.resetTransform();
   QPainterPath path;
   path.addPolygon(to_image.map(polygon));
@@ -93,7 +85,7 @@ QImage press_picture(const cv::Mat& grey,
 QImage whole_picture(const cv::Mat& grey, const QSize& size) {
   QImage image(size, QImage::Format_RGB32);
   image.fill(QColor("#808080"));
-  const QImage small = as_image(grey).scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  const QImage small = grey_image(grey).scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   QPainter painter(&image);
   painter.drawImage(
       (size.width() - small.width()) / 2, (size.height() - small.height()) / 2, small);
