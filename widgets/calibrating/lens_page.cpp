@@ -113,10 +113,6 @@ QWidget* LensPage::make_side() {
   const SidePanel side(kLensSideWidth);
   side.column->addWidget(summary_);
   auto* live = new QVBoxLayout(live_group_);
-  QFont bold = take_->font();
-  bold.setBold(true);
-  take_->setFont(bold);
-  take_->setMinimumHeight(44);
   live->addWidget(take_);
   live->addWidget(by_itself_);
   live->addWidget(guide_);

@@ -38,7 +38,6 @@ MappingPage::MappingPage(PressDesk& desk,
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(problems_);
   auto* row = new QHBoxLayout;
-  calibrate_->setMinimumHeight(36);
   calibrate_->setMinimumWidth(160);
   row->addWidget(calibrate_);
   row->addWidget(bar_, 1);

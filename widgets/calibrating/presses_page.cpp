@@ -124,10 +124,6 @@ void PressesPage::make_taking(QVBoxLayout& column) {
   radius_->setKeyboardTracking(false);
   radius_label_->setBuddy(radius_);
   operator_label_->setBuddy(operator_);
-  QFont bold = take_->font();
-  bold.setBold(true);
-  take_->setFont(bold);
-  take_->setMinimumHeight(44);
   column.addWidget(take_);
   column.addWidget(take_reason_);
   column.addWidget(taken_);

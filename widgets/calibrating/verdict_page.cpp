@@ -89,7 +89,6 @@ void VerdictPage::make_head(QVBoxLayout& column) {
 
 void VerdictPage::make_foot(QVBoxLayout& column) {
   auto* buttons = new QHBoxLayout;
-  print_->setMinimumHeight(36);
   fold_->setCheckable(true);
   fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   buttons->addWidget(print_);

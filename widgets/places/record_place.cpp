@@ -149,7 +149,6 @@ void RecordPlace::make_result_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(result_group_);
   rejected_->setMaximumHeight(140);
   rejected_->setWordWrap(true);
-  install_->setMinimumHeight(40);
   auto* other = new QHBoxLayout;
   other->addWidget(keep_);
   other->addWidget(again_);
