@@ -89,8 +89,10 @@ TEST_P(Painted, WhatHasTheFocusStandsOut) {
   window.resize(240, 240);
   window.show();
   QApplication::setActiveWindow(&window);
-  for (QWidget* widget :
-       {static_cast<QWidget*>(next), static_cast<QWidget*>(tool), static_cast<QWidget*>(box)}) {
+  for (QWidget* widget : {static_cast<QWidget*>(plain),
+                          static_cast<QWidget*>(next),
+                          static_cast<QWidget*>(tool),
+                          static_cast<QWidget*>(box)}) {
     other->setFocus(Qt::TabFocusReason);
     const QImage without = picture_of(window).copy(widget->geometry());
     widget->setFocus(Qt::TabFocusReason);

@@ -113,6 +113,9 @@ void StudioStyle::drawPrimitive(PrimitiveElement element,
     return draw_outline(
         *painter, option->rect, option->palette.color(QPalette::Highlight), kFocusWidth);
   QProxyStyle::drawPrimitive(element, option, painter, widget);
+  // Fusion asks for no PE_FrameFocusRect of buttons; its own sign is a shade of their edge.
+  if (element == PE_PanelButtonCommand && has_focus(*option) && !is_black(*option))
+    draw_outline(*painter, option->rect, option->palette.color(QPalette::Highlight), kFocusWidth);
   if (element == PE_PanelButtonTool && option->state.testFlag(State_On))
     draw_chosen(*painter, *option);
   if (!is_dark(option->palette)) return;
