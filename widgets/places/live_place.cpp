@@ -51,7 +51,10 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
   connect(controls_, &ControlPanel::control_changed, this, &LivePlace::change_control);
   connect(controls_, &ControlPanel::lock_changed, this, &LivePlace::change_lock);
   connect(&session_, &LiveSession::status_ready, this, &LivePlace::show_status);
-  connect(&session_, &LiveSession::view_ready, this, [this] { show_start(false); });
+  // The last picture of a source that was closed may still be on its way.
+  connect(&session_, &LiveSession::view_ready, this, [this] {
+    if (!is_start_wanted_) show_start(false);
+  });
   connect(start_, &StartPanel::finger_wanted, this, &LivePlace::open_finger_wanted);
   connect(start_, &StartPanel::new_finger_wanted, this, [this] { Q_EMIT new_finger_wanted({}); });
   say([this] { name_parts(); });
@@ -59,6 +62,7 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
 }
 
 void LivePlace::show_start(bool is_wanted) {
+  is_start_wanted_ = is_wanted;
   pages_->setCurrentIndex(is_wanted ? 0 : 1);
 }
 

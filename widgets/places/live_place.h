@@ -81,6 +81,7 @@ class LivePlace : public Place {
   QStringList cameras_;  // names that open them
   ViewOptions options_;
   QStackedLayout* pages_;
+  bool is_start_wanted_ = false;  // until a source is opened
   StartPanel* start_;
   PicturePanel* panel_;
   PicturePanel* second_panel_ = nullptr;  // there from the first second finger on
