@@ -76,21 +76,6 @@ TEST(SecondDayStart, OffersOnlyFingersThatCanBeOpened) {
   EXPECT_FALSE(offered.contains(QStringLiteral("/nowhere/a-finger-that-was-deleted")));
 }
 
-TEST(SecondDayStart, SaysAtOnceWhatIsKnownOfTheFinger) {
-  StudioOptions options;
-  options.finger = MadeFingers::get().calibrated();
-  Studio studio(options);
-  auto* summary = studio.window().findChild<FingerSummary*>();
-  ASSERT_NE(summary, nullptr);
-  ASSERT_TRUE(wait_until([&] { return summary->card().has_value(); }));
-  EXPECT_TRUE(summary->isVisible());
-  EXPECT_TRUE(says(studio, "Due: a check"));
-  auto* place = studio.window().findChild<CalibratePlace*>();
-  ASSERT_TRUE(wait_until([&] { return place->run().state() == CalibrationState::kCurrent; }));
-  studio.click("Go to the check");
-  EXPECT_TRUE(place->findChild<CheckPage*>()->isVisible());
-}
-
 TEST(SecondDayStart, ListsAllFingersOfTheLabTheMostUrgentFirst) {
   StudioOptions options;
   options.finger = MadeFingers::get().calibrated();

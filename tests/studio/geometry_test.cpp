@@ -284,7 +284,6 @@ TEST_F(Geometry, OfDialogs) {
 
 /// The same at other scales of the screen, which a program takes on when it starts.
 TEST_F(Geometry, AtOtherScales) {
-  if (!is_slow_run()) GTEST_SKIP() << kLong;
   if (!is_slow_run()) GTEST_SKIP() << "takes minutes: set ALLTACT_SLOW";
   if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) GTEST_SKIP() << "is at another scale";
   for (const char* scale : {"1.5", "2"}) {

@@ -222,7 +222,9 @@ TEST(HelpPictures, OfCalibrateIsLikeTheWindow) {
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   auto* list = rig.place().findChild<PressesPage*>()->findChild<QListView*>();
   list->setCurrentIndex(list->model()->index(2, 0));
-  expect_like_kept(rig.studio().window(), "calibrate");
+  expect_like_kept(rig.studio().window(), "calibrate", [&] {
+    return rig.place().forecast().result() != nullptr;
+  });
 }
 
 TEST(HelpPictures, OfInspectIsLikeTheWindow) {

@@ -48,7 +48,9 @@ TEST(LensBoards, AreTakenByThemselvesAndMeasureTheLens) {
   studio.find<QSpinBox>("Inner corners in a row")->setValue(8);
   studio.find<QSpinBox>("Inner corners in a column")->setValue(6);
   studio.find<QDoubleSpinBox>("Side of a square")->setValue(4);
-  studio.find<QCheckBox>("By itself where it is new and still")->click();
+  auto* by_itself = studio.find<QCheckBox>("By itself where it is new and still");
+  ASSERT_TRUE(wait_until([&] { return by_itself->isEnabled(); }));
+  by_itself->click();
   auto* page = studio.window().findChild<LensPage*>();
   auto* views = page->findChild<QListWidget*>();
   ASSERT_TRUE(wait_until([&] { return views->count() >= 5; }, 40000))
@@ -56,7 +58,7 @@ TEST(LensBoards, AreTakenByThemselvesAndMeasureTheLens) {
   ASSERT_TRUE(
       wait_until([&] { return views->item(0)->text().contains(QLatin1String("error 0.")); }, 20000))
       << views->item(0)->text().toStdString();
-  studio.find<QCheckBox>("By itself where it is new and still")->click();
+  by_itself->click();
   studio.click("Measure the lens");
   ASSERT_TRUE(wait_until([&] { return !page->camera_file().empty(); }, 60000)) << studio.problems();
   const auto camera = load_camera(page->camera_file(), nullptr);

@@ -1,5 +1,6 @@
 // The day after: a finger that was calibrated earlier shows what is known of it, from what it
 // keeps.
+#include "app/studio/finger_summary.h"
 #include "calibration/checks/check_history.h"
 #include "core/io/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
@@ -121,6 +122,19 @@ TEST_F(SecondDay, EveryStepIsOpenAndNothingHasChanged) {
   rig_.go_to_step("Check");
   ASSERT_TRUE(wait_until([&] { return says(rig_.studio(), "Pass"); }));
   EXPECT_TRUE(contents(rig_.finger()) == before) << "looking changes nothing";
+}
+
+TEST_F(SecondDay, TheWindowSaysAtOnceWhatIsKnownAndLeadsToWhatIsDue) {
+  std::filesystem::remove(rig_.finger() / kCheckFile);
+  rig_.open();
+  auto* summary = rig_.studio().window().findChild<FingerSummary*>();
+  ASSERT_NE(summary, nullptr);
+  ASSERT_TRUE(wait_until([&] { return summary->card().has_value(); }));
+  EXPECT_TRUE(summary->isVisible());
+  EXPECT_TRUE(says(rig_.studio(), "Due: a check"));
+  ASSERT_TRUE(wait_until([&] { return rig_.run().state() == CalibrationState::kCurrent; }));
+  rig_.studio().click("Go to the check");
+  EXPECT_TRUE(rig_.place().findChild<CheckPage*>()->isVisible());
 }
 
 TEST_F(SecondDay, PlotsTakeTheRoomOfTheMapping) {
