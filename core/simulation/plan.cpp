@@ -1,6 +1,7 @@
 #include "core/simulation/plan.h"
 
 #include "core/numerics/dispatch.h"
+#include "core/numerics/parts.h"
 #include "core/numerics/philox.h"
 #include "core/simulation/frame_plan.h"
 #include "core/simulation/plan_truth.h"
@@ -8,7 +9,6 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <thread>
 
 namespace alltact {
 
@@ -63,17 +63,6 @@ void add_up_light(RowView& row) {
     row.lit_first = std::min(row.lit_first, more.first);
     row.lit_last = std::max(row.lit_last, more.last);
   }
-}
-
-// Calls work(first, last) for all of `rows`, cut into as many parts as there are threads.
-template <class Work>
-void over_rows(int rows, int threads, const Work& work) {
-  const int parts = std::clamp(threads, 1, rows);
-  const auto row_at = [&](int part) { return static_cast<int>(std::int64_t{rows} * part / parts); };
-  std::vector<std::jthread> helpers;
-  for (int part = 1; part < parts; ++part)
-    helpers.emplace_back([&, part] { work(row_at(part), row_at(part + 1)); });
-  work(0, row_at(1));
 }
 
 RadianceRows light_of(const FramePlan& plan, const FrameGeometry& geometry) {
@@ -261,14 +250,14 @@ cv::Mat Plan::State::render_in_passes(const FramePlan& plan,
                                       int threads) const {
   const cv::Size size = rays.camera().size();
   cv::Mat_<float> grey = cv::Mat_<float>::zeros(size);
-  over_rows(
+  over_parts(
       size.height, threads, [&](int first, int last) { render_light(plan, first, last, grey); });
   cv::Mat bytes;
   if (plan.gives_bytes()) bytes.create(size, CV_8UC1);
   for (auto from = plan.sensor.begin();;) {
     const auto whole = std::find_if(
         from, plan.sensor.end(), [](const auto& step) { return step.effect->needs_picture(); });
-    over_rows(size.height, threads, [&](int first, int last) {
+    over_parts(size.height, threads, [&](int first, int last) {
       RowScratch scratch(size.width);
       RowView row(size.width, scratch);
       row.lit_last = size.width;
@@ -367,7 +356,7 @@ SentPicture Plan::send(int frame, int threads) const {
   } else {
     const RadianceRows light = light_of(plan, geometry);
     picture.create(s.rays.camera().size(), plan.gives_bytes() ? CV_8UC1 : CV_32FC1);
-    over_rows(picture.rows, threads, [&](int first, int last) {
+    over_parts(picture.rows, threads, [&](int first, int last) {
       s.render_rows(plan, geometry, light, first, last, picture);
     });
   }

@@ -9,6 +9,9 @@ namespace alltact {
 namespace {
 
 constexpr double kMarginPx = 2.0;  // beyond the face: what is looked up lies between pixels
+// Where pixels off the face are looked up, which nobody reads: far enough from the picture's border
+// that the sampling need not ask at every step what lies beyond it.
+constexpr float kAnywherePx = 8.0F;
 
 /// Columns of one row that lie between the edges of the grid's chart.
 std::vector<FaceRun> runs_of(const FaceGrid& grid, int row) {
@@ -56,7 +59,12 @@ FacePicture keep_face(const cv::Mat& grey, const FaceChart& chart, const FaceGri
   picture.first = warp.inner_first() - grid.origin.x;
   picture.end = warp.inner_end() - grid.origin.x;
   picture.grey.assign(grid.runs.pixels(), 0);
-  cv::Mat u(grid.size, CV_32FC1, cv::Scalar(0)), v(grid.size, CV_32FC1, cv::Scalar(0)), laid;
+  // Kept from frame to frame: fresh memory would cost as much as the places that are written to it.
+  thread_local cv::Mat u, v, laid;
+  for (cv::Mat* places : {&u, &v}) {
+    places->create(grid.size, CV_32FC1);
+    places->setTo(kAnywherePx);
+  }
   for (const FaceRun& run : grid.runs.runs) {
     const int first = std::max(run.first, picture.first), end = std::min(run.end, picture.end);
     if (first >= end) continue;

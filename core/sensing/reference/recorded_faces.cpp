@@ -1,17 +1,20 @@
 #include "core/sensing/reference/recorded_faces.h"
 
 #include "core/numerics/farthest_points.h"
+#include "core/numerics/parts.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/profile_degree.h"
 
 #include <numeric>
 #include <queue>
+#include <thread>
 
 namespace alltact {
 namespace {
 
 constexpr double kBeyondRest = 0.15;     // of the rest frame's face: how much more others may show
 constexpr std::size_t kMostPoses = 160;  // that the finger's twist is learnt from
+constexpr std::size_t kAtOnce = 16;      // frames that are held and looked at side by side
 
 // Faces of a recording within a limit: where it is passed, the frame that covers least goes first.
 class Keeper {
@@ -74,6 +77,14 @@ struct Looked {
   FaceChart chart;
 };
 
+/// A recorded frame, and what is kept of it where its face was found.
+struct Row {
+  std::size_t number = 0;
+  cv::Mat grey;
+  std::optional<Looked> looked;
+  FacePicture face;
+};
+
 class Reader {
  public:
   Reader(const RecordingToRead& frames, const Finger& finger, const Camera& camera)
@@ -84,13 +95,24 @@ class Reader {
     if (const Status status = find_rest(read); !status) return status.error();
     Keeper keeper(frames_.table, limit_bytes);
     const std::size_t count = frames_.table.frames.size();
-    for (std::size_t row = 0; row < count; ++row) {
-      if (job.stop_requested())
-        return Error{en::say("stopped before the reference was read"), frames_.video.string(), ""};
-      if (row % 16 == 0)
-        job.report(static_cast<double>(row) / static_cast<double>(count),
-                   en::say("reading reference frame {} of {}", row + 1, count));
-      if (const Status status = add_row(row, keeper, read); !status) return status.error();
+    for (std::size_t first = 0; first < count; first += kAtOnce) {
+      job.report(static_cast<double>(first) / static_cast<double>(count),
+                 en::say("reading reference frame {} of {}", first + 1, count));
+      std::vector<Row> rows(std::min(kAtOnce, count - first));
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (job.stop_requested())
+          return Error{
+              en::say("stopped before the reference was read"), frames_.video.string(), ""};
+        auto grey = picture(first + i);
+        if (!grey) return grey.error();
+        rows[i].number = first + i;
+        rows[i].grey = std::move(*grey);
+      }
+      over_parts(static_cast<int>(rows.size()), threads(), [&](int from, int to) {
+        for (int i = from; i < to; ++i) look_at(read, rows[static_cast<std::size_t>(i)]);
+      });
+      for (Row& row : rows)
+        if (row.looked) add(std::move(row), keeper, read);
     }
     read.bytes = keeper.bytes();
     read.kept = keeper.rows();
@@ -162,19 +184,26 @@ class Reader {
     return too_few(0);
   }
 
-  Status add_row(std::size_t row, Keeper& keeper, RecordedFaces& read) const {
-    const auto grey = picture(row);
-    if (!grey) return grey.error();
-    auto looked = look_at(*grey);
-    if (!looked || looked->chart.base_at_low_u != read.grid.chart.base_at_low_u) return {};
-    lay_on(read.places, looked->shape, markers(row), &looked->chart);
-    keeper.add(row, keep_face(*grey, looked->chart, read.grid));
-    read.seen.push_back(static_cast<Eigen::Index>(row));
-    read.edges.push_back(edge_curves(looked->shape));
-    read.charts.push_back(std::move(looked->chart));
-    if (row % (frames_.table.frames.size() / kMostPoses + 1) == 0)
-      read.poses.push_back({markers(row), std::move(looked->shape)});
-    return {};
+  /// A row's face laid on the grid; without `looked` where none is found.
+  void look_at(const RecordedFaces& read, Row& row) const {
+    row.looked = look_at(row.grey);
+    if (row.looked && row.looked->chart.base_at_low_u != read.grid.chart.base_at_low_u)
+      row.looked.reset();
+    if (!row.looked) return;
+    lay_on(read.places, row.looked->shape, markers(row.number), &row.looked->chart);
+    row.face = keep_face(row.grey, row.looked->chart, read.grid);
+  }
+  void add(Row row, Keeper& keeper, RecordedFaces& read) const {
+    keeper.add(row.number, std::move(row.face));
+    read.seen.push_back(static_cast<Eigen::Index>(row.number));
+    read.edges.push_back(edge_curves(row.looked->shape));
+    read.charts.push_back(std::move(row.looked->chart));
+    if (row.number % (frames_.table.frames.size() / kMostPoses + 1) == 0)
+      read.poses.push_back({markers(row.number), std::move(row.looked->shape)});
+  }
+  /// Frames are looked at side by side only while they are read, before anything live is measured.
+  [[nodiscard]] static int threads() {
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
   }
 
   const RecordingToRead& frames_;

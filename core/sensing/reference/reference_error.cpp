@@ -1,6 +1,7 @@
 #include "core/sensing/reference/reference_error.h"
 
 #include "core/grey_range.h"
+#include "core/numerics/dispatch.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
@@ -110,15 +111,29 @@ Eigen::MatrixXd pose_terms(const Eigen::MatrixXd& modes) {
   return terms;
 }
 
+/// Grey levels times constant + u (slope + u bow), u from 0 on; clipped ones stay clipped.
+ALLTACT_WIDE void multiply_row(
+    float constant, float slope, float bow, int count, std::uint8_t* grey) {
+  for (int u = 0; u < count; ++u) {
+    const auto at = static_cast<float>(u);
+    const float level = grey[u];
+    const float changed = (constant + at * (slope + at * bow)) * level + 0.5F;
+    const float kept = std::min(std::max(changed, 0.0F), kClippedFrom - 1.0F);
+    grey[u] = static_cast<std::uint8_t>(level < kClippedFrom ? kept : level);
+  }
+}
+
+/// Multiplies a face with 1 + basis light.
 void multiply(const FaceGrid& grid, const Terms& light, FacePicture& face) {
+  const double per_u = 2.0 / grid.size.width;  // of s
   for (const FaceRun& run : grid.runs.runs) {
-    std::uint8_t* grey = face.grey.data() + run.before;
-    for (int u = run.first; u < run.end; ++u) {
-      std::uint8_t& pixel = grey[u - run.first];
-      if (pixel >= kClippedFrom) continue;  // clipped stays clipped
-      const double q = 1.0 + basis_at(grid.size, u + 0.5, run.row + 0.5).dot(light);
-      pixel = static_cast<std::uint8_t>(std::clamp(std::lround(q * pixel), 0L, kClippedFrom - 1L));
-    }
+    const Terms at = basis_at(grid.size, run.first + 0.5, run.row + 0.5);
+    const double s = at[1], t = at[2];
+    multiply_row(static_cast<float>(1.0 + at.dot(light)),
+                 static_cast<float>(per_u * (light[1] + 2.0 * s * light[3] + t * light[4])),
+                 static_cast<float>(per_u * per_u * light[3]),
+                 run.end - run.first,
+                 face.grey.data() + run.before);
   }
 }
 
