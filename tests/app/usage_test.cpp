@@ -179,10 +179,12 @@ TEST(Usage, ANewFingerMayBeToldWhereItSitsInTheGripper) {
 }
 
 TEST(Usage, ChecksTheComputersOwnNumbers) {
-  const ProgramRun run = run_alltact({"check", "--numerics"});
-  EXPECT_EQ(run.status, 0) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("as exact on this computer as they must be"));
-  EXPECT_THAT(run.output, testing::Not(HasSubstr("  NO ")));
+  if (std::getenv("ALLTACT_SLOW") != nullptr) {  // the same once more, in words
+    const ProgramRun run = run_alltact({"check", "--numerics"});
+    EXPECT_EQ(run.status, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("as exact on this computer as they must be"));
+    EXPECT_THAT(run.output, testing::Not(HasSubstr("  NO ")));
+  }
   const ProgramRun json = run_alltact({"check", "--numerics", "--json"});
   EXPECT_EQ(json.status, 0);
   const auto answer = nlohmann::json::parse(json.output);

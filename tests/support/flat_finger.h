@@ -14,6 +14,17 @@ struct FlatFinger {
   TemporaryFolder folder;
   std::vector<std::filesystem::path> presses = write_flat_sensor(folder.path());
 
+  FlatFinger() = default;
+  /// A copy in a folder of its own.
+  FlatFinger(const FlatFinger& other) : presses(other.presses) {
+    std::filesystem::copy(other.folder.path(),
+                          folder.path(),
+                          std::filesystem::copy_options::recursive |
+                              std::filesystem::copy_options::overwrite_existing);
+    for (auto& press : presses) press = folder / press.filename().string();
+  }
+  FlatFinger& operator=(const FlatFinger&) = delete;
+
   [[nodiscard]] std::string finger() const { return (folder / "finger").string(); }
   [[nodiscard]] std::string file(const std::string& name) const { return (folder / name).string(); }
 
