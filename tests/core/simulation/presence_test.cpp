@@ -1,8 +1,8 @@
 // Effects that are there for a part of a scene only.
 #include "core/simulation/effect.h"
 #include "tests/core/simulation/scene_text.h"
+#include "tests/support/slow_run.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <vector>
@@ -165,14 +165,14 @@ Listed listed(const std::filesystem::path& path) {
   return listed;
 }
 
-/// The first and the last frame of every stretch in which the same is there; ALLTACT_SLOW: all.
+/// The first and the last frame of every stretch in which the same is there; in a slow run all.
 std::vector<int> frames_to_build(const Listed& scene) {
   std::vector<int> frames;
   for (int frame = 0; frame < scene.frames; ++frame) {
     const auto at = static_cast<std::size_t>(frame);
     const bool begins = frame == 0 || scene.present[at] != scene.present[at - 1];
     const bool ends = frame + 1 == scene.frames || scene.present[at] != scene.present[at + 1];
-    if (begins || ends || std::getenv("ALLTACT_SLOW") != nullptr) frames.push_back(frame);
+    if (begins || ends || test::is_slow_run()) frames.push_back(frame);
   }
   return frames;
 }
