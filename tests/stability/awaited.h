@@ -3,6 +3,8 @@
 // ALLTACT_AWAITED=1 runs them all the same.
 #pragma once
 
+#include "tests/support/slow_run.h"
+
 #include <cstdlib>
 #include <string>
 
@@ -29,11 +31,6 @@ inline const char* awaited() {
   for (const Awaited& one : kAwaited)
     if (name == one.test) return one.what;
   return nullptr;
-}
-
-/// Long ones run with `packaging/test --slow` (ALLTACT_SLOW=1).
-inline bool is_slow_run() {
-  return std::getenv("ALLTACT_SLOW") != nullptr;
 }
 
 }  // namespace alltact::test

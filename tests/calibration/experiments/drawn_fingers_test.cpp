@@ -2,11 +2,11 @@
 #include "calibration/experiments/experiment_runs.h"
 #include "calibration/experiments/push_experiments.h"
 #include "core/io/atomic_file.h"
+#include "tests/support/slow_run.h"
 #include "tests/support/temporary_folder.h"
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -54,7 +54,7 @@ class DrawnFingers : public testing::Test {
 };
 
 TEST_F(DrawnFingers, PlacesAreTheSameInEveryRoomAndAsNearAsAskedFor) {
-  const int fingers = std::getenv("ALLTACT_SLOW") == nullptr ? 1 : 8;
+  const int fingers = test::as_many_as(1, 8);
   for (int number = 1; number <= fingers; ++number) {
     const ExperimentBench one = bench(number);
     std::array<ErrorSamples, kRoomLevels.size()> rooms;
@@ -87,7 +87,7 @@ TEST_F(DrawnFingers, PlacesAreTheSameInEveryRoomAndAsNearAsAskedFor) {
 
 // At half the size each way a ball at the tip is ten pixels across.
 TEST_F(DrawnFingers, SmallPicturesSayThatTheyDoNotTellAlongWhichThicknessLightGoes) {
-  if (std::getenv("ALLTACT_SLOW") == nullptr) GTEST_SKIP() << "packaging/test --slow";
+  if (!test::is_slow_run()) GTEST_SKIP() << "packaging/test --slow";
   BenchOptions options;
   options.folder = folder_.path();
   options.finger = DrawnFinger::draw(1, 1);
@@ -100,7 +100,7 @@ TEST_F(DrawnFingers, SmallPicturesSayThatTheyDoNotTellAlongWhichThicknessLightGo
 }
 
 TEST_F(DrawnFingers, ForcesAreTheSameInEveryRoom) {
-  if (std::getenv("ALLTACT_SLOW") == nullptr) GTEST_SKIP() << "packaging/test --slow";
+  if (!test::is_slow_run()) GTEST_SKIP() << "packaging/test --slow";
   ExperimentBench one = bench(3);
   const auto table = table_of_pushes(one, kForceScene, kForcePlaces);
   ASSERT_TRUE(table) << table.error().sentence();

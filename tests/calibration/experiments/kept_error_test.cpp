@@ -9,6 +9,7 @@
 #include "calibration/study/truly_pressed.h"
 #include "core/numerics/median.h"
 #include "core/numerics/philox.h"
+#include "tests/support/slow_run.h"
 #include "tests/support/temporary_folder.h"
 
 #include <array>
@@ -137,7 +138,7 @@ KeptError kept_by(int number, const test::TemporaryFolder& folder) {
 
 TEST(ErrorsToKeep, HoldsOnPressesThatTheStudyNeverSaw) {
   const char* asked = std::getenv("ALLTACT_KEPT_ERROR_FINGERS");
-  if (asked == nullptr && std::getenv("ALLTACT_SLOW") == nullptr)
+  if (asked == nullptr && !test::is_slow_run())
     GTEST_SKIP() << "packaging/test --slow; half a minute a finger";
   const int fingers = asked != nullptr ? std::atoi(asked) : 100;
   cv::setNumThreads(1);

@@ -4,6 +4,7 @@
 #include "calibration/joint/step_press.h"
 #include "calibration/presses/press_sayings.h"
 #include "tests/support/made_press.h"
+#include "tests/support/slow_run.h"
 
 #include <cstdio>
 
@@ -70,14 +71,14 @@ struct Spread {
 };
 template <class Make>
 Spread spread_of(const char* name, const Make& make) {
-  constexpr int kRuns = 10;
+  const int runs = test::as_many_as(3, 10);
   Spread spread;
-  for (unsigned run = 0; run < kRuns; ++run) {
+  for (int run = 0; run < runs; ++run) {
     std::mt19937 random(100 + run);
     const Scale scale = scale_of(make(random));
-    spread.error += std::pow(scale.ratio - 1.0, 2) / kRuns;
-    spread.between += std::pow(scale.between - 1.0, 2) / kRuns;
-    spread.z2 += std::pow((scale.ratio - 1.0) / scale.sd, 2) / kRuns;
+    spread.error += std::pow(scale.ratio - 1.0, 2) / runs;
+    spread.between += std::pow(scale.between - 1.0, 2) / runs;
+    spread.z2 += std::pow((scale.ratio - 1.0) / scale.sd, 2) / runs;
   }
   spread.error = std::sqrt(spread.error);
   spread.between = std::sqrt(spread.between);

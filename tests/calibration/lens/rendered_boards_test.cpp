@@ -2,6 +2,7 @@
 // it says. ALLTACT_NEES_RUNS=100 makes as many runs as a figure needs.
 #include "calibration/lens/calibrate_lens.h"
 #include "tests/support/boards.h"
+#include "tests/support/slow_run.h"
 
 #include <array>
 #include <cstdio>
@@ -118,7 +119,7 @@ Figures calibrated_often(BoardPattern pattern, int runs, PlaceErrors* places) {
 
 TEST(RenderedBoards, ALensIsAsGoodAsItSays) {
   for (const BoardPattern pattern : {BoardPattern::kChessboard, BoardPattern::kDots}) {
-    const int runs = runs_wanted(12);
+    const int runs = runs_wanted(test::as_many_as(4, 12));
     PlaceErrors places;
     const Figures figures = calibrated_often(pattern, runs, &places);
     const char* name = pattern == BoardPattern::kDots ? "dots" : "chessboards";
