@@ -65,7 +65,7 @@ struct SimulateFitOptions {
 /// Writes the scene whose pictures come out as a real finger's do (twin.h).
 Status run_simulate_fit(const SimulateFitOptions& options, Console& console);
 /// Prints what every effect of the simulation costs on this computer.
-Status run_simulate_costs(Console& console);
+Status run_simulate_costs(int frames, Console& console);
 /// Tells what effects there are, or what one takes. Error: there is no such effect.
 Status run_simulate_effects(const std::string& name, Console& console);
 

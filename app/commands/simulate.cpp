@@ -230,8 +230,8 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   return {};
 }
 
-Status run_simulate_costs(Console& console) {
-  const auto costs = measure_effect_costs(kTimedFrames, console.job());
+Status run_simulate_costs(int frames, Console& console) {
+  const auto costs = measure_effect_costs(frames, console.job());
   if (!costs) return costs.error();
   console.say("What each effect adds to a frame, in ms per million pixels, one thread:");
   Console::Json& list = console.answer()["costs"] = Console::Json::array();
@@ -272,9 +272,13 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
   for (CLI::Option* option : {scene, output}) option->excludes(costs)->excludes(effects);
   CLI::Option* frames =
       command
-          ->add_option("--frames",
-                       options->frames,
-                       "Only the first so many frames (default: all of the scene)")
+          ->add_option(
+              "--frames",
+              options->frames,
+              fmt::format("Only the first so many frames (default: all of the scene); with "
+                          "--costs how many are timed with and without each effect "
+                          "(default: {})",
+                          kTimedFrames))
           ->type_name("N")
           ->check(CLI::Range(1, 1000000));
   CLI::Option* seed =
@@ -325,7 +329,8 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
       ->needs(fitted);
   command->callback([=, &chosen] {
     if (options->costs) {
-      chosen = run_simulate_costs;
+      const int timed = options->frames.value_or(kTimedFrames);
+      chosen = [=](Console& console) { return run_simulate_costs(timed, console); };
       return;
     }
     if (effects->count() > 0) {

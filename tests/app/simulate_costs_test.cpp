@@ -12,7 +12,7 @@ namespace alltact::test {
 namespace {
 
 TEST(SimulateCosts, ListsEveryKindThereIs) {
-  const ProgramRun run = run_alltact({"simulate", "--costs", "--json"});
+  const ProgramRun run = run_alltact({"simulate", "--costs", "--frames", "1", "--json"});
   ASSERT_EQ(run.status, 0) << run.errors;
   const auto answer = nlohmann::json::parse(run.output);
   std::set<std::string> listed, all;
@@ -28,7 +28,7 @@ TEST(SimulateCosts, ListsEveryKindThereIs) {
 }
 
 TEST(SimulateCosts, IsATableForPeople) {
-  const ProgramRun run = run_alltact({"simulate", "--costs"});
+  const ProgramRun run = run_alltact({"simulate", "--costs", "--frames", "1"});
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(run.output, testing::HasSubstr("ms per million pixels"));
   EXPECT_THAT(run.output, testing::ContainsRegex("shot +sensor +-?[0-9]+\\.[0-9]+\n"));
