@@ -30,6 +30,10 @@ Error damaged(const fs::path& file) {
           en::say("reconstruct this part again")};
 }
 
+bool is_possible(const Part& part) {
+  return part.number >= 1 && part.number <= part.of && part.of <= kMostParts;
+}
+
 Result<PartResults> read_part(const fs::path& file) {
   const auto content = read_file(file);
   if (!content) return content.error();
@@ -46,6 +50,7 @@ Result<PartResults> read_part(const fs::path& file) {
     results.frame_count = head.at("frame_count");
     results.is_continuous = head.at("continuous");
     const std::size_t count = head.at("frames");
+    if (!is_possible(results.part)) return damaged(file);
     while (std::getline(stream, line)) results.lines.push_back(line);
     if (results.lines.size() != count) return damaged(file);
   } catch (const std::exception&) {
@@ -234,8 +239,7 @@ Result<Part> part_of(const std::string& text) {
   const auto number = std::from_chars(begin, end, part.number);
   const bool has_slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
   const auto of = has_slash ? std::from_chars(number.ptr + 1, end, part.of) : number;
-  if (!has_slash || of.ec != std::errc() || of.ptr != end || part.number < 1 ||
-      part.number > part.of || part.of > kMostParts)
+  if (!has_slash || of.ec != std::errc() || of.ptr != end || !is_possible(part))
     return Error{en::say("'{}' is no part of a whole", text),
                  "",
                  en::say("1/8 to 8/8 for eight parts, for example")};

@@ -176,10 +176,11 @@ YamlSection::Entry& YamlSection::required(const std::string& key) {
   const std::string meant = slip_for(key, others);
   const Message add = name().empty() ? en::say("add '{}: ...'", key)
                                      : en::say("add '{}: ...' under '{}:'", key, name());
-  throw RefusedYaml{file_->error(en::say("is missing"),
-                                 here_->line,
-                                 full_name(key),
-                                 meant.empty() ? add : en::say("write '{}' for '{}'", key, meant))};
+  throw RefusedYaml{
+      file_->error(en::say("is missing"),
+                   here_->line,
+                   full_name(key),
+                   meant.empty() ? add : en::say("write '{}' for '{}'", key, printable(meant)))};
 }
 
 YamlSection YamlSection::section(const std::string& key) {

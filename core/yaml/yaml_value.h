@@ -11,6 +11,8 @@ namespace alltact {
 /// A part of a file that this version does not know, kept to be written back.
 struct YamlValue {
   enum class Kind { kScalar = 1, kNull, kList, kMap };
+  // Not here: clang 14 wants to know its entries before it is whole.
+  YamlValue();
   Kind kind = Kind::kNull;
   std::string tag;   ///< as written in the file, empty when there was none
   std::string text;  ///< scalar
@@ -18,6 +20,8 @@ struct YamlValue {
   std::vector<YamlValue> items;                            ///< list
   std::vector<std::pair<std::string, YamlValue>> entries;  ///< map, in the order of the file
 };
+inline YamlValue::YamlValue() = default;
+
 /// By section ("" for the top of the file, "camera", ...), in the order of the file.
 using UnknownKeys = std::map<std::string, std::vector<std::pair<std::string, YamlValue>>>;
 

@@ -69,7 +69,9 @@ function(alltact_library name)
     set_target_properties(
       alltact_${name} PROPERTIES OUTPUT_NAME alltact-${name} EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
                                  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-    target_link_options(alltact_${name} PRIVATE -Wl,--no-undefined)
+    if(NOT ALLTACT_SANITIZE MATCHES fuzzer) # whose program brings what its libraries call
+      target_link_options(alltact_${name} PRIVATE -Wl,--no-undefined)
+    endif()
   else()
     add_library(alltact_${name} STATIC ${arg_SOURCES})
   endif()

@@ -1,12 +1,17 @@
 // Live use for a while, as at a bench: a camera with faults, a finger measured from its newest
-// frame, one recording after the other, a slow onlooker. ALLTACT_SOAK_SECONDS makes it longer.
+// frame, one recording after the other, a finger calibrated again and again, a slow onlooker.
+// ALLTACT_SOAK_SECONDS makes it longer; then its figures lie in ALLTACT_SOAK_FILE.
+#include "calibration/finger/calibrate_finger.h"
 #include "calibration/reference/reference_recording.h"
+#include "core/recording/journal.h"
 #include "core/recording/recorder.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/result_json.h"
 #include "core/sources/v4l2/v4l2_camera.h"
 #include "tests/rigs/fake_camera.h"
+#include "tests/support/flat_finger.h"
 #include "tests/support/marked_finger.h"
+#include "tests/support/process_figures.h"
 #include "tests/support/program.h"
 
 #include <cstdlib>
@@ -14,9 +19,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
-#include <malloc.h>
 #include <opencv2/imgcodecs.hpp>
-#include <unistd.h>
 
 namespace alltact {
 namespace {
@@ -31,15 +34,6 @@ constexpr bool kIsSanitized = true;
 #else
 constexpr bool kIsSanitized = false;
 #endif
-
-/// Resident memory of this process.
-double resident_mb() {
-  malloc_trim(0);
-  std::ifstream file("/proc/self/statm");
-  double pages = 0, resident = 0;
-  file >> pages >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 std::chrono::seconds duration() {
   const char* text = std::getenv("ALLTACT_SOAK_SECONDS");
@@ -118,10 +112,27 @@ void measure(V4l2Camera& camera,
   }
 }
 
+/// What recordings came to, and frames of which nothing tells.
+struct Recorded {
+  std::uint64_t frames = 0, dropped = 0, missing = 0, silent = 0;
+};
+
+/// Every number between the first frame of a recording and its last is in it or told as lost.
+void account_for(const std::filesystem::path& video, const RecorderCounts& counts, Recorded& all) {
+  const auto entries = read_journal(journal_of(video));
+  ASSERT_TRUE(entries.ok()) << entries.error().sentence();
+  EXPECT_EQ(entries->size(), counts.recorded);
+  all.frames += counts.recorded, all.dropped += counts.dropped, all.missing += counts.missing;
+  if (entries->empty()) return;
+  const std::uint64_t numbers = entries->back().sequence - entries->front().sequence + 1;
+  const std::uint64_t told = counts.recorded + counts.dropped + counts.missing;
+  all.silent += numbers > told ? numbers - told : 0;
+}
+
 /// What `alltact record` does, again and again, packets and grey in turn.
 void record(const std::shared_ptr<V4l2Camera>& camera,
             const test::TemporaryFolder& folder,
-            std::uint64_t& recorded,
+            Recorded& recorded,
             const std::atomic<bool>& is_over) {
   for (int number = 0; !is_over; ++number) {
     CameraSource source(camera);
@@ -134,32 +145,70 @@ void record(const std::shared_ptr<V4l2Camera>& camera,
     for (const auto end = Clock::now() + 2s; Clock::now() < end;) {
       auto frame = source.next();
       if (!frame.ok() || *frame == nullptr) continue;
-      ASSERT_TRUE((*recorder)->add(std::move(*frame)));
+      (void)(*recorder)->add(std::move(*frame));  // a full queue is counted
     }
     ASSERT_TRUE((*recorder)->finish("the test's").ok());
-    recorded += (*recorder)->counts().recorded;
+    account_for(file, (*recorder)->counts(), recorded);
     std::filesystem::remove(file);
-    std::filesystem::remove(folder / "v.frames.csv");
+    std::filesystem::remove(journal_of(file));
   }
+}
+
+/// What `alltact calibrate` does, again and again.
+void calibrate(const test::FlatFinger& flat, int& calibrated, const std::atomic<bool>& is_over) {
+  FingerCalibrationInput input;
+  input.folder = flat.finger();
+  input.presses.files.assign(flat.presses.begin(), flat.presses.end());
+  input.said.ball_radius_mm = 4;
+  input.reference = flat.file("ref.png");
+  input.program_version = "0.1.0";
+  while (!is_over) {
+    const auto done = calibrate_finger(input, Job());
+    ASSERT_TRUE(done.ok()) << done.error().sentence();
+    ++calibrated;
+    for (const auto end = Clock::now() + duration() / 10; Clock::now() < end && !is_over;)
+      std::this_thread::sleep_for(50ms);
+  }
+}
+
+/// Samples of the process as a table, for people.
+void keep(const std::vector<test::ProcessFigures>& samples) {
+  const char* file = std::getenv("ALLTACT_SOAK_FILE");
+  if (file == nullptr) return;
+  std::ofstream table(file);
+  table << "t_s,resident_mb,descriptors,threads,files\n";
+  for (const test::ProcessFigures& one : samples)
+    table << one.time_s - samples.front().time_s << ',' << one.resident_mb << ',' << one.descriptors
+          << ',' << one.threads << ',' << one.files << '\n';
 }
 
 /// Every fault that passes, in turn.
-void disturb(test::FakeCamera& fake, std::chrono::milliseconds time) {
-  std::mt19937 random(20240611);
-  const auto end = Clock::now() + time;
-  for (int step = 0; Clock::now() < end; ++step) {
-    std::this_thread::sleep_for(25ms);
-    if (step % 40 == 0) fake.truncate(1);
-    if (step % 40 == 10) fake.set_from_outside(V4L2_CID_GAIN, 20 + static_cast<int>(random() % 50));
-    if (step % 40 == 20) fake.skip(3);
-    if (step % 120 == 60) fake.unplug();
-    if (step % 120 == 70) fake.plug_in();
+class Disturbance {
+ public:
+  explicit Disturbance(test::FakeCamera& fake) : fake_(fake) {}
+  void go_on(std::chrono::milliseconds time) {
+    for (const auto end = Clock::now() + time; Clock::now() < end; ++step_) {
+      std::this_thread::sleep_for(25ms);
+      if (step_ % 40 == 0) fake_.truncate(1);
+      if (step_ % 40 == 10)
+        fake_.set_from_outside(V4L2_CID_GAIN, 20 + static_cast<int>(random_() % 50));
+      if (step_ % 40 == 20) fake_.skip(3);
+      if (step_ % 120 == 60) fake_.unplug();
+      if (step_ % 120 == 70) fake_.plug_in();
+    }
   }
-  fake.plug_in();
-}
+  void end() { fake_.plug_in(); }
 
-TEST(LiveUse, MemoryStaysFlat) {
+ private:
+  test::FakeCamera& fake_;
+  std::mt19937 random_{20240611};
+  int step_ = 0;
+};
+
+TEST(LiveUse, NothingGrowsAndNoFrameIsLostInSilence) {
   const Bench bench;
+  const test::FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
   test::FakeCamera fake(bench.camera);
   auto opened =
       V4l2Camera::open({&fake,
@@ -177,36 +226,62 @@ TEST(LiveUse, MemoryStaysFlat) {
   ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
   std::atomic<bool> is_over{false};
   std::size_t measured = 0, touched = 0;
-  std::uint64_t recorded = 0, seen = 0, missed = 0;
+  Recorded recorded;
+  int calibrated = 0;
+  std::uint64_t seen = 0, missed = 0;
   std::thread measuring([&] { measure(*camera, *pipeline, measured, touched, is_over); });
   std::thread recording([&] { record(camera, bench.folder, recorded, is_over); });
+  std::thread calibrating([&] { calibrate(flat, calibrated, is_over); });
   std::thread looking([&] {
     LatestFrameReader reader = camera->frames().reader();
     for (; !is_over; std::this_thread::sleep_for(170ms)) seen += reader.next(500ms) ? 1 : 0;
     missed = reader.missed();
   });
-  disturb(fake, 4s + duration() / 10);
-  const double before_mb = resident_mb();
-  disturb(fake, duration());
-  const double growth_mb = resident_mb() - before_mb;
+  Disturbance faults(fake);
+  faults.go_on(4s + duration() / 10);
+  constexpr int kSamples = 120;
+  std::vector<test::ProcessFigures> samples;
+  for (int i = 0; i < kSamples; ++i) {
+    samples.push_back(test::process_figures(bench.folder.path()));
+    faults.go_on(std::chrono::milliseconds(duration()) / kSamples);
+  }
+  faults.end();
   is_over = true;
-  for (std::thread* thread : {&measuring, &recording, &looking}) thread->join();
+  for (std::thread* thread : {&measuring, &recording, &calibrating, &looking}) thread->join();
+  keep(samples);
+  const double growth_mb = test::rise_of(samples, &test::ProcessFigures::resident_mb);
   const CameraStatus status = camera->status();
   RecordProperty("growth_mb", std::to_string(growth_mb));
   std::printf(
-      "[ figures  ] %zu measured (%zu with contact), %llu recorded, memory %.1f MB, grew %.2f MB\n",
+      "[ figures  ] %zu measured (%zu with contact), %llu recorded (%llu dropped, %llu never came, "
+      "%llu in silence), %d calibrated, %llu passed over by the onlooker; memory %.1f MB, grew "
+      "%.2f "
+      "MB; descriptors grew %.1f, threads %.1f, files %.1f\n",
       measured,
       touched,
-      static_cast<unsigned long long>(recorded),
-      before_mb,
-      growth_mb);
+      static_cast<unsigned long long>(recorded.frames),
+      static_cast<unsigned long long>(recorded.dropped),
+      static_cast<unsigned long long>(recorded.missing),
+      static_cast<unsigned long long>(recorded.silent),
+      calibrated,
+      static_cast<unsigned long long>(missed),
+      samples.front().resident_mb,
+      growth_mb,
+      test::rise_of(samples, &test::ProcessFigures::descriptors),
+      test::rise_of(samples, &test::ProcessFigures::threads),
+      test::rise_of(samples, &test::ProcessFigures::files));
   // Sanitizers keep what was freed.
   if (!kIsSanitized) {
     EXPECT_LT(growth_mb, 5.0);
   }
+  EXPECT_LT(test::rise_of(samples, &test::ProcessFigures::descriptors), 2);
+  EXPECT_LT(test::rise_of(samples, &test::ProcessFigures::threads), 2);
+  EXPECT_LT(test::rise_of(samples, &test::ProcessFigures::files), 1);
+  EXPECT_EQ(recorded.silent, 0U);
+  EXPECT_GT(calibrated, 0);
   EXPECT_GT(measured, 50U);
   EXPECT_GT(touched, measured / 2);
-  EXPECT_GT(recorded, 100U);
+  EXPECT_GT(recorded.frames, 100U);
   EXPECT_GT(seen, 10U);
   EXPECT_GT(missed, seen) << "and it says so";
   EXPECT_GT(status.counts.damaged, 0U);

@@ -84,6 +84,40 @@ std::pair<int, int> FaceMix::shown(const FaceGrid& grid) const {
   return {first, std::max(first, end)};
 }
 
+/// Columns of the grid that one mix is taken for.
+struct ReferencePicture::MixedColumns {
+  const FaceMix& mix;
+  int first, end;
+  std::vector<std::int16_t> weights;
+  std::vector<const std::uint8_t*> rows;  // of the faces, where a run begins
+
+  MixedColumns(const FaceMix& of, int from, int to)
+      : mix(of), first(from), end(to), weights(whole_weights(of.weights)), rows(of.faces.size()) {
+    CV_Assert(!mix.faces.empty() && mix.faces.size() == mix.weights.size());
+  }
+
+  /// What of a run lies in these columns, into a row of the grid.
+  void mix_run(const FaceRun& run, std::int16_t* mixed) {
+    const int from = std::max(run.first, first), to = std::min(run.end, end);
+    if (from >= to) return;
+    // A whole block also where few columns are wanted: what does not fill vectors is slow.
+    std::array<std::int16_t, kBlock> block;
+    const bool is_narrow = to - from < kBlock && run.size() >= kBlock;
+    const int begin = is_narrow ? std::min(from, run.end - kBlock) : from;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      rows[k] = mix.faces[k]->grey.data() + run.before + (begin - run.first);
+    mix_rows(rows.data(),
+             weights.data(),
+             static_cast<int>(rows.size()),
+             is_narrow ? kBlock : to - from,
+             is_narrow ? block.data() : mixed + from);
+    if (is_narrow) std::copy_n(block.data() + (from - begin), to - from, mixed + from);
+    // Where the face's edge is steep, what is looked up may lie a little beside the run.
+    if (from == run.first) std::fill(mixed + from - kBeside, mixed + from, mixed[from]);
+    if (to == run.end) std::fill(mixed + to, mixed + to + kBeside, mixed[to - 1]);
+  }
+};
+
 ReferencePicture::ReferencePicture(const FaceGrid& grid,
                                    const std::vector<FaceMix>& mixes,
                                    ChartWarp warp,
@@ -139,40 +173,6 @@ std::pair<int, int> ReferencePicture::columns_touching(int first, int end) const
     return high >= first + origin_.x && low <= end - 1 + origin_.x;
   });
 }
-
-/// Columns of the grid that one mix is taken for.
-struct ReferencePicture::MixedColumns {
-  const FaceMix& mix;
-  int first, end;
-  std::vector<std::int16_t> weights;
-  std::vector<const std::uint8_t*> rows;  // of the faces, where a run begins
-
-  MixedColumns(const FaceMix& of, int from, int to)
-      : mix(of), first(from), end(to), weights(whole_weights(of.weights)), rows(of.faces.size()) {
-    CV_Assert(!mix.faces.empty() && mix.faces.size() == mix.weights.size());
-  }
-
-  /// What of a run lies in these columns, into a row of the grid.
-  void mix_run(const FaceRun& run, std::int16_t* mixed) {
-    const int from = std::max(run.first, first), to = std::min(run.end, end);
-    if (from >= to) return;
-    // A whole block also where few columns are wanted: what does not fill vectors is slow.
-    std::array<std::int16_t, kBlock> block;
-    const bool is_narrow = to - from < kBlock && run.size() >= kBlock;
-    const int begin = is_narrow ? std::min(from, run.end - kBlock) : from;
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      rows[k] = mix.faces[k]->grey.data() + run.before + (begin - run.first);
-    mix_rows(rows.data(),
-             weights.data(),
-             static_cast<int>(rows.size()),
-             is_narrow ? kBlock : to - from,
-             is_narrow ? block.data() : mixed + from);
-    if (is_narrow) std::copy_n(block.data() + (from - begin), to - from, mixed + from);
-    // Where the face's edge is steep, what is looked up may lie a little beside the run.
-    if (from == run.first) std::fill(mixed + from - kBeside, mixed + from, mixed[from]);
-    if (to == run.end) std::fill(mixed + to, mixed + to + kBeside, mixed[to - 1]);
-  }
-};
 
 /// Each row of the grid is mixed and at once laid along the frame's columns.
 void ReferencePicture::lay(const FaceGrid& grid, std::vector<MixedColumns>& parts) {

@@ -131,7 +131,8 @@ GaugeLine sauter_line(std::string_view line, double unit_N) {
   auto number = take_gauge_number(line);
   if (!number || !line.empty()) return told;
   if (!is_plus && number->value != 0) number->value = -number->value;
-  if (put(*number, unit_N, told)) told.kind = GaugeLine::Kind::kValues;
+  if (!put(*number, unit_N, told)) return {};
+  told.kind = GaugeLine::Kind::kValues;
   return told;
 }
 

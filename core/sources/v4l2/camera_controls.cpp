@@ -106,8 +106,12 @@ bool is_wide(const V4l2Device& device, std::uint32_t id) {
 
 std::vector<MenuItem> menu_of(const V4l2Device& device, const CameraControl& control) {
   std::vector<MenuItem> items;
-  const std::int64_t last = std::min(control.high, control.low + 255);
-  for (std::int64_t i = control.low; i <= last; ++i) {
+  constexpr std::int64_t kMostItems = 256;  // a driver's menu without end is a fault
+  const std::int64_t first = std::max<std::int64_t>(control.low, 0);
+  if (control.high < first) return items;
+  const std::int64_t count = std::min(control.high - first, kMostItems - 1) + 1;
+  for (std::int64_t n = 0; n < count; ++n) {
+    const std::int64_t i = first + n;
     v4l2_querymenu item;
     std::memset(&item, 0, sizeof item);
     item.id = control.id;

@@ -1,5 +1,6 @@
 // A force model measures, and its file is read strictly.
 #include "core/force/force_meter.h"
+#include "tests/support/two_marker_force.h"
 
 #include <limits>
 #include <random>
@@ -13,42 +14,14 @@ namespace {
 
 using ModelJson = nlohmann::ordered_json;
 
-/// Two markers; Fx = u0 / 10, Fy = v1 / 5, each member half a hundredth off.
-ForceModel two_markers() {
-  ForceModel model;
-  model.kind = ForceKind::kRidge;
-  model.axes = 2, model.marker_count = 2;
-  model.rest_px = {{100, 50}, {100, 450}};
-  ForceRange& range = model.range;
-  range.mean_px = Eigen::VectorXd::Zero(4);
-  range.components = Eigen::MatrixXd::Identity(4, 2);
-  range.component_sd_px = Eigen::Vector2d(5, 5);
-  range.noise_px = 0.1, range.most_t2 = 9, range.most_beside_px = 8, range.least_seen = 1;
-  for (const double off : {-0.005, 0.005}) {
-    ForceMember member;
-    member.basis.mean_px = Eigen::VectorXd::Zero(4);
-    member.basis.scale = Eigen::VectorXd::Ones(4);
-    member.basis.components = Eigen::MatrixXd::Identity(4, 4);
-    member.basis.gain = Eigen::VectorXd::Ones(4);
-    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(2, 4);
-    weights(0, 0) = 0.1, weights(1, 3) = 0.2;
-    member.regressors = {{ForceLayer{weights, Eigen::Vector2d(off, 0)}}};
-    model.members.push_back(member);
-  }
-  model.scores = {Eigen::Vector2d(0.03, 0.04),
-                  Eigen::Vector2d(1, 1),
-                  Eigen::Vector2d(1.7, 1.7),
-                  Eigen::Vector2d(2, 2)};
-  model.record["split"] = "block";
-  return model;
-}
+using test::two_marker_force;
 
 Markers moved(double u0, double v0, double u1, double v1) {
   return {{100 + u0, 50 + v0, true, 0.1}, {100 + u1, 450 + v1, true, 0.1}};
 }
 
 TEST(ForceModel, MeasuresWithSdAndIntervals) {
-  const ForceModel model = two_markers();
+  const ForceModel model = two_marker_force();
   const auto force = model(force_input(model, moved(6, 0, 0, 3), std::nullopt));
   ASSERT_TRUE(force);
   EXPECT_EQ(force->axes, 2);
@@ -64,7 +37,7 @@ TEST(ForceModel, MeasuresWithSdAndIntervals) {
 }
 
 TEST(ForceModel, NothingIsToldOfWhatCannotBeMeasured) {
-  const ForceModel model = two_markers();
+  const ForceModel model = two_marker_force();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity, 1e300})
@@ -82,7 +55,7 @@ TEST(ForceModel, NothingIsToldOfWhatCannotBeMeasured) {
 }
 
 TEST(ForceModel, HiddenMarkersAreFilledInFromTheOthers) {
-  ForceModel model = two_markers();
+  ForceModel model = two_marker_force();
   // Both markers move as one along u.
   model.range.components = Eigen::MatrixXd::Zero(4, 1);
   model.range.components(0, 0) = model.range.components(2, 0) = std::sqrt(0.5);
@@ -134,7 +107,7 @@ TEST(CreepMean, FollowsWithItsTimeAndBeginsAnewAfterAGap) {
 }
 
 TEST(ForceModelFile, ReadsBackWhatItWrote) {
-  ForceModel model = two_markers();
+  ForceModel model = two_marker_force();
   model.range.place_mm = {Eigen::Vector2d(10, -5), Eigen::Vector2d(70, 5)};
   model.missing = {1};
   model.creep_s = 1.5;
@@ -147,7 +120,7 @@ TEST(ForceModelFile, ReadsBackWhatItWrote) {
 }
 
 TEST(ForceModelFile, EveryPartOfAFileIsRefused) {
-  const std::string json = two_markers().to_json();
+  const std::string json = two_marker_force().to_json();
   for (std::size_t length = 0; length < json.size(); ++length) {
     const auto model = ForceModel::parse(json.substr(0, length), "model.json");
     ASSERT_FALSE(model) << length;
@@ -158,7 +131,7 @@ TEST(ForceModelFile, EveryPartOfAFileIsRefused) {
 /// The sentence that a model is refused with after a change.
 template <class Change>
 std::string refusal_of(const Change& change) {
-  ModelJson json = ModelJson::parse(two_markers().to_json());
+  ModelJson json = ModelJson::parse(two_marker_force().to_json());
   change(json);
   const auto model = ForceModel::parse(json.dump(), "model.json");
   EXPECT_FALSE(model);
@@ -166,7 +139,7 @@ std::string refusal_of(const Change& change) {
 }
 
 TEST(ForceModelFile, EveryKeyIsNeededAndOfItsKind) {
-  const ModelJson whole = ModelJson::parse(two_markers().to_json());
+  const ModelJson whole = ModelJson::parse(two_marker_force().to_json());
   for (const auto& [key, value] : whole.items()) {
     const std::string name = key;
     EXPECT_NE(refusal_of([&](ModelJson& json) { json.erase(name); }).find("is missing"),
@@ -221,7 +194,7 @@ TEST(ForceModelFile, WrongShapesAndNumbersAreRefusedWithTheirPlace) {
 }
 
 TEST(ForceModelFile, AnyByteChangedGivesAModelOrASentence) {
-  const std::string json = two_markers().to_json();
+  const std::string json = two_marker_force().to_json();
   std::mt19937 random(6);
   for (int round = 0; round < 3000; ++round) {
     std::string bytes = json;
@@ -237,7 +210,7 @@ TEST(ForceModelFile, AnyByteChangedGivesAModelOrASentence) {
 }
 
 TEST(ForceModel, BelongsToItsMarkersAlone) {
-  ForceModel model = two_markers();
+  ForceModel model = two_marker_force();
   Finger finger;
   finger.markers.per_row = 1;
   finger.contact = ContactSettings{5.0, model.rest_px};
