@@ -62,13 +62,17 @@ FramePtr frame_of_plan(const Plan& plan, int number) {
   return frame;
 }
 
-std::vector<FramePtr> frames_of_plan(const Plan& plan, int first, int end, int threads) {
-  std::vector<FramePtr> frames(static_cast<std::size_t>(end - first));
+/// A range of every n-th of a plan's frames.
+std::vector<FramePtr> frames_of_plan(const Plan& plan,
+                                     const cv::Range& range,
+                                     int every,
+                                     int threads) {
+  std::vector<FramePtr> frames(static_cast<std::size_t>(range.size()));
   const auto render = [&](const cv::Range& part) {
     for (int i = part.start; i < part.end; ++i)
-      frames[static_cast<std::size_t>(i)] = frame_of_plan(plan, first + i);
+      frames[static_cast<std::size_t>(i)] = frame_of_plan(plan, every * (range.start + i));
   };
-  const cv::Range all(0, end - first);
+  const cv::Range all(0, range.size());
   if (threads > 1)
     cv::parallel_for_(all, render, threads);
   else
@@ -80,30 +84,34 @@ Error stopped_in_experiment() {
   return {en::say("stopped before the experiments were over"), "", ""};
 }
 
-/// A plan's frames, some of them rendered at a time.
+/// Every n-th of a plan's frames, some of them rendered at a time.
 class PlannedFrames : public Source {
  public:
-  PlannedFrames(const Plan& plan, int threads, const Job& job)
-      : plan_(plan), threads_(threads), job_(job) {}
+  PlannedFrames(const Plan& plan, int every, int threads, const Job& job)
+      : plan_(plan), every_(every), threads_(threads), job_(job) {
+    assert(every > 0);
+  }
   Result<FramePtr> next() override {
     if (job_.stop_requested()) return stopped_in_experiment();
-    if (position_ == plan_.frame_count()) return FramePtr();
+    if (position_ == frame_count()) return FramePtr();
     const auto at = static_cast<std::size_t>(position_ % kAtATime);
     if (at == 0)
       ready_ = frames_of_plan(
-          plan_, position_, std::min(plan_.frame_count(), position_ + kAtATime), threads_);
+          plan_, {position_, std::min(frame_count(), position_ + kAtATime)}, every_, threads_);
     ++position_;
     return std::move(ready_[at]);
   }
   std::optional<std::size_t> count() const override {
-    return static_cast<std::size_t>(plan_.frame_count());
+    return static_cast<std::size_t>(frame_count());
   }
   bool is_continuous() const override { return true; }
-  double frames_per_s() const override { return plan_.frames_per_s(); }
+  double frames_per_s() const override { return plan_.frames_per_s() / every_; }
 
  private:
+  [[nodiscard]] int frame_count() const { return (plan_.frame_count() + every_ - 1) / every_; }
+
   const Plan& plan_;
-  const int threads_;
+  const int every_, threads_;
   const Job& job_;
   int position_ = 0;
   std::vector<FramePtr> ready_;
@@ -120,12 +128,12 @@ Result<ExperimentBench::Recorded> ExperimentBench::record(const Plan& recording,
   std::error_code failed;  // made by earlier experiments, below a folder that is theirs
   std::filesystem::remove_all(made.folder, failed);
   if (const Status status = make_folder(made.folder); !status) return status.error();
-  PlannedFrames source(recording, options.threads, job);
+  PlannedFrames source(recording, options.recording_every, options.threads, job);
   const auto report = install_reference(source, made.folder, made.finger, job);
   if (!report) return report.error();
   if (const Status saved = made.finger.save(made.folder); !saved) return saved.error();
-  made.rest_frame = report->rest_frame;
-  made.truth_at_rest = recording.truth(report->rest_frame);
+  made.rest_frame = options.recording_every * report->rest_frame;
+  made.truth_at_rest = recording.truth(made.rest_frame);
   return made;
 }
 
@@ -158,7 +166,8 @@ Status ExperimentBench::make_finger(const Plan& recording) {
 
 /// All that the finger is made of: the scenes as they are with it, and what is drawn at random.
 Result<std::string> ExperimentBench::name_to_keep_by() const {
-  std::vector<std::string> made_by{options_.name, std::to_string(options_.seed)};
+  std::vector<std::string> made_by{
+      options_.name, std::to_string(options_.seed), std::to_string(options_.recording_every)};
   for (const char* scene : {kBenchRecording, kBenchPresses}) {
     const auto written = text_of_scene(scene);
     if (!written) return written.error();
@@ -253,7 +262,7 @@ Result<Plan> ExperimentBench::plan_as_written(const std::string& scene) const {
 }
 
 std::vector<FramePtr> ExperimentBench::frames(const Plan& plan, int first, int end) const {
-  return frames_of_plan(plan, first, end, options_.threads);
+  return frames_of_plan(plan, {first, end}, 1, options_.threads);
 }
 
 Result<int> ExperimentBench::measure(const std::string& scene,

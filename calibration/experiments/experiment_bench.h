@@ -26,9 +26,11 @@ struct BenchOptions {
   /// For the fingers. What earlier experiments left there goes: experiment_finger,
   /// experiment_finger_1 and so on, and experiment_hd_finger.
   std::filesystem::path folder;
-  std::uint64_t seed = 1;                  ///< of everything random
-  int threads = 1;                         ///< that render; the figures are the same for any number
-  DrawnFinger finger;                      ///< the demonstration's
+  std::uint64_t seed = 1;  ///< of everything random
+  int threads = 1;         ///< that render; the figures are the same for any number
+  DrawnFinger finger;      ///< the demonstration's
+  /// Of a recording every n-th frame is made: fewer cost less, and leave poses without a near one.
+  int recording_every = 1;
   std::string name = "experiment_finger";  ///< of the finger's folder below `folder`
   /// Where fingers are kept for the next run (kept_finger.h); absent: nowhere, and none is taken.
   std::optional<std::filesystem::path> cache;
@@ -92,7 +94,7 @@ class ExperimentBench {
     Finger finger;
     std::filesystem::path folder;
     Truth truth_at_rest;
-    int rest_frame = 0;  ///< of the recording
+    int rest_frame = 0;  ///< of the plan
   };
   [[nodiscard]] static Result<Recorded> record(const Plan& recording,
                                                const std::string& folder,
@@ -112,7 +114,7 @@ class ExperimentBench {
   FingerPtr finger_;
   std::optional<ReferenceLibrary> library_;  // held, so that every pipeline shares what was read
   Truth truth_at_rest_;
-  int rest_frame_ = 0;  // of the recording
+  int rest_frame_ = 0;  // of the recording's plan
   bool finger_was_kept_ = false;
   std::optional<Error> not_kept_;
   // By number; one thread asks.

@@ -1,6 +1,7 @@
 // The source paper's experiments: what the table says of them, and one from end to end.
 #include "calibration/experiments/experiment_runs.h"
 #include "core/simulation/scene.h"
+#include "tests/support/slow_run.h"
 #include "tests/support/temporary_folder.h"
 
 #include <filesystem>
@@ -82,6 +83,7 @@ BenchOptions options_in(const test::TemporaryFolder& folder) {
   BenchOptions options;
   options.folder = folder.path();
   options.threads = 2;
+  options.recording_every = test::as_many_as(3, 1);
   return options;
 }
 
@@ -138,6 +140,7 @@ TEST_F(ExperimentsOnAFinger, LocalisationHoldsAgainstTheBallsOwnCentres) {
   ASSERT_TRUE(frames) << frames.error().sentence();
   EXPECT_EQ(*frames, 27);
   EXPECT_LT(greatest_mm, 0.2);
+  if (!test::is_slow_run()) return;  // it makes fingers of its own
   const ExperimentOutcome told = outcome_of("localisation");
   ASSERT_EQ(told.figures.size(), 6U);
   EXPECT_NEAR(told.figures[2].ours, greatest_mm, 0.01);
@@ -150,6 +153,7 @@ TEST_F(ExperimentsOnAFinger, LocalisationHoldsAgainstTheBallsOwnCentres) {
 
 // What happens to a finger is the scene's; that one reference is worse is what the paper is about.
 TEST_F(ExperimentsOnAFinger, OneReferenceIsWorseThanARecording) {
+  if (!test::is_slow_run()) GTEST_SKIP() << "needs whole recordings; packaging/test --slow";
   const ExperimentOutcome references = outcome_of("references");
   EXPECT_EQ(references.frames, (1 + kDrawnFingers) * 40);
   ASSERT_EQ(references.figures.size(), 9U);

@@ -172,6 +172,7 @@ TEST(KeptFingerOfExperiments, MeasuresTheSameAsOneMadeAnew) {
   options.threads = 2;
   options.finger = DrawnFinger::draw(3, 1);
   options.finger.scale = 0.5;
+  options.recording_every = 3;
   const auto made_in = [&](const std::string& name, bool with_cache) {
     options.folder = folder / name;
     options.cache = with_cache ? std::optional(folder / "cache") : std::nullopt;
