@@ -5,6 +5,7 @@
 #include "tests/support/recorded_disk.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -127,6 +128,18 @@ TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
   EXPECT_TRUE(both.starts_with(one)) << "what was there remains";
   EXPECT_GT(both.size(), one.size());
   EXPECT_THAT(both.substr(one.size()), HasSubstr("201")) << "and it says when by this clock";
+}
+
+TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
+  if (!is_slow()) GTEST_SKIP() << "waits for seconds: with ALLTACT_SLOW only";
+  const ProgramRun run = run_shell(fmt::format(
+      "export ALLTACT_DISK='{0}' ALLTACT_DISK_STALL=20000; LD_PRELOAD={1} {2} check {0} & "
+      "sleep 4.9; kill -INT $!; sleep 0.2; kill -INT $!; wait $!",
+      finger(),
+      ALLTACT_FAULTY_DISK,
+      ALLTACT_PROGRAM));
+  EXPECT_THAT(run.errors, HasSubstr("finger.yaml: its disk does not answer"));
+  EXPECT_EQ(run.status, 128 + SIGINT);
 }
 
 TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
